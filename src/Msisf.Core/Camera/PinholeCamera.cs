@@ -1,0 +1,88 @@
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Camera;
+
+/// <summary>
+/// The perspective camera of thesis section 8.2, as POV-Ray sees it. Camera axes: it looks along -x, y is to the right,
+/// z is up; the user's quaternion turns camera axes into Moon axes (chapter 7; docs/deviations.md, row 7).
+/// </summary>
+public sealed class PinholeCamera
+{
+    /// <summary>Places the camera.</summary>
+    /// <param name="positionMoonMe">Focal point, m, MOON_ME.</param>
+    /// <param name="moonFromCamera">Orientation.</param>
+    /// <param name="fieldOfView">Horizontal field of view, rad, in (0, pi).</param>
+    /// <param name="width">Picture width, px, at least 1.</param>
+    /// <param name="height">Picture height, px, at least 1.</param>
+    /// <exception cref="BadInputException">The field of view is not in (0, pi), a size is below 1, or the position is not finite.</exception>
+    public PinholeCamera(Vector3D positionMoonMe, UnitQuaternion moonFromCamera, double fieldOfView, int width, int height)
+    {
+        if (!(fieldOfView > 0.0 && fieldOfView < Math.PI))
+        {
+            throw new BadInputException($"The field of view is {Degrees(fieldOfView)} degrees; it must lie between 0 and 180 degrees.");
+        }
+
+        if (width < 1 || height < 1)
+        {
+            throw new BadInputException($"The picture is {width} x {height} px; each side needs at least 1 px.");
+        }
+
+        if (!positionMoonMe.IsFinite)
+        {
+            throw new BadInputException($"The camera position {positionMoonMe} is not finite.");
+        }
+
+        PositionMoonMe = positionMoonMe;
+        MoonFromCamera = moonFromCamera;
+        FieldOfView = fieldOfView;
+        Width = width;
+        Height = height;
+
+        double aspect = (double)width / height;
+        ForwardMoonMe = moonFromCamera * -Vector3D.UnitX;
+        Right = aspect * (moonFromCamera * Vector3D.UnitY);
+        Up = moonFromCamera * Vector3D.UnitZ;
+        Direction = aspect / 2.0 / Math.Tan(fieldOfView / 2.0) * ForwardMoonMe;
+    }
+
+    /// <summary>Focal point, m, MOON_ME.</summary>
+    public Vector3D PositionMoonMe { get; }
+
+    /// <summary>Orientation: turns camera axes into Moon axes.</summary>
+    public UnitQuaternion MoonFromCamera { get; }
+
+    /// <summary>Horizontal field of view, rad.</summary>
+    public double FieldOfView { get; }
+
+    /// <summary>Picture width, px.</summary>
+    public int Width { get; }
+
+    /// <summary>Picture height, px.</summary>
+    public int Height { get; }
+
+    /// <summary>Viewing direction of length 1, MOON_ME.</summary>
+    public Vector3D ForwardMoonMe { get; }
+
+    /// <summary>POV-Ray's direction vector, MOON_ME, length aspect / (2 tan(fov / 2)) (thesis eq. 8.10).</summary>
+    public Vector3D Direction { get; }
+
+    /// <summary>POV-Ray's right vector, MOON_ME, length width / height (thesis eq. 8.8).</summary>
+    public Vector3D Right { get; }
+
+    /// <summary>POV-Ray's up vector, MOON_ME, length 1 (thesis eq. 8.11).</summary>
+    public Vector3D Up { get; }
+
+    /// <summary>The ray through a point of the image plane in rendering coordinates: pixel (x, y) from 1, x right, y down (thesis eq. 8.15).</summary>
+    /// <param name="x">Rendering coordinate; whole numbers are pixel centres.</param>
+    /// <param name="y">Rendering coordinate.</param>
+    public Ray RayThrough(double x, double y)
+    {
+        double up = (1.0 + Height - (2.0 * y)) / (2.0 * Height);
+        double right = ((2.0 * x) - 1.0 - Width) / (2.0 * Width);
+        return new Ray(PositionMoonMe, Direction + (up * Up) + (right * Right));
+    }
+
+    private static string Degrees(double angle) =>
+        (angle * 180.0 / Math.PI).ToString("R", System.Globalization.CultureInfo.InvariantCulture);
+}

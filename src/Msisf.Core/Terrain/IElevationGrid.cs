@@ -1,0 +1,27 @@
+namespace Msisf.Core.Terrain;
+
+/// <summary>
+/// A whole Moon of radii on a regular latitude-longitude grid, pixel registered: line i (0 northernmost) lies at latitude
+/// 90 - (i + 0.5) / res degrees, sample j (0 westernmost) at longitude (j + 0.5) / res degrees. Safe for several threads.
+/// </summary>
+public interface IElevationGrid
+{
+    /// <summary>The product's name, e.g. "LDEM_4".</summary>
+    string ProductId { get; }
+
+    /// <summary>Samples a degree.</summary>
+    int PixelsPerDegree { get; }
+
+    /// <summary>Radii of consecutive samples of one line.</summary>
+    /// <param name="line">0 to 180 res - 1, northernmost first.</param>
+    /// <param name="firstSample">0 to 360 res - 1; the run goes on over the prime meridian.</param>
+    /// <param name="radii">Filled with m from the Moon's centre; at most 360 res of them.</param>
+    void ReadRadii(int line, int firstSample, Span<double> radii);
+
+    /// <summary>Least and greatest radius of a block of samples, m.</summary>
+    /// <param name="firstLine">Northernmost line.</param>
+    /// <param name="lines">How many lines.</param>
+    /// <param name="firstSample">Westernmost sample.</param>
+    /// <param name="samples">How many samples; the block goes on over the prime meridian.</param>
+    (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples);
+}

@@ -1,0 +1,14 @@
+namespace Msisf.Core.Terrain;
+
+/// <summary>Constants of the Moon, each with its source.</summary>
+public static class MoonConstants
+{
+    /// <summary>m: LOLA's reference radius; heights are over it and the pixels' rays meet it (D. E. Smith et al., LRO-L-LOLA-4-GDR-V1.0; docs/deviations.md, row 8).</summary>
+    public const double ReferenceRadius = 1_737_400.0;
+
+    /// <summary>m: mean radius MMR, for the flight altitude only (thesis, list of constants).</summary>
+    public const double MeanRadius = 1_737_150.0;
+
+    /// <summary>m3/s2: standard gravitational parameter (thesis section 6.2.2).</summary>
+    public const double GravitationalParameter = 4.902801076e12;
+}

@@ -1,0 +1,54 @@
+using System.Globalization;
+
+namespace Msisf.Core.Tiles;
+
+/// <summary>A 5 x 5 degree tile, named by its south-west corner; <c>default</c> is the one north-east of (0, 0).</summary>
+/// <param name="SouthDegrees">Southern border: -90, -85, ... 85.</param>
+/// <param name="WestDegrees">Western border: 0, 5, ... 355.</param>
+public readonly record struct TileId(int SouthDegrees, int WestDegrees) : IComparable<TileId>
+{
+    /// <summary>Edge of a tile, degrees.</summary>
+    public const int SizeDegrees = 5;
+
+    /// <summary>Rows of tiles from pole to pole.</summary>
+    public const int Rows = 180 / SizeDegrees;
+
+    /// <summary>Columns of tiles around the Moon.</summary>
+    public const int Columns = 360 / SizeDegrees;
+
+    /// <summary>All tiles of the Moon.</summary>
+    public const int Count = Rows * Columns;
+
+    /// <summary>All 2,592 tiles, by latitude, then longitude.</summary>
+    public static IEnumerable<TileId> All =>
+        from row in Enumerable.Range(0, Rows)
+        from column in Enumerable.Range(0, Columns)
+        select new TileId(-90 + (row * SizeDegrees), column * SizeDegrees);
+
+    /// <summary>The part of a pattern's file name that says where it is: "lat_-5_0_lon_355_360".</summary>
+    public string RangeText => string.Create(
+        CultureInfo.InvariantCulture,
+        $"lat_{SouthDegrees}_{SouthDegrees + SizeDegrees}_lon_{WestDegrees}_{WestDegrees + SizeDegrees}");
+
+    /// <summary>Northernmost grid line of the tile's samples at a resolution in px/deg (line 0 is northernmost).</summary>
+    public int FirstLine(int pixelsPerDegree) => (90 - SouthDegrees - SizeDegrees) * pixelsPerDegree;
+
+    /// <summary>Westernmost grid sample of the tile at a resolution in px/deg.</summary>
+    public int FirstSample(int pixelsPerDegree) => WestDegrees * pixelsPerDegree;
+
+    /// <summary>By latitude, then longitude.</summary>
+    public int CompareTo(TileId other) =>
+        SouthDegrees != other.SouthDegrees ? SouthDegrees.CompareTo(other.SouthDegrees) : WestDegrees.CompareTo(other.WestDegrees);
+
+    /// <summary>Order by latitude, then longitude.</summary>
+    public static bool operator <(TileId a, TileId b) => a.CompareTo(b) < 0;
+
+    /// <summary>Order by latitude, then longitude.</summary>
+    public static bool operator <=(TileId a, TileId b) => a.CompareTo(b) <= 0;
+
+    /// <summary>Order by latitude, then longitude.</summary>
+    public static bool operator >(TileId a, TileId b) => a.CompareTo(b) > 0;
+
+    /// <summary>Order by latitude, then longitude.</summary>
+    public static bool operator >=(TileId a, TileId b) => a.CompareTo(b) >= 0;
+}

@@ -1,0 +1,51 @@
+using Xunit;
+
+namespace Msisf.TestSupport;
+
+/// <summary>A real part that a test needs.</summary>
+internal enum Part
+{
+    Ldem4,
+    CSpice,
+    PovRay,
+    Xmllint,
+    Cairo,
+}
+
+/// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
+[AttributeUsage(AttributeTargets.Method)]
+internal sealed class RequiresFactAttribute : FactAttribute
+{
+    public RequiresFactAttribute(params Part[] parts) => Skip = MissingParts.ReasonToSkip(parts);
+}
+
+/// <summary>As <see cref="RequiresFactAttribute"/>, for theories.</summary>
+[AttributeUsage(AttributeTargets.Method)]
+internal sealed class RequiresTheoryAttribute : TheoryAttribute
+{
+    public RequiresTheoryAttribute(params Part[] parts) => Skip = MissingParts.ReasonToSkip(parts);
+}
+
+internal static class MissingParts
+{
+    public static string? ReasonToSkip(Part[] parts)
+    {
+        if (Environment.GetEnvironmentVariable("CI") == "true")
+        {
+            return null;
+        }
+
+        string[] missing = [.. parts.Where(part => !IsHere(part)).Select(part => part.ToString())];
+        return missing.Length == 0 ? null : $"missing: {string.Join(", ", missing)}";
+    }
+
+    private static bool IsHere(Part part) => part switch
+    {
+        Part.Ldem4 => TestParts.Ldem4Label is not null,
+        Part.CSpice => TestParts.CSpiceLibrary is not null,
+        Part.PovRay => TestParts.Program("povray") is not null,
+        Part.Xmllint => TestParts.Program("xmllint") is not null,
+        Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
+        _ => throw new ArgumentOutOfRangeException(nameof(part)),
+    };
+}

@@ -1,0 +1,43 @@
+namespace Msisf.TestSupport;
+
+/// <summary>Where the real parts are that tests work with; a path is null if the part is missing.</summary>
+internal static class TestParts
+{
+    /// <summary>The folder that holds MSISF.sln.</summary>
+    public static string RepositoryRoot { get; } = FindRoot();
+
+    /// <summary>The real LOLA model at 4 px/deg.</summary>
+    public static string? Ldem4Label => FirstFile(
+        Path.Combine(RepositoryRoot, "input", "ldem", "LDEM_4.LBL"),
+        Path.Combine(RepositoryRoot, "..", "shared", "ldem", "LDEM_4.LBL"));
+
+    /// <summary>NAIF's CSPICE as a shared library.</summary>
+    public static string? CSpiceLibrary => FirstFile(
+        Environment.GetEnvironmentVariable("MSISF_CSPICE"),
+        Path.Combine(RepositoryRoot, "lib", "native", "libcspice.so"),
+        Path.Combine(RepositoryRoot, "..", "shared", "cspice", "libcspice.so"));
+
+    /// <summary>The folder of the kernels that the project ships.</summary>
+    public static string Kernels => Path.Combine(RepositoryRoot, "kernels");
+
+    /// <summary>A program on the PATH.</summary>
+    public static string? Program(string name) => FirstFile(
+        (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)
+            .Split(Path.PathSeparator)
+            .Select(folder => Path.Combine(folder, name))
+            .ToArray());
+
+    private static string? FirstFile(params string?[] candidates) =>
+        candidates.FirstOrDefault(candidate => candidate is not null && File.Exists(candidate));
+
+    private static string FindRoot()
+    {
+        DirectoryInfo? folder = new(AppContext.BaseDirectory);
+        while (folder is not null && !File.Exists(Path.Combine(folder.FullName, "MSISF.sln")))
+        {
+            folder = folder.Parent;
+        }
+
+        return folder?.FullName ?? throw new InvalidOperationException("MSISF.sln is in no folder above the tests.");
+    }
+}
