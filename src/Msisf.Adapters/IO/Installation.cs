@@ -1,0 +1,37 @@
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.IO;
+
+/// <summary>Where the program's own files are: the folder that holds <c>kernels/msisf.tm</c>.</summary>
+public sealed class Installation
+{
+    private const string Landmark = "kernels/msisf.tm";
+
+    private Installation(string root) => Root = root;
+
+    /// <summary>The folder that holds kernels, lib and the rest.</summary>
+    public string Root { get; }
+
+    /// <summary>The meta-kernel that the project ships.</summary>
+    public string MetaKernel => Path.Combine(Root, "kernels", "msisf.tm");
+
+    /// <summary>Elevation models that the set-up script put here.</summary>
+    public string ElevationModels => Path.Combine(Root, "input", "ldem");
+
+    /// <summary>Looks for the installation from a folder upwards.</summary>
+    /// <param name="programFolder">Folder of the running program.</param>
+    /// <exception cref="ExternalPartException">No folder above holds the kernels.</exception>
+    public static Installation Above(string programFolder)
+    {
+        for (DirectoryInfo? folder = new(programFolder); folder is not null; folder = folder.Parent)
+        {
+            if (File.Exists(Path.Combine(folder.FullName, Landmark)))
+            {
+                return new Installation(folder.FullName);
+            }
+        }
+
+        throw new ExternalPartException(
+            $"{programFolder}: no folder from here upwards holds {Landmark}. Run msis from its own tree, as it was cloned.");
+    }
+}

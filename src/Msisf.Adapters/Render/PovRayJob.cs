@@ -1,0 +1,20 @@
+namespace Msisf.Adapters.Render;
+
+/// <summary>One run of POV-Ray.</summary>
+/// <param name="Scene">Writes the scene.</param>
+/// <param name="PatternFolder">Folder of the patterns that the scene includes by file name.</param>
+/// <param name="WorkFolder">An existing folder on the disk of the outputs, for POV-Ray's own files.</param>
+/// <param name="Width">Picture width, px.</param>
+/// <param name="Height">Picture height, px.</param>
+/// <param name="Threads">Threads that POV-Ray may use.</param>
+/// <param name="Options">POV-Ray options after the usual ones, which they overrule.</param>
+/// <param name="Timeout">Longest allowed run, or null for no limit.</param>
+public sealed record PovRayJob(
+    Action<TextWriter> Scene,
+    string PatternFolder,
+    string WorkFolder,
+    int Width,
+    int Height,
+    int Threads,
+    IReadOnlyList<string> Options,
+    TimeSpan? Timeout);

@@ -1,0 +1,151 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Globalization;
+using System.Text;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Render;
+
+/// <summary>
+/// Runs POV-Ray, the one place that starts it. Each run has a folder of its own with plain names inside, so that no path
+/// of the user's (spaces, quotes, umlauts) ever passes through POV-Ray's option parser; nothing passes through a shell.
+/// </summary>
+public sealed class PovRayProcess
+{
+    private const string SceneName = "scene.pov";
+    private const string PictureName = "picture.png";
+    private const string PatternLink = "patterns";
+    private const string EmptySettings = "povray.ini";
+
+    /// <summary>The last lines of a failed run that its error shows.</summary>
+    private const int ReportedLines = 6;
+
+    /// <summary>Quality and antialiasing as the 2012 program had them.</summary>
+    private static readonly string[] UsualOptions =
+    [
+        "Quality=11", "Antialias=On", "Antialias_Depth=3", "Antialias_Threshold=0.3", "Jitter=On", "Jitter_Amount=0.5",
+    ];
+
+    private readonly string _program;
+
+    /// <summary>Takes the program to start.</summary>
+    /// <param name="program">Full path (<see cref="PovRayProgram.Find"/>).</param>
+    public PovRayProcess(string program) => _program = program;
+
+    /// <summary>Renders one picture.</summary>
+    /// <param name="job">What and where.</param>
+    /// <param name="consumePicture">Takes the finished PNG, which is removed afterwards.</param>
+    /// <param name="cancellation">Kills POV-Ray with its children.</param>
+    /// <returns>POV-Ray's own times.</returns>
+    /// <exception cref="PovRayException">POV-Ray can't be started, fails, or exceeds the job's time limit.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public async Task<PovRayTimes> RenderAsync(PovRayJob job, Action<Stream> consumePicture, CancellationToken cancellation)
+    {
+        string folder = Path.Combine(
+            job.WorkFolder, string.Create(CultureInfo.InvariantCulture, $".msis-{Environment.ProcessId}-{Guid.NewGuid():N}"));
+        try
+        {
+            Directory.CreateDirectory(folder);
+            Directory.CreateSymbolicLink(Path.Combine(folder, PatternLink), Path.GetFullPath(job.PatternFolder));
+            File.WriteAllText(Path.Combine(folder, EmptySettings), string.Empty);
+            using (StreamWriter writer = new(Path.Combine(folder, SceneName), append: false, new UTF8Encoding(false)))
+            {
+                job.Scene(writer);
+            }
+
+            string output = await RunAsync(job, folder, cancellation).ConfigureAwait(false);
+            using (FileStream picture = File.OpenRead(Path.Combine(folder, PictureName)))
+            {
+                consumePicture(picture);
+            }
+
+            return PovRayTimes.Read(output);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            throw new PovRayException($"{job.WorkFolder}: POV-Ray's files can't be kept there: {exception.Message}", exception);
+        }
+        finally
+        {
+            if (Directory.Exists(folder))
+            {
+                Directory.Delete(folder, recursive: true);
+            }
+        }
+    }
+
+    private static ProcessStartInfo StartInfo(string program, PovRayJob job, string folder)
+    {
+        ProcessStartInfo start = new(program)
+        {
+            WorkingDirectory = folder,
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+            UseShellExecute = false,
+        };
+
+        // An empty settings file: a user's own povray.ini must not change pictures.
+        start.Environment["POVINI"] = EmptySettings;
+        string[] own =
+        [
+            $"+I{SceneName}", $"+O{PictureName}", $"+L{PatternLink}", "+FN8", "-D",
+            string.Create(CultureInfo.InvariantCulture, $"+W{job.Width}"),
+            string.Create(CultureInfo.InvariantCulture, $"+H{job.Height}"),
+            string.Create(CultureInfo.InvariantCulture, $"+WT{job.Threads}"),
+        ];
+        foreach (string argument in (string[])[.. own, .. UsualOptions, .. job.Options])
+        {
+            start.ArgumentList.Add(argument);
+        }
+
+        return start;
+    }
+
+    private async Task<string> RunAsync(PovRayJob job, string folder, CancellationToken cancellation)
+    {
+        using Process process = new() { StartInfo = StartInfo(_program, job, folder) };
+        try
+        {
+            process.Start();
+        }
+        catch (Win32Exception exception)
+        {
+            throw new PovRayException($"{_program}: can't be started: {exception.Message}", exception);
+        }
+
+        process.StandardInput.Close();
+        using CancellationTokenSource limit = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        if (job.Timeout is TimeSpan timeout)
+        {
+            limit.CancelAfter(timeout);
+        }
+
+        Task<string> standardOutput = process.StandardOutput.ReadToEndAsync(CancellationToken.None);
+        Task<string> standardError = process.StandardError.ReadToEndAsync(CancellationToken.None);
+        try
+        {
+            await process.WaitForExitAsync(limit.Token).ConfigureAwait(false);
+        }
+        catch (OperationCanceledException)
+        {
+            process.Kill(entireProcessTree: true);
+            await process.WaitForExitAsync(CancellationToken.None).ConfigureAwait(false);
+            cancellation.ThrowIfCancellationRequested();
+            throw new PovRayException(string.Create(
+                CultureInfo.InvariantCulture, $"{_program} was ended after {job.Timeout!.Value.TotalSeconds:R} s (--timeout)."));
+        }
+
+        string output = await standardOutput.ConfigureAwait(false) + await standardError.ConfigureAwait(false);
+        return process.ExitCode == 0 && File.Exists(Path.Combine(folder, PictureName))
+            ? output
+            : throw new PovRayException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{_program} {string.Join(' ', process.StartInfo.ArgumentList)}: exit code {process.ExitCode}: {LastLines(output)}"));
+    }
+
+    private static string LastLines(string output) =>
+        string.Join(" | ", output
+            .Split(['\n', '\r'], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
+            .TakeLast(ReportedLines));
+}

@@ -1,0 +1,109 @@
+using System.Globalization;
+using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
+using Msisf.Core.Tiles;
+
+namespace Msisf.Adapters.Scene;
+
+/// <summary>
+/// Writes a scene in POV-Ray's language (thesis section 5.3): kilometres, MOON_ME, round-trip numbers. The patterns are
+/// included by bare file name, so that the scene holds no path of the machine that made it; POV-Ray finds them by its library path.
+/// </summary>
+public static class PovSceneWriter
+{
+    private const string Surface =
+        """
+        #declare moon = texture
+        {
+            pigment { color rgb<0.8, 0.8, 0.8> }
+            finish
+            {
+                ambient 0.0
+                diffuse 0.8
+            }
+        }
+
+        global_settings
+        {
+            charset utf8
+            assumed_gamma 1.0
+        }
+        """;
+
+    /// <summary>The Sun as the thesis has it: a glowing ball of 1000 km that only a ray straight into it sees.</summary>
+    private const string SunLooksLike =
+        """
+            looks_like
+            {
+                sphere
+                {
+                    0, 1000
+                    pigment { rgbt 1 }
+                    hollow
+                    interior
+                    {
+                        media
+                        {
+                            emission 1
+                            density
+                            {
+                                spherical
+                                density_map
+                                {
+                                    [0 rgb 0]
+                                    [60 Orange]
+                                    [80 Red]
+                                    [100 Yellow]
+                                }
+                                scale 1000
+                            }
+                        }
+                    }
+                }
+            }
+        """;
+
+    /// <summary>Writes one scene.</summary>
+    /// <param name="writer">Where to; LF line ends are written whatever its setting.</param>
+    /// <param name="scene">What.</param>
+    /// <param name="patternFileName">File name, without folder, of a tile's pattern.</param>
+    public static void Write(TextWriter writer, RenderScene scene, Func<TileId, string> patternFileName)
+    {
+        writer.Write(string.Create(
+            CultureInfo.InvariantCulture,
+            $"// povray +W{scene.Camera.Width} +H{scene.Camera.Height} +L<pattern-repository>/{scene.PixelsPerDegree} <this file>\n"));
+        writer.Write("#version 3.7;\n\n");
+        if (scene.Light.IsSun)
+        {
+            writer.Write("#declare Orange = rgb <1,0.5,0>;\n#declare Red = rgb <1,0,0>;\n#declare Yellow = rgb <1,1,0>;\n");
+        }
+
+        WriteLines(writer, Surface);
+        writer.Write("\ncamera\n{\n    perspective\n");
+        writer.Write($"    location {Kilometres(scene.Camera.PositionMoonMe)}\n");
+        writer.Write($"    right {Vector(scene.Camera.Right)}\n");
+        writer.Write($"    up {Vector(scene.Camera.Up)}\n");
+        writer.Write($"    direction {Vector(scene.Camera.Direction)}\n}}\n\n");
+        writer.Write($"light_source\n{{\n    {Kilometres(scene.Light.PositionMoonMe)}\n    color rgb<1, 1, 1>\n");
+        if (scene.Light.IsSun)
+        {
+            WriteLines(writer, SunLooksLike);
+        }
+
+        writer.Write("}\n");
+        foreach (TileId tile in scene.Tiles)
+        {
+            writer.Write($"\n#include \"{patternFileName(tile)}\"");
+        }
+
+        writer.Write("\n");
+    }
+
+    private static void WriteLines(TextWriter writer, string block) =>
+        writer.Write(block.ReplaceLineEndings("\n") + "\n");
+
+    private static string Kilometres(Vector3D positionMetres) => Vector(positionMetres / 1000.0);
+
+    private static string Vector(Vector3D v) =>
+        string.Create(CultureInfo.InvariantCulture, $"<{v.X:R}, {v.Y:R}, {v.Z:R}>");
+}

@@ -1,0 +1,36 @@
+using System.CommandLine;
+
+namespace Msisf.Cli.Options;
+
+/// <summary>What the picture and its meta data look like and where they go.</summary>
+internal sealed class PictureOptions
+{
+    public Option<string?> FieldOfView { get; } = OptionFactory.Value(
+        "--fov", ["-f"], "DEGREES", "Horizontal field of view (default 40)");
+
+    public Option<string?> Width { get; } = OptionFactory.Value("--width", ["-w"], "PX", "Picture width, 1 to 16384 (default 1024)");
+
+    public Option<string?> Height { get; } = OptionFactory.Value("--height", ["-h"], "PX", "Picture height, 1 to 16384 (default 1024)");
+
+    public Option<string?> Grid { get; } = OptionFactory.Value(
+        "--grid", ["-g"], "PX", "Spacing of the pixels that the meta file lists, both ways (default 50)");
+
+    public Option<string?> GridHorizontal { get; } = OptionFactory.Value("--gridH", ["-gH"], "PX", "The same, horizontally");
+
+    public Option<string?> GridVertical { get; } = OptionFactory.Value("--gridV", ["-gV"], "PX", "The same, vertically");
+
+    public Option<bool> IgnoreSun { get; } = OptionFactory.Flag("--ignore-sun", [], "Light the scene from the camera instead of the Sun");
+
+    public Option<bool> Annotation { get; } = OptionFactory.Flag(
+        "--rendering-annotation", [], "Make a second picture with the illumination directions and the scene's data drawn on it");
+
+    public Option<string?> OutputFolder { get; } = OptionFactory.Value("--output-dir", ["-o"], "PATH", "Folder of the outputs (default ./output/)");
+
+    public Option<string?> OutputName { get; } = OptionFactory.Value(
+        "--output-name", [], "PATTERN", "File names without extension; {step}, {step:00000}, {mjd}, {mjd:0.000} (default MoonSurfIllumSim_step_{step:00000})");
+
+    public IEnumerable<Option> All =>
+    [
+        FieldOfView, Width, Height, Grid, GridHorizontal, GridVertical, IgnoreSun, Annotation, OutputFolder, OutputName,
+    ];
+}

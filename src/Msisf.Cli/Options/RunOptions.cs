@@ -1,0 +1,31 @@
+using System.CommandLine;
+
+namespace Msisf.Cli.Options;
+
+/// <summary>How the run goes: external parts, reports, limits.</summary>
+internal sealed class RunOptions
+{
+    public Option<bool> Batch { get; } = OptionFactory.Flag("--batch", ["-b"], "Unattended: ask nothing, draw no progress bars");
+
+    public Option<string?> Ephemeris { get; } = OptionFactory.Value(
+        "--ephemeris", [], "cspice|builtin|auto", "Ephemeris engine (default auto: CSPICE if its library loads, else built-in)");
+
+    public Option<string?> Kernels { get; } = OptionFactory.Value(
+        "--kernels", [], "FILE", "SPICE meta-kernel (default kernels/msisf.tm of the installation)");
+
+    public Option<string?> PovPath { get; } = OptionFactory.Value("--pov-path", [], "PATH", "POV-Ray's program or its folder (default: along the PATH)");
+
+    public Option<string?> PovOptions { get; } = OptionFactory.Value(
+        "--pov-options", [], "TEXT", "More POV-Ray options, separated by spaces; they overrule the usual ones, e.g. \"Antialias=Off\"");
+
+    public Option<string?> Timeout { get; } = OptionFactory.Value("--timeout", [], "SECONDS", "Longest time for one POV-Ray run (default: no limit)");
+
+    public Option<string?> Jobs { get; } = OptionFactory.Value("--jobs", ["-j"], "N", "Frames at once (default: as many as cores allow)");
+
+    public Option<bool> ListPatterns { get; } = OptionFactory.Flag(
+        "--list-patterns", [], "Print the tiles of each frame and why each is taken or left out; render nothing");
+
+    public Option<bool> Timing { get; } = OptionFactory.Flag("--timing", [], "Print run times as one line of JSON on standard error");
+
+    public IEnumerable<Option> All => [Batch, Ephemeris, Kernels, PovPath, PovOptions, Timeout, Jobs, ListPatterns, Timing];
+}

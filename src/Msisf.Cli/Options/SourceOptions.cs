@@ -1,0 +1,18 @@
+using System.CommandLine;
+
+namespace Msisf.Cli.Options;
+
+/// <summary>Which elevation model, which patterns, which ephemeris.</summary>
+internal sealed class SourceOptions
+{
+    public Option<string?> Resolution { get; } = OptionFactory.Value(
+        "--res", ["-r"], "RESOLUTION", "Resolution of the elevation model in px/deg (default 4)");
+
+    public Option<string?> Ldem { get; } = OptionFactory.Value(
+        "--ldem", [], "PATH", "Elevation model: its label, its image, or a folder of models (default ./input/ldem)");
+
+    public Option<string?> PatternRepository { get; } = OptionFactory.Value(
+        "--pattern-repos", ["-p"], "PATH", "Folder of the surface patterns (default ./pattern-repository/)");
+
+    public IEnumerable<Option> All => [Resolution, Ldem, PatternRepository];
+}

@@ -1,0 +1,35 @@
+using Spectre.Console;
+
+namespace Msisf.Cli.Progress;
+
+/// <summary>A bar with the time left, for a terminal.</summary>
+internal sealed class BarProgress : IRunProgress
+{
+    private readonly ManualResetEventSlim _finished = new();
+    private readonly Task _drawing;
+    private readonly ProgressTask _bar;
+
+    public BarProgress(IAnsiConsole console, string title, int total)
+    {
+        TaskCompletionSource<ProgressTask> started = new();
+        _drawing = Task.Run(() => console
+            .Progress()
+            .Columns(
+                new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn(), new SpinnerColumn())
+            .Start(context =>
+            {
+                started.SetResult(context.AddTask(Markup.Escape(title), maxValue: total));
+                _finished.Wait();
+            }));
+        _bar = started.Task.GetAwaiter().GetResult();
+    }
+
+    public void Advance(string name) => _bar.Increment(1.0);
+
+    public void Dispose()
+    {
+        _finished.Set();
+        _drawing.GetAwaiter().GetResult();
+        _finished.Dispose();
+    }
+}

@@ -1,0 +1,23 @@
+using Msisf.Cli.Run;
+using Spectre.Console;
+
+namespace Msisf.Cli.Progress;
+
+/// <summary>Chooses how progress is shown.</summary>
+internal static class RunProgress
+{
+    /// <summary>A bar on a terminal, lines elsewhere and with <c>--batch</c>, nothing for a single step.</summary>
+    public static IRunProgress Start(string title, int total, bool unattended, Log log, TimeProvider clock)
+    {
+        if (total <= 1)
+        {
+            return new SilentProgress();
+        }
+
+        return unattended || Console.IsErrorRedirected ? new PlainProgress(log, clock, total) : StartBar(title, total);
+    }
+
+    // Apart, so that Spectre.Console is only loaded when a bar is drawn.
+    private static BarProgress StartBar(string title, int total) =>
+        new(AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) }), title, total);
+}

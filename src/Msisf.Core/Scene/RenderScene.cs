@@ -1,0 +1,11 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Tiles;
+
+namespace Msisf.Core.Scene;
+
+/// <summary>All that one picture needs, nothing else.</summary>
+/// <param name="Camera">Where from and how.</param>
+/// <param name="Light">The Sun, or the lamp at the camera.</param>
+/// <param name="PixelsPerDegree">Resolution of the patterns.</param>
+/// <param name="Tiles">The patterns that the picture needs, by latitude, then longitude.</param>
+public sealed record RenderScene(PinholeCamera Camera, SceneLight Light, int PixelsPerDegree, IReadOnlyList<TileId> Tiles);

@@ -1,0 +1,40 @@
+using System.Text.RegularExpressions;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Architecture.Tests;
+
+/// <summary>The rules of the house that only the text of the sources shows.</summary>
+public sealed partial class SourceRuleTests
+{
+    /// <summary>STYLE: a file has one purpose and stays under about 200 lines; past this it has two jobs.</summary>
+    private const int LongestFile = 300;
+
+    private static readonly string[] Sources =
+    [
+        .. Directory.EnumerateFiles(Path.Combine(TestParts.RepositoryRoot, "src"), "*.cs", SearchOption.AllDirectories)
+            .Where(path => !path.Contains("/obj/", StringComparison.Ordinal)),
+    ];
+
+    [Fact]
+    public void Files_AreShort() =>
+        Assert.All(Sources, path => Assert.True(File.ReadLines(path).Count() <= LongestFile, $"{path} is longer than {LongestFile} lines"));
+
+    [Fact]
+    public void Sources_HaveNoRegionsAndNoTodo() =>
+        Assert.All(Sources, path => Assert.DoesNotMatch(RegionOrTodo(), File.ReadAllText(path)));
+
+    [Fact]
+    public void KilometresAppear_OnlyAtTheBorderToPovRayAndSpice() =>
+        Assert.All(
+            Sources.Where(path => !path.Contains("/Interop/", StringComparison.Ordinal)
+                && !path.Contains("/Ephemeris/", StringComparison.Ordinal)
+                && !path.EndsWith("PovSceneWriter.cs", StringComparison.Ordinal)),
+            path => Assert.DoesNotMatch(KilometreName(), File.ReadAllText(path)));
+
+    [GeneratedRegex(@"^\s*#region|\bTODO\b|\bFIXME\b|\bHACK\b", RegexOptions.Multiline)]
+    private static partial Regex RegionOrTodo();
+
+    [GeneratedRegex(@"\b[a-z]\w*Km\b")]
+    private static partial Regex KilometreName();
+}
