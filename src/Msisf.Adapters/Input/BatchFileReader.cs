@@ -1,0 +1,97 @@
+using Msisf.Core.Errors;
+using Msisf.Core.Scene;
+
+namespace Msisf.Adapters.Input;
+
+/// <summary>
+/// Reads batch files (thesis section 6.3.2): a line is one state, <c>MJD rx ry rz qx qy qz q0</c>, the numbers apart by blanks or tabs.
+/// "#" begins a comment; empty lines are allowed.
+/// </summary>
+public static class BatchFileReader
+{
+    private static readonly string Expected = string.Join(' ', SpacecraftState.NumberNames);
+
+    /// <summary>Reads all states; nothing is returned before every line was read and is right.</summary>
+    /// <param name="reader">The text, read once from start to end; about 2 microseconds and 64 bytes a line.</param>
+    /// <param name="fileName">For messages, e.g. "input/run7.tab".</param>
+    /// <returns>The states in the order of their lines; none if there are only comments.</returns>
+    /// <exception cref="BadInputException">The first line that is wrong, by file, line and column; or not a text file.</exception>
+    /// <exception cref="ExternalPartException">The file can't be read.</exception>
+    public static IReadOnlyList<SpacecraftState> Read(TextReader reader, string fileName)
+    {
+        BoundedLineReader lines = new(reader, fileName);
+        List<SpacecraftState> states = [];
+        try
+        {
+            while (lines.TryRead(out ReadOnlySpan<char> line))
+            {
+                int comment = line.IndexOf('#');
+                ReadOnlySpan<char> content = (comment < 0 ? line : line[..comment]).TrimEnd();
+                if (!content.IsWhiteSpace())
+                {
+                    states.Add(ParseState(content, fileName, lines.LineNumber));
+                }
+            }
+        }
+        catch (IOException exception)
+        {
+            throw new ExternalPartException($"{fileName}: can't be read after line {lines.LineNumber}: {exception.Message}", exception);
+        }
+
+        return states;
+    }
+
+    private static SpacecraftState ParseState(ReadOnlySpan<char> content, string fileName, int lineNumber)
+    {
+        Span<double> numbers = stackalloc double[SpacecraftState.NumberNames.Count];
+        int count = 0;
+        int position = 0;
+        while (TryNextWord(content, ref position, out ReadOnlySpan<char> word))
+        {
+            if (!NumberText.TryParse(word, out double number))
+            {
+                throw new BadInputException(
+                    $"{fileName}, line {lineNumber}, column {position - word.Length + 1}: {NumberText.ProblemWith(word)}. A line is: {Expected}; comments begin with '#'.");
+            }
+
+            if (count < numbers.Length)
+            {
+                numbers[count] = number;
+            }
+
+            count++;
+        }
+
+        if (count != numbers.Length)
+        {
+            throw new BadInputException(
+                $"{fileName}, line {lineNumber}: {count} numbers, {numbers.Length} expected ({Expected}). {(count < numbers.Length ? "Complete" : "Shorten")} or remove the line.");
+        }
+
+        try
+        {
+            return SpacecraftState.FromNumbers(numbers);
+        }
+        catch (BadInputException exception)
+        {
+            throw new BadInputException($"{fileName}, line {lineNumber}: {exception.Message}", exception);
+        }
+    }
+
+    private static bool TryNextWord(ReadOnlySpan<char> content, ref int position, out ReadOnlySpan<char> word)
+    {
+        while (position < content.Length && char.IsWhiteSpace(content[position]))
+        {
+            position++;
+        }
+
+        int start = position;
+        while (position < content.Length && !char.IsWhiteSpace(content[position]))
+        {
+            position++;
+        }
+
+        word = content[start..position];
+        return word.Length > 0;
+    }
+}

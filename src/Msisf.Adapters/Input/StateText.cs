@@ -1,0 +1,115 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Time;
+
+namespace Msisf.Adapters.Input;
+
+/// <summary>
+/// The values of the options that take several numbers (thesis appendix A): <c>{a,b,...}</c> and <c>[start:step:end]</c>. A shell may have
+/// cut the text at blanks, or expanded the braces into separate words; all of these mean the same.
+/// </summary>
+public static class StateText
+{
+    /// <summary>Reads a list of a given length.</summary>
+    /// <param name="option">The option's name for messages, e.g. "--kepler-set".</param>
+    /// <param name="words">What stands after the option on the command line.</param>
+    /// <param name="fields">The names of the numbers in their order, e.g. a, e, omega, ...</param>
+    /// <returns>As many finite numbers as there are fields, in their order and in the units that were typed.</returns>
+    /// <exception cref="BadInputException">Unbalanced braces, a wrong count, an empty field or one that is not a number.</exception>
+    public static double[] ParseNumbers(string option, IReadOnlyList<string> words, IReadOnlyList<string> fields)
+    {
+        string expected = $"{{{string.Join(',', fields)}}}";
+        List<string> texts = SplitList(option, words, expected);
+        return texts.Count == fields.Count
+            ? ParseAll(option, texts, index => fields[index])
+            : throw new BadInputException(
+                $"{option}: {CountOf(texts.Count)}, {fields.Count} expected: {expected}. Commas separate the numbers, decimals take a point.");
+    }
+
+    /// <summary>Reads a list of any length from 1.</summary>
+    /// <param name="option">The option's name for messages, e.g. "--times".</param>
+    /// <param name="words">What stands after the option on the command line.</param>
+    /// <param name="field">What each number is, for messages, e.g. "MJD".</param>
+    /// <returns>Finite numbers in their order.</returns>
+    /// <exception cref="BadInputException">Unbalanced braces, no number, an empty field or one that is not a number.</exception>
+    public static double[] ParseList(string option, IReadOnlyList<string> words, string field)
+    {
+        string expected = $"{{{field}1,{field}2,...}}";
+        List<string> texts = SplitList(option, words, expected);
+        return texts.Count > 0
+            ? ParseAll(option, texts, index => field + (index + 1).ToString(CultureInfo.InvariantCulture))
+            : throw new BadInputException($"{option}: the list is empty; {expected} is expected.");
+    }
+
+    /// <summary>Reads an interval of times, [start:step:end]: MJD, days, MJD.</summary>
+    /// <param name="option">The option's name for messages, e.g. "--time-interval".</param>
+    /// <param name="words">What stands after the option on the command line.</param>
+    /// <returns>The times; possibly none.</returns>
+    /// <exception cref="BadInputException">Not of this form, or the numbers do not make an interval.</exception>
+    public static TimeInterval ParseInterval(string option, IReadOnlyList<string> words)
+    {
+        const string expected = "[start:step:end]";
+        string[] texts = Unwrapped(option, words, '[', ']', expected).Split(':', StringSplitOptions.TrimEntries);
+        if (texts.Length != 3)
+        {
+            throw new BadInputException(
+                $"{option}: {CountOf(texts.Length)}, 3 expected: {expected} in MJD, days, MJD; colons separate the numbers.");
+        }
+
+        string[] fields = ["start", "step", "end"];
+        double[] numbers = ParseAll(option, texts, index => fields[index]);
+        try
+        {
+            return new TimeInterval(new ModifiedJulianDate(numbers[0]), numbers[1], new ModifiedJulianDate(numbers[2]));
+        }
+        catch (BadInputException exception)
+        {
+            throw new BadInputException($"{option}: {exception.Message}", exception);
+        }
+    }
+
+    private static List<string> SplitList(string option, IReadOnlyList<string> words, string expected)
+    {
+        string joined = string.Join(' ', words).Trim();
+        string inner = Unwrapped(option, words, '{', '}', expected);
+        if (inner.Length == 0)
+        {
+            return [];
+        }
+
+        // Words that the shell made of the braces have neither braces nor commas left; a stray blank inside braces is no separator.
+        bool isExpanded = inner.Length == joined.Length && !inner.Contains(',');
+        return isExpanded
+            ? [.. inner.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries)]
+            : [.. inner.Split(',', StringSplitOptions.TrimEntries)];
+    }
+
+    /// <summary>The text without its outer brackets, which may be missing as a pair.</summary>
+    private static string Unwrapped(string option, IReadOnlyList<string> words, char open, char close, string expected)
+    {
+        string text = string.Join(' ', words).Trim();
+        bool opens = text.StartsWith(open);
+        bool closes = text.EndsWith(close);
+        string inner = opens && closes && text.Length > 1 ? text[1..^1].Trim() : text;
+        return inner.AsSpan().ContainsAny(open, close)
+            ? throw new BadInputException($"{option}: {NumberText.Shown(text)} has unbalanced '{open}' and '{close}'; {expected} is expected, quoted so that the shell leaves it alone.")
+            : inner;
+    }
+
+    private static double[] ParseAll(string option, IReadOnlyList<string> texts, Func<int, string> fieldName)
+    {
+        double[] values = new double[texts.Count];
+        for (int index = 0; index < values.Length; index++)
+        {
+            if (!NumberText.TryParse(texts[index], out values[index]))
+            {
+                throw new BadInputException(
+                    $"{option}, number {index + 1} ({fieldName(index)}): {NumberText.ProblemWith(texts[index])}.");
+            }
+        }
+
+        return values;
+    }
+
+    private static string CountOf(int count) => count == 1 ? "1 number" : string.Create(CultureInfo.InvariantCulture, $"{count} numbers");
+}

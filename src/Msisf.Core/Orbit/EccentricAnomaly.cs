@@ -1,0 +1,70 @@
+namespace Msisf.Core.Orbit;
+
+/// <summary>
+/// A place on an ellipse by its eccentric anomaly, with all that follows from it in units of the semi-major axis a. Nothing here
+/// cancels for e near 1 and small angles, where 1 - e cos E and E - e sin E lose every digit. <c>default</c> is the periapsis of a circle.
+/// </summary>
+/// <param name="Angle">Eccentric anomaly E, rad, [-pi, pi].</param>
+/// <param name="Eccentricity">e, 0 &lt;= e &lt; 1.</param>
+public readonly record struct EccentricAnomaly(double Angle, double Eccentricity)
+{
+    /// <summary>rad: below this E - sin E is summed as a series, above it the difference keeps its digits.</summary>
+    private const double SeriesLimit = Math.PI / 2.0;
+
+    /// <summary>Distance to the central body over a: r/a = 1 - e cos E (thesis eq. 6.5).</summary>
+    public double Radius => (1.0 - Eccentricity) + (Eccentricity * OneMinusCosine);
+
+    /// <summary>Coordinate towards the periapsis over a: cos E - e.</summary>
+    public double X => (1.0 - Eccentricity) - OneMinusCosine;
+
+    /// <summary>Coordinate across, in the sense of the motion, over a: sqrt(1 - e^2) sin E.</summary>
+    public double Y => MinorAxis * Math.Sin(Angle);
+
+    /// <summary>Velocity towards the periapsis over a n, n the mean motion (thesis eq. 6.7).</summary>
+    public double VelocityX => -Math.Sin(Angle) / Radius;
+
+    /// <summary>Velocity across over a n (thesis eq. 6.7).</summary>
+    public double VelocityY => MinorAxis * Math.Cos(Angle) / Radius;
+
+    /// <summary>True anomaly, rad, [-pi, pi].</summary>
+    public double TrueAnomaly => Math.Atan2(Y, X);
+
+    /// <summary>Mean anomaly M = E - e sin E, rad, [-pi, pi] (Kepler's equation).</summary>
+    public double MeanAnomaly => MeanAnomalyMinus(0.0);
+
+    /// <summary>1 - cos E.</summary>
+    private double OneMinusCosine
+    {
+        get
+        {
+            double sinHalf = Math.Sin(Angle / 2.0);
+            return 2.0 * sinHalf * sinHalf;
+        }
+    }
+
+    /// <summary>Minor over major axis: sqrt(1 - e^2).</summary>
+    private double MinorAxis => Math.Sqrt((1.0 - Eccentricity) * (1.0 + Eccentricity));
+
+    /// <summary>E - e sin E - <paramref name="meanAnomaly"/>, rounded about once.</summary>
+    internal double MeanAnomalyMinus(double meanAnomaly)
+    {
+        // e < 1/2: 1 - e would be rounded and E - e sin E does not cancel; e >= 1/2: 1 - e is exact.
+        return Eccentricity < 0.5 || Math.Abs(Angle) > SeriesLimit
+            ? Math.FusedMultiplyAdd(-Eccentricity, Math.Sin(Angle), Angle - meanAnomaly)
+            : Math.FusedMultiplyAdd(1.0 - Eccentricity, Angle, -meanAnomaly) + (Eccentricity * AngleMinusSine(Angle));
+    }
+
+    /// <summary>x - sin x for |x| up to <see cref="SeriesLimit"/>, by the Taylor series in Horner's form.</summary>
+    private static double AngleMinusSine(double x)
+    {
+        // The last factor, 23 * 22, leaves out terms below 1e-17 of the sum at the limit.
+        double square = x * x;
+        double sum = 1.0;
+        for (int n = 23; n >= 5; n -= 2)
+        {
+            sum = 1.0 - (square / (n * (n - 1)) * sum);
+        }
+
+        return x * square / 6.0 * sum;
+    }
+}

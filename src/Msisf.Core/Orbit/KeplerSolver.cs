@@ -1,0 +1,79 @@
+using System.Globalization;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Orbit;
+
+/// <summary>Solves Kepler's equation M = E - e sin E for elliptic orbits.</summary>
+public static class KeplerSolver
+{
+    /// <summary>1: enough for bisection alone to reach neighbouring doubles; Newton's method needs about 6.</summary>
+    private const int MostIterations = 100;
+
+    /// <summary>1: how far rounding may put an upper bound of the root below it.</summary>
+    private const double BoundRounding = 1.0 + 2e-15;
+
+    /// <summary>The eccentric anomaly, right to the last digit (tests: 1 unit in the last place) for the M and e given.</summary>
+    /// <param name="meanAnomaly">M, rad, any finite number; full turns are taken off without loss.</param>
+    /// <param name="eccentricity">e, 0 &lt;= e &lt; 1.</param>
+    /// <returns>E in [-pi, pi], with position and velocity in units of the semi-major axis.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">Not finite, or not an ellipse: <see cref="KeplerElements"/> lets neither through.</exception>
+    /// <remarks>
+    /// Newton's method (thesis eq. 6.2), but not from E = M, which diverges for e near 1: f is convex on [0, pi], so
+    /// from an upper bound of the root every step stays above it. The bounds are M + e, pi, M / (1 - e), and the
+    /// root of M = e E^3 / pi^2, since E - sin E >= E^3 / pi^2 on [0, pi].
+    /// </remarks>
+    public static EccentricAnomaly Solve(double meanAnomaly, double eccentricity)
+    {
+        if (!double.IsFinite(meanAnomaly))
+        {
+            throw new ArgumentOutOfRangeException(nameof(meanAnomaly), meanAnomaly, "Not finite.");
+        }
+
+        if (!(eccentricity >= 0.0 && eccentricity < 1.0))
+        {
+            throw new ArgumentOutOfRangeException(nameof(eccentricity), eccentricity, "Not in [0, 1).");
+        }
+
+        double reduced = AngleReduction.ToHalfTurn(meanAnomaly);
+        double half = SolveUpperHalf(Math.Abs(reduced), eccentricity);
+        return new EccentricAnomaly(Math.CopySign(half, reduced), eccentricity);
+    }
+
+    private static double SolveUpperHalf(double meanAnomaly, double eccentricity)
+    {
+        if (meanAnomaly == 0.0)
+        {
+            return 0.0;
+        }
+
+        double lineBound = Math.Min(meanAnomaly + eccentricity, meanAnomaly / (1.0 - eccentricity));
+        double cubicBound = Math.Cbrt(Math.PI * Math.PI * meanAnomaly / eccentricity);
+        double low = 0.0;
+        double high = Math.Min(Math.PI, BoundRounding * Math.Min(lineBound, cubicBound));
+        double angle = high;
+        for (int iteration = 0; iteration < MostIterations; iteration++)
+        {
+            EccentricAnomaly candidate = new(angle, eccentricity);
+            double excess = candidate.MeanAnomalyMinus(meanAnomaly);
+            (low, high) = excess > 0.0 ? (low, angle) : (angle, high);
+
+            double next = angle - (excess / candidate.Radius);
+            if (!(next > low && next < high))
+            {
+                // Only where rounding decides the sign of the excess, next to the root.
+                next = low + ((high - low) / 2.0);
+            }
+
+            if (Math.Abs(next - angle) <= Math.BitIncrement(angle) - angle)
+            {
+                return next;
+            }
+
+            angle = next;
+        }
+
+        throw new InvalidOperationException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"Kepler's equation was not solved in {MostIterations} steps for M = {meanAnomaly:R}, e = {eccentricity:R}."));
+    }
+}

@@ -1,0 +1,54 @@
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Orbit;
+
+/// <summary>Where a spacecraft is at a time, from its orbit at an epoch. As safe for several threads as its ephemeris.</summary>
+public sealed class OrbitPropagator
+{
+    private readonly KeplerOrbit _orbit;
+    private readonly ModifiedJulianDate _epoch;
+    private readonly OrbitFrame _frame;
+    private readonly IEphemeris? _ephemeris;
+    private readonly RotationMatrix _j2000FromOrbit;
+
+    /// <summary>Takes the orbit. State vectors come in through <see cref="StateConversion.ToElements"/>, which keeps the frame.</summary>
+    /// <param name="elements">The orbit at the epoch, in <paramref name="frame"/>.</param>
+    /// <param name="epoch">When the mean anomaly is M0, UTC.</param>
+    /// <param name="frame">The frame of the elements.</param>
+    /// <param name="ephemeris">How the Moon turns; <see cref="OrbitFrame.MoonMe"/> needs none.</param>
+    /// <exception cref="ArgumentException">The elements are <c>default</c>, or the frame turns and there is no ephemeris.</exception>
+    /// <exception cref="SpiceException">The epoch is outside the kernels' cover (<see cref="OrbitFrame.MoonMeEpoch"/>).</exception>
+    public OrbitPropagator(KeplerElements elements, ModifiedJulianDate epoch, OrbitFrame frame, IEphemeris? ephemeris)
+    {
+        if (frame != OrbitFrame.MoonMe)
+        {
+            ArgumentNullException.ThrowIfNull(ephemeris);
+        }
+
+        _orbit = new KeplerOrbit(elements);
+        _epoch = epoch;
+        _frame = frame;
+        _ephemeris = ephemeris;
+        _j2000FromOrbit = frame == OrbitFrame.MoonMeEpoch
+            ? ephemeris!.MoonMeFromJ2000(epoch).Transposed
+            : RotationMatrix.Identity;
+    }
+
+    /// <summary>Least distance from the Moon's centre on the whole orbit, m. Whether the spacecraft is in the ground is a matter of the terrain below it.</summary>
+    public double PeriapsisRadius => _orbit.Elements.PeriapsisRadius;
+
+    /// <summary>Position in m, MOON_ME of the time.</summary>
+    /// <param name="time">UTC.</param>
+    /// <exception cref="SpiceException">The time is outside the kernels' cover (not for <see cref="OrbitFrame.MoonMe"/>).</exception>
+    /// <exception cref="BadInputException">The orbit is so small that it can't be followed up to the time.</exception>
+    public Vector3D PositionMoonMe(ModifiedJulianDate time)
+    {
+        Vector3D positionOrbit = _orbit.PositionAt(time.SecondsSince(_epoch));
+        return _frame == OrbitFrame.MoonMe
+            ? positionOrbit
+            : _ephemeris!.MoonMeFromJ2000(time) * (_j2000FromOrbit * positionOrbit);
+    }
+}

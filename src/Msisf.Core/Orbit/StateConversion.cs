@@ -1,0 +1,69 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Orbit;
+
+/// <summary>From a state vector to Kepler elements (thesis section 6.2.3); the way back is <see cref="KeplerOrbit.StateAt"/>.</summary>
+/// <remarks>
+/// Thesis eq. 6.12-6.22, with atan2 in place of each arccos (docs/deviations.md, rows 2 and 3). The angles are measured so that their
+/// sums keep their digits where one alone is undefined: omega is the spacecraft's angle from the node minus its true anomaly,
+/// so for e near 0 both may be anything but the position is not touched.
+/// </remarks>
+public static class StateConversion
+{
+    /// <summary>The orbit through a state, in the same frame and at the same epoch.</summary>
+    /// <param name="state">m and m/s, relative to the Moon's centre.</param>
+    /// <returns>omega and Omega in [0, 2 pi), i in [0, pi], M0 in [-pi, pi].</returns>
+    /// <exception cref="BadInputException">A component is not finite, position or velocity is zero, they are parallel, or the orbit is a parabola or hyperbola.</exception>
+    public static KeplerElements ToElements(StateVector state)
+    {
+        double distance = LengthOf(state.Position, "position", "m");
+        double speed = LengthOf(state.Velocity, "velocity", "m/s");
+
+        double kineticRatio = distance * speed / MoonConstants.GravitationalParameter * speed;
+        double distanceOverAxis = 2.0 - kineticRatio;
+        if (distanceOverAxis <= 0.0)
+        {
+            double escapeSpeed = Math.Sqrt(2.0 * MoonConstants.GravitationalParameter / distance);
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"The speed {speed:R} m/s is not below the escape speed, {escapeSpeed:R} m/s at {distance:R} m from the centre: the orbit is a parabola or hyperbola; only ellipses can be followed."));
+        }
+
+        double semiMajorAxis = distance / distanceOverAxis;
+        Vector3D momentum = Vector3D.Cross(state.Position, state.Velocity);
+        double axisSpeed = Math.Sqrt(MoonConstants.GravitationalParameter) / Math.Sqrt(semiMajorAxis);
+        double radial = Vector3D.Dot(state.Position / semiMajorAxis, state.Velocity / axisSpeed);
+        double eccentricity = double.Hypot(kineticRatio - 1.0, radial);
+        if (momentum.Length == 0.0 || eccentricity >= 1.0)
+        {
+            throw new BadInputException(
+                "Position and velocity are parallel as far as a double can tell: the orbit is a straight line through the Moon's centre, not an ellipse; check their components.");
+        }
+
+        EccentricAnomaly anomaly = new(Math.Atan2(radial, kineticRatio - 1.0), eccentricity);
+        OrbitPlane plane = OrbitPlane.WithNormal(momentum);
+        double fromNode = plane.AngleFromNode(state.Position);
+        bool isCircle = eccentricity == 0.0;
+        return new KeplerElements(
+            semiMajorAxis,
+            eccentricity,
+            argumentOfPeriapsis: isCircle ? 0.0 : AngleReduction.ToFullTurn(fromNode - anomaly.TrueAnomaly),
+            longitudeOfAscendingNode: plane.LongitudeOfAscendingNode,
+            inclination: plane.Inclination,
+            meanAnomalyAtEpoch: isCircle ? fromNode : anomaly.MeanAnomaly);
+    }
+
+    private static double LengthOf(Vector3D vector, string what, string unit)
+    {
+        double length = vector.Length;
+        if (!double.IsFinite(length))
+        {
+            throw new BadInputException($"The {what} ({unit}) is not finite or too long; three finite numbers are needed.");
+        }
+
+        return length > 0.0 ? length : throw new BadInputException($"The {what} ({unit}) is zero; no orbit follows from it.");
+    }
+}
