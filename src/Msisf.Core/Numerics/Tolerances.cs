@@ -8,4 +8,7 @@ public static class Tolerances
 
     /// <summary>1, parts of a step: within this a time interval's end counts as reached, as MATLAB's colon does.</summary>
     public const double IntervalSteps = 1e-9;
+
+    /// <summary>1: how far a frame kernel's matrix may be from a rotation. The engines shall agree to 1e-12, and CSPICE mends a worse matrix before use.</summary>
+    public const double FrameMatrix = 1e-12;
 }

@@ -1,0 +1,117 @@
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>
+/// A segment of SPK type 2 or 3 or PCK type 2: records of equal length, each with three Chebyshev series. A record is read
+/// when a time first needs it, and kept.
+/// </summary>
+/// <remarks>NAIF, SPK Required Reading, "Type 2" and "Type 3"; PCK Required Reading, "Type 2". Of type 3 the velocities are left unread.</remarks>
+internal sealed class ChebyshevSegment : IEphemerisSegment
+{
+    /// <summary>At the end of a segment: INIT, INTLEN, RSIZE, N.</summary>
+    private const int DirectoryWords = 4;
+
+    /// <summary>At the start of a record: its middle and its half length.</summary>
+    private const int WordsBeforeSeries = 2;
+
+    private const int Components = 3;
+
+    private readonly DafFile file;
+    private readonly int firstAddress;
+    private readonly double start;
+    private readonly double recordSeconds;
+    private readonly int recordWords;
+    private readonly int coefficients;
+    private readonly double[]?[] records;
+
+    /// <summary>Reads the segment's directory.</summary>
+    /// <param name="file">The kernel; must outlive the segment.</param>
+    /// <param name="summary">The segment.</param>
+    /// <param name="body">NAIF's number.</param>
+    /// <param name="center">NAIF's number.</param>
+    /// <param name="seriesPerRecord">3, or 6 with the velocities of SPK type 3.</param>
+    /// <exception cref="BadInputException">The directory contradicts the segment's size.</exception>
+    public ChebyshevSegment(DafFile file, DafSummary summary, int body, int center, int seriesPerRecord)
+    {
+        this.file = file;
+        Body = body;
+        Center = center;
+        Interval = summary.Interval;
+        firstAddress = summary.FirstAddress;
+
+        Span<double> directory = stackalloc double[DirectoryWords];
+        long words = (long)summary.LastAddress - summary.FirstAddress + 1;
+        if (words < DirectoryWords)
+        {
+            throw file.Damaged($"the segment of body {body} is too short");
+        }
+
+        file.ReadDoubles(summary.LastAddress - DirectoryWords + 1, directory);
+        start = directory[0];
+        recordSeconds = directory[1];
+        double size = directory[2];
+        double count = directory[3];
+        bool isSound = double.IsFinite(start)
+            && double.IsFinite(recordSeconds) && recordSeconds > 0.0
+            && size >= WordsBeforeSeries + seriesPerRecord && (size - WordsBeforeSeries) % seriesPerRecord == 0.0
+            && count >= 1.0
+            && (size * count) + DirectoryWords == words;
+        if (!isSound)
+        {
+            throw file.Damaged($"the directory of the segment of body {body} does not fit its size");
+        }
+
+        recordWords = (int)size;
+        coefficients = (recordWords - WordsBeforeSeries) / seriesPerRecord;
+        records = new double[(int)count][];
+    }
+
+    /// <inheritdoc/>
+    public int Body { get; }
+
+    /// <inheritdoc/>
+    public int Center { get; }
+
+    /// <inheritdoc/>
+    public TdbInterval Interval { get; }
+
+    /// <inheritdoc/>
+    public Vector3D ValueAt(double tdbSeconds)
+    {
+        // As in SPICE the last record also serves the segment's very end.
+        int index = (int)Math.Clamp((tdbSeconds - start) / recordSeconds, 0.0, records.Length - 1.0);
+        ReadOnlySpan<double> record = Volatile.Read(ref records[index]) ?? ReadRecord(index);
+        double x = (tdbSeconds - record[0]) / record[1];
+        ReadOnlySpan<double> series = record[WordsBeforeSeries..];
+        return new Vector3D(
+            Chebyshev.Evaluate(series[..coefficients], x),
+            Chebyshev.Evaluate(series.Slice(coefficients, coefficients), x),
+            Chebyshev.Evaluate(series.Slice(2 * coefficients, coefficients), x));
+    }
+
+    /// <summary>Two threads may read the same record at once; both get the same numbers, and one copy stays.</summary>
+    private double[] ReadRecord(int index)
+    {
+        // One array holds what ValueAt needs and no more: the middle, the half length and the first three series.
+        double[] record = new double[WordsBeforeSeries + (Components * coefficients)];
+        file.ReadDoubles(firstAddress + ((long)index * recordWords), record);
+        foreach (double value in record)
+        {
+            if (!double.IsFinite(value))
+            {
+                throw file.Damaged($"record {index + 1} of body {Body} holds a number that is not finite");
+            }
+        }
+
+        if (record[1] <= 0.0)
+        {
+            throw file.Damaged($"record {index + 1} of body {Body} has no length");
+        }
+
+        Volatile.Write(ref records[index], record);
+        return record;
+    }
+}

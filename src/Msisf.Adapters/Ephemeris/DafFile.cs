@@ -1,0 +1,176 @@
+using System.Buffers.Binary;
+using System.Runtime.InteropServices;
+using System.Text;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>
+/// A binary kernel (double precision array file), little- or big-endian. Opening reads the file record and the summaries;
+/// data are read when asked for. Safe for several threads.
+/// </summary>
+/// <remarks>NAIF, DAF Required Reading.</remarks>
+public sealed class DafFile : IDisposable
+{
+    private const int RecordBytes = 1024;
+    private const int WordBytes = sizeof(double);
+    private const int WordsBeforeSummaries = 3;
+
+    /// <summary>SPK and PCK alike: the segment's first and last time.</summary>
+    private const int SummaryDoubles = 2;
+
+    private readonly Stream stream;
+    private readonly Lock streamLock = new();
+    private readonly bool isLittleEndian;
+
+    /// <summary>Opens a kernel and takes the stream over.</summary>
+    /// <param name="stream">Must be able to seek.</param>
+    /// <param name="fileName">For messages.</param>
+    /// <exception cref="BadInputException">Not an SPK or binary PCK, damaged or cut short.</exception>
+    public DafFile(Stream stream, string fileName)
+    {
+        this.stream = stream;
+        FileName = fileName;
+        Span<byte> fileRecord = stackalloc byte[RecordBytes];
+        if (stream.Length < RecordBytes)
+        {
+            throw new BadInputException($"{fileName}: {stream.Length} bytes are too few for a binary kernel ({RecordBytes} at least). Get the file anew.");
+        }
+
+        ReadBytes(0, fileRecord);
+        IdWord = Encoding.ASCII.GetString(fileRecord[..8]).TrimEnd();
+        int summaryIntegers = IdWord switch
+        {
+            "DAF/SPK" => 6,
+            "DAF/PCK" => 5,
+            _ => throw new BadInputException($"{fileName}: the file begins with \"{IdWord}\"; DAF/SPK or DAF/PCK expected."),
+        };
+        string format = Encoding.ASCII.GetString(fileRecord.Slice(88, 8));
+        isLittleEndian = format switch
+        {
+            "LTL-IEEE" => true,
+            "BIG-IEEE" => false,
+            _ => throw new BadInputException($"{fileName}: the number format is \"{format.Trim()}\"; LTL-IEEE or BIG-IEEE expected. Convert the kernel with NAIF's bingo."),
+        };
+        int doubles = ReadInt32(fileRecord[8..]);
+        int integers = ReadInt32(fileRecord[12..]);
+        if (doubles != SummaryDoubles || integers != summaryIntegers)
+        {
+            throw Damaged($"summaries of {doubles} doubles and {integers} integers, {SummaryDoubles} and {summaryIntegers} expected");
+        }
+
+        Summaries = ReadSummaries(ReadInt32(fileRecord[76..]), summaryIntegers);
+    }
+
+    /// <summary>For messages.</summary>
+    public string FileName { get; }
+
+    /// <summary>"DAF/SPK" or "DAF/PCK".</summary>
+    public string IdWord { get; }
+
+    /// <summary>The segments in the order of the file.</summary>
+    public IReadOnlyList<DafSummary> Summaries { get; }
+
+    /// <summary>Reads consecutive doubles.</summary>
+    /// <param name="firstAddress">Address of the first one, from 1.</param>
+    /// <param name="values">Receives them.</param>
+    /// <exception cref="ExternalPartException">The file can't be read.</exception>
+    public void ReadDoubles(long firstAddress, Span<double> values)
+    {
+        Span<byte> bytes = MemoryMarshal.AsBytes(values);
+        ReadBytes((firstAddress - 1) * WordBytes, bytes);
+        if (isLittleEndian != BitConverter.IsLittleEndian)
+        {
+            Span<long> words = MemoryMarshal.Cast<byte, long>(bytes);
+            BinaryPrimitives.ReverseEndianness(words, words);
+        }
+    }
+
+    /// <summary>The failure for a file that contradicts itself.</summary>
+    /// <param name="what">What was found.</param>
+    public BadInputException Damaged(string what) => new($"{FileName}: damaged kernel: {what}. Get the file anew.");
+
+    /// <inheritdoc/>
+    public void Dispose() => stream.Dispose();
+
+    private List<DafSummary> ReadSummaries(int firstRecord, int integers)
+    {
+        int summaryBytes = WordBytes * (SummaryDoubles + ((integers + 1) / 2));
+        int maximumPerRecord = (RecordBytes - (WordsBeforeSummaries * WordBytes)) / summaryBytes;
+        long recordsLeft = stream.Length / RecordBytes;
+        List<DafSummary> summaries = [];
+        Span<byte> record = stackalloc byte[RecordBytes];
+        double next = firstRecord;
+        while (next != 0.0)
+        {
+            if (!(next >= 1.0 && next * RecordBytes <= stream.Length) || recordsLeft-- == 0)
+            {
+                throw Damaged("the chain of its summary records leads out of the file or in a ring");
+            }
+
+            ReadBytes(((long)next - 1) * RecordBytes, record);
+            double count = ReadDouble(record[(2 * WordBytes)..]);
+            if (!(count >= 0.0 && count <= maximumPerRecord))
+            {
+                throw Damaged("a summary record with an impossible number of segments");
+            }
+
+            for (int i = 0; i < (int)count; i++)
+            {
+                summaries.Add(ReadSummary(record.Slice((WordsBeforeSummaries * WordBytes) + (i * summaryBytes), summaryBytes), integers));
+            }
+
+            next = ReadDouble(record);
+        }
+
+        return summaries;
+    }
+
+    private DafSummary ReadSummary(ReadOnlySpan<byte> bytes, int integers)
+    {
+        TdbInterval interval = new(ReadDouble(bytes), ReadDouble(bytes[WordBytes..]));
+        int[] values = new int[integers];
+        for (int i = 0; i < integers; i++)
+        {
+            values[i] = ReadInt32(bytes[((SummaryDoubles * WordBytes) + (i * sizeof(int)))..]);
+        }
+
+        DafSummary summary = new(interval, values);
+        if (!(double.IsFinite(interval.Start) && double.IsFinite(interval.End) && interval.Start <= interval.End))
+        {
+            throw Damaged("a segment whose times do not rise");
+        }
+
+        if (summary.FirstAddress < 1 || summary.LastAddress < summary.FirstAddress)
+        {
+            throw Damaged("a segment with impossible addresses");
+        }
+
+        return (long)summary.LastAddress * WordBytes <= stream.Length
+            ? summary
+            : throw Damaged($"it has {stream.Length} bytes, but its data need {(long)summary.LastAddress * WordBytes}: it is cut short");
+    }
+
+    private double ReadDouble(ReadOnlySpan<byte> bytes) =>
+        isLittleEndian ? BinaryPrimitives.ReadDoubleLittleEndian(bytes) : BinaryPrimitives.ReadDoubleBigEndian(bytes);
+
+    private int ReadInt32(ReadOnlySpan<byte> bytes) =>
+        isLittleEndian ? BinaryPrimitives.ReadInt32LittleEndian(bytes) : BinaryPrimitives.ReadInt32BigEndian(bytes);
+
+    private void ReadBytes(long offset, Span<byte> bytes)
+    {
+        try
+        {
+            lock (streamLock)
+            {
+                stream.Seek(offset, SeekOrigin.Begin);
+                stream.ReadExactly(bytes);
+            }
+        }
+        catch (IOException exception)
+        {
+            throw new ExternalPartException($"{FileName}: can't be read: {exception.Message}", exception);
+        }
+    }
+}

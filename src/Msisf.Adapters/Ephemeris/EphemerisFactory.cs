@@ -1,0 +1,38 @@
+using Msisf.Adapters.Interop;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>Opens the ephemeris engine that the user wants, or the best one that is there.</summary>
+public static class EphemerisFactory
+{
+    /// <summary>Opens an engine.</summary>
+    /// <param name="request">What to open.</param>
+    /// <exception cref="BadInputException">A kernel is missing or can't be read.</exception>
+    /// <exception cref="ExternalPartException">CSPICE was asked for and can't be used.</exception>
+    /// <exception cref="SpiceException">CSPICE refuses a kernel.</exception>
+    public static OpenedEphemeris Open(EphemerisRequest request)
+    {
+        IReadOnlyList<string> kernels = KernelList.Expand(request.KernelFiles);
+        if (request.Choice == EphemerisChoice.BuiltIn)
+        {
+            return OpenBuiltIn(kernels, "as asked for");
+        }
+
+        if (CSpice.Shared.TryStart(request.CSpicePath, request.InstallationRoot, out string pathOrReason))
+        {
+            SpiceEphemeris engine = new(CSpice.Shared, kernels);
+            return new OpenedEphemeris(engine, $"Ephemeris: {engine.EngineName} ({pathOrReason}).", engine);
+        }
+
+        return request.Choice == EphemerisChoice.Auto
+            ? OpenBuiltIn(kernels, $"because {pathOrReason}")
+            : throw new ExternalPartException($"{pathOrReason}. Run scripts/get-cspice.sh, name the library in MSISF_CSPICE, or use --ephemeris builtin.");
+    }
+
+    private static OpenedEphemeris OpenBuiltIn(IReadOnlyList<string> kernels, string reason)
+    {
+        BuiltInKernels opened = new(kernels);
+        return new OpenedEphemeris(opened.Ephemeris, $"Ephemeris: {opened.Ephemeris.EngineName}, {reason}.", opened);
+    }
+}

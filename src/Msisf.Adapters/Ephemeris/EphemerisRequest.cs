@@ -1,0 +1,12 @@
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>Which ephemeris engine to open, and with what.</summary>
+/// <param name="Choice">The engine.</param>
+/// <param name="KernelFiles">A meta-kernel, or kernels in load order; relative names start at the working directory.</param>
+/// <param name="InstallationRoot">The folder that holds lib/native.</param>
+/// <param name="CSpicePath">MSISF_CSPICE: the only library to try; null or empty to look in the usual places.</param>
+public sealed record EphemerisRequest(
+    EphemerisChoice Choice,
+    IReadOnlyList<string> KernelFiles,
+    string InstallationRoot,
+    string? CSpicePath);

@@ -1,0 +1,116 @@
+using System.Text;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>Turns what the user names (a meta-kernel, or kernels) into the kernels' absolute paths, in load order.</summary>
+public static class KernelList
+{
+    private const string MetaKernelIdWord = "KPL/MK";
+    private const string Kernels = "KERNELS_TO_LOAD";
+    private const string PathSymbols = "PATH_SYMBOLS";
+    private const string PathValues = "PATH_VALUES";
+
+    /// <summary>Replaces each meta-kernel by the kernels that it lists.</summary>
+    /// <param name="files">Kernels and meta-kernels (files that begin with KPL/MK, or end in .tm).</param>
+    /// <returns>Absolute paths; each file exists.</returns>
+    /// <exception cref="BadInputException">A file is missing, or a meta-kernel can't be used.</exception>
+    /// <remarks>
+    /// A relative name in a meta-kernel starts at the meta-kernel's own folder. (SPICE starts at the working directory, so that
+    /// a program runs from one folder only.) SPICE's limit of 80 characters a value does not apply; '+' at a value's end
+    /// goes on with the next one, as in SPICE.
+    /// </remarks>
+    public static IReadOnlyList<string> Expand(IReadOnlyList<string> files)
+    {
+        List<string> kernels = [];
+        foreach (string file in files)
+        {
+            string path = Existing(Path.GetFullPath(file), "");
+            if (IsMetaKernel(path))
+            {
+                kernels.AddRange(ReadMetaKernel(path));
+            }
+            else
+            {
+                kernels.Add(path);
+            }
+        }
+
+        return kernels.Count > 0 ? kernels : throw new BadInputException("No kernel is named. Name a meta-kernel with --kernels.");
+    }
+
+    private static bool IsMetaKernel(string path) =>
+        path.EndsWith(".tm", StringComparison.OrdinalIgnoreCase)
+        || KernelFile.IdWordOf(path) == MetaKernelIdWord;
+
+    private static IEnumerable<string> ReadMetaKernel(string path)
+    {
+        KernelPool pool = new();
+        using (StreamReader reader = KernelFile.OpenText(path))
+        {
+            TextKernelReader.Read(reader, path, pool);
+        }
+
+        string? other = pool.Names.FirstOrDefault(name => name is not (Kernels or PathSymbols or PathValues));
+        if (other is not null)
+        {
+            throw new BadInputException($"{pool.Existing(other).Source}: a meta-kernel may assign {Kernels}, {PathSymbols} and {PathValues} only. Put {other} into a text kernel of its own and list that.");
+        }
+
+        List<string> names = JoinContinued(pool, Kernels);
+        List<string> symbols = JoinContinued(pool, PathSymbols);
+        List<string> values = JoinContinued(pool, PathValues);
+        if (names.Count == 0 || symbols.Count != values.Count)
+        {
+            throw new BadInputException(names.Count == 0
+                ? $"{path}: {Kernels} is missing: the meta-kernel lists no kernel."
+                : $"{path}: {symbols.Count} {PathSymbols} and {values.Count} {PathValues}; each symbol needs one value.");
+        }
+
+        string folder = Path.GetDirectoryName(path)!;
+        foreach (string name in names)
+        {
+            string kernel = Existing(Path.GetFullPath(ReplaceSymbols(name, symbols, values), folder), $", which {path} lists");
+            yield return IsMetaKernel(kernel)
+                ? throw new BadInputException($"{path}: {name} is a meta-kernel itself; SPICE allows no nesting. List its kernels instead.")
+                : kernel;
+        }
+    }
+
+    private static List<string> JoinContinued(KernelPool pool, string variable)
+    {
+        List<string> whole = [];
+        StringBuilder current = new();
+        foreach (string part in pool.Find(variable)?.Texts ?? [])
+        {
+            string trimmed = part.TrimEnd();
+            if (trimmed.EndsWith('+'))
+            {
+                current.Append(trimmed, 0, trimmed.Length - 1);
+                continue;
+            }
+
+            whole.Add(current.Append(trimmed).ToString());
+            current.Clear();
+        }
+
+        return current.Length == 0
+            ? whole
+            : throw new BadInputException($"{pool.Existing(variable).Source}: the last value of {variable} ends in '+', but nothing follows.");
+    }
+
+    private static string ReplaceSymbols(string name, List<string> symbols, List<string> values)
+    {
+        // The longest symbol first: $KERNELS must not be taken for $K.
+        foreach (int i in Enumerable.Range(0, symbols.Count).OrderByDescending(i => symbols[i].Length))
+        {
+            name = name.Replace("$" + symbols[i], values[i], StringComparison.Ordinal);
+        }
+
+        return name;
+    }
+
+    private static string Existing(string path, string context) => File.Exists(path)
+        ? path
+        : throw new BadInputException($"{path}: no such kernel{context}. Mend the name, or get the kernel (kernels/README.md says where).");
+}

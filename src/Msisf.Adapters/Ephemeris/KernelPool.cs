@@ -1,0 +1,81 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>What text kernels assign. A later assignment replaces an earlier one, as in SPICE; names are case-sensitive.</summary>
+public sealed class KernelPool
+{
+    private readonly Dictionary<string, KernelVariable> variables = new(StringComparer.Ordinal);
+
+    /// <summary>All names, sorted.</summary>
+    public IEnumerable<string> Names => variables.Keys.Order(StringComparer.Ordinal);
+
+    /// <summary>Assigns (=).</summary>
+    public void Assign(string name, KernelVariable values) => variables[name] = values;
+
+    /// <summary>Appends (+=); a new name is assigned.</summary>
+    /// <exception cref="BadInputException">Numbers are appended to texts, or the reverse.</exception>
+    public void Append(string name, KernelVariable values)
+    {
+        if (!variables.TryGetValue(name, out KernelVariable? present))
+        {
+            variables[name] = values;
+            return;
+        }
+
+        if ((present.Numbers.Count > 0) != (values.Numbers.Count > 0))
+        {
+            throw new BadInputException($"{values.Source}: {name} += mixes numbers and texts; the values before stand in {present.Source}.");
+        }
+
+        variables[name] = new KernelVariable([.. present.Numbers, .. values.Numbers], [.. present.Texts, .. values.Texts], values.Source);
+    }
+
+    /// <summary>The values of a name, or null.</summary>
+    public KernelVariable? Find(string name) => variables.GetValueOrDefault(name);
+
+    /// <summary>Numbers that must be there.</summary>
+    /// <param name="name">Name of the variable.</param>
+    /// <param name="count">How many values it must have.</param>
+    /// <exception cref="BadInputException">Missing, texts, or another count.</exception>
+    public IReadOnlyList<double> Numbers(string name, int count)
+    {
+        KernelVariable variable = Existing(name);
+        return variable.Numbers.Count == count
+            ? variable.Numbers
+            : throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{variable.Source}: {name} has {variable.Numbers.Count} numbers, {count} expected."));
+    }
+
+    /// <summary>A whole number that must be there.</summary>
+    /// <param name="name">Name of the variable.</param>
+    /// <exception cref="BadInputException">Missing, a text, several values, or not a whole number.</exception>
+    public int WholeNumber(string name)
+    {
+        double value = Numbers(name, 1)[0];
+        return value == Math.Truncate(value) && Math.Abs(value) <= int.MaxValue
+            ? (int)value
+            : throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{Existing(name).Source}: {name} is {value:R}, a whole number expected."));
+    }
+
+    /// <summary>A single text that must be there.</summary>
+    /// <param name="name">Name of the variable.</param>
+    /// <exception cref="BadInputException">Missing, a number, or several values.</exception>
+    public string Text(string name)
+    {
+        KernelVariable variable = Existing(name);
+        return variable.Texts.Count == 1
+            ? variable.Texts[0]
+            : throw new BadInputException($"{variable.Source}: {name} must be one text in quotes.");
+    }
+
+    /// <summary>A variable that must be there.</summary>
+    /// <param name="name">Name of the variable.</param>
+    /// <exception cref="BadInputException">Missing.</exception>
+    public KernelVariable Existing(string name) =>
+        Find(name) ?? throw new BadInputException($"No text kernel assigns {name}. Add the kernel that does to the list of kernels.");
+}

@@ -1,0 +1,40 @@
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>The time scale that a leap seconds kernel (LSK) defines.</summary>
+public static class LeapSecondsKernel
+{
+    /// <summary>Takes the scale from the pool.</summary>
+    /// <param name="pool">Holds a leap seconds kernel.</param>
+    /// <exception cref="BadInputException">A DELTET variable is missing or not as it should be.</exception>
+    public static TdbScale ReadScale(KernelPool pool)
+    {
+        const string Table = "DELTET/DELTA_AT";
+        KernelVariable table = pool.Existing(Table);
+        if (table.Numbers.Count == 0 || table.Numbers.Count % 2 != 0)
+        {
+            throw new BadInputException($"{table.Source}: {Table} must be pairs of TAI - UTC and the date from which it holds.");
+        }
+
+        LeapSecond[] leapSeconds = new LeapSecond[table.Numbers.Count / 2];
+        for (int i = 0; i < leapSeconds.Length; i++)
+        {
+            leapSeconds[i] = new LeapSecond(table.Numbers[2 * i], table.Numbers[(2 * i) + 1]);
+            if (i > 0 && leapSeconds[i].UtcSeconds <= leapSeconds[i - 1].UtcSeconds)
+            {
+                throw new BadInputException($"{table.Source}: the dates of {Table} must rise; pair {i + 1} does not.");
+            }
+        }
+
+        IReadOnlyList<double> meanAnomaly = pool.Numbers("DELTET/M", 2);
+        TdbScaleConstants constants = new(
+            TtMinusTai: pool.Numbers("DELTET/DELTA_T_A", 1)[0],
+            Amplitude: pool.Numbers("DELTET/K", 1)[0],
+            Eccentricity: pool.Numbers("DELTET/EB", 1)[0],
+            MeanAnomalyAtJ2000: meanAnomaly[0],
+            MeanMotion: meanAnomaly[1]);
+        return new TdbScale(constants, leapSeconds);
+    }
+}

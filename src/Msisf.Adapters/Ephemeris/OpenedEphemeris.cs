@@ -1,0 +1,25 @@
+using Msisf.Core.Ephemeris;
+
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>An engine that works until <see cref="Dispose"/>.</summary>
+public sealed class OpenedEphemeris : IDisposable
+{
+    private readonly IDisposable resources;
+
+    internal OpenedEphemeris(IEphemeris engine, string notice, IDisposable resources)
+    {
+        Engine = engine;
+        Notice = notice;
+        this.resources = resources;
+    }
+
+    /// <summary>The engine.</summary>
+    public IEphemeris Engine { get; }
+
+    /// <summary>One line for the run's log: which engine, and why.</summary>
+    public string Notice { get; }
+
+    /// <inheritdoc/>
+    public void Dispose() => resources.Dispose();
+}

@@ -1,0 +1,61 @@
+using Msisf.Adapters.Interop;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Time;
+
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>The engine that asks NAIF's CSPICE. Safe for several threads, which take turns.</summary>
+public sealed class SpiceEphemeris : IEphemeris, IDisposable
+{
+    private readonly CSpice cspice;
+    private readonly KernelSet kernels;
+
+    /// <summary>Furnishes kernels to a CSPICE that is started.</summary>
+    internal SpiceEphemeris(CSpice cspice, IReadOnlyList<string> paths)
+    {
+        this.cspice = cspice;
+        kernels = new KernelSet(cspice, paths);
+    }
+
+    /// <inheritdoc/>
+    public string EngineName => cspice.Version.Replace('_', ' ');
+
+    /// <inheritdoc/>
+    public Vector3D SunPositionMoonMe(ModifiedJulianDate time) => Ask(cspice.SunPositionMoonMe, time);
+
+    /// <inheritdoc/>
+    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Ask(cspice.MoonMeFromJ2000, time);
+
+    /// <summary>Unloads the kernels.</summary>
+    public void Dispose() => kernels.Dispose();
+
+    private T Ask<T>(Func<IReadOnlyList<string>, ModifiedJulianDate, T> question, ModifiedJulianDate time)
+    {
+        try
+        {
+            return question(kernels.Paths, time);
+        }
+        catch (SpiceException exception)
+        {
+            KernelCover? cover = ReadCover();
+            throw cover is null || cover.Contains(time) ? exception : cover.Outside(time, exception);
+        }
+    }
+
+    /// <summary>CSPICE says that data lack, but not for which times they exist; the kernels do. Null if the built-in reader can't read them.</summary>
+    private KernelCover? ReadCover()
+    {
+        try
+        {
+            using BuiltInKernels readable = new(kernels.Paths);
+            return readable.Ephemeris.Cover;
+        }
+        catch (MsisfException)
+        {
+            // CSPICE takes kernels that the built-in reader does not know; then its own message has to do.
+            return null;
+        }
+    }
+}

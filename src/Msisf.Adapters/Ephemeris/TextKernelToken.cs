@@ -1,0 +1,29 @@
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>What a piece of a text kernel's data is.</summary>
+internal enum TextKernelTokenKind
+{
+    /// <summary>A name, a number or a date.</summary>
+    Word,
+
+    /// <summary>A text in quotes, without them.</summary>
+    Text,
+
+    /// <summary>=</summary>
+    Assign,
+
+    /// <summary>+=</summary>
+    Append,
+
+    /// <summary>(</summary>
+    Open,
+
+    /// <summary>)</summary>
+    Close,
+}
+
+/// <summary>A piece of a text kernel's data.</summary>
+/// <param name="Kind">What it is.</param>
+/// <param name="Value">Its characters; a text's without quotes.</param>
+/// <param name="Line">Its line in the file, from 1.</param>
+internal readonly record struct TextKernelToken(TextKernelTokenKind Kind, string Value, int Line);

@@ -1,0 +1,144 @@
+using System.Runtime.InteropServices;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Time;
+
+namespace Msisf.Adapters.Interop;
+
+/// <summary>
+/// CSPICE with every call checked. CSPICE is not thread-safe and has one kernel pool and one error state a process; so there is
+/// one object, and one lock round each sequence of calls.
+/// </summary>
+internal sealed class CSpice
+{
+    private const double MetresPerKilometre = 1000.0;
+
+    /// <summary>The versions that the tests ran with.</summary>
+    private static readonly string[] TestedVersions = ["CSPICE_N0067"];
+
+    private readonly Lock gate = new();
+    private readonly CSpiceLibrary library = new();
+    private readonly FurnishedKernels furnished = new();
+
+    private CSpice()
+    {
+    }
+
+    /// <summary>The process's CSPICE. It is loaded by <see cref="TryStart"/>.</summary>
+    public static CSpice Shared { get; } = new();
+
+    /// <summary>The toolkit's version, e.g. "CSPICE_N0067"; empty before <see cref="TryStart"/>.</summary>
+    public string Version { get; private set; } = string.Empty;
+
+    /// <summary>Loads the library at first use, makes SPICE report errors instead of ending the process, and checks the version.</summary>
+    /// <param name="explicitPath">MSISF_CSPICE, or null.</param>
+    /// <param name="installationRoot">The folder that holds lib/native.</param>
+    /// <param name="pathOrReason">The library's path; on failure why it can't be used.</param>
+    public bool TryStart(string? explicitPath, string installationRoot, out string pathOrReason)
+    {
+        lock (gate)
+        {
+            if (!library.TryLoad(explicitPath, installationRoot, out string found))
+            {
+                pathOrReason = $"CSPICE's library could not be loaded; looked at {found}";
+                return false;
+            }
+
+            if (Version.Length == 0)
+            {
+                Version = Configure();
+            }
+
+            bool isTested = TestedVersions.Contains(Version);
+            pathOrReason = isTested
+                ? found
+                : $"{found} is version {Version}; MSISF was tested with {string.Join(", ", TestedVersions)}";
+            return isTested;
+        }
+    }
+
+    /// <summary>Makes these kernels, and no others, the loaded ones.</summary>
+    /// <param name="paths">Absolute paths in load order.</param>
+    /// <exception cref="SpiceException">CSPICE refuses a kernel.</exception>
+    public void Furnish(IReadOnlyList<string> paths)
+    {
+        lock (gate)
+        {
+            furnished.Use(paths);
+        }
+    }
+
+    /// <summary>Unloads these kernels if they are the loaded ones.</summary>
+    /// <param name="paths">As given to <see cref="Furnish"/>.</param>
+    public void Unload(IReadOnlyList<string> paths)
+    {
+        lock (gate)
+        {
+            furnished.Drop(paths);
+        }
+    }
+
+    /// <summary>Geometric position of the Sun relative to the Moon's centre: m, MOON_ME.</summary>
+    /// <param name="kernels">The kernels to work with.</param>
+    /// <param name="time">UTC.</param>
+    /// <exception cref="SpiceException">CSPICE failed.</exception>
+    public Vector3D SunPositionMoonMe(IReadOnlyList<string> kernels, ModifiedJulianDate time)
+    {
+        Span<double> positionKm = stackalloc double[3];
+        lock (gate)
+        {
+            furnished.Use(kernels);
+            double ephemerisSeconds = EphemerisSeconds(time);
+            CSpiceNative.spkpos_c("SUN", ephemerisSeconds, "MOON_ME", "NONE", "MOON", ref positionKm[0], out _);
+            CSpiceError.ThrowIfFailed("spkpos_c", time);
+        }
+
+        return MetresPerKilometre * new Vector3D(positionKm[0], positionKm[1], positionKm[2]);
+    }
+
+    /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>
+    /// <param name="kernels">The kernels to work with.</param>
+    /// <param name="time">UTC.</param>
+    /// <exception cref="SpiceException">CSPICE failed.</exception>
+    public RotationMatrix MoonMeFromJ2000(IReadOnlyList<string> kernels, ModifiedJulianDate time)
+    {
+        Span<double> rows = stackalloc double[9];
+        lock (gate)
+        {
+            furnished.Use(kernels);
+            double ephemerisSeconds = EphemerisSeconds(time);
+            CSpiceNative.pxform_c("J2000", "MOON_ME", ephemerisSeconds, ref rows[0]);
+            CSpiceError.ThrowIfFailed("pxform_c", time);
+        }
+
+        return new RotationMatrix(
+            new Vector3D(rows[0], rows[1], rows[2]),
+            new Vector3D(rows[3], rows[4], rows[5]),
+            new Vector3D(rows[6], rows[7], rows[8]));
+    }
+
+    /// <summary>
+    /// TDB seconds past J2000, by deltet_c. utc2et_c takes a text, and its own sums round up to two units in the last place
+    /// away, which in 1900 turns the Sun by 2.6e-12; so both engines add to the same number.
+    /// </summary>
+    private static double EphemerisSeconds(ModifiedJulianDate time)
+    {
+        double utcSeconds = TdbScale.UtcSeconds(time);
+        CSpiceNative.deltet_c(utcSeconds, "UTC", out double deltaSeconds);
+        CSpiceError.ThrowIfFailed("deltet_c", time);
+        return utcSeconds + deltaSeconds;
+    }
+
+    private static string Configure()
+    {
+        // The default ends the process and prints on standard output.
+        CSpiceNative.erract_c("SET", 0, "RETURN");
+        CSpiceError.ThrowIfFailed("erract_c", "RETURN");
+        CSpiceNative.errprt_c("SET", 0, "NONE");
+        CSpiceError.ThrowIfFailed("errprt_c", "NONE");
+        nint toolkit = CSpiceNative.tkvrsn_c("TOOLKIT");
+        CSpiceError.ThrowIfFailed("tkvrsn_c", "TOOLKIT");
+        return Marshal.PtrToStringUTF8(toolkit) ?? string.Empty;
+    }
+}

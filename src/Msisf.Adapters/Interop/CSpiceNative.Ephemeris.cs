@@ -1,0 +1,33 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+
+namespace Msisf.Adapters.Interop;
+
+internal static partial class CSpiceNative
+{
+    /// <param name="target">Name of the body.</param>
+    /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
+    /// <param name="frame">Name of the frame.</param>
+    /// <param name="correction">NONE, LT, LT+S, ...</param>
+    /// <param name="observer">Name of the body.</param>
+    /// <param name="positionKm">First of three elements.</param>
+    /// <param name="lightTimeSeconds">One-way light time.</param>
+    [LibraryImport(Library, StringMarshalling = StringMarshalling.Utf8)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial void spkpos_c(
+        string target,
+        double ephemerisSeconds,
+        string frame,
+        string correction,
+        string observer,
+        ref double positionKm,
+        out double lightTimeSeconds);
+
+    /// <param name="from">Name of the source frame.</param>
+    /// <param name="to">Name of the target frame.</param>
+    /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
+    /// <param name="rotation">First of nine elements, row by row.</param>
+    [LibraryImport(Library, StringMarshalling = StringMarshalling.Utf8)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial void pxform_c(string from, string to, double ephemerisSeconds, ref double rotation);
+}

@@ -1,0 +1,82 @@
+using System.Globalization;
+using System.Text;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Interop;
+
+/// <summary>
+/// The kernels in CSPICE's pool. The pool is one for the process; so two engines with different kernels take turns, and none sees
+/// the other's. Call it under <see cref="CSpice"/>'s lock.
+/// </summary>
+internal sealed class FurnishedKernels
+{
+    /// <summary>The longest path that furnsh_c takes, in bytes (CSPICE N0067: 256 gives SPICE(FILENAMETOOLONG)).</summary>
+    private const int MaximumPathBytes = 255;
+
+    private IReadOnlyList<string> loaded = [];
+
+    /// <summary>Makes these kernels, and no others, the loaded ones.</summary>
+    /// <param name="paths">Absolute paths in load order.</param>
+    /// <exception cref="SpiceException">CSPICE refuses a kernel; none stays loaded.</exception>
+    public void Use(IReadOnlyList<string> paths)
+    {
+        if (ReferenceEquals(loaded, paths) || loaded.SequenceEqual(paths))
+        {
+            return;
+        }
+
+        UnloadAll();
+        List<string> furnished = [];
+        loaded = furnished;
+        try
+        {
+            foreach (string path in paths)
+            {
+                Furnish(path);
+                furnished.Add(path);
+            }
+        }
+        catch (SpiceException)
+        {
+            UnloadAll();
+            throw;
+        }
+
+        loaded = paths;
+    }
+
+    /// <summary>Unloads these kernels if they are the loaded ones.</summary>
+    /// <param name="paths">As given to <see cref="Use"/>.</param>
+    public void Drop(IReadOnlyList<string> paths)
+    {
+        if (loaded.SequenceEqual(paths))
+        {
+            UnloadAll();
+        }
+    }
+
+    private static void Furnish(string path)
+    {
+        int bytes = Encoding.UTF8.GetByteCount(path);
+        if (bytes > MaximumPathBytes)
+        {
+            throw new SpiceException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{path}: the path has {bytes} bytes; CSPICE takes {MaximumPathBytes} at most. Move the kernels to a shorter path, or use --ephemeris builtin."));
+        }
+
+        CSpiceNative.furnsh_c(path);
+        CSpiceError.ThrowIfFailed("furnsh_c", path);
+    }
+
+    private void UnloadAll()
+    {
+        IReadOnlyList<string> paths = loaded;
+        loaded = [];
+        for (int i = paths.Count - 1; i >= 0; i--)
+        {
+            CSpiceNative.unload_c(paths[i]);
+            CSpiceError.ThrowIfFailed("unload_c", paths[i]);
+        }
+    }
+}

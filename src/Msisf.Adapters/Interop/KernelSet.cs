@@ -1,0 +1,24 @@
+namespace Msisf.Adapters.Interop;
+
+/// <summary>Kernels that are furnished to CSPICE until <see cref="Dispose"/>.</summary>
+internal sealed class KernelSet : IDisposable
+{
+    private readonly CSpice cspice;
+
+    /// <summary>Furnishes kernels.</summary>
+    /// <param name="cspice">Started.</param>
+    /// <param name="paths">Absolute paths in load order; a later one wins over an earlier one.</param>
+    /// <exception cref="Core.Errors.SpiceException">CSPICE refuses a kernel; none stays loaded.</exception>
+    public KernelSet(CSpice cspice, IReadOnlyList<string> paths)
+    {
+        this.cspice = cspice;
+        Paths = paths;
+        cspice.Furnish(paths);
+    }
+
+    /// <summary>Absolute paths in load order.</summary>
+    public IReadOnlyList<string> Paths { get; }
+
+    /// <inheritdoc/>
+    public void Dispose() => cspice.Unload(Paths);
+}

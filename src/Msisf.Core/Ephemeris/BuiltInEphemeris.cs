@@ -1,0 +1,81 @@
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Ephemeris;
+
+/// <summary>The engine that needs no CSPICE: it chains the segments of the kernels itself. Safe for several threads, without locks.</summary>
+public sealed class BuiltInEphemeris : IEphemeris
+{
+    private const int Sun = 10;
+    private const int Moon = 301;
+    private const double MetresPerKilometre = 1000.0;
+
+    /// <summary>SPICE allows as many links (CHLEN in SPKGEO); more means that centres name each other in a ring.</summary>
+    private const int MaximumLinks = 20;
+
+    private readonly TdbScale scale;
+    private readonly SegmentTable positions;
+    private readonly SegmentTable orientations;
+    private readonly BodyFixedFrame moonMe;
+
+    /// <summary>Makes the engine from what the kernels hold.</summary>
+    /// <param name="scale">From the leap seconds kernel.</param>
+    /// <param name="positions">Segments of the SPK kernels.</param>
+    /// <param name="orientations">Segments of the binary PCK kernels.</param>
+    /// <param name="moonMe">MOON_ME, from the frame kernels.</param>
+    public BuiltInEphemeris(TdbScale scale, SegmentTable positions, SegmentTable orientations, BodyFixedFrame moonMe)
+    {
+        this.scale = scale;
+        this.positions = positions;
+        this.orientations = orientations;
+        this.moonMe = moonMe;
+    }
+
+    /// <inheritdoc/>
+    public string EngineName => "built-in kernel reader";
+
+    /// <summary>When the Sun, the Moon and the Moon's orientation are all known; computed anew at each call.</summary>
+    public KernelCover Cover => new(
+        scale,
+        positions.CoverOfChain(Sun).Intersect(positions.CoverOfChain(Moon)).Intersect(orientations.CoverOf(moonMe.OrientationBody)));
+
+    /// <inheritdoc/>
+    public Vector3D SunPositionMoonMe(ModifiedJulianDate time)
+    {
+        double tdbSeconds = scale.FromUtc(time);
+        Vector3D sunFromMoonKm = PositionKm(Sun, tdbSeconds, time) - PositionKm(Moon, tdbSeconds, time);
+        return MetresPerKilometre * (Rotation(tdbSeconds, time) * sunFromMoonKm);
+    }
+
+    /// <inheritdoc/>
+    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Rotation(scale.FromUtc(time), time);
+
+    private Vector3D PositionKm(int body, double tdbSeconds, ModifiedJulianDate time)
+    {
+        Vector3D positionKm = default;
+        int link = body;
+        for (int count = 0; link != SegmentTable.SolarSystemBarycenter; count++)
+        {
+            if (count == MaximumLinks)
+            {
+                throw new SpiceException($"The kernels' centres lead from body {body} nowhere: {MaximumLinks} links did not reach the solar system's barycentre. Use other kernels.");
+            }
+
+            IEphemerisSegment segment = positions.Find(link, tdbSeconds) ?? throw Cover.Outside(time);
+            positionKm += segment.ValueAt(tdbSeconds);
+            link = segment.Center;
+        }
+
+        return positionKm;
+    }
+
+    private RotationMatrix Rotation(double tdbSeconds, ModifiedJulianDate time)
+    {
+        IEphemerisSegment segment = orientations.Find(moonMe.OrientationBody, tdbSeconds) ?? throw Cover.Outside(time);
+        Vector3D angles = segment.ValueAt(tdbSeconds);
+        RotationMatrix orientationFromJ2000 =
+            RotationMatrix.FrameAboutZ(angles.Z) * RotationMatrix.FrameAboutX(angles.Y) * RotationMatrix.FrameAboutZ(angles.X);
+        return moonMe.FrameFromOrientation * orientationFromJ2000;
+    }
+}

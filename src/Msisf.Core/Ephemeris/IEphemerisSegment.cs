@@ -1,0 +1,22 @@
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Ephemeris;
+
+/// <summary>The data of one body for one stretch of time, from one kernel. Safe for several threads.</summary>
+public interface IEphemerisSegment
+{
+    /// <summary>NAIF's number of the body, or of the body-fixed frame's class for an orientation.</summary>
+    int Body { get; }
+
+    /// <summary>NAIF's number of the body that a position is relative to; 0 for an orientation.</summary>
+    int Center { get; }
+
+    /// <summary>When the data hold.</summary>
+    TdbInterval Interval { get; }
+
+    /// <summary>The position relative to <see cref="Center"/> in km, J2000; or the three angles in rad that turn J2000 into the body-fixed frame (axes 3, 1, 3).</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000, inside <see cref="Interval"/>.</param>
+    /// <exception cref="SpiceException">The kernel is damaged, or holds the data in a form that can't be read.</exception>
+    Vector3D ValueAt(double tdbSeconds);
+}

@@ -1,0 +1,40 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Ephemeris;
+
+/// <summary>What the loaded kernels cover, for the message to a user who asked for a time outside.</summary>
+/// <param name="Scale">Turns the cover's TDB into UTC.</param>
+/// <param name="Times">When the Sun, the Moon and the Moon's orientation are all known.</param>
+public sealed record KernelCover(TdbScale Scale, TdbCover Times)
+{
+    private static readonly DateTime J2000Utc = new(2000, 1, 1, 12, 0, 0, DateTimeKind.Utc);
+
+    /// <summary>Whether the kernels hold a time.</summary>
+    /// <param name="time">UTC.</param>
+    public bool Contains(ModifiedJulianDate time) => Times.Contains(Scale.FromUtc(time));
+
+    /// <summary>The failure for a time outside.</summary>
+    /// <param name="time">UTC.</param>
+    /// <param name="inner">What the engine said, if it said something.</param>
+    public SpiceException Outside(ModifiedJulianDate time, Exception? inner = null) => new(
+        string.Create(
+            CultureInfo.InvariantCulture,
+            $"{time.ToIsoUtc()} (MJD {time.Days:R}) is outside the kernels' cover: the kernels cover {Describe()}. Choose a time inside, or other kernels."),
+        inner);
+
+    /// <summary>The cover in UTC to the second, rounded inwards: "1899-12-31T23:59:19Z to 2050-12-31T23:58:50Z".</summary>
+    public string Describe() => Times.Intervals.Count == 0
+        ? "no time at all, because they do not have all of Sun (10), Moon (301) and the orientation of MOON_ME"
+        : string.Join(" and ", Times.Intervals.Select(interval =>
+            $"{Text(Math.Ceiling(Scale.ToUtcSeconds(interval.Start)))} to {Text(Math.Floor(Scale.ToUtcSeconds(interval.End)))}"));
+
+    private static string Text(double utcSeconds)
+    {
+        // Long-term kernels go past the years that a calendar date can name.
+        double earliest = (DateTime.MinValue - J2000Utc).TotalSeconds;
+        double latest = Math.Floor((DateTime.MaxValue - J2000Utc).TotalSeconds);
+        return J2000Utc.AddSeconds(Math.Clamp(utcSeconds, earliest, latest)).ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture);
+    }
+}

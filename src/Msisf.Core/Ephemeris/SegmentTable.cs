@@ -1,0 +1,67 @@
+namespace Msisf.Core.Ephemeris;
+
+/// <summary>Segments of loaded kernels. Where several hold for a body and a time, the one loaded last wins, as in SPICE.</summary>
+public sealed class SegmentTable
+{
+    /// <summary>NAIF's number of the solar system's barycentre, at which every chain of centres ends.</summary>
+    public const int SolarSystemBarycenter = 0;
+
+    private readonly Dictionary<int, IEphemerisSegment[]> latestFirst;
+
+    /// <summary>Sorts segments by body.</summary>
+    /// <param name="segmentsInLoadOrder">By kernel, and as they stand in it.</param>
+    public SegmentTable(IEnumerable<IEphemerisSegment> segmentsInLoadOrder) => latestFirst = segmentsInLoadOrder
+        .GroupBy(segment => segment.Body)
+        .ToDictionary(group => group.Key, group => group.Reverse().ToArray());
+
+    /// <summary>The segment to use, or null if no kernel holds that body at that time.</summary>
+    /// <param name="body">NAIF's number.</param>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    public IEphemerisSegment? Find(int body, double tdbSeconds)
+    {
+        if (latestFirst.TryGetValue(body, out IEphemerisSegment[]? segments))
+        {
+            foreach (IEphemerisSegment segment in segments)
+            {
+                if (segment.Interval.Contains(tdbSeconds))
+                {
+                    return segment;
+                }
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>The times for which the body has data of its own.</summary>
+    /// <param name="body">NAIF's number.</param>
+    public TdbCover CoverOf(int body) => TdbCover.Union(SegmentsOf(body).Select(segment => segment.Interval));
+
+    /// <summary>The times for which the body's position is known up to the solar system's barycentre.</summary>
+    /// <param name="body">NAIF's number.</param>
+    public TdbCover CoverOfChain(int body) => CoverOfChain(body, []);
+
+    private TdbCover CoverOfChain(int body, HashSet<int> bodiesOnTheWay)
+    {
+        if (body == SolarSystemBarycenter)
+        {
+            return TdbCover.Everything;
+        }
+
+        if (!bodiesOnTheWay.Add(body))
+        {
+            return TdbCover.Empty;
+        }
+
+        TdbCover cover = TdbCover.Union(
+            from byCenter in SegmentsOf(body).GroupBy(segment => segment.Center)
+            let own = TdbCover.Union(byCenter.Select(segment => segment.Interval))
+            from interval in own.Intersect(CoverOfChain(byCenter.Key, bodiesOnTheWay)).Intervals
+            select interval);
+        bodiesOnTheWay.Remove(body);
+        return cover;
+    }
+
+    private IEphemerisSegment[] SegmentsOf(int body) =>
+        latestFirst.TryGetValue(body, out IEphemerisSegment[]? segments) ? segments : [];
+}

@@ -1,0 +1,48 @@
+namespace Msisf.Core.Ephemeris;
+
+/// <summary>The times for which data exist: disjoint intervals in rising order.</summary>
+public sealed class TdbCover
+{
+    private TdbCover(IReadOnlyList<TdbInterval> intervals) => Intervals = intervals;
+
+    /// <summary>No time at all.</summary>
+    public static TdbCover Empty { get; } = new([]);
+
+    /// <summary>All times.</summary>
+    public static TdbCover Everything { get; } = new([new TdbInterval(double.NegativeInfinity, double.PositiveInfinity)]);
+
+    /// <summary>Disjoint, in rising order.</summary>
+    public IReadOnlyList<TdbInterval> Intervals { get; }
+
+    /// <summary>The union of intervals; those that touch or overlap become one.</summary>
+    /// <param name="intervals">In any order.</param>
+    public static TdbCover Union(IEnumerable<TdbInterval> intervals)
+    {
+        List<TdbInterval> merged = [];
+        foreach (TdbInterval interval in intervals.OrderBy(interval => interval.Start))
+        {
+            if (merged.Count > 0 && interval.Start <= merged[^1].End)
+            {
+                merged[^1] = new TdbInterval(merged[^1].Start, Math.Max(merged[^1].End, interval.End));
+            }
+            else
+            {
+                merged.Add(interval);
+            }
+        }
+
+        return new TdbCover(merged);
+    }
+
+    /// <summary>The times that both covers hold.</summary>
+    public TdbCover Intersect(TdbCover other) => Union(
+        from a in Intervals
+        from b in other.Intervals
+        let both = new TdbInterval(Math.Max(a.Start, b.Start), Math.Min(a.End, b.End))
+        where both.Start <= both.End
+        select both);
+
+    /// <summary>Whether data exist at a time.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    public bool Contains(double tdbSeconds) => Intervals.Any(interval => interval.Contains(tdbSeconds));
+}
