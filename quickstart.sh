@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Sets up MSISF on a fresh machine and renders two pictures of the Moon into output/. As root, or as a user with sudo.
+# Can be run again at no cost: what is there and up to date is left alone.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
+. "$root/scripts/lib/common.sh"
+. "$root/scripts/lib/packages.sh"
+cd "$root"
+[ -w . ] || die "this folder belongs to another user: $root. Run as that user, or clone into a folder of your own"
+
+get_model() {
+    local code=0
+    scripts/get-ldem.sh || code=$?
+    # 10: a synthetic model, which get-ldem.sh has announced
+    [ "$code" -eq 0 ] || [ "$code" -eq 10 ] || exit "$code"
+}
+
+# is_current NAME: the picture and its companions are there and newer than all they were made from.
+is_current() {
+    local file
+    for file in "output/$1.xml" "output/$1.png" "output/$1.annotated.png"; do
+        [ -e "$file" ] || return 1
+        [ -z "$(find quickstart.sh publish/sources input/ldem lib kernels -type f -newer "$file" -print | head -n 1)" ] ||
+            return 1
+    done
+}
+
+# render NAME ARGUMENTS...: one state, seen as in section 9.2 of the thesis.
+render() {
+    local name=$1
+    shift
+    if is_current "$name"; then
+        say "output/$name.png is up to date."
+    else
+        say "Rendering output/$name.png ..."
+        ./msis "$@" --width 1024 --height 1024 --fov 40 --res 4 --rendering-annotation --batch --output-name "$name"
+    fi
+    pictures+=("$root/output/$name.png" "$root/output/$name.annotated.png")
+}
+
+install_parts povray cairo fonts downloader
+scripts/build.sh
+get_model
+scripts/get-cspice.sh || say 'Going on with the built-in kernel reader in place of CSPICE.'
+
+pictures=()
+# The example of section 9.2 of the thesis.
+render thesis-9.2 --fixed-state \
+    '{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}'
+# Straight down on Mare Orientale (19.4 S, 267 E) from 1500 km, the Sun 38 degrees high in the east.
+render nadir-orientale --kepler-set '{3.2374e6,0,0,4.7974,1.2,5.9188}' --epoch 55289 --time 55289
+
+say
+say 'The pictures (the numbers to each are in the .xml file beside it):'
+printf '    %s\n' "${pictures[@]}"

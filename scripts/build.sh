@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Builds the program into publish/, where ./msis starts it. Does nothing if publish/ was made from these very sources.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
+. "$root/scripts/lib/common.sh"
+. "$root/scripts/lib/packages.sh"
+. "$root/scripts/lib/dotnet.sh"
+cd "$root"
+
+# By content: a checkout changes times, and a removed file leaves no newer one behind.
+fingerprint_of_sources() (
+    shopt -s nullglob
+    find src lib/*.dtd Directory.*.props global.json BannedSymbols.txt scripts/build.sh \
+        \( -name bin -o -name obj \) -prune -o -type f -print0 |
+        LC_ALL=C sort -z | xargs -0 cksum | cksum
+)
+
+fingerprint=$(fingerprint_of_sources)
+if [ -x publish/msis ] && [ "$(cat publish/sources 2>/dev/null)" = "$fingerprint" ]; then
+    say 'The program is up to date.'
+    exit 0
+fi
+
+ensure_dotnet
+say 'Building the program ...'
+
+# Native code ahead of time is for the one system whose compiler package the lock files name.
+case "$(uname -s)-$(uname -m)" in
+    Linux-x86_64) target=(-r linux-x64) ;;
+    *) target=(-p:PublishReadyToRun=false) ;;
+esac
+
+# Beside publish/, so that the swap is two renames; a run that is cut off leaves the old program as it was.
+fresh=$root/obj/publish-$$
+old=$root/obj/published-before-$$
+trap 'rm -rf "$fresh" "$old"' EXIT
+dotnet publish src/Msisf.Cli -c Release "${target[@]}" -o "$fresh" -v quiet -nologo ||
+    die 'the build failed; the messages above say why. The program of the last build is unchanged.'
+printf '%s\n' "$fingerprint" >"$fresh/sources"
+printf '%s\n' "$DOTNET_ROOT" >"$fresh/dotnet-root"
+
+trap '' INT TERM HUP
+[ ! -e publish ] || mv publish "$old"
+mv "$fresh" publish || { mv "$old" publish && exit 1; }

@@ -1,0 +1,38 @@
+# shellcheck shell=bash
+# Sourced after download.sh: what a folder holds of an elevation model, judged by its PDS label.
+
+# The official LDEM_4 V3.0 of data set LRO-L-LOLA-4-GDR-V1.0. Other versions are taken too, with a warning.
+ldem_4_sha256=972d66d7f330abca62abc21aae270661516c00dd1a881ec102b94df9563656b5
+
+# label_number FILE KEYWORD: the whole number that the label gives, or nothing.
+label_number() {
+    sed -n "s/^[[:space:]]*$2[[:space:]]*=[[:space:]]*\([0-9][0-9]*\).*/\1/p" "$1" | head -n 1
+}
+
+# The bytes that an image must have after its label; fails if the label does not say.
+image_size_of_label() {
+    local lines samples bits
+    lines=$(label_number "$1" LINES)
+    samples=$(label_number "$1" LINE_SAMPLES)
+    bits=$(label_number "$1" SAMPLE_BITS)
+    [ -n "$lines" ] && [ -n "$samples" ] && [ -n "$bits" ] || return 1
+    echo $((lines * samples * bits / 8))
+}
+
+is_synthetic() { grep -qi synthetic "$1"; }
+
+# fault_of_model FOLDER NAME: prints what is wrong; nothing if both files are there, fit, and hold measured heights.
+fault_of_model() {
+    local image=$1/$2.IMG label=$1/$2.LBL expected size
+    if [ ! -f "$image" ] || [ ! -f "$label" ]; then
+        echo "$2.IMG and $2.LBL are not both there"
+    elif is_synthetic "$label"; then
+        echo "$2.LBL says that the model is synthetic"
+    elif ! expected=$(image_size_of_label "$label"); then
+        echo "$2.LBL gives no LINES, LINE_SAMPLES and SAMPLE_BITS: it is not the label of an elevation model"
+    elif size=$(size_of "$image") && [ "$size" != "$expected" ]; then
+        echo "$2.IMG has $size bytes, but its label says $expected"
+    fi
+}
+
+is_other_version() { [ "$2" = LDEM_4 ] && [ "$(sha256_of "$1/$2.IMG")" != "$ldem_4_sha256" ]; }

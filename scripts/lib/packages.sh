@@ -1,0 +1,108 @@
+# shellcheck shell=bash
+# Sourced after common.sh: the foreign parts that MSISF needs, and how each system names them.
+
+# Succeeds if the part is on this machine already.
+part_is_here() {
+    case $1 in
+        downloader) have curl || have wget ;;
+        cairo) library_is_here libcairo ;;
+        icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
+        fonts) font_is_here DejaVuSans.ttf ;;
+        *) have "$1" ;;
+    esac
+}
+
+# ldconfig is not on every user's PATH; Homebrew's libraries are in its own folders.
+library_is_here() {
+    local known
+    known=$(PATH="$PATH:/sbin:/usr/sbin" ldconfig -p 2>/dev/null) || known=''
+    case $known in
+        *"$1".so*) return 0 ;;
+        *) compgen -G "/opt/homebrew/lib/$1*.dylib" >/dev/null || compgen -G "/usr/local/lib/$1*.dylib" >/dev/null ;;
+    esac
+}
+
+font_is_here() {
+    [ -n "$(find /usr/share/fonts /usr/local/share/fonts ~/.fonts ~/.local/share/fonts ~/Library/Fonts \
+        -name "$1" -print 2>/dev/null | head -n 1)" ]
+}
+
+# The package that holds a part, by package manager.
+package_of() {
+    case $1-$2 in
+        *-downloader) echo curl ;;
+        apt-cairo) echo libcairo2 ;;
+        apt-fonts) echo fonts-dejavu-core ;;
+        apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
+        apt-xmllint) echo libxml2-utils ;;
+        dnf-fonts) echo dejavu-sans-fonts ;;
+        dnf-icu) echo libicu ;;
+        dnf-shellcheck) echo ShellCheck ;;
+        pacman-fonts) echo ttf-dejavu ;;
+        brew-fonts) echo font-dejavu ;;
+        *-xmllint) echo libxml2 ;;
+        *) echo "$2" ;;
+    esac
+}
+
+# Installs what is missing of the named parts. Fails, and has said what to do, if that is not possible.
+install_parts() {
+    local part missing=()
+    for part in "$@"; do
+        part_is_here "$part" || missing+=("$part")
+    done
+    [ ${#missing[@]} -gt 0 ] || return 0
+
+    if have apt-get; then
+        local packages=()
+        for part in "${missing[@]}"; do
+            packages+=("$(package_of apt "$part")")
+        done
+        apt_install "${packages[@]}"
+    else
+        warn "please install ${missing[*]}, then run this again: $(install_command "${missing[@]}")"
+        return 1
+    fi
+}
+
+# What a person types where this script does not install by itself.
+install_command() {
+    local manager part names=''
+    for manager in dnf pacman brew; do
+        have "$manager" || continue
+        for part in "$@"; do
+            names+=" $(package_of "$manager" "$part")"
+        done
+        case $manager in
+            dnf) say "sudo dnf install$names" ;;
+            pacman) say "sudo pacman -S$names" ;;
+            brew) say "brew install$names" ;;
+        esac
+        return 0
+    done
+    say "with your system's package manager"
+}
+
+# The lists of packages are only renewed if they do not do as they are: a fresh machine has none.
+apt_install() {
+    local log
+    log=$(mktemp)
+    say "Installing with apt: $*"
+    if apt_get install "$@" >"$log" 2>&1 ||
+        { apt_get update >>"$log" 2>&1 && apt_get install "$@" >>"$log" 2>&1; }; then
+        rm -f "$log"
+        return 0
+    fi
+    tail -n 3 "$log" >&2
+    rm -f "$log"
+    warn "could not install $*. As root, run: apt-get update && apt-get install $*"
+    return 1
+}
+
+# A fresh machine may still be busy with its first upgrades: wait for their lock.
+apt_get() {
+    local verb=$1
+    shift
+    [ "$verb" != install ] || set -- -y --no-install-recommends "$@"
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=120 "$verb" "$@" </dev/null
+}

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Suite: every xunit project, built by test.sh before. One at a time: each uses all cores by itself.
+set -euo pipefail
+. scripts/lib/common.sh
+. scripts/lib/results.sh
+
+reports=$PWD/TestResults
+seconds_a_project=900 # a run that hangs must end before the machine's own limit ends it without a count
+
+# run_project NAME: a host that crashes or hangs leaves a report without its tests, so its exit code counts too.
+run_project() {
+    local project=$1 assembly=tests/$1/bin/Debug/net10.0/$1.dll code=0 limit=(env)
+    rm -f "$reports/$project.trx"
+    if [ ! -e "$assembly" ]; then
+        record skipped "$project" 'all tests (missing: the project is not built)'
+        return 0
+    fi
+    ! have timeout || limit=(timeout --kill-after=10 "$seconds_a_project")
+    "${limit[@]}" dotnet test "$assembly" --logger "trx;LogFileName=$project.trx" --results-directory "$reports" ||
+        code=$?
+    record_report "$project" "$reports/$project.trx"
+    if [ "$code" -ne 0 ] && [ "$(count failed "$project")" -eq 0 ]; then
+        record failed "$project" "the test host ended early, with exit code $code"
+    elif [ "$(awk -F '\t' -v suite="$project" '$2 == suite' "$MSISF_RESULTS" | wc -l)" -eq 0 ]; then
+        record failed "$project" 'no test was found'
+    fi
+}
+
+for file in tests/*/*.csproj; do
+    if grep -q Microsoft.NET.Test.Sdk "$file"; then
+        run_project "$(basename "$file" .csproj)"
+    fi
+done

@@ -1,0 +1,70 @@
+# shellcheck shell=bash
+. "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
+
+# A clone, and a stand-in for the SDK that publishes one file and counts its builds.
+make_clone_with_sdk() {
+    make_clone "$PWD/clone"
+    make_executable sdk/dotnet <<'SDK'
+#!/usr/bin/env bash
+case $1 in
+    --list-sdks) printf '8.0.100 [/old/sdk]\n10.0.100 [%s/sdk]\n' "$(cd "$(dirname "$0")" && pwd -P)" ;;
+    publish)
+        echo build >>"$BUILDS"
+        [ -z "${BROKEN:-}" ] || exit 1
+        while [ "$1" != -o ]; do shift; done
+        mkdir -p "$2" && echo '#!/bin/sh' >"$2/msis" && chmod +x "$2/msis"
+        ;;
+esac
+SDK
+    export BUILDS=$PWD/builds PATH="$PWD/sdk:$PATH"
+    : >"$BUILDS"
+}
+
+builds() { wc -l <"$BUILDS" | tr -d ' '; }
+
+test_build_only_builds_what_has_changed() {
+    make_clone_with_sdk
+    run clone/scripts/build.sh
+    assert_code 0
+    assert_file clone/publish/msis
+    assert_same "$(cat clone/publish/dotnet-root)" "$PWD/sdk"
+    touch clone/src/Msisf.Cli/Program.cs
+    mkdir -p clone/src/Msisf.Cli/obj && echo made >clone/src/Msisf.Cli/obj/made.cs
+    run clone/scripts/build.sh
+    assert_says 'up to date'
+    assert_same "$(builds)" 1
+    echo 'return 1;' >clone/src/Msisf.Cli/Other.cs
+    run clone/scripts/build.sh
+    assert_same "$(builds)" 2
+    rm clone/src/Msisf.Cli/Other.cs
+    run clone/scripts/build.sh
+    assert_same "$(builds)" 3
+}
+
+test_build_that_fails_leaves_the_old_program() {
+    make_clone_with_sdk
+    run clone/scripts/build.sh
+    echo old >clone/publish/mark
+    echo 'broken' >clone/src/Msisf.Cli/Program.cs
+    BROKEN=yes run clone/scripts/build.sh
+    assert_code 1
+    assert_says 'the build failed'
+    assert_file clone/publish/mark
+    assert_same "$(ls -A clone/obj)" ''
+    run clone/scripts/build.sh
+    assert_code 0
+    assert_no_file clone/publish/mark
+}
+
+test_build_sdk_in_the_home_folder_is_found_behind_an_old_one() {
+    make_clone_with_sdk
+    mkdir home
+    mv sdk home/.dotnet
+    make_executable sdk/dotnet <<'SDK'
+#!/bin/sh
+echo '8.0.100 [/old/sdk]'
+SDK
+    HOME=$PWD/home run clone/scripts/build.sh
+    assert_code 0
+    assert_same "$(cat clone/publish/dotnet-root)" "$PWD/home/.dotnet"
+}

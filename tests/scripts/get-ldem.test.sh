@@ -1,0 +1,150 @@
+# shellcheck shell=bash
+. "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
+
+# Port 9 on this machine: nothing listens there, so that a connection is refused.
+refusing='http://127.0.0.1:9/ldem_{res}.lbl'
+
+# A clone whose download sites all refuse, and whose program can make a synthetic model.
+make_lonely_clone() {
+    export MSISF_LDEM_URLS=$refusing
+    make_clone "$PWD/clone"
+    make_executable clone/publish/msis <<'PROGRAM'
+#!/bin/sh
+echo "program: $*"
+PROGRAM
+}
+
+assert_model_in_place() {
+    assert_same "$(cat clone/input/ldem/LDEM_4.IMG)" 'twelve bytes'
+    assert_file clone/input/ldem/LDEM_4.LBL
+    assert_same "$(find clone/input/ldem -mindepth 1 | wc -l | tr -d ' ')" 2
+}
+
+test_get_ldem_neighbour_folder_shared_is_copied() {
+    make_lonely_clone
+    make_model shared/ldem LDEM_4 IMG LBL
+    chmod a-w shared/ldem/*
+    run clone/scripts/get-ldem.sh
+    assert_code 0
+    assert_says 'comes from'
+    assert_model_in_place
+}
+
+test_get_ldem_second_run_changes_nothing() {
+    make_lonely_clone
+    make_model clone/input/ldem LDEM_4 IMG LBL
+    touch -t 202001010000 clone/input/ldem/* marker
+    run clone/scripts/get-ldem.sh
+    assert_code 0
+    assert_says 'in place'
+    assert_same "$(find clone/input/ldem -newer marker -type f)" ''
+}
+
+test_get_ldem_unknown_version_is_taken_with_a_warning() {
+    make_lonely_clone
+    make_model clone/input/ldem LDEM_4 IMG LBL
+    run clone/scripts/get-ldem.sh
+    assert_code 0
+    assert_says 'not version V3.0'
+}
+
+test_get_ldem_refusing_server_gives_way_to_the_next_at_once() {
+    need curl
+    make_lonely_clone
+    make_model 'site' LDEM_4 IMG LBL
+    SECONDS=0
+    MSISF_LDEM_URLS="$refusing file://${PWD// /%20}/site/LDEM_{res}.LBL" run clone/scripts/get-ldem.sh
+    [ "$SECONDS" -lt 4 ] || fail "a refused connection took $SECONDS s"
+    assert_code 0
+    assert_model_in_place
+}
+
+test_get_ldem_names_in_small_letters_become_capitals() {
+    need curl
+    make_lonely_clone
+    make_model 'site' ldem_4 img lbl
+    MSISF_LDEM_URLS="file://${PWD// /%20}/site/ldem_{res}.lbl" run clone/scripts/get-ldem.sh
+    assert_code 0
+    assert_model_in_place
+}
+
+test_get_ldem_truncated_download_is_noticed_and_the_next_site_asked() {
+    need curl
+    make_lonely_clone
+    make_model 'short' LDEM_4 IMG LBL
+    printf 'half' >short/LDEM_4.IMG
+    make_model 'site' LDEM_4 IMG LBL
+    site=file://${PWD// /%20}
+    MSISF_LDEM_URLS="$site/short/LDEM_4.LBL $site/site/LDEM_4.LBL" run clone/scripts/get-ldem.sh
+    assert_code 0
+    assert_says 'LDEM_4.IMG has 4 bytes, but its label says 12'
+    assert_model_in_place
+    rm clone/input/ldem/*
+    MSISF_LDEM_URLS="$site/short/LDEM_4.LBL" run clone/scripts/get-ldem.sh --real-only
+    assert_code 1
+    assert_same "$(ls -A clone/input/ldem)" ''
+}
+
+test_get_ldem_page_in_place_of_a_label_is_refused() {
+    need curl
+    make_lonely_clone
+    mkdir site
+    echo '<html>log in first</html>' >site/LDEM_4.LBL
+    MSISF_LDEM_URLS="file://${PWD// /%20}/site/LDEM_4.LBL" run clone/scripts/get-ldem.sh --real-only
+    assert_code 1
+    assert_says 'is not the label of an elevation model'
+}
+
+test_get_ldem_damaged_model_in_place_is_replaced() {
+    make_lonely_clone
+    make_model shared/ldem LDEM_4 IMG LBL
+    make_model clone/input/ldem LDEM_4 IMG LBL
+    printf 'half' >clone/input/ldem/LDEM_4.IMG
+    run clone/scripts/get-ldem.sh
+    assert_code 0
+    assert_says 'LDEM_4.IMG has 4 bytes, but its label says 12'
+    assert_model_in_place
+}
+
+test_get_ldem_no_source_makes_a_synthetic_model_and_says_so() {
+    make_lonely_clone
+    run clone/scripts/get-ldem.sh
+    assert_code 10
+    assert_says 'making a SYNTHETIC one'
+    assert_says 'program: ldem synthesize --res 4 --seed 1'
+}
+
+test_get_ldem_synthetic_model_in_place_is_kept_until_a_real_one_is_found() {
+    make_lonely_clone
+    make_model clone/input/ldem LDEM_4 IMG LBL
+    echo 'DESCRIPTION = "synthetic"' >>clone/input/ldem/LDEM_4.LBL
+    run clone/scripts/get-ldem.sh
+    assert_code 10
+    assert_says 'Going on with the SYNTHETIC model'
+    assert_silent_on 'program:'
+    make_model shared/ldem LDEM_4 IMG LBL
+    run clone/scripts/get-ldem.sh
+    assert_code 0
+    ! grep -q synthetic clone/input/ldem/LDEM_4.LBL || fail 'the synthetic model is still there'
+}
+
+test_get_ldem_no_source_and_no_program_says_what_to_do() {
+    make_lonely_clone
+    rm clone/publish/msis
+    run clone/scripts/get-ldem.sh
+    assert_code 1
+    assert_says 'into input/ldem'
+}
+
+test_get_ldem_wrong_arguments_are_named() {
+    make_lonely_clone
+    run clone/scripts/get-ldem.sh --res 5
+    assert_code 1
+    assert_says '--res 5'
+    run clone/scripts/get-ldem.sh --res
+    assert_code 1
+    assert_says '--res needs a number'
+    run clone/scripts/get-ldem.sh --rez
+    assert_code 1
+    assert_says 'unknown argument --rez'
+}

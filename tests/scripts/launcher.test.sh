@@ -1,0 +1,66 @@
+# shellcheck shell=bash
+. "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
+
+make_clone_with_program() {
+    make_clone "$PWD/clone"
+    make_executable clone/publish/msis <<'PROGRAM'
+#!/bin/sh
+printf '<%s>' "$@"
+echo " dotnet=${DOTNET_ROOT:-none} folder=$PWD"
+exit 3
+PROGRAM
+    unset DOTNET_ROOT
+}
+
+test_launcher_in_another_folder_passes_arguments_folder_and_exit_code() {
+    make_clone_with_program
+    mkdir elsewhere
+    clone=$PWD/clone
+    cd elsewhere || exit
+    run "$clone/msis" --fixed-state '{1,2, 3}' ''
+    assert_code 3
+    assert_says "<--fixed-state><{1,2, 3}><> dotnet=none folder=$PWD"
+}
+
+test_launcher_relative_path_finds_its_program() {
+    make_clone_with_program
+    run clone/msis a
+    assert_says '<a>'
+    cd clone || exit
+    run sh msis b
+    assert_says '<b>'
+}
+
+test_launcher_chain_of_symbolic_links_finds_its_program() {
+    make_clone_with_program
+    mkdir bin
+    ln -s ../clone/msis bin/first
+    ln -s first bin/second
+    ln -s "$PWD/bin/second" third
+    run ./third a
+    assert_code 3
+    assert_says '<a>'
+    PATH="$PWD/bin:$PATH" run second b
+    assert_says '<b>'
+}
+
+test_launcher_not_built_says_what_to_run() {
+    make_clone "$PWD/clone"
+    run clone/msis --version
+    assert_code 1
+    assert_says 'msis: error: the program is not built yet'
+    assert_says 'clone/quickstart.sh first'
+}
+
+test_launcher_dotnet_noted_by_the_build_is_used_unless_the_user_names_one() {
+    make_clone_with_program
+    make_executable "$PWD/my dotnet/dotnet" </dev/null
+    echo "$PWD/my dotnet" >clone/publish/dotnet-root
+    run clone/msis
+    assert_says "dotnet=$PWD/my dotnet folder"
+    DOTNET_ROOT=/mine run clone/msis
+    assert_says 'dotnet=/mine folder'
+    rm -r 'my dotnet'
+    run clone/msis
+    assert_says 'dotnet=none folder'
+}

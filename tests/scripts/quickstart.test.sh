@@ -1,0 +1,71 @@
+# shellcheck shell=bash
+. "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
+
+# A clone that is set up but for its pictures; the program and CSPICE are stand-ins.
+make_built_clone() {
+    need povray
+    export MSISF_LDEM_URLS='http://127.0.0.1:9/none.lbl'
+    make_clone "$PWD/clone"
+    make_model clone/input/ldem LDEM_4 IMG LBL
+    make_executable clone/scripts/build.sh <<'BUILD'
+#!/bin/sh
+echo built
+BUILD
+    make_executable clone/scripts/get-cspice.sh <<'CSPICE'
+#!/bin/sh
+exit 1
+CSPICE
+    make_executable clone/publish/msis <<'PROGRAM'
+#!/bin/sh
+echo "program: $*"
+[ -z "$BROKEN" ] || exit 3
+[ "$1" != ldem ] || exit 0
+while [ "$1" != --output-name ]; do shift; done
+touch "output/$2.png" "output/$2.xml" "output/$2.annotated.png"
+PROGRAM
+    echo x >clone/publish/sources
+    touch -t 202001010000 clone/quickstart.sh clone/publish/sources clone/input/ldem/*
+}
+
+test_quickstart_renders_two_pictures_once() {
+    make_built_clone
+    run clone/quickstart.sh
+    assert_code 0
+    assert_says 'program: --fixed-state {55289,2E6,2E6,0,'
+    assert_says 'program: --kepler-set {'
+    assert_says 'built-in kernel reader'
+    assert_says "$PWD/clone/output/thesis-9.2.png"
+    run clone/quickstart.sh
+    assert_code 0
+    assert_silent_on 'program:'
+    assert_says "$PWD/clone/output/thesis-9.2.png"
+}
+
+test_quickstart_renders_again_after_a_change() {
+    make_built_clone
+    run clone/quickstart.sh
+    touch -t 203001010000 clone/input/ldem/LDEM_4.IMG
+    run clone/quickstart.sh
+    assert_says 'program: --kepler-set'
+    touch -t 202001010000 clone/input/ldem/LDEM_4.IMG
+    rm clone/output/thesis-9.2.xml
+    run clone/quickstart.sh
+    assert_says 'program: --fixed-state'
+    assert_silent_on 'program: --kepler-set'
+}
+
+test_quickstart_failed_rendering_ends_with_the_programs_exit_code() {
+    make_built_clone
+    BROKEN=yes run clone/quickstart.sh
+    assert_code 3
+    assert_silent_on 'The pictures'
+}
+
+test_quickstart_without_a_real_model_goes_on_with_a_synthetic_one() {
+    make_built_clone
+    rm clone/input/ldem/*
+    run clone/quickstart.sh
+    assert_code 0
+    assert_says 'SYNTHETIC'
+    assert_says 'program: --fixed-state'
+}
