@@ -11,4 +11,14 @@ public static class Tolerances
 
     /// <summary>1: how far a frame kernel's matrix may be from a rotation. The engines shall agree to 1e-12, and CSPICE mends a worse matrix before use.</summary>
     public const double FrameMatrix = 1e-12;
+
+    /// <summary>rad: the least field of view. A viewing direction is rounded by about 4e-16 rad; a picture 2500 times that wide still has digits.</summary>
+    public const double LeastFieldOfView = 1e-12;
+
+    /// <summary>
+    /// 1: sine of the Sun's zenith angle times the sine between ground line and line of sight, below which a pixel's illumination
+    /// direction counts as undefined. Hit point and Sun direction are rounded by about 1e-15 rad, so the angle that is left
+    /// would be wrong by up to 1e-8 rad; on the ground it is 0.17 m around the sub-solar point.
+    /// </summary>
+    public const double IlluminationDirectionSine = 1e-7;
 }

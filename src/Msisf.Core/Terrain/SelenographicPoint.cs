@@ -13,14 +13,7 @@ public readonly record struct SelenographicPoint(double Latitude, double Longitu
     public static SelenographicPoint Below(Vector3D positionMoonMe)
     {
         double latitude = Math.Atan2(positionMoonMe.Z, double.Hypot(positionMoonMe.X, positionMoonMe.Y));
-        double longitude = Math.Atan2(positionMoonMe.Y, positionMoonMe.X);
-        if (longitude < 0.0)
-        {
-            longitude += 2.0 * Math.PI;
-        }
-
-        // A tiny negative angle rounds to 2 pi; both zeros are the meridian itself.
-        return new SelenographicPoint(latitude, longitude >= 2.0 * Math.PI ? 0.0 : longitude + 0.0);
+        return new SelenographicPoint(latitude, Angles.OnFullTurn(Math.Atan2(positionMoonMe.Y, positionMoonMe.X)));
     }
 
     /// <summary>The unit vector from the Moon's centre to this point, MOON_ME (thesis eq. 3.9).</summary>

@@ -1,0 +1,98 @@
+using System.Globalization;
+using System.Text;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Adapters.Metadata;
+
+/// <summary>Writes a frame's meta file as thesis section 9.2 shows it (docs/formats.md): UTF-8 without BOM, LF, valid against lib/MSISRendering.dtd.</summary>
+public static class MetadataXmlWriter
+{
+    /// <summary>Below this many grid points, starting threads costs more than it gains.</summary>
+    private const int LeastPixelsInParallel = 4096;
+
+    /// <summary>Writes one file. The bytes depend on the arguments alone, not on the number of cores.</summary>
+    /// <param name="stream">Receives the file; stays open.</param>
+    /// <param name="frame">What holds for the whole frame.</param>
+    /// <param name="pixels">Gives the pixels, by rows from the top.</param>
+    /// <param name="cancellation">Stops between rows.</param>
+    /// <exception cref="OperationCanceledException">It was stopped.</exception>
+    public static void Write(Stream stream, FrameMetadata frame, PixelSampler pixels, CancellationToken cancellation = default)
+    {
+        stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame)));
+        WritePixels(stream, pixels, cancellation);
+        stream.Write("  </PixelInformation>\n</MSISRendering>\n"u8);
+    }
+
+    private static void WritePixels(Stream stream, PixelSampler pixels, CancellationToken cancellation)
+    {
+        bool parallel = (long)pixels.Grid.Rows * pixels.Grid.Columns >= LeastPixelsInParallel;
+        int workers = parallel ? Environment.ProcessorCount : 1;
+        ParallelOptions options = new() { MaxDegreeOfParallelism = workers, CancellationToken = cancellation };
+        RowBuffer[] buffers = [.. Enumerable.Range(0, Math.Min(workers, pixels.Grid.Rows)).Select(_ => new RowBuffer(pixels))];
+        for (int firstRow = 0; firstRow < pixels.Grid.Rows; firstRow += buffers.Length)
+        {
+            int rows = Math.Min(buffers.Length, pixels.Grid.Rows - firstRow);
+            Parallel.For(0, rows, options, i => buffers[i].Fill(firstRow + i));
+            foreach (RowBuffer buffer in buffers.AsSpan(0, rows))
+            {
+                stream.Write(buffer.Bytes);
+            }
+        }
+    }
+
+    private static string GeneralInformation(FrameMetadata frame)
+    {
+        UnitQuaternion orientation = frame.Camera.MoonFromCamera;
+        return string.Create(CultureInfo.InvariantCulture, $"""
+            <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
+            <!DOCTYPE MSISRendering SYSTEM "../lib/MSISRendering.dtd">
+            <MSISRendering>
+              <GeneralInformation>
+                <SimulationTime>
+                  <MJD>{LongE.ToText(frame.SimulationTime.Days)}</MJD>
+                  <UTC>{frame.SimulationTime.ToIsoUtc()}</UTC>
+                </SimulationTime>
+                <CameraPosition unit="m">
+                  {Vector3DElement(frame.Camera.PositionMoonMe)}
+                </CameraPosition>
+                <CameraOrientation>
+                  <Quaternion r="{LongE.ToText(orientation.W)}" x="{LongE.ToText(orientation.X)}" y="{LongE.ToText(orientation.Y)}" z="{LongE.ToText(orientation.Z)}" />
+                </CameraOrientation>
+                <SunPosition unit="m">
+                  {Vector3DElement(frame.SunPositionMoonMe)}
+                </SunPosition>
+                <FlightAltitude unit="m">{LongE.ToText(frame.FlightAltitude)}</FlightAltitude>
+                <SurfaceResolution unit="px/deg">{frame.PixelsPerDegree}</SurfaceResolution>
+                <FOV unit="deg">{frame.FieldOfViewDegrees:R}</FOV>
+                <MSISVersion>{XmlText.Escape(frame.Version)}</MSISVersion>
+                <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>
+              </GeneralInformation>
+              <PixelInformation>
+
+            """);
+    }
+
+    private static string Vector3DElement(Vector3D v) =>
+        $"""<Vector3D x="{LongE.ToText(v.X)}" y="{LongE.ToText(v.Y)}" z="{LongE.ToText(v.Z)}" />""";
+
+    /// <summary>The memory of one worker: a row's records and their text.</summary>
+    private sealed class RowBuffer(PixelSampler pixels)
+    {
+        private readonly PixelRecord[] records = new PixelRecord[pixels.Grid.Columns];
+        private readonly byte[] text = new byte[pixels.Grid.Columns * PixelXml.MaximumLength];
+        private int length;
+
+        public ReadOnlySpan<byte> Bytes => text.AsSpan(0, length);
+
+        public void Fill(int row)
+        {
+            int count = pixels.SampleRow(row, records);
+            length = 0;
+            foreach (ref readonly PixelRecord record in records.AsSpan(0, count))
+            {
+                length += PixelXml.Write(record, text.AsSpan(length));
+            }
+        }
+    }
+}

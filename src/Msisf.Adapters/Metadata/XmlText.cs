@@ -1,0 +1,55 @@
+using System.Text;
+
+namespace Msisf.Adapters.Metadata;
+
+/// <summary>Text as XML 1.0 character data.</summary>
+internal static class XmlText
+{
+    private const char ControlPictures = '\u2400';
+
+    /// <summary>
+    /// Escapes a text for element content. Tab and line ends become references, so that a parser gives them back as they were;
+    /// the control characters that XML can't hold become their pictures (U+2400 and on), unpaired surrogates and
+    /// non-characters the replacement character.
+    /// </summary>
+    /// <param name="text">Any text.</param>
+    public static string Escape(string text)
+    {
+        StringBuilder escaped = new(text.Length);
+        foreach (Rune rune in text.EnumerateRunes())
+        {
+            switch (rune.Value)
+            {
+                case '&':
+                    escaped.Append("&amp;");
+                    break;
+                case '<':
+                    escaped.Append("&lt;");
+                    break;
+                case '>':
+                    escaped.Append("&gt;");
+                    break;
+                case '\t':
+                    escaped.Append("&#9;");
+                    break;
+                case '\n':
+                    escaped.Append("&#10;");
+                    break;
+                case '\r':
+                    escaped.Append("&#13;");
+                    break;
+                case < ' ':
+                    escaped.Append((char)(ControlPictures + rune.Value));
+                    break;
+                case 0xFFFE or 0xFFFF:
+                    escaped.Append((char)Rune.ReplacementChar.Value);
+                    break;
+                default:
+                    escaped.Append(rune.ToString());
+                    break;
+            }
+        }
+
+        return escaped.ToString();
+    }
+}

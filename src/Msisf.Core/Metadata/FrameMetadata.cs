@@ -1,0 +1,27 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Metadata;
+
+/// <summary>What holds for a whole frame: the file's GeneralInformation (thesis section 9.2). Immutable.</summary>
+/// <param name="SimulationTime">UTC.</param>
+/// <param name="Camera">Position and orientation.</param>
+/// <param name="FieldOfViewDegrees">Horizontal field of view as the user gave it.</param>
+/// <param name="SunPositionMoonMe">m; with <c>--ignore-sun</c> the position of the light, which is the camera's.</param>
+/// <param name="PixelsPerDegree">Resolution of the elevation model, px/deg.</param>
+/// <param name="Version">Version of the program.</param>
+/// <param name="CommandLine">The arguments of the call.</param>
+public sealed record FrameMetadata(
+    ModifiedJulianDate SimulationTime,
+    PinholeCamera Camera,
+    double FieldOfViewDegrees,
+    Vector3D SunPositionMoonMe,
+    int PixelsPerDegree,
+    string Version,
+    string CommandLine)
+{
+    /// <summary>Height of the camera over the Moon's mean radius, m (thesis section 9.2).</summary>
+    public double FlightAltitude => Camera.PositionMoonMe.Length - MoonConstants.MeanRadius;
+}

@@ -1,0 +1,42 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Metadata;
+
+/// <summary>
+/// The thesis's "local solar illumination angle" (section 9.3): the direction in the image plane in which the Sun lies along the
+/// ground, counter-clockwise from straight down as the viewer sees it (0 down, 90 right, 180 up, 270 degrees left).
+/// </summary>
+public static class IlluminationDirection
+{
+    /// <summary>The direction at the ground point that a line of sight shows.</summary>
+    /// <param name="camera">Its orientation turns the direction into the image plane.</param>
+    /// <param name="lineOfSightMoonMe">From the camera to the ground point, any length; in the picture's half space.</param>
+    /// <param name="pointMoonMe">The ground point, m; the tangent plane is that of the sphere through it.</param>
+    /// <param name="sunPositionMoonMe">The Sun, or the light that stands for it, m.</param>
+    /// <returns>rad, [0, 2 pi); null where there is none: the Sun in the zenith or nadir of the point, or its ground line seen end on.</returns>
+    /// <remarks>
+    /// The thesis goes 1000 m along the ground towards the Sun and projects that point. A straight line's picture is straight, so
+    /// the direction at the point itself is the same, has a meaning when that second point lies behind the camera, and
+    /// needs no difference of two nearby projections: the plane through the line of sight and the ground line cuts the
+    /// image plane in the wanted direction, and its normal is one cross product (docs/deviations.md, rows 9 and 10).
+    /// </remarks>
+    public static double? At(PinholeCamera camera, Vector3D lineOfSightMoonMe, Vector3D pointMoonMe, Vector3D sunPositionMoonMe)
+    {
+        Vector3D toSun = sunPositionMoonMe - pointMoonMe;
+        double sunDistance = toSun.Length;
+        if (!(sunDistance > 0.0))
+        {
+            return null;
+        }
+
+        Vector3D zenith = pointMoonMe.Normalized();
+        Vector3D alongGround = Vector3D.Cross(zenith, Vector3D.Cross(toSun / sunDistance, zenith));
+        Vector3D planeNormal = camera.MoonFromCamera.Conjugate * Vector3D.Cross(lineOfSightMoonMe.Normalized(), alongGround);
+        double right = -planeNormal.Z;
+        double down = -planeNormal.Y;
+        return double.Hypot(right, down) < Tolerances.IlluminationDirectionSine
+            ? null
+            : Angles.OnFullTurn(Math.Atan2(right, down));
+    }
+}

@@ -1,0 +1,10 @@
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Metadata;
+
+/// <summary>What one pixel of the grid shows (thesis section 9.3).</summary>
+/// <param name="H">The pixel's x, from 1, to the right.</param>
+/// <param name="V">The pixel's y, from 1, down.</param>
+/// <param name="Point">The ground point on the pixel's ray.</param>
+/// <param name="IlluminationDirection">rad, [0, 2 pi), see <see cref="Metadata.IlluminationDirection"/>; null where it is undefined.</param>
+public readonly record struct PixelRecord(int H, int V, SelenographicPoint Point, double? IlluminationDirection);

@@ -1,0 +1,85 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+using Xunit;
+
+namespace Msisf.Core.Tests.Metadata;
+
+public class IlluminationDirectionTests
+{
+    private const double Radius = 1_737_400.0;
+    private const double SunDistance = 1.5e11;
+
+    /// <summary>A nadir camera over (0, 0), north up: it looks along -x, y is right, z is up.</summary>
+    private static readonly PinholeCamera Nadir = new(new Vector3D(2e6, 0.0, 0.0), UnitQuaternion.Identity, 0.7, 101, 101);
+
+    [Theory]
+    [InlineData(0.0, -1.0, 0.0)]
+    [InlineData(1.0, -1.0, 45.0)]
+    [InlineData(1.0, 0.0, 90.0)]
+    [InlineData(0.0, 1.0, 180.0)]
+    [InlineData(-1.0, 0.0, 270.0)]
+    [InlineData(-1.0, -1.0, 315.0)]
+    public void At_SunToOneSide_CountsCounterClockwiseFromDown(double right, double up, double expectedDegrees)
+    {
+        double? direction = IlluminationDirection.At(
+            Nadir, -Vector3D.UnitX, Radius * Vector3D.UnitX, SunDistance * new Vector3D(1.0, right, up));
+
+        Assert.Equal(expectedDegrees, double.RadiansToDegrees(direction!.Value), 12);
+    }
+
+    [Theory]
+    [InlineData(1.0)]
+    [InlineData(-1.0)]
+    public void At_SunInZenithOrNadirOfThePoint_IsUndefined(double side) =>
+        Assert.Null(IlluminationDirection.At(Nadir, -Vector3D.UnitX, Radius * Vector3D.UnitX, side * SunDistance * Vector3D.UnitX));
+
+    [Theory]
+    [InlineData(0.9e-7, false)]
+    [InlineData(1.1e-7, true)]
+    public void At_SunNearTheZenith_IsUndefinedWithinTheTolerance(double zenithAngle, bool isDefined)
+    {
+        double? direction = IlluminationDirection.At(
+            Nadir, -Vector3D.UnitX, Radius * Vector3D.UnitX, SunDistance * new Vector3D(1.0, zenithAngle, 0.0));
+
+        Assert.Equal(isDefined, direction.HasValue);
+    }
+
+    [Fact]
+    public void At_GroundLineSeenEndOn_IsUndefined()
+    {
+        PinholeCamera atGroundLevel = new(
+            new Vector3D(Radius, -1000.0, 0.0), UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, -Math.PI / 2.0), 0.7, 101, 101);
+
+        Assert.Null(IlluminationDirection.At(
+            atGroundLevel, Vector3D.UnitY, Radius * Vector3D.UnitX, SunDistance * Vector3D.UnitY));
+    }
+
+    [Fact]
+    public void At_LightInThePointItself_IsUndefined() =>
+        Assert.Null(IlluminationDirection.At(Nadir, -Vector3D.UnitX, Radius * Vector3D.UnitX, Radius * Vector3D.UnitX));
+
+    [Fact]
+    public void At_GroundLineRunsBehindTheCamera_StillPointsTowardsTheSun()
+    {
+        // 10 m up, looking north along the ground with the Sun in the south: 1000 m towards it lies behind the camera, and its
+        // projection through the focal point would come out at the top of the picture.
+        PinholeCamera low = new(
+            new Vector3D(Radius + 10.0, 0.0, 0.0), UnitQuaternion.FromAxisAngle(Vector3D.UnitY, Math.PI / 2.0), 0.7, 101, 101);
+        Vector3D point = Radius * new Vector3D(1.0, 0.0, 5e-5);
+
+        double? direction = IlluminationDirection.At(low, point - low.PositionMoonMe, point, SunDistance * new Vector3D(0.1, 0.0, -1.0));
+
+        Assert.Equal(0.0, double.RadiansToDegrees(direction!.Value), 9);
+    }
+
+    [Fact]
+    public void At_LightAtTheCamera_PointsFromTheGroundToBelowTheCamera()
+    {
+        Vector3D north = Radius * new Vector3D(Math.Cos(0.1), 0.0, Math.Sin(0.1));
+
+        double? direction = IlluminationDirection.At(Nadir, north - Nadir.PositionMoonMe, north, Nadir.PositionMoonMe);
+
+        Assert.Equal(0.0, double.RadiansToDegrees(direction!.Value), 12);
+    }
+}
