@@ -1,1 +1,6 @@
-return 0;
+using System.CommandLine;
+using Msisf.Cli;
+using Msisf.Cli.Run;
+
+ProgramHost host = new(Console.Out, Console.Error, () => Console.In, TimeProvider.System, args);
+return await CommandLineProgram.RunAsync(args, host).ConfigureAwait(false);

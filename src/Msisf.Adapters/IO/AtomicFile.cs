@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.IO;
@@ -32,6 +33,17 @@ public static class AtomicFile
             File.Delete(temporary);
         }
     }
+
+    /// <summary>Writes a text file, UTF-8 without byte order mark, LF.</summary>
+    /// <param name="path">The final name.</param>
+    /// <param name="write">Writes the content.</param>
+    /// <exception cref="ExternalPartException">The file system refuses.</exception>
+    public static void WriteText(string path, Action<TextWriter> write) => Write(path, stream =>
+    {
+        using StreamWriter writer = new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), bufferSize: 65536, leaveOpen: true);
+        writer.NewLine = "\n";
+        write(writer);
+    });
 
     /// <summary>A name beside <paramref name="path"/> that no other process or thread uses, with the same extension.</summary>
     public static string TemporaryNameFor(string path)

@@ -17,19 +17,19 @@ internal sealed partial class FrameNaming
     private readonly string _pattern;
 
     /// <summary>Checks a pattern.</summary>
-    /// <exception cref="UsageException">It has a folder in it, an unknown or unclosed field, or a format that is none.</exception>
+    /// <exception cref="BadInputException">It has a folder in it, an unknown or unclosed field, or a format that is none.</exception>
     public FrameNaming(string pattern)
     {
         _pattern = pattern;
         string literal = Field().Replace(pattern, string.Empty);
         if (literal.Contains('{') || literal.Contains('}'))
         {
-            throw new UsageException($"--output-name {pattern}: a field is {{step}} or {{mjd}}, if need be with a number format, e.g. {{step:00000}}.");
+            throw new BadInputException($"--output-name {pattern}: a field is {{step}} or {{mjd}}, if need be with a number format, e.g. {{step:00000}}.");
         }
 
         if (pattern.Contains('/') || pattern.Contains('\\') || pattern.Any(char.IsControl) || pattern.Trim().Length == 0 || pattern[0] == '.')
         {
-            throw new UsageException($"--output-name '{pattern}': a file name is needed, without folders; the folder is given by --output-dir.");
+            throw new BadInputException($"--output-name '{pattern}': a file name is needed, without folders; the folder is given by --output-dir.");
         }
 
         NameOf(1, default);
@@ -49,11 +49,11 @@ internal sealed partial class FrameNaming
         });
         return name.Length <= LongestName
             ? name
-            : throw new UsageException($"--output-name: the name {name[..40]}... has {name.Length} characters; at most {LongestName} are possible.");
+            : throw new BadInputException($"--output-name: the name {name[..40]}... has {name.Length} characters; at most {LongestName} are possible.");
     }
 
     /// <summary>The names of all frames.</summary>
-    /// <exception cref="UsageException">Two frames would get one name.</exception>
+    /// <exception cref="BadInputException">Two frames would get one name.</exception>
     public IReadOnlyList<string> NamesOf(IReadOnlyList<ModifiedJulianDate> times)
     {
         Dictionary<string, int> stepOfName = new(times.Count, StringComparer.OrdinalIgnoreCase);
@@ -63,7 +63,7 @@ internal sealed partial class FrameNaming
             names[index] = NameOf(index + 1, times[index]);
             if (!stepOfName.TryAdd(names[index], index + 1))
             {
-                throw new UsageException(
+                throw new BadInputException(
                     $"--output-name {_pattern}: steps {stepOfName[names[index]]} and {index + 1} would both be written to {names[index]}. Add {{step:00000}} to the pattern.");
             }
         }

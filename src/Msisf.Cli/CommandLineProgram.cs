@@ -1,0 +1,57 @@
+using System.CommandLine;
+using Msisf.Cli.Commands;
+using Msisf.Cli.Run;
+using Msisf.Core.Errors;
+
+namespace Msisf.Cli;
+
+/// <summary>From arguments to an exit code; the one place where failures end.</summary>
+internal static class CommandLineProgram
+{
+    /// <summary>A run that the user ended, as shells have it: 128 + SIGINT.</summary>
+    private const int ExitCancelled = 130;
+
+    private const int ExitUsage = 1;
+    private const int ExitBug = 70;
+
+    /// <summary>Runs one command.</summary>
+    public static async Task<int> RunAsync(IReadOnlyList<string> arguments, ProgramHost host)
+    {
+        try
+        {
+            RootCommand root = RenderCommand.Create(host);
+            root.Subcommands.Add(PatternsCommand.Create(host));
+            root.Subcommands.Add(LdemCommand.Create(host));
+            ParseResult line = root.Parse([.. arguments]);
+            if (line.Errors.Count > 0)
+            {
+                host.Log.Error($"{string.Join(" ", line.Errors.Select(error => error.Message))} See msis --help.");
+                return ExitUsage;
+            }
+
+            InvocationConfiguration configuration = new()
+            {
+                EnableDefaultExceptionHandler = false,
+                Output = host.Results,
+                ProcessTerminationTimeout = Timeout.InfiniteTimeSpan,
+            };
+            return await line.InvokeAsync(configuration).ConfigureAwait(false);
+        }
+        catch (OperationCanceledException)
+        {
+            host.Log.Error("ended by the user; finished frames are complete, no other files are left.");
+            return ExitCancelled;
+        }
+        catch (MsisfException exception)
+        {
+            host.Log.Error(exception.Message);
+            return exception.ExitCode;
+        }
+        catch (Exception exception)
+        {
+            host.Log.Error($"a bug in msis, please report it with the command line and this text: {exception.GetType().Name}: {exception.Message}");
+            host.Log.Raw(exception.StackTrace ?? string.Empty);
+            return ExitBug;
+        }
+    }
+}

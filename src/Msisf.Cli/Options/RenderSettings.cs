@@ -1,0 +1,49 @@
+using Msisf.Adapters.Ephemeris;
+
+namespace Msisf.Cli.Options;
+
+/// <summary>The checked options of a render run, but for where the camera is.</summary>
+internal sealed record RenderSettings
+{
+    public required double FieldOfViewDegrees { get; init; }
+
+    public required int Width { get; init; }
+
+    public required int Height { get; init; }
+
+    public required int GridHorizontal { get; init; }
+
+    public required int GridVertical { get; init; }
+
+    public required int PixelsPerDegree { get; init; }
+
+    public required bool IgnoreSun { get; init; }
+
+    public required bool Annotate { get; init; }
+
+    public required string OutputFolder { get; init; }
+
+    public required string OutputName { get; init; }
+
+    public required string PatternRepository { get; init; }
+
+    public required string? Ldem { get; init; }
+
+    public required EphemerisChoice Ephemeris { get; init; }
+
+    public required string? Kernels { get; init; }
+
+    public required string? PovPath { get; init; }
+
+    public required IReadOnlyList<string> PovOptions { get; init; }
+
+    public required TimeSpan? Timeout { get; init; }
+
+    public required int? Jobs { get; init; }
+
+    public required bool Unattended { get; init; }
+
+    public required bool ListPatterns { get; init; }
+
+    public required bool Timing { get; init; }
+}

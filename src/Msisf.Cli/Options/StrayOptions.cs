@@ -1,0 +1,34 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Msisf.Core.Errors;
+
+namespace Msisf.Cli.Options;
+
+/// <summary>Catches what the parser lets pass in silence: an option given twice, and options before a command that has none of them.</summary>
+internal static class StrayOptions
+{
+    /// <summary>Checks a parsed line.</summary>
+    /// <exception cref="UsageException">An option twice, or one that does not belong to the command.</exception>
+    public static void Refuse(ParseResult line)
+    {
+        foreach (OptionResult option in OptionsOf(line.CommandResult))
+        {
+            if (option.IdentifierTokenCount > 1)
+            {
+                throw new UsageException($"{option.Option.Name} is given {option.IdentifierTokenCount} times. Give it once.");
+            }
+        }
+
+        for (SymbolResult? outer = line.CommandResult.Parent; outer is CommandResult command; outer = outer.Parent)
+        {
+            if (OptionsOf(command).FirstOrDefault() is OptionResult stray)
+            {
+                throw new UsageException(
+                    $"{stray.Option.Name} stands before the command {line.CommandResult.Command.Name}. Put the command first, and see msis {line.CommandResult.Command.Name} --help for its options.");
+            }
+        }
+    }
+
+    private static IEnumerable<OptionResult> OptionsOf(CommandResult command) =>
+        command.Children.OfType<OptionResult>().Where(option => !option.Implicit);
+}

@@ -1,0 +1,64 @@
+using Msisf.Cli.Progress;
+using Msisf.Core.Errors;
+
+namespace Msisf.Cli.Run;
+
+/// <summary>
+/// Makes many frames, several at once, so that POV-Ray's processes and threads together use the cores once. A frame that
+/// fails is recorded, and the rest goes on.
+/// </summary>
+internal sealed class FrameLoop
+{
+    private readonly Func<Frame, int, CancellationToken, Task<FrameOutputs>> _render;
+    private readonly IRunProgress _progress;
+    private readonly TextWriter _results;
+    private readonly Log _log;
+
+    public FrameLoop(Func<Frame, int, CancellationToken, Task<FrameOutputs>> render, IRunProgress progress, TextWriter results, Log log)
+    {
+        _render = render;
+        _progress = progress;
+        _results = results;
+        _log = log;
+    }
+
+    /// <summary>How many frames run at once: as many as there are cores, unless the user says otherwise.</summary>
+    public static int AtOnce(int frames, int? jobs, int cores) => Math.Clamp(jobs ?? cores, 1, Math.Max(1, frames));
+
+    /// <summary>Makes all frames; the paths of a frame's files are printed as soon as those of all frames before it are.</summary>
+    /// <exception cref="MsisfException">The only frame of the run failed: its own error. Several frames: an <see cref="ExternalPartException"/> that counts them.</exception>
+    public async Task<IReadOnlyList<FrameOutputs>> RunAsync(IReadOnlyList<Frame> frames, int? jobs, int cores, CancellationToken cancellation)
+    {
+        int atOnce = AtOnce(frames.Count, jobs, cores);
+        int threads = Math.Max(1, cores / atOnce);
+        FrameOutputs?[] outputs = new FrameOutputs?[frames.Count];
+        List<int> failed = [];
+        OrderedPrinter printer = new(_results, frames.Count);
+        await Parallel.ForAsync(0, frames.Count, Options(atOnce, cancellation), async (index, stop) =>
+        {
+            Frame frame = frames[index];
+            try
+            {
+                outputs[index] = await _render(frame, threads, stop).ConfigureAwait(false);
+                printer.Done(index, outputs[index]!.Paths);
+            }
+            catch (MsisfException exception) when (frames.Count > 1)
+            {
+                _log.Error($"step {frame.Step} ({frame.Name}): {exception.Message}");
+                printer.Done(index, []);
+                lock (failed)
+                {
+                    failed.Add(frame.Step);
+                }
+            }
+
+            _progress.Advance(frame.Name);
+        }).ConfigureAwait(false);
+        return failed.Count == 0
+            ? outputs!
+            : throw new ExternalPartException($"{failed.Count} of {frames.Count} frames failed: steps {string.Join(", ", failed.Order())}. The others are complete.");
+    }
+
+    private static ParallelOptions Options(int atOnce, CancellationToken cancellation) =>
+        new() { MaxDegreeOfParallelism = atOnce, CancellationToken = cancellation };
+}

@@ -1,0 +1,7 @@
+namespace Msisf.Cli.Run;
+
+/// <summary>The files of one finished frame.</summary>
+/// <param name="Paths">In the order in which they are named to the user.</param>
+/// <param name="TileCount">Patterns that the scene includes.</param>
+/// <param name="PatternsMade">Patterns that were made for it.</param>
+internal sealed record FrameOutputs(IReadOnlyList<string> Paths, int TileCount, int PatternsMade);

@@ -1,0 +1,64 @@
+using System.Globalization;
+using Msisf.Cli.Options;
+using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Cli.Run;
+
+/// <summary>Turns states into frames, and refuses a run that could not be finished before its first picture is made.</summary>
+internal static class FramePlanner
+{
+    /// <summary>Cameras that lie in the ground and are named in the message.</summary>
+    private const int NamedSteps = 5;
+
+    /// <summary>Names, cameras and lights of all frames. The Sun's positions are computed here, one after another: CSPICE is not thread-safe.</summary>
+    /// <param name="states">In the order of the input.</param>
+    /// <param name="settings">The options.</param>
+    /// <param name="sun">The ephemeris; not asked if the Sun is ignored.</param>
+    /// <exception cref="MsisfException">A name twice, a time outside the kernels' cover, ...</exception>
+    public static Frame[] Plan(IReadOnlyList<SpacecraftState> states, RenderSettings settings, Func<IEphemeris> sun)
+    {
+        IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
+        IEphemeris? ephemeris = settings.IgnoreSun ? null : sun();
+        double fieldOfView = settings.FieldOfViewDegrees * Math.PI / 180.0;
+        Frame[] frames = new Frame[states.Count];
+        for (int index = 0; index < frames.Length; index++)
+        {
+            SpacecraftState state = states[index];
+            PinholeCamera camera = new(state.PositionMoonMe, state.MoonFromCamera, fieldOfView, settings.Width, settings.Height);
+            SceneLight light = ephemeris is null
+                ? new SceneLight(state.PositionMoonMe, IsSun: false)
+                : new SceneLight(ephemeris.SunPositionMoonMe(state.Time), IsSun: true);
+            frames[index] = new Frame(index + 1, names[index], state.Time, camera, light);
+        }
+
+        return frames;
+    }
+
+    /// <summary>Refuses cameras in the ground.</summary>
+    /// <exception cref="BadInputException">A camera lies below the terrain; the message names the steps.</exception>
+    public static void RefuseCamerasInTheGround(IReadOnlyList<Frame> frames, ElevationModel model)
+    {
+        List<string> buried = [];
+        int count = 0;
+        foreach (Frame frame in frames)
+        {
+            Vector3D position = frame.Camera.PositionMoonMe;
+            double depth = model.DepthBelowGround(position);
+            if (depth > 0.0 && ++count <= NamedSteps)
+            {
+                buried.Add(string.Create(CultureInfo.InvariantCulture, $"step {frame.Step} (MJD {frame.Time.Days:R}) by {depth:F1} m"));
+            }
+        }
+
+        if (count > 0)
+        {
+            string rest = count > NamedSteps ? $" and {count - NamedSteps} more" : string.Empty;
+            throw new BadInputException($"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.");
+        }
+    }
+}

@@ -1,0 +1,38 @@
+using Msisf.Adapters.IO;
+
+namespace Msisf.Cli.Run;
+
+/// <summary>The world as the commands see it: streams, clock, environment, the program's own files. Tests bring their own.</summary>
+internal sealed class ProgramHost
+{
+    private readonly Lazy<Installation> _installation;
+
+    public ProgramHost(TextWriter results, TextWriter error, Func<TextReader> standardInput, TimeProvider clock, IReadOnlyList<string> arguments)
+    {
+        Results = results;
+        Log = new Log(error);
+        StandardInput = standardInput;
+        Clock = clock;
+        Times = new RunTimes(clock);
+        Identity = ProgramIdentity.Of(arguments);
+        _installation = new Lazy<Installation>(() => Installation.Above(AppContext.BaseDirectory));
+    }
+
+    public TextWriter Results { get; }
+
+    public Log Log { get; }
+
+    public Func<TextReader> StandardInput { get; }
+
+    public TimeProvider Clock { get; }
+
+    public RunTimes Times { get; }
+
+    public ProgramIdentity Identity { get; }
+
+    public Installation Installation => _installation.Value;
+
+    /// <summary>A variable of the environment; null if it is not set or empty.</summary>
+    public string? Environment(string name) =>
+        System.Environment.GetEnvironmentVariable(name) is { Length: > 0 } value ? value : null;
+}

@@ -1,0 +1,92 @@
+using Msisf.Adapters.Ephemeris;
+using Msisf.Adapters.IO;
+using Msisf.Adapters.Render;
+using Msisf.Adapters.Tiles;
+using Msisf.Cli.Options;
+using Msisf.Cli.Progress;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Scene;
+
+namespace Msisf.Cli.Run;
+
+/// <summary>A whole run: states, Sun, frames, and what is printed about them.</summary>
+internal sealed class RenderRun : IDisposable
+{
+    private readonly RenderSettings _settings;
+    private readonly ProgramHost _host;
+    private readonly RunTimes _times;
+    private OpenedEphemeris? _ephemeris;
+
+    public RenderRun(RenderSettings settings, ProgramHost host)
+    {
+        _settings = settings;
+        _host = host;
+        _times = host.Times;
+    }
+
+    /// <summary>The ephemeris engine, opened when it is first needed.</summary>
+    public IEphemeris Ephemeris()
+    {
+        if (_ephemeris is null)
+        {
+            Installation installation = _host.Installation;
+            _ephemeris = _times.Measure(Phase.Sun, () => EphemerisFactory.Open(new EphemerisRequest(
+                _settings.Ephemeris, [_settings.Kernels ?? installation.MetaKernel], installation.Root, _host.Environment("MSISF_CSPICE"))));
+            _host.Log.Note(_ephemeris.Notice);
+        }
+
+        return _ephemeris.Engine;
+    }
+
+    /// <summary>Does the run.</summary>
+    /// <param name="readStates">Reads all states.</param>
+    /// <param name="cancellation">Ends POV-Ray and leaves no half file.</param>
+    public async Task RunAsync(Func<IReadOnlyList<SpacecraftState>> readStates, CancellationToken cancellation)
+    {
+        IReadOnlyList<SpacecraftState> states = _times.Measure(Phase.States, readStates);
+        Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, _settings, Ephemeris));
+        using ElevationModel model = _times.Measure(Phase.Model, () => ElevationModel.Open(
+            _settings.Ldem, _settings.PixelsPerDegree, _settings.PatternRepository, _host));
+        FramePlanner.RefuseCamerasInTheGround(frames, model);
+        if (_settings.ListPatterns)
+        {
+            PatternList.Print(frames, model, _host.Results);
+            return;
+        }
+
+        IReadOnlyList<FrameOutputs> outputs = await RenderAsync(frames, model, cancellation).ConfigureAwait(false);
+        if (_settings.Timing)
+        {
+            _host.Log.Raw(_times.ToJson(outputs.Count, outputs.Sum(frame => (long)frame.TileCount), outputs.Sum(frame => frame.PatternsMade)));
+        }
+    }
+
+    public void Dispose() => _ephemeris?.Dispose();
+
+    private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(Frame[] frames, ElevationModel model, CancellationToken cancellation)
+    {
+        PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+        CreateFolder(_settings.OutputFolder);
+        int cores = Environment.ProcessorCount;
+        ResourceCheck.Check(
+            _settings.Width, _settings.Height, _settings.Annotate, FrameLoop.AtOnce(frames.Length, _settings.Jobs, cores), _settings.OutputFolder);
+        PatternRepository patterns = new(_settings.PatternRepository, model.Grid);
+        FrameRenderer renderer = new(_settings, model, patterns, povRay, _host.Identity, _times);
+        using IRunProgress progress = RunProgress.Start("Frames", frames.Length, _settings.Unattended, _host.Log, _host.Clock);
+        FrameLoop loop = new(renderer.RenderAsync, progress, _host.Results, _host.Log);
+        return await loop.RunAsync(frames, _settings.Jobs, cores, cancellation).ConfigureAwait(false);
+    }
+
+    private static void CreateFolder(string folder)
+    {
+        try
+        {
+            Directory.CreateDirectory(folder);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            throw new ExternalPartException($"--output-dir {folder}: the folder can't be made: {exception.Message}", exception);
+        }
+    }
+}

@@ -1,0 +1,173 @@
+using System.CommandLine;
+using System.Globalization;
+using System.Text;
+using Msisf.Adapters.Input;
+using Msisf.Cli.Options;
+using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+using Msisf.Core.Time;
+
+namespace Msisf.Cli.Run;
+
+/// <summary>The states of the spacecraft that a run takes pictures of, from any of the four modes; all are known before the first picture.</summary>
+internal sealed class StateSource
+{
+    private static readonly string[] StateFields = ["MJD", "rx", "ry", "rz", "qx", "qy", "qz", "q0"];
+
+    private readonly ModeOptions _options;
+    private readonly ParseResult _line;
+    private readonly Func<IEphemeris> _ephemeris;
+    private readonly Func<TextReader> _standardInput;
+    private readonly Log _log;
+
+    public StateSource(ModeOptions options, ParseResult line, Func<IEphemeris> ephemeris, Func<TextReader> standardInput, Log log)
+    {
+        _options = options;
+        _line = line;
+        _ephemeris = ephemeris;
+        _standardInput = standardInput;
+        _log = log;
+    }
+
+    /// <summary>Reads or computes all states.</summary>
+    /// <exception cref="NothingToRenderException">There is none.</exception>
+    public IReadOnlyList<SpacecraftState> Read(Mode mode)
+    {
+        IReadOnlyList<SpacecraftState> states = mode switch
+        {
+            Mode.FixedState => [FixedState()],
+            Mode.BatchFile => BatchFile(),
+            Mode.Kepler => OnOrbit(KeplerElements()),
+            _ => OnOrbit(Named(_options.StateVectors, () => StateConversion.ToElements(StateVector()))),
+        };
+        return states.Count > 0
+            ? states
+            : throw new NothingToRenderException(mode == Mode.BatchFile
+                ? $"{_line.GetValue(_options.BatchFile)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0."
+                : "--time-interval: no time in it: the step leads away from the end. Swap start and end, or change the step's sign.");
+    }
+
+    private SpacecraftState FixedState()
+    {
+        double[] values = Numbers(_options.FixedState, StateFields);
+        return Named(_options.FixedState, () => new SpacecraftState(
+            new ModifiedJulianDate(values[0]),
+            new Vector3D(values[1], values[2], values[3]),
+            UnitQuaternion.FromComponents(values[4], values[5], values[6], values[7])));
+    }
+
+    private IReadOnlyList<SpacecraftState> BatchFile()
+    {
+        string path = OptionText.FilePath(_options.BatchFile, _line.GetValue(_options.BatchFile)!);
+        if (path == "-")
+        {
+            return BatchFileReader.Read(_standardInput(), "standard input");
+        }
+
+        if (!File.Exists(path))
+        {
+            throw new BadInputException($"--batch-file {path}: there is no such file.");
+        }
+
+        try
+        {
+            using StreamReader reader = new(path, Encoding.UTF8);
+            return BatchFileReader.Read(reader, path);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            throw new BadInputException($"--batch-file {path}: can't be read: {exception.Message}", exception);
+        }
+    }
+
+    private KeplerElements KeplerElements()
+    {
+        double[] values = Numbers(_options.KeplerSet, ["a", "e", "omega", "Omega", "i", "M0"]);
+        return Named(_options.KeplerSet, () => new KeplerElements(values[0], values[1], values[2], values[3], values[4], values[5]));
+    }
+
+    private StateVector StateVector()
+    {
+        double[] values = Numbers(_options.StateVectors, ["rx", "ry", "rz", "drx", "dry", "drz"]);
+        return new StateVector(new Vector3D(values[0], values[1], values[2]), new Vector3D(values[3], values[4], values[5]));
+    }
+
+    private SpacecraftState[] OnOrbit(KeplerElements elements)
+    {
+        ModifiedJulianDate epoch = Date(_options.Epoch, _line.GetValue(_options.Epoch)!);
+        OrbitFrame frame = _line.GetValue(_options.OrbitFrame) is string text
+            ? OptionText.Choice(
+                _options.OrbitFrame,
+                text,
+                [("moon-me", OrbitFrame.MoonMe), ("moon-me-epoch", OrbitFrame.MoonMeEpoch), ("j2000", OrbitFrame.J2000)])
+            : OrbitFrame.MoonMe;
+        OrbitPropagator orbit = new(elements, epoch, frame, frame == OrbitFrame.MoonMe ? null : _ephemeris());
+        if (orbit.PeriapsisRadius < MoonConstants.ReferenceRadius)
+        {
+            _log.Warning(string.Create(
+                CultureInfo.InvariantCulture,
+                $"the orbit's periapsis lies {(MoonConstants.ReferenceRadius - orbit.PeriapsisRadius) / 1000.0:F3} km below the Moon's reference radius; times on that part are refused."));
+        }
+
+        AttitudeTransition? attitude = Attitude();
+        return [.. Times().Select(time =>
+        {
+            Vector3D position = orbit.PositionMoonMe(time);
+            return new SpacecraftState(time, position, attitude?.At(time.SecondsSince(epoch)) ?? NadirPointing.MoonFromCamera(position));
+        })];
+    }
+
+    private AttitudeTransition? Attitude()
+    {
+        if (_line.GetResult(_options.Attitude) is null)
+        {
+            return null;
+        }
+
+        double[] q = Numbers(_options.Attitude, ["qx", "qy", "qz", "q0"]);
+        double[] rates = _line.GetResult(_options.AttitudeTransition) is null
+            ? [0.0, 0.0, 0.0]
+            : Numbers(_options.AttitudeTransition, ["wx", "wy", "wz"]);
+        return Named(_options.Attitude, () => new AttitudeTransition(
+            UnitQuaternion.FromComponents(q[0], q[1], q[2], q[3]), new Vector3D(rates[0], rates[1], rates[2])));
+    }
+
+    private IEnumerable<ModifiedJulianDate> Times()
+    {
+        if (_line.GetValue(_options.Time) is string time)
+        {
+            return [Date(_options.Time, time)];
+        }
+
+        return _line.GetResult(_options.Times) is not null
+            ? StateText.ParseList(_options.Times.Name, _line.GetValue(_options.Times)!, "MJD")
+                .Select(mjd => Named(_options.Times, () => new ModifiedJulianDate(mjd)))
+            : StateText.ParseInterval(_options.TimeInterval.Name, [_line.GetValue(_options.TimeInterval)!]);
+    }
+
+    private double[] Numbers(Option<string[]> option, string[] fields) =>
+        StateText.ParseNumbers(option.Name, _line.GetValue(option)!, fields);
+
+    private static ModifiedJulianDate Date(Option option, string text)
+    {
+        double days = OptionText.Number(option, text);
+        return Named(option, () => new ModifiedJulianDate(days));
+    }
+
+    private static T Named<T>(Option option, Func<T> make)
+    {
+        try
+        {
+            return make();
+        }
+        catch (BadInputException exception)
+        {
+            throw new BadInputException($"{option.Name}: {exception.Message}", exception);
+        }
+    }
+}

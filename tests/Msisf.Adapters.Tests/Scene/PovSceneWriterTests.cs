@@ -1,0 +1,92 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using Msisf.Adapters.Scene;
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
+using Msisf.Core.Tiles;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Scene;
+
+public sealed class PovSceneWriterTests
+{
+    private static readonly PinholeCamera Camera = new(
+        new Vector3D(2e6, 2e6, 1.0 / 3.0),
+        UnitQuaternion.FromComponents(-2.391176183943345e-001, 9.904576054128762e-002, 3.696438106143861e-001, 8.923991008325228e-001),
+        40.0 * Math.PI / 180.0,
+        1024,
+        768);
+
+    private static readonly SceneLight Sun = new(new Vector3D(1.07495547328088e11, -1.04243073487898e11, 4.03616430556126e9), IsSun: true);
+
+    [Theory]
+    [InlineData("location")]
+    [InlineData("right")]
+    [InlineData("up")]
+    [InlineData("direction")]
+    public void Write_CameraVectors_ComeBackToTheLastDigit(string name)
+    {
+        Vector3D expected = name switch
+        {
+            "location" => Camera.PositionMoonMe / 1000.0,
+            "right" => Camera.Right,
+            "up" => Camera.Up,
+            _ => Camera.Direction,
+        };
+
+        Vector3D actual = VectorAfter(name, Write(Sun));
+
+        Assert.Equal(expected, actual);
+    }
+
+    [Fact]
+    public void Write_Sun_IsInKilometresAndGlows()
+    {
+        string scene = Write(Sun);
+
+        Assert.Equal(Sun.PositionMoonMe / 1000.0, VectorAfter(@"light_source\s*\{\s*", scene));
+        Assert.Contains("looks_like", scene, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Write_LampAtTheCamera_HasNoDisc()
+    {
+        string scene = Write(new SceneLight(Camera.PositionMoonMe, IsSun: false));
+
+        Assert.Equal(Camera.PositionMoonMe / 1000.0, VectorAfter(@"light_source\s*\{\s*", scene));
+        Assert.DoesNotContain("looks_like", scene, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Write_Tiles_AreIncludedByFileNameInOrder()
+    {
+        string[] includes = [.. Regex.Matches(Write(Sun), "#include \"(.*)\"").Select(match => match.Groups[1].Value)];
+
+        Assert.Equal(["lat_-5_0_lon_355_360.inc", "lat_0_5_lon_0_5.inc"], includes);
+    }
+
+    [Fact]
+    public void Write_Lines_EndWithLineFeedOnly()
+    {
+        string scene = Write(Sun);
+
+        Assert.DoesNotContain('\r', scene);
+        Assert.EndsWith("\n", scene, StringComparison.Ordinal);
+    }
+
+    private static string Write(SceneLight light)
+    {
+        using StringWriter writer = new();
+        TileId[] tiles = [new TileId(-5, 355), new TileId(0, 0)];
+        PovSceneWriter.Write(writer, new RenderScene(Camera, light, 4, tiles), tile => $"{tile.RangeText}.inc");
+        return writer.ToString();
+    }
+
+    private static Vector3D VectorAfter(string pattern, string scene)
+    {
+        Match match = Regex.Match(scene, pattern + @"\s*<(?<x>[^,]*), (?<y>[^,]*), (?<z>[^>]*)>");
+        double Component(string name) => double.Parse(match.Groups[name].Value, CultureInfo.InvariantCulture);
+        return new Vector3D(Component("x"), Component("y"), Component("z"));
+    }
+}

@@ -1,0 +1,19 @@
+using Msisf.Cli.Run;
+
+namespace Msisf.Cli.Tests;
+
+/// <summary>One call of the program, in this process, and what came of it.</summary>
+internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
+{
+    /// <summary>Runs the program.</summary>
+    /// <param name="arguments">As <c>main</c> gets them.</param>
+    /// <param name="standardInput">What stands on standard input.</param>
+    public static CommandLineRun Of(IReadOnlyList<string> arguments, string standardInput = "")
+    {
+        using StringWriter output = new();
+        using StringWriter error = new();
+        ProgramHost host = new(output, error, () => new StringReader(standardInput), TimeProvider.System, arguments);
+        int exitCode = CommandLineProgram.RunAsync(arguments, host).GetAwaiter().GetResult();
+        return new CommandLineRun(exitCode, output.ToString(), error.ToString());
+    }
+}

@@ -1,0 +1,163 @@
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Cli.Tests;
+
+/// <summary>
+/// The table of wrong inputs: each ends with its exit code and with one line that says what is wrong and where, without a
+/// stack trace and without an output. Words are separated by blanks; a word may not hold one, but for "_", which stands for it.
+/// </summary>
+public sealed class WrongInputTests : IDisposable
+{
+    private const string Fixed = "--fixed-state {55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1}";
+    private const string Kepler = "--kepler-set {1.9E6,0,0,0,1,0}";
+    private const string Orbit = $"{Kepler} --epoch 55289";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+
+    // The command line itself.
+    [InlineData("--widht 5", 1, "--widht")]
+    [InlineData("render", 1, "render")]
+    [InlineData("--batch", 1, "nothing says where the camera is")]
+    [InlineData("--width", 1, "--width")]
+    [InlineData($"{Fixed} --width 5 --width 6", 1, "--width")]
+    [InlineData($"{Fixed} --fixed-state {{55289,2E6,2E6,0,0,0,0,1}}", 1, "--fixed-state is given 2 times")]
+    [InlineData("--batch patterns --res 4", 1, "--batch stands before the command patterns")]
+    [InlineData("@missing.rsp", 1, "missing.rsp")]
+    [InlineData("ldem", 1, "ldem")]
+
+    // Table 6.1: which argument goes with which mode.
+    [InlineData($"{Fixed} {Kepler}", 1, "exclude each other")]
+    [InlineData($"{Fixed} --batch-file a.tab", 1, "exclude each other")]
+    [InlineData($"{Kepler} --state-vectors {{1,2,3,4,5,6}}", 1, "exclude each other")]
+    [InlineData($"{Fixed} --epoch 55289", 1, "--epoch is not allowed with --fixed-state")]
+    [InlineData($"{Fixed} --time 55289", 1, "--time is not allowed with --fixed-state")]
+    [InlineData($"{Fixed} --times {{55289}}", 1, "--times is not allowed with --fixed-state")]
+    [InlineData($"{Fixed} --time-interval [1:1:2]", 1, "--time-interval is not allowed with --fixed-state")]
+    [InlineData($"{Fixed} --attitude {{0,0,0,1}}", 1, "--attitude is not allowed with --fixed-state")]
+    [InlineData($"{Fixed} --attitude-transition {{0,0,0}}", 1, "--attitude-transition is not allowed with --fixed-state")]
+    [InlineData($"{Fixed} --orbit-frame j2000", 1, "--orbit-frame is not allowed with --fixed-state")]
+    [InlineData("--batch-file a.tab --epoch 55289", 1, "--epoch is not allowed with --batch-file")]
+    [InlineData("--batch-file a.tab --time 55289", 1, "--time is not allowed with --batch-file")]
+    [InlineData("--batch-file a.tab --attitude {0,0,0,1}", 1, "--attitude is not allowed with --batch-file")]
+    [InlineData($"{Kepler} --time 55289", 1, "--kepler-set needs --epoch")]
+    [InlineData(Orbit, 1, "--kepler-set needs one of --time, --times, --time-interval")]
+    [InlineData($"{Orbit} --time 55289 --times {{55289}}", 1, "--time and --times exclude each other")]
+    [InlineData($"{Orbit} --time 55289 --time-interval [1:1:2]", 1, "--time and --time-interval exclude each other")]
+    [InlineData($"{Orbit} --time 55289 --attitude-transition {{0,0,1}}", 1, "--attitude-transition needs --attitude")]
+    [InlineData("--state-vectors {1.9E6,0,0,0,1600,0} --time 55289", 1, "--state-vectors needs --epoch")]
+
+    // Single values.
+    [InlineData($"{Fixed} --width 0", 2, "--width is '0'")]
+    [InlineData($"{Fixed} --width -5", 2, "--width is '-5'")]
+    [InlineData($"{Fixed} --width 16385", 2, "from 1 to 16384")]
+    [InlineData($"{Fixed} --height 1.5", 2, "--height is '1.5'")]
+    [InlineData($"{Fixed} --height abc", 2, "--height is 'abc'")]
+    [InlineData($"{Fixed} --width 99999999999999999999", 2, "--width")]
+    [InlineData($"{Fixed} --fov 0", 2, "--fov is 0")]
+    [InlineData($"{Fixed} --fov 180", 2, "--fov is 180")]
+    [InlineData($"{Fixed} --fov NaN", 2, "'NaN' is not finite")]
+    [InlineData($"{Fixed} --fov 40,5", 2, "'40,5' has a comma")]
+    [InlineData($"{Fixed} --grid 0", 2, "--grid is '0'")]
+    [InlineData($"{Fixed} --gridH -1", 2, "--gridH is '-1'")]
+    [InlineData($"{Fixed} --gridV x", 2, "--gridV is 'x'")]
+    [InlineData($"{Fixed} --res 0", 2, "--res is '0'")]
+    [InlineData($"{Fixed} --res 4.0", 2, "--res is '4.0'")]
+    [InlineData($"{Fixed} --res 5000", 2, "from 1 to 1024")]
+    [InlineData($"{Fixed} --ephemeris jpl", 2, "cspice, builtin, auto")]
+    [InlineData($"{Orbit} --time 55289 --orbit-frame icrf", 2, "moon-me, moon-me-epoch, j2000")]
+    [InlineData($"{Fixed} --timeout 0", 2, "--timeout is 0")]
+    [InlineData($"{Fixed} --timeout soon", 2, "'soon' is not a number")]
+    [InlineData($"{Fixed} --jobs 0", 2, "--jobs is '0'")]
+    [InlineData($"{Fixed} --pov-options +W64", 1, "+W64 is set by msis itself")]
+    [InlineData($"{Fixed} --pov-options fast", 1, "'fast' is no POV-Ray option")]
+    [InlineData($"{Fixed} --output-name sub/name", 2, "without folders")]
+    [InlineData($"{Fixed} --output-name {{frame}}", 2, "a field is {step} or {mjd}")]
+    [InlineData($"{Fixed} --output-name {{step", 2, "a field is {step} or {mjd}")]
+    [InlineData($"{Orbit} --times {{55289,55290}} --output-name same", 2, "steps 1 and 2 would both be written to same")]
+
+    // Values in braces.
+    [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,1}", 2, "7 numbers, 8 expected")]
+    [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1,0}", 2, "9 numbers, 8 expected")]
+    [InlineData("--fixed-state {55289,2E6,,0,0,0,0,1}", 2, "a number is missing")]
+    [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1", 2, "unbalanced")]
+    [InlineData("--fixed-state {55289,2E6,abc,0,0,0,0,1}", 2, "number 3 (ry): 'abc' is not a number")]
+    [InlineData("--fixed-state {55289,2E6,1e999,0,0,0,0,1}", 2, "too large")]
+    [InlineData("--fixed-state {55289,2E6,Infinity,0,0,0,0,1}", 2, "not finite")]
+    [InlineData("--fixed-state {55289,2E6,0x10,0,0,0,0,1}", 2, "hexadecimal")]
+    [InlineData("--fixed-state {1e9,2E6,0,0,0,0,0,1}", 2, "is not a date")]
+    [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,0}", 2, "a rotation needs length 1")]
+    [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1.00001}", 2, "a rotation needs length 1")]
+    [InlineData("--kepler-set {-1.9E6,0,0,0,1,0} --epoch 55289 --time 55289", 2, "semi-major axis")]
+    [InlineData("--kepler-set {1.9E6,-0.1,0,0,1,0} --epoch 55289 --time 55289", 2, "eccentricity")]
+    [InlineData("--kepler-set {1.9E6,1,0,0,1,0} --epoch 55289 --time 55289", 2, "eccentricity")]
+    [InlineData("--kepler-set {1.9E6,0,0,0,1} --epoch 55289 --time 55289", 2, "5 numbers, 6 expected")]
+    [InlineData("--state-vectors {1.9E6,0,0,0,9000,0} --epoch 55289 --time 55289", 2, "--state-vectors: ")]
+    [InlineData("--state-vectors {0,0,0,0,1600,0} --epoch 55289 --time 55289", 2, "--state-vectors: ")]
+    [InlineData("--state-vectors {1.9E6,0,0,1600,0,0} --epoch 55289 --time 55289", 2, "--state-vectors: ")]
+    [InlineData($"{Kepler} --epoch x --time 55289", 2, "--epoch: 'x' is not a number")]
+    [InlineData($"{Kepler} --epoch 1e9 --time 55289", 2, "--epoch: ")]
+    [InlineData($"{Orbit} --time 1e9", 2, "--time: ")]
+    [InlineData($"{Orbit} --times {{}}", 2, "the list is empty")]
+    [InlineData($"{Orbit} --times {{55289,x}}", 2, "number 2 (MJD2): 'x' is not a number")]
+    [InlineData($"{Orbit} --time-interval [55289:55290]", 2, "2 numbers, 3 expected")]
+    [InlineData($"{Orbit} --time-interval [55289:0:55290]", 2, "step")]
+    [InlineData($"{Orbit} --time-interval [55289:1e-9:55290]", 2, "at most")]
+    [InlineData($"{Orbit} --time-interval [55290:1:55289]", 4, "no time in it")]
+    [InlineData($"{Orbit} --time 55289 --attitude {{0,0,0,2}}", 2, "--attitude: ")]
+    [InlineData($"{Orbit} --time 55289 --attitude {{0,0,0,1}} --attitude-transition {{1,2}}", 2, "2 numbers, 3 expected")]
+
+    // Files and external parts.
+    [InlineData("--batch-file missing.tab", 2, "missing.tab: there is no such file")]
+    [InlineData($"{Fixed} --kernels missing.tm", 2, "missing.tm")]
+    [InlineData($"{Fixed} --ldem missing.lbl --ephemeris builtin", 2, "missing.lbl")]
+    [InlineData($"{Fixed} --pov-path missing-folder --ephemeris builtin", 3, "missing-folder")]
+    [InlineData("--fixed-state {10000,2E6,2E6,0,0,0,0,1} --ephemeris builtin", 3, "cover")]
+    [InlineData("--fixed-state {55289,1.7E6,0,0,0,0,0,1} --ephemeris builtin", 2, "the camera is inside the Moon")]
+    [InlineData("patterns --res x", 2, "--res is 'x'")]
+    [InlineData("patterns --margin -1", 2, "--margin")]
+    [InlineData("patterns --format obj", 2, "--format")]
+    [InlineData("ldem synthesize", 1, "--res")]
+    [InlineData("ldem synthesize --res 0", 2, "--res is '0'")]
+    [InlineData("ldem synthesize --res 4 --seed x", 2, "--seed is 'x'")]
+    [InlineData("ldem synthesize --res 4 --region 1:2", 2, "--region")]
+    public void Run_WrongArguments_EndWithCodeAndOneLine(string words, int exitCode, string message)
+    {
+        string[] arguments = [.. words.Split(' ').Select(word => word.Replace('_', ' '))];
+
+        CommandLineRun run = CommandLineRun.Of(WithOutputFolder(arguments));
+
+        Assert.True(exitCode == run.ExitCode, $"exit code {run.ExitCode}, expected {exitCode}: {run.Error}");
+        string error = Assert.Single(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), line => line.StartsWith("msis: error: ", StringComparison.Ordinal));
+        Assert.Contains(message, error, StringComparison.Ordinal);
+        Assert.DoesNotContain("   at ", run.Error, StringComparison.Ordinal);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
+    }
+
+    [Theory]
+    [InlineData("55289 2E6 2E6 0 0 0 0", 2, "standard input, line 1", "7 numbers, 8 expected")]
+    [InlineData("# comment\n\n55289 2E6 2E6 0 0 0 x 1", 2, "line 3, column 21", "'x' is not a number")]
+    [InlineData("55289 2E6 2E6 0 0 0 0 1 2", 2, "line 1", "9 numbers, 8 expected")]
+    [InlineData("55289 2E6 2E6 0 0 0 0 1\n55289 2E6 2E6 0 0 0 0 2", 2, "line 2", "length 1")]
+    [InlineData("55289 NaN 2E6 0 0 0 0 1", 2, "line 1", "'NaN' is not finite")]
+    [InlineData("", 4, "no state in it", "MJD rx ry rz")]
+    [InlineData("# only this\n", 4, "no state in it", "MJD rx ry rz")]
+    public void Run_WrongBatchFile_NamesLineAndColumn(string content, int exitCode, string place, string message)
+    {
+        CommandLineRun run = CommandLineRun.Of(WithOutputFolder(["--batch-file", "-", "--ephemeris", "builtin"]), content);
+
+        Assert.True(exitCode == run.ExitCode, $"exit code {run.ExitCode}: {run.Error}");
+        Assert.Contains(place, run.Error, StringComparison.Ordinal);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
+    }
+
+    private string[] WithOutputFolder(string[] arguments) =>
+        arguments.Contains("patterns") || arguments.Contains("ldem") || arguments[0].StartsWith('@') || arguments.Length < 2
+            ? arguments
+            : [.. arguments, "--output-dir", _folder["new"]];
+}
