@@ -8,4 +8,10 @@ public static class Tolerances
 
     /// <summary>1, parts of a step: within this a time interval's end counts as reached, as MATLAB's colon does.</summary>
     public const double IntervalSteps = 1e-9;
+
+    /// <summary>m: how far a label's sphere may be from its OFFSET. Both are printed to 0.1 m; a wrong sphere is off by metres.</summary>
+    public const double LabelRadius = 1e-3;
+
+    /// <summary>1, parts of MAXIMUM - MINIMUM: how far a float sample may pass a label's limits, which are printed with few digits.</summary>
+    public const double FloatSampleLimits = 1e-3;
 }
