@@ -7,30 +7,38 @@ namespace Msisf.Adapters.IO;
 /// <summary>Writes a file whole or not at all: under a name of its own in the same folder, flushed to disk, then renamed.</summary>
 public static class AtomicFile
 {
+    /// <summary>What the names of unfinished files end in, before their extension.</summary>
+    public const string PartialMark = ".partial";
+
     /// <summary>Writes one file; an existing file is replaced at the end, in one step.</summary>
     /// <param name="path">The final name.</param>
-    /// <param name="write">Writes the content.</param>
+    /// <param name="write">Writes the content; the stream can seek.</param>
+    /// <param name="flushToDisk">False only for files that can be made again and carry their own check: after a power cut such a file may be empty or short.</param>
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
-    public static void Write(string path, Action<Stream> write)
+    public static void Write(string path, Action<Stream> write, bool flushToDisk = true)
     {
         string temporary = TemporaryNameFor(path);
         try
         {
-            using (FileStream stream = new(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 65536))
+            try
             {
-                write(stream);
-                stream.Flush(flushToDisk: true);
-            }
+                using (FileStream stream = new(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 65536))
+                {
+                    write(stream);
+                    stream.Flush(flushToDisk);
+                }
 
-            File.Move(temporary, path, overwrite: true);
+                File.Move(temporary, path, overwrite: true);
+            }
+            catch
+            {
+                RemoveIfThere(temporary);
+                throw;
+            }
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
             throw new ExternalPartException($"{path}: can't be written: {exception.Message}", exception);
-        }
-        finally
-        {
-            File.Delete(temporary);
         }
     }
 
@@ -49,7 +57,16 @@ public static class AtomicFile
     public static string TemporaryNameFor(string path)
     {
         string folder = Path.GetDirectoryName(path) ?? string.Empty;
-        string unique = string.Create(CultureInfo.InvariantCulture, $".{Environment.ProcessId}-{Guid.NewGuid():N}.partial");
+        string unique = string.Create(CultureInfo.InvariantCulture, $".{Environment.ProcessId}-{Guid.NewGuid():N}{PartialMark}");
         return Path.Combine(folder, Path.GetFileNameWithoutExtension(path) + unique + Path.GetExtension(path));
+    }
+
+    /// <summary>File.Delete is content with a missing file, but not with a missing folder.</summary>
+    private static void RemoveIfThere(string temporary)
+    {
+        if (File.Exists(temporary))
+        {
+            File.Delete(temporary);
+        }
     }
 }

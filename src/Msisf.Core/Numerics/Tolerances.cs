@@ -21,4 +21,10 @@ public static class Tolerances
     /// would be wrong by up to 1e-8 rad; on the ground it is 0.17 m around the sub-solar point.
     /// </summary>
     public const double IlluminationDirectionSine = 1e-7;
+
+    /// <summary>m: how far a label's sphere may be from its OFFSET. Both are printed to 0.1 m; a wrong sphere is off by metres.</summary>
+    public const double LabelRadius = 1e-3;
+
+    /// <summary>1, parts of MAXIMUM - MINIMUM: how far a float sample may pass a label's limits, which are printed with few digits.</summary>
+    public const double FloatSampleLimits = 1e-3;
 }

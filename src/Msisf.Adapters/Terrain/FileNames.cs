@@ -1,0 +1,21 @@
+namespace Msisf.Adapters.Terrain;
+
+/// <summary>Archives write names in capitals, downloads often don't keep them.</summary>
+internal static class FileNames
+{
+    private static readonly EnumerationOptions IgnoringCase = new() { MatchCasing = MatchCasing.CaseInsensitive, MatchType = MatchType.Simple };
+
+    /// <summary>The file of this path, or the first one whose name differs in capitals only; null if there is none.</summary>
+    public static string? FindIgnoringCase(string path)
+    {
+        if (File.Exists(path))
+        {
+            return path;
+        }
+
+        string folder = Path.GetDirectoryName(path) is { Length: > 0 } parent ? parent : ".";
+        return Directory.Exists(folder)
+            ? Directory.EnumerateFiles(folder, Path.GetFileName(path), IgnoringCase).Order(StringComparer.Ordinal).FirstOrDefault()
+            : null;
+    }
+}

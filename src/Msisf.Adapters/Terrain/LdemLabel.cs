@@ -1,0 +1,74 @@
+namespace Msisf.Adapters.Terrain;
+
+/// <summary>What the label of a cylindrical lunar elevation model says, checked for consistency. It may cover a part of the Moon only.</summary>
+public sealed record LdemLabel
+{
+    /// <summary>Path of the label.</summary>
+    public required string LabelPath { get; init; }
+
+    /// <summary>Path of the image; the label's own for an attached label.</summary>
+    public required string ImagePath { get; init; }
+
+    /// <summary>Bytes of the image's file before the first sample.</summary>
+    public required long ImageOffset { get; init; }
+
+    /// <summary>Bytes that the image's file must have; null if the label names no number of records.</summary>
+    public required long? FileBytes { get; init; }
+
+    /// <summary>PRODUCT_ID, e.g. "LDEM_4": letters, digits, '_', '-' and '.'.</summary>
+    public required string ProductId { get; init; }
+
+    /// <summary>MAP_RESOLUTION: samples a degree.</summary>
+    public required int PixelsPerDegree { get; init; }
+
+    /// <summary>LINES.</summary>
+    public required int Lines { get; init; }
+
+    /// <summary>LINE_SAMPLES.</summary>
+    public required int LineSamples { get; init; }
+
+    /// <summary>SAMPLE_TYPE with SAMPLE_BITS.</summary>
+    public required LdemSampleType SampleType { get; init; }
+
+    /// <summary>SCALING_FACTOR, turned into m a step.</summary>
+    public required double ScalingFactor { get; init; }
+
+    /// <summary>OFFSET, turned into m: the radius that sample value 0 means.</summary>
+    public required double Offset { get; init; }
+
+    /// <summary>MINIMUM: no sample value is below.</summary>
+    public required double Minimum { get; init; }
+
+    /// <summary>MAXIMUM: no sample value is above.</summary>
+    public required double Maximum { get; init; }
+
+    /// <summary>MAXIMUM_LATITUDE, degrees: the northern border of line 1.</summary>
+    public required double NorthDegrees { get; init; }
+
+    /// <summary>MINIMUM_LATITUDE, degrees.</summary>
+    public required double SouthDegrees { get; init; }
+
+    /// <summary>WESTERNMOST_LONGITUDE, degrees: the western border of sample 1.</summary>
+    public required double WestDegrees { get; init; }
+
+    /// <summary>EASTERNMOST_LONGITUDE, degrees.</summary>
+    public required double EastDegrees { get; init; }
+
+    /// <summary>COORDINATE_SYSTEM_NAME.</summary>
+    public required string CoordinateSystem { get; init; }
+
+    /// <summary>The samples are 16-bit integers.</summary>
+    public bool HasIntegers => SampleType is LdemSampleType.Int16LittleEndian or LdemSampleType.Int16BigEndian;
+
+    /// <summary>Bytes of a sample.</summary>
+    public int SampleBytes => HasIntegers ? sizeof(short) : sizeof(float);
+
+    /// <summary>Bytes of a line.</summary>
+    public long LineBytes => (long)LineSamples * SampleBytes;
+
+    /// <summary>Bytes of the samples, without what stands before them.</summary>
+    public long ImageBytes => LineBytes * Lines;
+
+    /// <summary>It covers latitudes -90 to 90 and longitudes 0 to 360 degrees, as <see cref="LdemImage"/> needs.</summary>
+    public bool CoversWholeMoon => (NorthDegrees, SouthDegrees, WestDegrees, EastDegrees) == (90.0, -90.0, 0.0, 360.0);
+}

@@ -1,0 +1,79 @@
+using System.Buffers.Text;
+
+namespace Msisf.Adapters.Tiles;
+
+/// <summary>Writes ASCII text and whole numbers through a buffer to a stream: no string, no culture, no call a number.</summary>
+internal sealed class AsciiWriter
+{
+    private const int BufferBytes = 65536;
+    private const int LongestPiece = 64;
+
+    private readonly Stream output;
+    private readonly byte[] buffer = new byte[BufferBytes];
+    private int used;
+    private long flushed;
+
+    /// <summary>Writes from the stream's position on.</summary>
+    public AsciiWriter(Stream output) => this.output = output;
+
+    /// <summary>Bytes written so far.</summary>
+    public long Length => flushed + used;
+
+    /// <summary>Writes text; a "..."u8 literal of up to 64 bytes, or longer bytes.</summary>
+    public void Write(ReadOnlySpan<byte> text)
+    {
+        while (text.Length > LongestPiece)
+        {
+            Write(text[..LongestPiece]);
+            text = text[LongestPiece..];
+        }
+
+        Reserve();
+        text.CopyTo(buffer.AsSpan(used));
+        used += text.Length;
+    }
+
+    /// <summary>Writes a number without leading zeros, '-' if it is negative.</summary>
+    public void Write(int number)
+    {
+        Reserve();
+        Utf8Formatter.TryFormat(number, buffer.AsSpan(used), out int written);
+        used += written;
+    }
+
+    /// <summary>Writes a number of at least some digits, with leading zeros.</summary>
+    public void Write(long number, byte digits)
+    {
+        Reserve();
+        Utf8Formatter.TryFormat(number, buffer.AsSpan(used), out int written, new System.Buffers.StandardFormat('D', digits));
+        used += written;
+    }
+
+    /// <summary>Writes three numbers as POV-Ray's vector.</summary>
+    public void WriteVector(int a, int b, int c)
+    {
+        Write("<"u8);
+        Write(a);
+        Write(","u8);
+        Write(b);
+        Write(","u8);
+        Write(c);
+        Write(">"u8);
+    }
+
+    /// <summary>Gives what the buffer holds to the stream.</summary>
+    public void Flush()
+    {
+        output.Write(buffer, 0, used);
+        flushed += used;
+        used = 0;
+    }
+
+    private void Reserve()
+    {
+        if (used > BufferBytes - LongestPiece)
+        {
+            Flush();
+        }
+    }
+}

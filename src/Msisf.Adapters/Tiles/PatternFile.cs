@@ -1,0 +1,64 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Tiles;
+
+/// <summary>Judges a file under a pattern's name by its first line and its length.</summary>
+internal static class PatternFile
+{
+    /// <summary>What the judgement can be.</summary>
+    public enum State
+    {
+        /// <summary>The wanted pattern, whole.</summary>
+        Good,
+
+        /// <summary>No file.</summary>
+        Missing,
+
+        /// <summary>A pattern of this program, but damaged, of another format, or made from other samples: make it again.</summary>
+        Outdated,
+
+        /// <summary>Something that this program has not written: leave it alone.</summary>
+        Foreign,
+    }
+
+    /// <summary>Looks at a file; one read, whatever its size.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="headerWithoutLength">The header that is wanted (<see cref="PatternHeader.WithoutLength"/>).</param>
+    /// <exception cref="ExternalPartException">The file is there but can't be read.</exception>
+    public static State Inspect(string path, byte[] headerWithoutLength)
+    {
+        try
+        {
+            using Microsoft.Win32.SafeHandles.SafeFileHandle file = File.OpenHandle(path, share: FileShare.ReadWrite | FileShare.Delete);
+            Span<byte> start = stackalloc byte[headerWithoutLength.Length + PatternHeader.LengthDigits + 1];
+            start = start[..RandomAccess.Read(file, start, fileOffset: 0)];
+            return IsWanted(start, headerWithoutLength, RandomAccess.GetLength(file)) ? State.Good
+                : IsOurs(start) ? State.Outdated
+                : State.Foreign;
+        }
+        catch (Exception exception) when (exception is FileNotFoundException or DirectoryNotFoundException)
+        {
+            return State.Missing;
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            throw new ExternalPartException($"{path}: can't be read: {exception.Message} Move it away, or choose another pattern repository.", exception);
+        }
+    }
+
+    private static bool IsWanted(ReadOnlySpan<byte> start, byte[] headerWithoutLength, long length) =>
+        start.Length == headerWithoutLength.Length + PatternHeader.LengthDigits + 1
+        && start.StartsWith(headerWithoutLength)
+        && start[^1] == '\n'
+        && long.TryParse(start[headerWithoutLength.Length..^1], NumberStyles.None, CultureInfo.InvariantCulture, out long expected)
+        && expected == length;
+
+    /// <summary>It has our mark, or as much of it as there are bytes; after a power cut a file can also be empty or all zeros.</summary>
+    private static bool IsOurs(ReadOnlySpan<byte> start)
+    {
+        ReadOnlySpan<byte> mark = System.Text.Encoding.ASCII.GetBytes(PatternHeader.Mark);
+        int common = Math.Min(mark.Length, start.Length);
+        return start[..common].SequenceEqual(mark[..common]) || !start.ContainsAnyExcept((byte)0);
+    }
+}

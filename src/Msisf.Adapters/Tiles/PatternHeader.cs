@@ -1,0 +1,46 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using System.Security.Cryptography;
+using System.Text;
+using Msisf.Core.Tiles;
+
+namespace Msisf.Adapters.Tiles;
+
+/// <summary>
+/// The first line of a pattern file. It says what the file holds, ties it to the radii that it was made from, and carries
+/// the file's length, so that reading it is enough to know whether the file is the wanted one and whole.
+/// </summary>
+internal static class PatternHeader
+{
+    /// <summary>What every pattern of this program begins with.</summary>
+    public const string Mark = "// msisf-pattern ";
+
+    /// <summary>Digits of the file's length, with leading zeros: the length of the header does not depend on it.</summary>
+    public const int LengthDigits = 12;
+
+    private const int FormatVersion = 1;
+
+    /// <summary>The header up to the file's length, in ASCII: equal for equal content.</summary>
+    /// <param name="layout">What the mesh joins.</param>
+    /// <param name="radii">m, one a vertex.</param>
+    /// <param name="productId">The elevation model.</param>
+    /// <param name="format">The form of the mesh.</param>
+    public static byte[] WithoutLength(TileMeshLayout layout, double[] radii, string productId, PatternFormat format)
+    {
+        string formatName = format == PatternFormat.Mesh2 ? "mesh2" : "mesh";
+        return Encoding.ASCII.GetBytes(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{Mark}{FormatVersion} format={formatName} product={productId} res={layout.PixelsPerDegree} tile={layout.Tile.RangeText} margin-samples={layout.MarginSamples} samples-sha256={Hash(radii)} vertices={layout.VertexCount} faces={layout.FaceCount} bytes="));
+    }
+
+    /// <summary>SHA-256 over the radii as little-endian doubles in vertex order, in small hexadecimal digits.</summary>
+    private static string Hash(double[] radii)
+    {
+        if (!BitConverter.IsLittleEndian)
+        {
+            throw new PlatformNotSupportedException("The hash of a pattern is taken over little-endian doubles.");
+        }
+
+        return Convert.ToHexStringLower(SHA256.HashData(MemoryMarshal.AsBytes<double>(radii)));
+    }
+}

@@ -1,0 +1,37 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Tiles;
+
+/// <summary>What patterns are wanted; <c>default</c> is the usual kind: mesh2 without a margin.</summary>
+public readonly record struct PatternOptions
+{
+    /// <summary>Degrees: far more than any margin needs, and what fits the tile's lattice.</summary>
+    public const double GreatestMarginDegrees = 1.0;
+
+    /// <summary>Checks the options.</summary>
+    /// <param name="marginDegrees">Overlap with the neighbours on each side, 0 to 1 degrees (thesis: 0.5 at 4 and 16 px/deg, 0.1 at 64); rounded up to whole samples.</param>
+    /// <param name="format">The form of the mesh.</param>
+    /// <exception cref="BadInputException">The margin is out of range.</exception>
+    public PatternOptions(double marginDegrees, PatternFormat format)
+    {
+        if (!(marginDegrees >= 0.0 && marginDegrees <= GreatestMarginDegrees))
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"The margin is {marginDegrees:R} degrees; 0 (tiles meet without one) to {GreatestMarginDegrees:R} degrees are possible."));
+        }
+
+        MarginDegrees = marginDegrees;
+        Format = format;
+    }
+
+    /// <summary>Overlap with the neighbours on each side, degrees.</summary>
+    public double MarginDegrees { get; }
+
+    /// <summary>The form of the mesh.</summary>
+    public PatternFormat Format { get; }
+
+    /// <summary>The margin in samples: the least whole number that is not below it.</summary>
+    public int MarginSamples(int pixelsPerDegree) => (int)Math.Ceiling(MarginDegrees * pixelsPerDegree);
+}

@@ -1,0 +1,146 @@
+using System.Globalization;
+using System.Runtime.ExceptionServices;
+using Msisf.Adapters.IO;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
+
+namespace Msisf.Adapters.Tiles;
+
+/// <summary>
+/// The folder of pattern files: [root]/[res]/pattern_LDEM_[res]_lat_[a]_[b]_lon_[c]_[d].inc (docs/deviations.md, row 13).
+/// Patterns are made when they are first needed and kept. Several threads and processes may use one repository at once:
+/// a file appears whole under its name, and two that make the same one make the same bytes.
+/// </summary>
+public sealed class PatternRepository
+{
+    private static readonly TimeSpan StaleAge = TimeSpan.FromHours(1); // a pattern takes under a second
+
+    private readonly string root;
+
+    /// <summary>Names the repository; the folder is made when the first pattern is written.</summary>
+    /// <param name="root">Its folder.</param>
+    public PatternRepository(string root) => this.root = root;
+
+    /// <summary>The folder of a resolution's patterns.</summary>
+    public string FolderOf(int pixelsPerDegree) => Path.Combine(root, pixelsPerDegree.ToString(CultureInfo.InvariantCulture));
+
+    /// <summary>The file of a tile's pattern.</summary>
+    public string PathOf(TileId tile, int pixelsPerDegree) => Path.Combine(
+        FolderOf(pixelsPerDegree),
+        string.Create(CultureInfo.InvariantCulture, $"pattern_LDEM_{pixelsPerDegree}_{tile.RangeText}.inc"));
+
+    /// <summary>Makes sure that the patterns are there, whole, and of these samples; makes those that are not.</summary>
+    /// <param name="tiles">The tiles; double ones count once.</param>
+    /// <param name="grid">The elevation model.</param>
+    /// <param name="options">Margin and form.</param>
+    /// <param name="maxParallelism">How many tiles to work on at once, at least 1.</param>
+    /// <param name="progress">Is told, from any thread, how many tiles are ready.</param>
+    /// <param name="cancellation">Stops between two tiles.</param>
+    /// <exception cref="BadInputException">A file that this program has not made has a pattern's name, or the model is damaged.</exception>
+    /// <exception cref="ExternalPartException">The repository can't be read or written.</exception>
+    public PatternSet EnsurePatterns(
+        IEnumerable<TileId> tiles,
+        IElevationGrid grid,
+        PatternOptions options,
+        int maxParallelism,
+        IProgress<int>? progress = null,
+        CancellationToken cancellation = default)
+    {
+        TileId[] sorted = [.. tiles.Distinct().Order()];
+        TileMeshBuilder builder = new(grid);
+        int ready = 0;
+        int written = 0;
+        try
+        {
+            Parallel.ForEach(
+                sorted,
+                new ParallelOptions { MaxDegreeOfParallelism = maxParallelism, CancellationToken = cancellation },
+                tile =>
+                {
+                    if (EnsurePattern(tile, grid, builder, options))
+                    {
+                        Interlocked.Increment(ref written);
+                    }
+
+                    progress?.Report(Interlocked.Increment(ref ready));
+                });
+        }
+        catch (AggregateException exception)
+        {
+            // Which tiles fail first depends on the threads; for a repeatable message, take the first by text.
+            ExceptionDispatchInfo.Throw(exception.InnerExceptions.OrderBy(inner => inner.Message, StringComparer.Ordinal).First());
+        }
+
+        if (written > 0)
+        {
+            RemoveStaleFiles(FolderOf(grid.PixelsPerDegree));
+        }
+
+        return new PatternSet([.. sorted.Select(tile => PathOf(tile, grid.PixelsPerDegree))], written);
+    }
+
+    private bool EnsurePattern(TileId tile, IElevationGrid grid, TileMeshBuilder builder, PatternOptions options)
+    {
+        TileMeshLayout layout = TileMeshLayout.For(tile, grid.PixelsPerDegree, options.MarginSamples(grid.PixelsPerDegree));
+        double[] radii = builder.ReadRadii(layout);
+        byte[] header = PatternHeader.WithoutLength(layout, radii, grid.ProductId, options.Format);
+        string path = PathOf(tile, grid.PixelsPerDegree);
+        switch (PatternFile.Inspect(path, header))
+        {
+            case PatternFile.State.Good:
+                return false;
+            case PatternFile.State.Foreign:
+                throw new BadInputException($"{path}: has a pattern's name, but this program has not made it, so it stays as it is. Move it away, or choose another pattern repository.");
+            default:
+                TileMesh mesh = builder.Build(layout, radii);
+                MakeFolder(grid.PixelsPerDegree);
+                AtomicFile.Write(path, stream => PatternWriter.Write(stream, mesh, header, options.Format), flushToDisk: false);
+                return true;
+        }
+    }
+
+    private void MakeFolder(int pixelsPerDegree)
+    {
+        string folder = FolderOf(pixelsPerDegree);
+        try
+        {
+            Directory.CreateDirectory(folder);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            throw new ExternalPartException($"{folder}: can't be made: {exception.Message} Choose another pattern repository.", exception);
+        }
+    }
+
+    /// <summary>
+    /// Removes what killed runs left. The age is taken by the file system's own clock, from the newest file of the folder,
+    /// so it holds for shared folders too, where neither our clock nor our process numbers mean anything.
+    /// </summary>
+    private static void RemoveStaleFiles(string folder)
+    {
+        FileInfo[] files = new DirectoryInfo(folder).GetFiles("pattern_*.inc");
+        DateTime newest = files.Max(file => file.LastWriteTimeUtc);
+        foreach (FileInfo file in files)
+        {
+            bool isPartial = Path.GetFileNameWithoutExtension(file.Name).EndsWith(AtomicFile.PartialMark, StringComparison.Ordinal);
+            if (isPartial && newest - file.LastWriteTimeUtc > StaleAge)
+            {
+                TryDelete(file);
+            }
+        }
+    }
+
+    private static void TryDelete(FileInfo file)
+    {
+        try
+        {
+            file.Delete();
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            // Another user's leftover is theirs to remove; the patterns themselves are all there.
+            return;
+        }
+    }
+}

@@ -1,0 +1,139 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles;
+
+/// <summary>Makes the tiles' meshes from an elevation grid; safe for several threads.</summary>
+/// <remarks>Each vertex depends on its sample alone, so tiles meet bit for bit. All steps are in docs/pattern-format.md.</remarks>
+public sealed class TileMeshBuilder
+{
+    private readonly IElevationGrid grid;
+    private readonly GridDirections directions;
+    private readonly Lazy<double> northPoleRadius;
+    private readonly Lazy<double> southPoleRadius;
+
+    /// <summary>Prepares the directions of the grid's samples.</summary>
+    /// <param name="grid">The whole Moon.</param>
+    public TileMeshBuilder(IElevationGrid grid)
+    {
+        this.grid = grid;
+        directions = new GridDirections(grid.PixelsPerDegree);
+        northPoleRadius = new Lazy<double>(() => MeanRadius(0));
+        southPoleRadius = new Lazy<double>(() => MeanRadius((180 * grid.PixelsPerDegree) - 1));
+    }
+
+    /// <summary>The radius of each vertex, in vertex order.</summary>
+    /// <param name="layout">Layout at the grid's resolution.</param>
+    /// <returns>m.</returns>
+    /// <exception cref="BadInputException">The grid can't give a sample, or gives one that is no radius of the Moon.</exception>
+    public double[] ReadRadii(TileMeshLayout layout)
+    {
+        double[] radii = new double[layout.VertexCount];
+        int firstRow = layout.HasNorthPole ? 1 : 0;
+        for (int row = 0; row < layout.Lines; row++)
+        {
+            Span<double> line = radii.AsSpan(firstRow + (row * layout.Samples), layout.Samples);
+            grid.ReadRadii(layout.FirstLine + row, layout.FirstSample, line);
+        }
+
+        if (layout.HasNorthPole)
+        {
+            radii[0] = northPoleRadius.Value;
+        }
+
+        if (layout.HasSouthPole)
+        {
+            radii[^1] = southPoleRadius.Value;
+        }
+
+        return radii;
+    }
+
+    /// <summary>The mesh of a tile.</summary>
+    /// <param name="layout">Layout at the grid's resolution.</param>
+    /// <param name="radii">What <see cref="ReadRadii"/> gave for it.</param>
+    /// <exception cref="BadInputException">A radius is too far from the reference radius for the tile's lattice (more than about 20 km).</exception>
+    public TileMesh Build(TileMeshLayout layout, double[] radii)
+    {
+        int[] offsets = new int[3 * radii.Length];
+        LatticePoint origin = TileMesh.OriginOf(layout.Tile);
+        SineCosine[] longitudes = new SineCosine[layout.Samples];
+        for (int column = 0; column < layout.Samples; column++)
+        {
+            longitudes[column] = directions.Longitude(SampleOf(layout, column));
+        }
+
+        int vertex = 0;
+        if (layout.HasNorthPole)
+        {
+            Place(offsets, vertex++, layout, radii, origin, SineCosine.OfDegrees(90, 1), SineCosine.OfDegrees(0, 1));
+        }
+
+        for (int row = 0; row < layout.Lines; row++)
+        {
+            SineCosine latitude = directions.Latitude(layout.FirstLine + row);
+            for (int column = 0; column < layout.Samples; column++)
+            {
+                Place(offsets, vertex++, layout, radii, origin, latitude, longitudes[column]);
+            }
+        }
+
+        if (layout.HasSouthPole)
+        {
+            Place(offsets, vertex, layout, radii, origin, SineCosine.OfDegrees(-90, 1), SineCosine.OfDegrees(0, 1));
+        }
+
+        return new TileMesh(layout, radii, offsets, layout.CreateFaces());
+    }
+
+    private static void Place(
+        int[] offsets, int vertex, TileMeshLayout layout, double[] radii, LatticePoint origin, SineCosine latitude, SineCosine longitude)
+    {
+        double radius = radii[vertex];
+        if (!(radius > 0.0 && radius < LatticePoint.RadiusLimit))
+        {
+            throw OutOfReach(layout, vertex, radius);
+        }
+
+        LatticePoint point = LatticePoint.Nearest(radius, latitude, longitude);
+        int x = point.X - origin.X;
+        int y = point.Y - origin.Y;
+        int z = point.Z - origin.Z;
+        if (int.Abs(x) >= TileMesh.OffsetLimit || int.Abs(y) >= TileMesh.OffsetLimit || int.Abs(z) >= TileMesh.OffsetLimit)
+        {
+            throw OutOfReach(layout, vertex, radius);
+        }
+
+        offsets[3 * vertex] = x;
+        offsets[(3 * vertex) + 1] = y;
+        offsets[(3 * vertex) + 2] = z;
+    }
+
+    private static BadInputException OutOfReach(TileMeshLayout layout, int vertex, double radius)
+    {
+        int sampleVertex = Math.Max(vertex - (layout.HasNorthPole ? 1 : 0), 0);
+        int line = Math.Min(layout.FirstLine + (sampleVertex / layout.Samples), (180 * layout.PixelsPerDegree) - 1);
+        int sample = SampleOf(layout, sampleVertex % layout.Samples);
+        return new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"The elevation model has the radius {radius:R} m at line {line + 1}, sample {sample + 1}; a surface within about 20 km of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
+    }
+
+    private static int SampleOf(TileMeshLayout layout, int column) => (layout.FirstSample + column) % (360 * layout.PixelsPerDegree);
+
+    /// <summary>The sum from west to east, one rounding an addition, divided by the count.</summary>
+    private double MeanRadius(int line)
+    {
+        double[] radii = new double[360 * grid.PixelsPerDegree];
+        grid.ReadRadii(line, 0, radii);
+        double sum = 0.0;
+        foreach (double radius in radii)
+        {
+            sum += radius;
+        }
+
+        return sum / radii.Length;
+    }
+}
