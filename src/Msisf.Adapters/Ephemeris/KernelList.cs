@@ -70,7 +70,7 @@ public static class KernelList
         string folder = Path.GetDirectoryName(path)!;
         foreach (string name in names)
         {
-            string kernel = Existing(Path.GetFullPath(ReplaceSymbols(name, symbols, values), folder), $", which {path} lists");
+            string kernel = Existing(Path.GetFullPath(ReplaceSymbol(name, symbols, values), folder), $", which {path} lists");
             yield return IsMetaKernel(kernel)
                 ? throw new BadInputException($"{path}: {name} is a meta-kernel itself; SPICE allows no nesting. List its kernels instead.")
                 : kernel;
@@ -99,15 +99,21 @@ public static class KernelList
             : throw new BadInputException($"{pool.Existing(variable).Source}: the last value of {variable} ends in '+', but nothing follows.");
     }
 
-    private static string ReplaceSymbols(string name, List<string> symbols, List<string> values)
+    /// <summary>Replaces $SYMBOL; of several that fit the longest counts, so that $KERNELS is not taken for $K.</summary>
+    private static string ReplaceSymbol(string name, List<string> symbols, List<string> values)
     {
-        // The longest symbol first: $KERNELS must not be taken for $K.
-        foreach (int i in Enumerable.Range(0, symbols.Count).OrderByDescending(i => symbols[i].Length))
+        int dollar = name.IndexOf('$', StringComparison.Ordinal);
+        int best = -1;
+        for (int i = 0; dollar >= 0 && i < symbols.Count; i++)
         {
-            name = name.Replace("$" + symbols[i], values[i], StringComparison.Ordinal);
+            bool fits = string.CompareOrdinal(name, dollar + 1, symbols[i], 0, symbols[i].Length) == 0;
+            if (fits && (best < 0 || symbols[i].Length > symbols[best].Length))
+            {
+                best = i;
+            }
         }
 
-        return name;
+        return best < 0 ? name : name[..dollar] + values[best] + name[(dollar + 1 + symbols[best].Length)..];
     }
 
     private static string Existing(string path, string context) => File.Exists(path)

@@ -8,8 +8,8 @@ public sealed class KernelPool
 {
     private readonly Dictionary<string, KernelVariable> variables = new(StringComparer.Ordinal);
 
-    /// <summary>All names, sorted.</summary>
-    public IEnumerable<string> Names => variables.Keys.Order(StringComparer.Ordinal);
+    /// <summary>All names, in no order.</summary>
+    public IReadOnlyCollection<string> Names => variables.Keys;
 
     /// <summary>Assigns (=).</summary>
     public void Assign(string name, KernelVariable values) => variables[name] = values;

@@ -76,10 +76,11 @@ public static class TextKernelReader
     {
         string source = Place(fileName, name);
         TextKernelTokenKind kind = values[0].Kind;
-        List<double> numbers = [];
-        List<string> texts = [];
-        foreach (TextKernelToken value in values)
+        double[] numbers = new double[kind == TextKernelTokenKind.Text ? 0 : values.Count];
+        string[] texts = new string[values.Count - numbers.Length];
+        for (int i = 0; i < values.Count; i++)
         {
+            TextKernelToken value = values[i];
             if (value.Kind != kind)
             {
                 throw new BadInputException($"{Place(fileName, value)}: the list of {name.Value} mixes numbers and texts.");
@@ -87,13 +88,9 @@ public static class TextKernelReader
 
             if (kind == TextKernelTokenKind.Text)
             {
-                texts.Add(value.Value);
+                texts[i] = value.Value;
             }
-            else if (KernelNumber.TryParse(value.Value, out double number))
-            {
-                numbers.Add(number);
-            }
-            else
+            else if (!KernelNumber.TryParse(value.Value, out numbers[i]))
             {
                 throw new BadInputException($"{Place(fileName, value)}: {name.Value} has the value {value.Value}; {KernelNumber.ValidValues} expected.");
             }

@@ -22,8 +22,8 @@ internal enum TextKernelTokenKind
     Close,
 }
 
-/// <summary>A piece of a text kernel's data.</summary>
+/// <summary>A piece of a text kernel's data. A class, because lists of it need no compilation at start-up.</summary>
 /// <param name="Kind">What it is.</param>
 /// <param name="Value">Its characters; a text's without quotes.</param>
 /// <param name="Line">Its line in the file, from 1.</param>
-internal readonly record struct TextKernelToken(TextKernelTokenKind Kind, string Value, int Line);
+internal sealed record TextKernelToken(TextKernelTokenKind Kind, string Value, int Line);

@@ -75,7 +75,17 @@ public sealed class BuiltInEphemeris : IEphemeris
         IEphemerisSegment segment = orientations.Find(moonMe.OrientationBody, tdbSeconds) ?? throw Cover.Outside(time);
         Vector3D angles = segment.ValueAt(tdbSeconds);
         RotationMatrix orientationFromJ2000 =
-            RotationMatrix.FrameAboutZ(angles.Z) * RotationMatrix.FrameAboutX(angles.Y) * RotationMatrix.FrameAboutZ(angles.X);
+            RotationMatrix.FrameAboutZ(ReduceAngle(angles.Z)) * RotationMatrix.FrameAboutX(angles.Y) * RotationMatrix.FrameAboutZ(angles.X);
         return moonMe.FrameFromOrientation * orientationFromJ2000;
+    }
+
+    /// <summary>
+    /// CSPICE takes whole turns of the double nearest to 2 pi off the angle (DMOD in PCKMAT, as f2c writes it). Sine and cosine need
+    /// no such help, but without it the engines differ by 7e-13; either way it is about one unit in the angle's last place.
+    /// </summary>
+    private static double ReduceAngle(double angle)
+    {
+        const double Turn = 2.0 * Math.PI;
+        return angle - (Turn * Math.Truncate(angle / Turn));
     }
 }

@@ -3,4 +3,4 @@ namespace Msisf.Core.Ephemeris;
 /// <summary>One step of TAI - UTC.</summary>
 /// <param name="TaiMinusUtc">s, from <paramref name="UtcSeconds"/> on.</param>
 /// <param name="UtcSeconds">When it begins: seconds past 2000-01-01T12:00:00 UTC, each day counted with 86 400 s.</param>
-public readonly record struct LeapSecond(double TaiMinusUtc, double UtcSeconds);
+public sealed record LeapSecond(double TaiMinusUtc, double UtcSeconds);

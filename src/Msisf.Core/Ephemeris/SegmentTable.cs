@@ -6,26 +6,36 @@ public sealed class SegmentTable
     /// <summary>NAIF's number of the solar system's barycentre, at which every chain of centres ends.</summary>
     public const int SolarSystemBarycenter = 0;
 
-    private readonly Dictionary<int, IEphemerisSegment[]> latestFirst;
+    private readonly Dictionary<int, List<IEphemerisSegment>> inLoadOrder = [];
 
     /// <summary>Sorts segments by body.</summary>
     /// <param name="segmentsInLoadOrder">By kernel, and as they stand in it.</param>
-    public SegmentTable(IEnumerable<IEphemerisSegment> segmentsInLoadOrder) => latestFirst = segmentsInLoadOrder
-        .GroupBy(segment => segment.Body)
-        .ToDictionary(group => group.Key, group => group.Reverse().ToArray());
+    public SegmentTable(IEnumerable<IEphemerisSegment> segmentsInLoadOrder)
+    {
+        foreach (IEphemerisSegment segment in segmentsInLoadOrder)
+        {
+            if (!inLoadOrder.TryGetValue(segment.Body, out List<IEphemerisSegment>? segments))
+            {
+                segments = [];
+                inLoadOrder.Add(segment.Body, segments);
+            }
+
+            segments.Add(segment);
+        }
+    }
 
     /// <summary>The segment to use, or null if no kernel holds that body at that time.</summary>
     /// <param name="body">NAIF's number.</param>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     public IEphemerisSegment? Find(int body, double tdbSeconds)
     {
-        if (latestFirst.TryGetValue(body, out IEphemerisSegment[]? segments))
+        if (inLoadOrder.TryGetValue(body, out List<IEphemerisSegment>? segments))
         {
-            foreach (IEphemerisSegment segment in segments)
+            for (int i = segments.Count - 1; i >= 0; i--)
             {
-                if (segment.Interval.Contains(tdbSeconds))
+                if (segments[i].Interval.Contains(tdbSeconds))
                 {
-                    return segment;
+                    return segments[i];
                 }
             }
         }
@@ -62,6 +72,6 @@ public sealed class SegmentTable
         return cover;
     }
 
-    private IEphemerisSegment[] SegmentsOf(int body) =>
-        latestFirst.TryGetValue(body, out IEphemerisSegment[]? segments) ? segments : [];
+    private List<IEphemerisSegment> SegmentsOf(int body) =>
+        inLoadOrder.TryGetValue(body, out List<IEphemerisSegment>? segments) ? segments : [];
 }
