@@ -1,0 +1,118 @@
+using System.Buffers.Binary;
+using Microsoft.Win32.SafeHandles;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain.Synthesis;
+
+namespace Msisf.Adapters.Terrain;
+
+/// <summary>Computes the image of a synthetic product on several threads and writes each block to its place.</summary>
+internal sealed class SyntheticLdemImage
+{
+    private const double ScalingFactor = 0.5; // m a unit, as in the archive
+    private const int SampleBytes = 2;
+
+    private readonly SyntheticTerrain terrain;
+    private readonly SyntheticLdemProduct product;
+    private readonly int threads;
+    private readonly Lock gate = new();
+    private short minimum = short.MaxValue;
+    private short maximum = short.MinValue;
+    private long samplesDone;
+
+    /// <summary>An image to write.</summary>
+    /// <param name="terrain">The model.</param>
+    /// <param name="product">The part of it.</param>
+    /// <param name="threads">At least 1.</param>
+    public SyntheticLdemImage(SyntheticTerrain terrain, SyntheticLdemProduct product, int threads)
+    {
+        this.terrain = terrain;
+        this.product = product;
+        this.threads = Math.Max(1, threads);
+    }
+
+    /// <summary>Writes all samples.</summary>
+    /// <param name="file">Open for writing at any offset.</param>
+    /// <param name="progress">Told the fraction done.</param>
+    /// <param name="cancellation">Stops between blocks.</param>
+    /// <returns>The least and the greatest sample.</returns>
+    /// <exception cref="BadInputException">A height does not fit 16 bits.</exception>
+    public (short Minimum, short Maximum) Write(SafeFileHandle file, IProgress<double>? progress, CancellationToken cancellation)
+    {
+        int side = new TileSynthesizer(terrain).PreferredSide;
+        int blocksAcross = (product.LineSamples + side - 1) / side;
+        int blocksDown = (product.Lines + side - 1) / side;
+        ParallelOptions options = new() { MaxDegreeOfParallelism = threads, CancellationToken = cancellation };
+        try
+        {
+            Parallel.For(
+                0,
+                blocksAcross * blocksDown,
+                options,
+                () => new Worker(new TileSynthesizer(terrain), new float[side * side], new byte[SampleBytes * side]),
+                (block, _, worker) =>
+                {
+                    WriteBlock(file, worker, block / blocksAcross * side, block % blocksAcross * side, side);
+                    Report(progress, block / blocksAcross * side, block % blocksAcross * side, side);
+                    return worker;
+                },
+                _ => { });
+        }
+        catch (AggregateException exception) when (exception.InnerExceptions.OfType<MsisfException>().FirstOrDefault() is { } first)
+        {
+            throw first;
+        }
+        catch (AggregateException exception) when (exception.InnerExceptions.OfType<IOException>().FirstOrDefault() is { } first)
+        {
+            throw new ExternalPartException($"{product.ProductId}: can't be written: {first.Message}", first);
+        }
+
+        return (minimum, maximum);
+    }
+
+    private void WriteBlock(SafeFileHandle file, Worker worker, int line0, int sample0, int side)
+    {
+        int lines = Math.Min(side, product.Lines - line0);
+        int samples = Math.Min(side, product.LineSamples - sample0);
+        int moonLine = line0 + ((90 - product.Region.NorthDegrees) * product.PixelsPerDegree);
+        int moonSample = sample0 + (product.Region.WestDegrees * product.PixelsPerDegree);
+        worker.Synthesizer.Synthesize(moonLine, lines, moonSample, samples, worker.Heights);
+        short least = short.MaxValue;
+        short greatest = short.MinValue;
+        Span<byte> bytes = worker.Bytes.AsSpan(0, SampleBytes * samples);
+        for (int line = 0; line < lines; line++)
+        {
+            ReadOnlySpan<float> row = worker.Heights.AsSpan(line * samples, samples);
+            for (int sample = 0; sample < samples; sample++)
+            {
+                double units = Math.Round(row[sample] / ScalingFactor);
+                if (!(units >= short.MinValue && units <= short.MaxValue))
+                {
+                    throw new BadInputException(FormattableString.Invariant(
+                        $"Line {moonLine + line}, sample {moonSample + sample}: the height {row[sample]} m does not fit 16 bits of 0.5 m. Take another seed or base."));
+                }
+
+                short value = (short)units;
+                least = Math.Min(least, value);
+                greatest = Math.Max(greatest, value);
+                BinaryPrimitives.WriteInt16LittleEndian(bytes[(SampleBytes * sample)..], value);
+            }
+
+            RandomAccess.Write(file, bytes, SampleBytes * (((long)(line0 + line) * product.LineSamples) + sample0));
+        }
+
+        lock (gate)
+        {
+            minimum = Math.Min(minimum, least);
+            maximum = Math.Max(maximum, greatest);
+        }
+    }
+
+    private void Report(IProgress<double>? progress, int line0, int sample0, int side)
+    {
+        long block = (long)Math.Min(side, product.Lines - line0) * Math.Min(side, product.LineSamples - sample0);
+        double fraction = (double)Interlocked.Add(ref samplesDone, block) / ((long)product.Lines * product.LineSamples);
+        progress?.Report(fraction);
+    }
+
+    private sealed record Worker(TileSynthesizer Synthesizer, float[] Heights, byte[] Bytes);
+}

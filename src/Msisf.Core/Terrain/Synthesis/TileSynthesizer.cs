@@ -1,0 +1,96 @@
+namespace Msisf.Core.Terrain.Synthesis;
+
+/// <summary>
+/// Computes blocks of a <see cref="SyntheticTerrain"/>. Keeps its buffers from block to block, so it belongs to one thread;
+/// a sample's height does not depend on the block in which it is computed.
+/// </summary>
+public sealed class TileSynthesizer
+{
+    private const long LargestBuffer = 20_000_000; // samples with margins, 80 MB
+    private const int LargestSideDegrees = 20; // the margins cost under a sixth, the tables stay in the second-level cache
+
+    private readonly SyntheticTerrain terrain;
+    private readonly int margin;
+    private float[] detail = [];
+
+    /// <summary>Makes one.</summary>
+    /// <param name="terrain">The model.</param>
+    public TileSynthesizer(SyntheticTerrain terrain)
+    {
+        this.terrain = terrain;
+        margin = terrain.HasBase ? PixelMeanKernel.Reach : 0;
+    }
+
+    /// <summary>Samples along the side of a good block: a multiple of a base pixel's.</summary>
+    public int PreferredSide
+    {
+        get
+        {
+            int n = terrain.SamplesPerPixel;
+            int pixels = (int)(Math.Sqrt(LargestBuffer) / n) - (2 * margin);
+            return n * Math.Clamp(pixels, 1, LargestSideDegrees * terrain.Base.PixelsPerDegree);
+        }
+    }
+
+    /// <summary>Computes one block.</summary>
+    /// <param name="firstLine">Northernmost line, 0 to 180 res - 1.</param>
+    /// <param name="lines">How many lines.</param>
+    /// <param name="firstSample">Westernmost sample, 0 to 360 res - 1.</param>
+    /// <param name="samples">How many samples, at most 90 degrees of them.</param>
+    /// <param name="heights">Filled with m over the reference radius, line by line.</param>
+    public void Synthesize(int firstLine, int lines, int firstSample, int samples, Span<float> heights)
+    {
+        int n = terrain.SamplesPerPixel;
+        int firstPixelLine = firstLine / n;
+        int firstPixel = firstSample / n;
+        int pixelLines = ((firstLine + lines + n - 1) / n) - firstPixelLine;
+        int pixels = ((firstSample + samples + n - 1) / n) - firstPixel;
+        TileFrame frame = new(
+            terrain.PixelsPerDegree,
+            (firstPixelLine - margin) * n,
+            (pixelLines + (2 * margin)) * n,
+            (firstPixel - margin) * n,
+            (pixels + (2 * margin)) * n);
+        AddDetail(frame);
+        BaseSurface surface = new(terrain, firstPixelLine, pixelLines, firstPixel, pixels);
+        if (terrain.HasBase)
+        {
+            surface.TakeOffMeans(frame, detail);
+        }
+
+        surface.Prepare();
+        for (int line = 0; line < lines; line++)
+        {
+            Span<float> row = heights.Slice(line * samples, samples);
+            int detailStart = ((firstLine + line - frame.FirstLine) * frame.Stride) + firstSample - frame.FirstSample;
+            surface.ReadLine(firstLine + line, firstSample, detail.AsSpan(detailStart, samples), row);
+        }
+    }
+
+    private void AddDetail(TileFrame frame)
+    {
+        int length = frame.Lines * frame.Stride;
+        if (detail.Length < length)
+        {
+            detail = new float[length];
+        }
+
+        Array.Clear(detail, 0, length);
+        float[] maria = new float[frame.Stride];
+        double[][] tables = [.. terrain.Octaves.Select(octave => octave.ColumnTables(frame))];
+        for (int line = 0; line < frame.Lines; line++)
+        {
+            terrain.Maria.FillLine(frame, line, maria);
+            Span<float> row = detail.AsSpan(line * frame.Stride, frame.Stride);
+            for (int i = 0; i < tables.Length; i++)
+            {
+                terrain.Octaves[i].AddTo(tables[i], frame.SinLatitude[line], frame.CosLatitude[line], maria, row);
+            }
+        }
+
+        foreach (Crater crater in terrain.CratersNear(frame))
+        {
+            CraterStamp.AddTo(crater, frame, detail);
+        }
+    }
+}
