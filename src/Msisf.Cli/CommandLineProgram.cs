@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.CommandLine.Parsing;
 using Msisf.Cli.Commands;
 using Msisf.Cli.Run;
 using Msisf.Core.Errors;
@@ -25,7 +26,7 @@ internal static class CommandLineProgram
             ParseResult line = root.Parse([.. arguments]);
             if (line.Errors.Count > 0)
             {
-                host.Log.Error($"{string.Join(" ", line.Errors.Select(error => error.Message))} See msis --help.");
+                host.Log.Error($"{string.Join(" ", line.Errors.Select(error => error.Message))} See {HelpCall(line)}.");
                 return ExitUsage;
             }
 
@@ -53,5 +54,16 @@ internal static class CommandLineProgram
             host.Log.Raw(exception.StackTrace ?? string.Empty);
             return ExitBug;
         }
+    }
+
+    private static string HelpCall(ParseResult line)
+    {
+        string command = string.Empty;
+        for (SymbolResult? result = line.CommandResult; result is CommandResult { Parent: not null } inner; result = inner.Parent)
+        {
+            command = $"{inner.Command.Name} {command}";
+        }
+
+        return $"msis {command}--help";
     }
 }

@@ -28,7 +28,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --fixed-state {{55289,2E6,2E6,0,0,0,0,1}}", 1, "--fixed-state is given 2 times")]
     [InlineData("--batch patterns --res 4", 1, "--batch stands before the command patterns")]
     [InlineData("@missing.rsp", 1, "missing.rsp")]
-    [InlineData("ldem", 1, "ldem")]
+    [InlineData("ldem", 1, "msis ldem --help")]
 
     // Table 6.1: which argument goes with which mode.
     [InlineData($"{Fixed} {Kepler}", 1, "exclude each other")]
@@ -122,9 +122,10 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("patterns --margin -1", 2, "--margin")]
     [InlineData("patterns --format obj", 2, "--format")]
     [InlineData("ldem synthesize", 1, "--res")]
-    [InlineData("ldem synthesize --res 0", 2, "--res is '0'")]
+    [InlineData("ldem synthesize --res 4", 1, "--seed")]
+    [InlineData("ldem synthesize --res 0 --seed 1", 2, "--res is '0'")]
     [InlineData("ldem synthesize --res 4 --seed x", 2, "--seed is 'x'")]
-    [InlineData("ldem synthesize --res 4 --region 1:2", 2, "--region")]
+    [InlineData("ldem synthesize --res 4 --seed 1 --region 1:2", 2, "--region")]
     public void Run_WrongArguments_EndWithCodeAndOneLine(string words, int exitCode, string message)
     {
         string[] arguments = [.. words.Split(' ').Select(word => word.Replace('_', ' '))];

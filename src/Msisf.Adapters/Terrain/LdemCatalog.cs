@@ -20,7 +20,7 @@ public static class LdemCatalog
     {
         if (explicitPath is not null && !Directory.Exists(explicitPath))
         {
-            LdemLabel label = LdemLabelReader.ReadFile(LabelOf(explicitPath));
+            LdemLabel label = Read(explicitPath);
             return label.PixelsPerDegree == pixelsPerDegree ? label : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{label.LabelPath}: an elevation model of {label.PixelsPerDegree} px/deg, but {pixelsPerDegree} px/deg are asked for. Give --res {label.PixelsPerDegree}, or another model."));
@@ -39,6 +39,11 @@ public static class LdemCatalog
             CultureInfo.InvariantCulture,
             $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", places)}: put LDEM_{pixelsPerDegree}.LBL and .IMG there, name them with --ldem, or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree}'."));
     }
+
+    /// <summary>The label of a named model.</summary>
+    /// <param name="labelOrImage">Path of the label, or of the image beside it.</param>
+    /// <exception cref="BadInputException">It is missing, or no label of a cylindrical lunar model.</exception>
+    public static LdemLabel Read(string labelOrImage) => LdemLabelReader.ReadFile(LabelOf(labelOrImage));
 
     private static LdemLabel? FindIn(string folder, int pixelsPerDegree)
     {

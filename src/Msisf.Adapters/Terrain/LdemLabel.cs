@@ -57,6 +57,9 @@ public sealed record LdemLabel
     /// <summary>COORDINATE_SYSTEM_NAME.</summary>
     public required string CoordinateSystem { get; init; }
 
+    /// <summary>The product says of itself that it is synthetic (docs/synthetic-ldem.md).</summary>
+    public bool IsSynthetic => ProductId.Contains(SyntheticLdemProduct.Mark, StringComparison.Ordinal);
+
     /// <summary>The samples are 16-bit integers.</summary>
     public bool HasIntegers => SampleType is LdemSampleType.Int16LittleEndian or LdemSampleType.Int16BigEndian;
 

@@ -5,9 +5,6 @@ namespace Msisf.Cli.Options;
 /// <summary>Makes options whose values stay text: numbers are read by one parser for files and command line alike.</summary>
 internal static class OptionFactory
 {
-    /// <summary>More words than any list on a command line has.</summary>
-    private const int MostWords = 1_000_000;
-
     public static Option<string?> Value(string name, string[] aliases, string valueName, string description) =>
         new(name, aliases) { HelpName = valueName, Description = description };
 
@@ -17,7 +14,7 @@ internal static class OptionFactory
         {
             HelpName = valueName,
             Description = description,
-            Arity = new ArgumentArity(1, MostWords),
+            Arity = ArgumentArity.OneOrMore,
             AllowMultipleArgumentsPerToken = true,
         };
 

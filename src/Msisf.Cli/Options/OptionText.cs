@@ -42,4 +42,17 @@ internal static class OptionText
     /// <exception cref="BadInputException">Empty.</exception>
     public static string FilePath(Option option, string text) =>
         text.Trim().Length > 0 ? text : throw new BadInputException($"{option.Name} is empty; a path is needed.");
+
+    /// <summary>Makes a value; what is wrong with it is told with the option's name before it.</summary>
+    public static T Named<T>(Option option, Func<T> make)
+    {
+        try
+        {
+            return make();
+        }
+        catch (BadInputException exception)
+        {
+            throw new BadInputException($"{option.Name}: {exception.Message}", exception);
+        }
+    }
 }

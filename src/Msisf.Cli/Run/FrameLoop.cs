@@ -31,7 +31,7 @@ internal sealed class FrameLoop
     {
         int atOnce = AtOnce(frames.Count, jobs, cores);
         int threads = Math.Max(1, cores / atOnce);
-        FrameOutputs?[] outputs = new FrameOutputs?[frames.Count];
+        FrameOutputs[] outputs = new FrameOutputs[frames.Count];
         List<int> failed = [];
         OrderedPrinter printer = new(_results, frames.Count);
         await Parallel.ForAsync(0, frames.Count, Options(atOnce, cancellation), async (index, stop) =>
@@ -40,7 +40,7 @@ internal sealed class FrameLoop
             try
             {
                 outputs[index] = await _render(frame, threads, stop).ConfigureAwait(false);
-                printer.Done(index, outputs[index]!.Paths);
+                printer.Done(index, outputs[index].Paths);
             }
             catch (MsisfException exception) when (frames.Count > 1)
             {
@@ -55,7 +55,7 @@ internal sealed class FrameLoop
             _progress.Advance(frame.Name);
         }).ConfigureAwait(false);
         return failed.Count == 0
-            ? outputs!
+            ? outputs
             : throw new ExternalPartException($"{failed.Count} of {frames.Count} frames failed: steps {string.Join(", ", failed.Order())}. The others are complete.");
     }
 

@@ -5,7 +5,6 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Cli.Run;
 

@@ -2,7 +2,6 @@ using Msisf.Adapters.IO;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
 using Msisf.Adapters.Scene;
-using Msisf.Adapters.Tiles;
 using Msisf.Cli.Options;
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
@@ -17,7 +16,7 @@ internal sealed class FrameRenderer
 {
     private readonly RenderSettings _settings;
     private readonly ElevationModel _model;
-    private readonly PatternRepository _patterns;
+    private readonly ScenePatterns _patterns;
     private readonly PovRayProcess _povRay;
     private readonly ProgramIdentity _identity;
     private readonly RunTimes _times;
@@ -25,7 +24,7 @@ internal sealed class FrameRenderer
     public FrameRenderer(
         RenderSettings settings,
         ElevationModel model,
-        PatternRepository patterns,
+        ScenePatterns patterns,
         PovRayProcess povRay,
         ProgramIdentity identity,
         RunTimes times)
@@ -45,8 +44,8 @@ internal sealed class FrameRenderer
     public async Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation)
     {
         TileSelection selection = _times.Measure(Phase.Selection, () => _model.Select(frame));
-        TileId[] tiles = [.. selection.Tiles.Select(tile => tile.Tile)];
-        int made = _times.Measure(Phase.Patterns, () => _patterns.Ensure(tiles, _model.Grid, cancellation));
+        TileId[] tiles = [.. selection.Kept.Select(choice => choice.Tile)];
+        int made = _times.Measure(Phase.Patterns, () => _patterns.Ensure(tiles, cancellation));
         RenderScene scene = new(frame.Camera, frame.Light, _model.Grid.PixelsPerDegree, tiles);
         void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, scene, _patterns.FileNameOf);
 
@@ -89,16 +88,19 @@ internal sealed class FrameRenderer
         PixelSampler pixels = new(frame.Camera, grid, ReferenceSphere.Lola, frame.Light.PositionMoonMe);
         _times.Measure(Phase.Output, () => AtomicFile.WriteText($"{stem}.pov", writeScene));
         _times.Measure(Phase.Xml, () => AtomicFile.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation)));
-        return _times.Measure<string[]>(Phase.Output, () =>
+        _times.Measure(Phase.Output, () =>
         {
-            AtomicFile.Write($"{stem}.png", stream => PngFile.CopyWithoutTimeStamps(picture, stream));
-            if (!_settings.Annotate)
+            if (_settings.Annotate)
             {
-                return [$"{stem}.png", $"{stem}.pov", $"{stem}.xml"];
+                AtomicFile.Write(
+                    $"{stem}.annotated.png", stream => AnnotationRenderer.Write(picture, stream, metadata, pixels, cancellation));
+                picture.Position = 0;
             }
 
-            AtomicFile.Write($"{stem}.annotated.png", stream => AnnotationRenderer.Draw($"{stem}.png", stream, metadata, pixels));
-            return [$"{stem}.png", $"{stem}.annotated.png", $"{stem}.pov", $"{stem}.xml"];
+            AtomicFile.Write($"{stem}.png", stream => PngFile.CopyPicture(picture, stream, "POV-Ray's picture"));
         });
+        return _settings.Annotate
+            ? [$"{stem}.png", $"{stem}.annotated.png", $"{stem}.pov", $"{stem}.xml"]
+            : [$"{stem}.png", $"{stem}.pov", $"{stem}.xml"];
     }
 }

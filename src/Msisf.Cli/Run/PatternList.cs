@@ -11,11 +11,11 @@ internal static class PatternList
     {
         foreach (Frame frame in frames)
         {
-            foreach (TileVerdict verdict in model.Explain(frame))
+            foreach (TileChoice choice in model.Select(frame).All)
             {
                 results.WriteLine(string.Create(
                     CultureInfo.InvariantCulture,
-                    $"{frame.Step}\t{verdict.Tile.RangeText}\t{(verdict.IsTaken ? "taken" : "left out")}\t{verdict.Reason}"));
+                    $"{frame.Step}\t{choice.Tile.RangeText}\t{(choice.IsKept ? "taken" : "left out")}\t{choice.ReasonText}"));
             }
         }
     }

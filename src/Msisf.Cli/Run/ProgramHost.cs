@@ -6,9 +6,11 @@ namespace Msisf.Cli.Run;
 internal sealed class ProgramHost
 {
     private readonly Lazy<Installation> _installation;
+    private readonly Func<string, string?> _environment;
 
-    public ProgramHost(TextWriter results, TextWriter error, Func<TextReader> standardInput, TimeProvider clock, IReadOnlyList<string> arguments)
+    public ProgramHost(TextWriter results, TextWriter error, Func<TextReader> standardInput, TimeProvider clock, IReadOnlyList<string> arguments, Func<string, string?> environment)
     {
+        _environment = environment;
         Results = results;
         Log = new Log(error);
         StandardInput = standardInput;
@@ -33,6 +35,5 @@ internal sealed class ProgramHost
     public Installation Installation => _installation.Value;
 
     /// <summary>A variable of the environment; null if it is not set or empty.</summary>
-    public string? Environment(string name) =>
-        System.Environment.GetEnvironmentVariable(name) is { Length: > 0 } value ? value : null;
+    public string? Environment(string name) => _environment(name) is { Length: > 0 } value ? value : null;
 }

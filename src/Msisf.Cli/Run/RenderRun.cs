@@ -1,5 +1,6 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
 using Msisf.Adapters.Tiles;
 using Msisf.Cli.Options;
@@ -47,7 +48,7 @@ internal sealed class RenderRun : IDisposable
         IReadOnlyList<SpacecraftState> states = _times.Measure(Phase.States, readStates);
         Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, _settings, Ephemeris));
         using ElevationModel model = _times.Measure(Phase.Model, () => ElevationModel.Open(
-            _settings.Ldem, _settings.PixelsPerDegree, _settings.PatternRepository, _host));
+            _settings.Ldem, _settings.PixelsPerDegree, _host));
         FramePlanner.RefuseCamerasInTheGround(frames, model);
         if (_settings.ListPatterns)
         {
@@ -66,12 +67,17 @@ internal sealed class RenderRun : IDisposable
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(Frame[] frames, ElevationModel model, CancellationToken cancellation)
     {
+        if (_settings.Annotate)
+        {
+            AnnotationRenderer.RequireCairo();
+        }
+
         PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
         CreateFolder(_settings.OutputFolder);
         int cores = Environment.ProcessorCount;
         ResourceCheck.Check(
             _settings.Width, _settings.Height, _settings.Annotate, FrameLoop.AtOnce(frames.Length, _settings.Jobs, cores), _settings.OutputFolder);
-        PatternRepository patterns = new(_settings.PatternRepository, model.Grid);
+        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), model.Grid);
         FrameRenderer renderer = new(_settings, model, patterns, povRay, _host.Identity, _times);
         using IRunProgress progress = RunProgress.Start("Frames", frames.Length, _settings.Unattended, _host.Log, _host.Clock);
         FrameLoop loop = new(renderer.RenderAsync, progress, _host.Results, _host.Log);

@@ -43,7 +43,7 @@ internal sealed class StateSource
             Mode.FixedState => [FixedState()],
             Mode.BatchFile => BatchFile(),
             Mode.Kepler => OnOrbit(KeplerElements()),
-            _ => OnOrbit(Named(_options.StateVectors, () => StateConversion.ToElements(StateVector()))),
+            _ => OnOrbit(OptionText.Named(_options.StateVectors, () => StateConversion.ToElements(StateVector()))),
         };
         return states.Count > 0
             ? states
@@ -55,7 +55,7 @@ internal sealed class StateSource
     private SpacecraftState FixedState()
     {
         double[] values = Numbers(_options.FixedState, StateFields);
-        return Named(_options.FixedState, () => new SpacecraftState(
+        return OptionText.Named(_options.FixedState, () => new SpacecraftState(
             new ModifiedJulianDate(values[0]),
             new Vector3D(values[1], values[2], values[3]),
             UnitQuaternion.FromComponents(values[4], values[5], values[6], values[7])));
@@ -88,7 +88,7 @@ internal sealed class StateSource
     private KeplerElements KeplerElements()
     {
         double[] values = Numbers(_options.KeplerSet, ["a", "e", "omega", "Omega", "i", "M0"]);
-        return Named(_options.KeplerSet, () => new KeplerElements(values[0], values[1], values[2], values[3], values[4], values[5]));
+        return OptionText.Named(_options.KeplerSet, () => new KeplerElements(values[0], values[1], values[2], values[3], values[4], values[5]));
     }
 
     private StateVector StateVector()
@@ -133,7 +133,7 @@ internal sealed class StateSource
         double[] rates = _line.GetResult(_options.AttitudeTransition) is null
             ? [0.0, 0.0, 0.0]
             : Numbers(_options.AttitudeTransition, ["wx", "wy", "wz"]);
-        return Named(_options.Attitude, () => new AttitudeTransition(
+        return OptionText.Named(_options.Attitude, () => new AttitudeTransition(
             UnitQuaternion.FromComponents(q[0], q[1], q[2], q[3]), new Vector3D(rates[0], rates[1], rates[2])));
     }
 
@@ -146,7 +146,7 @@ internal sealed class StateSource
 
         return _line.GetResult(_options.Times) is not null
             ? StateText.ParseList(_options.Times.Name, _line.GetValue(_options.Times)!, "MJD")
-                .Select(mjd => Named(_options.Times, () => new ModifiedJulianDate(mjd)))
+                .Select(mjd => OptionText.Named(_options.Times, () => new ModifiedJulianDate(mjd)))
             : StateText.ParseInterval(_options.TimeInterval.Name, [_line.GetValue(_options.TimeInterval)!]);
     }
 
@@ -156,18 +156,6 @@ internal sealed class StateSource
     private static ModifiedJulianDate Date(Option option, string text)
     {
         double days = OptionText.Number(option, text);
-        return Named(option, () => new ModifiedJulianDate(days));
-    }
-
-    private static T Named<T>(Option option, Func<T> make)
-    {
-        try
-        {
-            return make();
-        }
-        catch (BadInputException exception)
-        {
-            throw new BadInputException($"{option.Name}: {exception.Message}", exception);
-        }
+        return OptionText.Named(option, () => new ModifiedJulianDate(days));
     }
 }
