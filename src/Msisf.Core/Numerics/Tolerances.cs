@@ -8,4 +8,7 @@ public static class Tolerances
 
     /// <summary>1, parts of a step: within this a time interval's end counts as reached, as MATLAB's colon does.</summary>
     public const double IntervalSteps = 1e-9;
+
+    /// <summary>1, sine of an angle: vectors this near to parallel count as parallel. Rounding their components to doubles turns them by up to a quarter of it.</summary>
+    public const double ParallelSine = 1e-15;
 }
