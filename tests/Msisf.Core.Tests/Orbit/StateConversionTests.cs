@@ -24,7 +24,7 @@ public class StateConversionTests
             KeplerElements elements = StateConversion.ToElements(ReferenceTable.State(row, 0));
             Assert.InRange(Math.Abs(elements.PeriapsisRadius - row[6]) / row[6], 0.0, allowed / (1.0 - row[7]));
             Assert.InRange(Math.Abs(elements.Eccentricity - row[7]), 0.0, allowed);
-            Assert.InRange(AngleBetween(elements.ArgumentOfPeriapsis, row[8]), 0.0, allowed / row[7]);
+            Assert.InRange(AngleBetween(elements.ArgumentOfPeriapsis, row[8]), 0.0, allowed / row[7] / (1.0 - row[7]));
             Assert.InRange(AngleBetween(elements.LongitudeOfAscendingNode, row[9]), 0.0, allowed / Math.Max(Math.Sin(row[10]), 1e-3));
             Assert.InRange(Math.Abs(elements.Inclination - row[10]), 0.0, allowed);
             Assert.InRange(AngleBetween(elements.MeanAnomalyAtEpoch, row[11]), 0.0, allowed / row[7]);
