@@ -27,4 +27,7 @@ public static class Tolerances
 
     /// <summary>1, parts of MAXIMUM - MINIMUM: how far a float sample may pass a label's limits, which are printed with few digits.</summary>
     public const double FloatSampleLimits = 1e-3;
+
+    /// <summary>1, sine of an angle: vectors this near to parallel count as parallel. Rounding their components to doubles turns them by up to a quarter of it.</summary>
+    public const double ParallelSine = 1e-15;
 }

@@ -12,7 +12,7 @@ public static class KeplerSolver
     /// <summary>1: how far rounding may put an upper bound of the root below it.</summary>
     private const double BoundRounding = 1.0 + 2e-15;
 
-    /// <summary>The eccentric anomaly, right to the last digit (tests: 1 unit in the last place) for the M and e given.</summary>
+    /// <summary>The eccentric anomaly, right to the last digit (within 1.5 units of it) for the M and e given.</summary>
     /// <param name="meanAnomaly">M, rad, any finite number; full turns are taken off without loss.</param>
     /// <param name="eccentricity">e, 0 &lt;= e &lt; 1.</param>
     /// <returns>E in [-pi, pi], with position and velocity in units of the semi-major axis.</returns>
@@ -55,21 +55,15 @@ public static class KeplerSolver
         {
             EccentricAnomaly candidate = new(angle, eccentricity);
             double excess = candidate.MeanAnomalyMinus(meanAnomaly);
-            (low, high) = excess > 0.0 ? (low, angle) : (angle, high);
-
             double next = angle - (excess / candidate.Radius);
-            if (!(next > low && next < high))
-            {
-                // Only where rounding decides the sign of the excess, next to the root.
-                next = low + ((high - low) / 2.0);
-            }
-
             if (Math.Abs(next - angle) <= Math.BitIncrement(angle) - angle)
             {
-                return next;
+                return Math.Min(next, Math.PI);
             }
 
-            angle = next;
+            // Newton leaves the bracket only where rounding decides the sign of the excess, next to the root.
+            (low, high) = excess > 0.0 ? (low, angle) : (angle, high);
+            angle = next > low && next < high ? next : low + ((high - low) / 2.0);
         }
 
         throw new InvalidOperationException(string.Create(

@@ -16,13 +16,13 @@ internal readonly record struct OrbitPlane
         // An equatorial orbit, of either sense, has its node on the x axis by convention.
         _towardsNode = horizontal > 0.0 ? new Vector3D(-normal.Y / horizontal, normal.X / horizontal, 0.0) : Vector3D.UnitX;
         _acrossNode = Vector3D.Cross(normal.Normalized(), _towardsNode);
-        LongitudeOfAscendingNode = AngleReduction.ToFullTurn(Math.Atan2(_towardsNode.Y, _towardsNode.X));
+        LongitudeOfAscendingNode = Math.Atan2(_towardsNode.Y, _towardsNode.X);
     }
 
     /// <summary>i, rad, [0, pi].</summary>
     public double Inclination { get; }
 
-    /// <summary>Omega, rad, [0, 2 pi).</summary>
+    /// <summary>Omega, rad, [-pi, pi].</summary>
     public double LongitudeOfAscendingNode { get; }
 
     /// <summary>The plane whose motion is right-handed about <paramref name="normal"/>, e.g. the angular momentum; not zero.</summary>

@@ -15,7 +15,7 @@ public static class StateConversion
 {
     /// <summary>The orbit through a state, in the same frame and at the same epoch.</summary>
     /// <param name="state">m and m/s, relative to the Moon's centre.</param>
-    /// <returns>omega and Omega in [0, 2 pi), i in [0, pi], M0 in [-pi, pi].</returns>
+    /// <returns>i in [0, pi]; omega, Omega and M0 in [-pi, pi], where a double has more digits than in [0, 2 pi).</returns>
     /// <exception cref="BadInputException">A component is not finite, position or velocity is zero, they are parallel, or the orbit is a parabola or hyperbola.</exception>
     public static KeplerElements ToElements(StateVector state)
     {
@@ -34,13 +34,19 @@ public static class StateConversion
 
         double semiMajorAxis = distance / distanceOverAxis;
         Vector3D momentum = Vector3D.Cross(state.Position, state.Velocity);
+        if (momentum.Length <= Tolerances.ParallelSine * distance * speed)
+        {
+            throw new BadInputException(
+                "Position and velocity are parallel: the orbit is a straight line through the Moon's centre, not an ellipse; check their components.");
+        }
+
         double axisSpeed = Math.Sqrt(MoonConstants.GravitationalParameter) / Math.Sqrt(semiMajorAxis);
         double radial = Vector3D.Dot(state.Position / semiMajorAxis, state.Velocity / axisSpeed);
         double eccentricity = double.Hypot(kineticRatio - 1.0, radial);
-        if (momentum.Length == 0.0 || eccentricity >= 1.0)
+        if (eccentricity >= 1.0)
         {
             throw new BadInputException(
-                "Position and velocity are parallel as far as a double can tell: the orbit is a straight line through the Moon's centre, not an ellipse; check their components.");
+                "The eccentricity is 1 to the last digit: the orbit is a parabola or a straight line through the Moon's centre, not an ellipse; check position (m) and velocity (m/s).");
         }
 
         EccentricAnomaly anomaly = new(Math.Atan2(radial, kineticRatio - 1.0), eccentricity);
@@ -50,7 +56,7 @@ public static class StateConversion
         return new KeplerElements(
             semiMajorAxis,
             eccentricity,
-            argumentOfPeriapsis: isCircle ? 0.0 : AngleReduction.ToFullTurn(fromNode - anomaly.TrueAnomaly),
+            argumentOfPeriapsis: isCircle ? 0.0 : AngleReduction.ToHalfTurn(fromNode - anomaly.TrueAnomaly),
             longitudeOfAscendingNode: plane.LongitudeOfAscendingNode,
             inclination: plane.Inclination,
             meanAnomalyAtEpoch: isCircle ? fromNode : anomaly.MeanAnomaly);
