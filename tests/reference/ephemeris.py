@@ -58,3 +58,8 @@ for day in range(365):
     utc = "2010-%03dT00:00:00" % (day + 1)
     angles.append(3600.0 * math.degrees(spice.vsep_c(sun_km(utc), sun_km(utc, b"LT+S"))))
 print("least %.3f, greatest %.3f" % (min(angles), max(angles)))
+
+print("MOON_ME_DE421 from MOON_PA_DE421")
+rows = (double * 9)()
+spice.pxform_c(b"MOON_PA_DE421", b"MOON_ME_DE421", double(0.0), rows)
+print(list(rows))

@@ -34,7 +34,7 @@ public sealed record KernelCover(TdbScale Scale, TdbCover Times)
     {
         // Long-term kernels go past the years that a calendar date can name.
         double earliest = (DateTime.MinValue - J2000Utc).TotalSeconds;
-        double latest = Math.Floor((DateTime.MaxValue - J2000Utc).TotalSeconds);
+        double latest = (new DateTime(9999, 12, 31, 23, 59, 59, DateTimeKind.Utc) - J2000Utc).TotalSeconds;
         return J2000Utc.AddSeconds(Math.Clamp(utcSeconds, earliest, latest)).ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture);
     }
 }

@@ -1,0 +1,74 @@
+using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Ephemeris;
+
+public sealed class KernelListTests : IDisposable
+{
+    private readonly TemporaryFolder folder = new();
+
+    public void Dispose() => folder.Dispose();
+
+    [Fact]
+    public void Expand_ShippedMetaKernel_ListsTheShippedKernels() => Assert.Equal(
+        ["naif0012.tls", "moon_080317.tf", "moon_assoc_me.tf", "moon_pa_de421_1900-2050.bpc", "de421.bsp"],
+        KernelList.Expand([Path.Combine(TestParts.Kernels, "msisf.tm")]).Select(path => Path.GetRelativePath(TestParts.Kernels, path)));
+
+    [Fact]
+    public void Expand_RelativeNames_StartAtTheMetaKernel()
+    {
+        string kernel = folder.Write("sub folder/a.tls", "x");
+        string meta = folder.Write("list.tm", "KPL/MK\n\\begindata\nKERNELS_TO_LOAD = 'sub folder/a.tls'\n");
+
+        Assert.Equal([kernel], KernelList.Expand([meta]));
+    }
+
+    [Fact]
+    public void Expand_SymbolsAndContinuedValues_AreReplaced()
+    {
+        string kernel = folder.Write("data/long name/a.tls", "x");
+        string meta = folder.Write("list", "KPL/MK\n\\begindata\nPATH_SYMBOLS = ( 'D' 'DATA' )\nPATH_VALUES = ( 'nowhere' 'da+' 'ta' )\n"
+            + "KERNELS_TO_LOAD = ( '$DATA/long +' 'name/a.tls' )\n");
+
+        Assert.Equal([kernel], KernelList.Expand([meta]));
+    }
+
+    [Fact]
+    public void Expand_KernelsAndMetaKernels_KeepTheirOrder()
+    {
+        string a = folder.Write("a.tls", "x");
+        string b = folder.Write("b.tf", "x");
+        string meta = folder.Write("list.tm", "\\begindata\nKERNELS_TO_LOAD = 'a.tls'\n");
+
+        Assert.Equal([b, a, b], KernelList.Expand([b, meta, b]));
+    }
+
+    [Theory]
+    [InlineData("KERNELS_TO_LOAD = 'none.tls'", "none.tls: no such kernel, which")]
+    [InlineData("PATH_VALUES = 'x'", "KERNELS_TO_LOAD is missing")]
+    [InlineData("KERNELS_TO_LOAD = 'a.tls'\nPATH_VALUES = 'x'", "0 PATH_SYMBOLS and 1 PATH_VALUES")]
+    [InlineData("KERNELS_TO_LOAD = 'a.tls+'", "ends in '+', but nothing follows")]
+    [InlineData("KERNELS_TO_LOAD = 'a.tls'\nFRAME_X = 3", "line 4: a meta-kernel may assign")]
+    [InlineData("KERNELS_TO_LOAD = 'list.tm'", "is a meta-kernel itself")]
+    public void Expand_WrongMetaKernel_SaysWhat(string data, string expected)
+    {
+        folder.Write("a.tls", "x");
+        string meta = folder.Write("list.tm", "KPL/MK\n\\begindata\n" + data);
+
+        BadInputException failure = Assert.Throws<BadInputException>(() => KernelList.Expand([meta]));
+
+        Assert.Contains(expected, failure.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Expand_MissingFile_NamesIt() => Assert.Contains(
+        "none.tm: no such kernel.",
+        Assert.Throws<BadInputException>(() => KernelList.Expand([Path.Combine(folder.Path, "none.tm")])).Message,
+        StringComparison.Ordinal);
+
+    [Fact]
+    public void Expand_NothingNamed_SaysSo() =>
+        Assert.Contains("No kernel is named", Assert.Throws<BadInputException>(() => KernelList.Expand([])).Message, StringComparison.Ordinal);
+}
