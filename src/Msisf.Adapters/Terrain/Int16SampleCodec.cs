@@ -78,7 +78,7 @@ internal sealed unsafe class Int16SampleCodec : SampleCodec
             }
         }
 
-        for (int i = 0; i < Vector128<short>.Count; i++)
+        for (int i = 0; samples >= Vector128<short>.Count && i < Vector128<short>.Count; i++)
         {
             minimum = short.Min(minimum, minima[i]);
             maximum = short.Max(maximum, maxima[i]);

@@ -14,7 +14,7 @@ public sealed record TileMesh(TileMeshLayout Layout, double[] Radii, int[] Offse
     public const int OffsetLimit = 1 << 24;
 
     /// <summary>The point from which the offsets count.</summary>
-    public LatticePoint Origin => OriginOf(Layout.Tile);
+    public LatticePoint Origin { get; } = OriginOf(Layout.Tile);
 
     /// <summary>The lattice point nearest to the tile's middle on the sphere of the reference radius; the heights play no part in it.</summary>
     public static LatticePoint OriginOf(TileId tile) => LatticePoint.Nearest(
@@ -24,10 +24,6 @@ public sealed record TileMesh(TileMeshLayout Layout, double[] Radii, int[] Offse
 
     /// <summary>A vertex's place on the whole Moon's lattice.</summary>
     /// <param name="vertex">Number of the vertex, from 0.</param>
-    public LatticePoint Vertex(int vertex)
-    {
-        LatticePoint origin = Origin;
-        return new LatticePoint(
-            origin.X + Offsets[3 * vertex], origin.Y + Offsets[(3 * vertex) + 1], origin.Z + Offsets[(3 * vertex) + 2]);
-    }
+    public LatticePoint Vertex(int vertex) => new(
+        Origin.X + Offsets[3 * vertex], Origin.Y + Offsets[(3 * vertex) + 1], Origin.Z + Offsets[(3 * vertex) + 2]);
 }

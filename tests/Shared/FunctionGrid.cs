@@ -1,0 +1,27 @@
+using Msisf.Core.Terrain;
+
+namespace Msisf.TestSupport;
+
+/// <summary>An elevation grid whose radii a function of line and sample gives.</summary>
+internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> radiusOf) : IElevationGrid
+{
+    public string ProductId => "TEST_GRID";
+
+    public int PixelsPerDegree => pixelsPerDegree;
+
+    /// <summary>Heights of +-5 km that jump from sample to sample, by a fixed integer hash.</summary>
+    public static FunctionGrid Rough(int pixelsPerDegree) => new(
+        pixelsPerDegree,
+        (line, sample) => 1_737_400.0 + ((((line * 7919) + (sample * 104729)) % 20011 * 0.5) - 5000.0));
+
+    public void ReadRadii(int line, int firstSample, Span<double> radii)
+    {
+        for (int i = 0; i < radii.Length; i++)
+        {
+            radii[i] = radiusOf(line, (firstSample + i) % (360 * pixelsPerDegree));
+        }
+    }
+
+    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples) =>
+        throw new NotSupportedException("Meshes need no bounds.");
+}
