@@ -39,7 +39,7 @@ render() {
     pictures+=("$root/output/$name.png" "$root/output/$name.annotated.png")
 }
 
-install_parts povray cairo fonts downloader
+install_parts povray cairo fonts downloader certificates
 scripts/build.sh
 get_model
 scripts/get-cspice.sh || say 'Going on with the built-in kernel reader in place of CSPICE.'

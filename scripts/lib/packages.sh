@@ -8,6 +8,7 @@ part_is_here() {
         cairo) library_is_here libcairo ;;
         icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
         fonts) font_is_here DejaVuSans.ttf ;;
+        certificates) certificates_are_here ;;
         *) have "$1" ;;
     esac
 }
@@ -27,10 +28,16 @@ font_is_here() {
         -name "$1" -print 2>/dev/null | head -n 1)" ]
 }
 
+# Without them every download fails, NuGet's too. Only a minimal Linux lacks them.
+certificates_are_here() {
+    [ "$(uname -s)" = Darwin ] || [ -s /etc/ssl/certs/ca-certificates.crt ] || [ -s /etc/pki/tls/certs/ca-bundle.crt ]
+}
+
 # The package that holds a part, by package manager.
 package_of() {
     case $1-$2 in
         *-downloader) echo curl ;;
+        *-certificates) echo ca-certificates ;;
         apt-cairo) echo libcairo2 ;;
         apt-fonts) echo fonts-dejavu-core ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
