@@ -6,7 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
 . "$root/scripts/lib/packages.sh"
 cd "$root"
-[ -w . ] || die "this folder belongs to another user: $root. Run as that user, or clone into a folder of your own"
+require_own_folders
 
 # What is made of a synthetic model is kept apart: the real one may be found in a later run.
 model_options=()
