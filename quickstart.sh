@@ -6,13 +6,18 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
 . "$root/scripts/lib/packages.sh"
 cd "$root"
-[ -w . ] || die "this folder belongs to another user: $root. Run as that user, or clone into a folder of your own"
+require_own_folders
 
+# What is made of a synthetic model is kept apart: the real one may be found in a later run.
+model_options=()
 get_model() {
     local code=0
     scripts/get-ldem.sh || code=$?
-    # 10: a synthetic model, which get-ldem.sh has announced
-    [ "$code" -eq 0 ] || [ "$code" -eq 10 ] || exit "$code"
+    case $code in
+        0) ;;
+        10) model_options=(--ldem input/ldem/LDEM_4_SYNTHETIC.LBL --pattern-repos pattern-repository/synthetic/) ;;
+        *) exit "$code" ;;
+    esac
 }
 
 # is_current NAME: the picture and its companions are there and newer than all they were made from.
@@ -33,16 +38,21 @@ render() {
         say "output/$name.png is up to date."
     else
         say "Rendering output/$name.png ..."
-        ./msis "$@" --width 1024 --height 1024 --fov 40 --res 4 --rendering-annotation --batch --output-name "$name"
+        ./msis "$@" --width 1024 --height 1024 --fov 40 --res 4 "${model_options[@]}" --rendering-annotation \
+            --batch --output-name "$name"
         [ -s "output/$name.png" ] || die "msis ended well, but did not write output/$name.png: please report this"
     fi
     pictures+=("$root/output/$name.png" "$root/output/$name.annotated.png")
 }
 
-install_parts povray cairo fonts downloader
+install_parts povray cairo fonts downloader certificates
 scripts/build.sh
 get_model
-scripts/get-cspice.sh || say 'Going on with the built-in kernel reader in place of CSPICE.'
+if library=$(scripts/get-cspice.sh); then
+    say "CSPICE is $library."
+else
+    say 'Going on without CSPICE, with the built-in kernel reader.'
+fi
 
 pictures=()
 # The example of section 9.2 of the thesis.

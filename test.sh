@@ -9,6 +9,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/dotnet.sh"
 . "$root/scripts/lib/results.sh"
 cd "$root"
+require_own_folders
 
 # The suites in their order: scripts/suites/NAME.sh. A new one is added here, and what it needs to install_parts below.
 suites=(style scripts xunit php)
@@ -17,7 +18,7 @@ MSISF_RESULTS=$(mktemp)
 export MSISF_RESULTS
 trap 'rm -f "$MSISF_RESULTS"' EXIT
 
-install_parts povray cairo fonts downloader xmllint shellcheck ||
+install_parts povray cairo fonts downloader certificates xmllint shellcheck ||
     warn 'going on without them: their tests are skipped'
 ensure_dotnet
 

@@ -35,7 +35,7 @@ fresh=$root/obj/publish-$$
 old=$root/obj/published-before-$$
 trap 'rm -rf "$fresh" "$old"' EXIT
 dotnet publish src/Msisf.Cli -c Release "${target[@]}" -o "$fresh" -v quiet -nologo ||
-    die 'the build failed; the messages above say why. The program of the last build is unchanged.'
+    die 'the build failed; the messages above say why. publish/ is as it was.'
 printf '%s\n' "$fingerprint" >"$fresh/sources"
 printf '%s\n' "$DOTNET_ROOT" >"$fresh/dotnet-root"
 

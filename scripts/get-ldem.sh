@@ -31,6 +31,7 @@ case $resolution in
 esac
 
 name=LDEM_$resolution
+synthetic=${name}_SYNTHETIC # as msis ldem synthesize names it
 folder=$root/input/ldem
 shared=${root%/*}/shared/ldem
 incoming=$folder/.incoming-$$
@@ -97,11 +98,12 @@ for url in ${MSISF_LDEM_URLS:-$official_urls}; do
 done
 
 [ -z "$real_only" ] || die "no source has the elevation model $name. Put $name.IMG and $name.LBL into input/ldem"
-if [ -e "$folder/$name.LBL" ] && is_synthetic "$folder/$name.LBL"; then
-    say "Going on with the SYNTHETIC model in input/ldem: its heights are invented."
-    exit "$exit_synthetic"
+if [ -n "$(fault_of_model "$folder" "$synthetic")" ]; then
+    say "No source has the real elevation model $name: making a SYNTHETIC one."
+    (cd "$root" && ./msis ldem synthesize --res "$resolution" --seed 1) ||
+        die "no elevation model: put $name.IMG and $name.LBL from NASA's Planetary Data System into input/ldem"
+    fault=$(fault_of_model "$folder" "$synthetic")
+    [ -z "$fault" ] || die "msis ldem synthesize ended well, but $fault: please report this"
 fi
-say "No source has the real elevation model $name: making a SYNTHETIC one. Its heights are invented."
-"$root/msis" ldem synthesize --res "$resolution" --seed 1 ||
-    die "no elevation model: put $name.IMG and $name.LBL from NASA's Planetary Data System into input/ldem"
+say "Going on with the SYNTHETIC model $synthetic: its heights are invented."
 exit "$exit_synthetic"

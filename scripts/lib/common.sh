@@ -12,6 +12,13 @@ die() {
 
 have() { command -v "$1" >/dev/null 2>&1; }
 
+# What a run as root has made belongs to root: a later run of another user would fail half way. Checks this folder.
+require_own_folders() {
+    local foreign
+    foreign=$(find . -name .git -prune -o -type d ! -writable -print 2>/dev/null | head -n 1) || true
+    [ -z "$foreign" ] || die "$foreign is not yours to write. Run as its owner, or: sudo chown -R $(id -un) '$PWD'"
+}
+
 # Without a terminal sudo must not ask: a run in the background would wait for ever.
 as_root() {
     if [ "$(id -u)" -eq 0 ]; then

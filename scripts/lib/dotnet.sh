@@ -18,12 +18,17 @@ find_dotnet() {
     return 1
 }
 
+# The lists of packages may be older than .NET 10, or not there at all.
+apt_has_dotnet() {
+    have apt-cache || return 1
+    apt-cache show dotnet-sdk-10.0 >/dev/null 2>&1 ||
+        { apt_get update >/dev/null 2>&1 && apt-cache show dotnet-sdk-10.0 >/dev/null 2>&1; }
+}
+
 # As find_dotnet, and installs the SDK where the distribution has it; otherwise says how to get it and ends the script.
 ensure_dotnet() {
     if ! find_dotnet; then
-        if have apt-cache && apt-cache show dotnet-sdk-10.0 >/dev/null 2>&1; then
-            apt_install dotnet-sdk-10.0 || true
-        fi
+        ! apt_has_dotnet || apt_install dotnet-sdk-10.0 || true
         find_dotnet || die 'the .NET SDK 10.0 is missing. This installs it into ~/.dotnet, where it is found:
     curl -fsSL https://dot.net/v1/dotnet-install.sh | bash -s -- --channel 10.0'
     fi

@@ -19,15 +19,11 @@ image_size_of_label() {
     echo $((lines * samples * bits / 8))
 }
 
-is_synthetic() { grep -qi synthetic "$1"; }
-
-# fault_of_model FOLDER NAME: prints what is wrong; nothing if both files are there, fit, and hold measured heights.
+# fault_of_model FOLDER NAME: prints what is wrong; nothing if both files are there and fit each other.
 fault_of_model() {
     local image=$1/$2.IMG label=$1/$2.LBL expected size
     if [ ! -f "$image" ] || [ ! -f "$label" ]; then
         echo "$2.IMG and $2.LBL are not both there"
-    elif is_synthetic "$label"; then
-        echo "$2.LBL says that the model is synthetic"
     elif ! expected=$(image_size_of_label "$label"); then
         echo "$2.LBL gives no LINES, LINE_SAMPLES and SAMPLE_BITS: it is not the label of an elevation model"
     elif size=$(size_of "$image") && [ "$size" != "$expected" ]; then

@@ -5,9 +5,11 @@
 part_is_here() {
     case $1 in
         downloader) have curl || have wget ;;
+        compiler) have cc || have gcc ;;
         cairo) library_is_here libcairo ;;
         icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
         fonts) font_is_here DejaVuSans.ttf ;;
+        certificates) certificates_are_here ;;
         *) have "$1" ;;
     esac
 }
@@ -27,10 +29,18 @@ font_is_here() {
         -name "$1" -print 2>/dev/null | head -n 1)" ]
 }
 
-# The package that holds a part, by package manager.
+# Without them every download fails, NuGet's too. Only a minimal Linux lacks them.
+certificates_are_here() {
+    [ "$(uname -s)" = Darwin ] || [ -s /etc/ssl/certs/ca-certificates.crt ] || [ -s /etc/pki/tls/certs/ca-bundle.crt ]
+}
+
+# package_of MANAGER PART: the package, or packages, that hold a part.
 package_of() {
     case $1-$2 in
         *-downloader) echo curl ;;
+        *-certificates) echo ca-certificates ;;
+        apt-compiler) echo gcc libc6-dev ;;
+        *-compiler) echo gcc ;;
         apt-cairo) echo libcairo2 ;;
         apt-fonts) echo fonts-dejavu-core ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
@@ -45,19 +55,26 @@ package_of() {
     esac
 }
 
+# packages_of MANAGER PART...: the same for several, in one line.
+packages_of() {
+    local manager=$1 part words=()
+    shift
+    for part in "$@"; do
+        words+=("$(package_of "$manager" "$part")")
+    done
+    say "${words[*]}"
+}
+
 # Installs what is missing of the named parts. Fails, and has said what to do, if that is not possible.
 install_parts() {
-    local part missing=()
+    local part missing=() packages
     for part in "$@"; do
         part_is_here "$part" || missing+=("$part")
     done
     [ ${#missing[@]} -gt 0 ] || return 0
 
     if have apt-get; then
-        local packages=()
-        for part in "${missing[@]}"; do
-            packages+=("$(package_of apt "$part")")
-        done
+        read -ra packages <<<"$(packages_of apt "${missing[@]}")"
         apt_install "${packages[@]}"
     else
         warn "please install ${missing[*]}, then run this again: $(install_command "${missing[@]}")"
@@ -67,20 +84,15 @@ install_parts() {
 
 # What a person types where this script does not install by itself.
 install_command() {
-    local manager part names=''
-    for manager in dnf pacman brew; do
-        have "$manager" || continue
-        for part in "$@"; do
-            names+=" $(package_of "$manager" "$part")"
-        done
-        case $manager in
-            dnf) say "sudo dnf install$names" ;;
-            pacman) say "sudo pacman -S$names" ;;
-            brew) say "brew install$names" ;;
-        esac
-        return 0
-    done
-    say "with your system's package manager"
+    if have dnf; then
+        say "sudo dnf install $(packages_of dnf "$@")"
+    elif have pacman; then
+        say "sudo pacman -S $(packages_of pacman "$@")"
+    elif have brew; then
+        say "brew install $(packages_of brew "$@")"
+    else
+        say "with your system's package manager"
+    fi
 }
 
 # The lists of packages are only renewed if they do not do as they are: a fresh machine has none.

@@ -11,6 +11,7 @@ make_lonely_clone() {
     make_executable clone/publish/msis <<'PROGRAM'
 #!/bin/sh
 echo "program: $*"
+[ -z "$SYNTHESIZED" ] || cp "$SYNTHESIZED"/* input/ldem
 PROGRAM
 }
 
@@ -106,26 +107,35 @@ test_get_ldem_damaged_model_in_place_is_replaced() {
     assert_model_in_place
 }
 
-test_get_ldem_no_source_makes_a_synthetic_model_and_says_so() {
+test_get_ldem_no_source_makes_a_synthetic_model_once_and_says_so() {
     make_lonely_clone
-    run clone/scripts/get-ldem.sh
+    make_model made LDEM_4_SYNTHETIC IMG LBL
+    SYNTHESIZED="$PWD/made" run clone/scripts/get-ldem.sh
     assert_code 10
     assert_says 'making a SYNTHETIC one'
     assert_says 'program: ldem synthesize --res 4 --seed 1'
-}
-
-test_get_ldem_synthetic_model_in_place_is_kept_until_a_real_one_is_found() {
-    make_lonely_clone
-    make_model clone/input/ldem LDEM_4 IMG LBL
-    echo 'DESCRIPTION = "synthetic"' >>clone/input/ldem/LDEM_4.LBL
     run clone/scripts/get-ldem.sh
     assert_code 10
     assert_says 'Going on with the SYNTHETIC model'
     assert_silent_on 'program:'
+}
+
+test_get_ldem_synthetic_model_that_was_not_written_is_noticed() {
+    make_lonely_clone
+    run clone/scripts/get-ldem.sh
+    assert_code 1
+    assert_says 'please report this'
+}
+
+test_get_ldem_real_model_is_preferred_as_soon_as_one_is_found() {
+    make_lonely_clone
+    make_model clone/input/ldem LDEM_4_SYNTHETIC IMG LBL
+    run clone/scripts/get-ldem.sh
+    assert_code 10
     make_model shared/ldem LDEM_4 IMG LBL
     run clone/scripts/get-ldem.sh
     assert_code 0
-    ! grep -q synthetic clone/input/ldem/LDEM_4.LBL || fail 'the synthetic model is still there'
+    assert_file clone/input/ldem/LDEM_4.IMG
 }
 
 test_get_ldem_no_source_and_no_program_says_what_to_do() {
