@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text;
 
 namespace Msisf.Adapters.Metadata;
 
@@ -11,7 +12,7 @@ public static class LongE
     /// <summary>Writes a number, rounded to 16 significant digits.</summary>
     /// <param name="value">Finite; both zeros are "+0.000000000000000E+000".</param>
     /// <param name="destination">Receives <see cref="Length"/> ASCII characters.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The number is not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The number is not finite, or there is less room.</exception>
     public static void Write(double value, Span<byte> destination)
     {
         if (!double.IsFinite(value))
@@ -21,11 +22,7 @@ public static class LongE
 
         // The custom format "+0.000000000000000E+000" keeps only 15 digits; "E15" keeps 16, but has no plus sign.
         destination[0] = value < 0.0 ? (byte)'-' : (byte)'+';
-        bool fits = Math.Abs(value).TryFormat(destination[1..Length], out int written, "E15", CultureInfo.InvariantCulture);
-        if (!fits || written != Length - 1)
-        {
-            throw new ArgumentException($"{Length} bytes are needed.", nameof(destination));
-        }
+        Math.Abs(value).TryFormat(destination[1..Length], out _, "E15", CultureInfo.InvariantCulture);
     }
 
     /// <summary>A number as text.</summary>
@@ -35,6 +32,6 @@ public static class LongE
         {
             Span<byte> ascii = stackalloc byte[Length];
             Write(number, ascii);
-            System.Text.Encoding.ASCII.GetChars(ascii, characters);
+            Encoding.ASCII.GetChars(ascii, characters);
         });
 }

@@ -7,8 +7,8 @@ namespace Msisf.Adapters.Metadata;
 /// <summary>One Pixel element, written straight into bytes: a picture can have hundreds of millions of them.</summary>
 internal static class PixelXml
 {
-    /// <summary>No Pixel element is longer: 195 bytes of markup, two pixel numbers, three longE numbers.</summary>
-    public const int MaximumLength = 320;
+    /// <summary>No Pixel element is longer: 161 bytes of markup, two whole numbers, three longE numbers.</summary>
+    public const int MaximumLength = 161 + (2 * 10) + (3 * LongE.Length);
 
     /// <summary>Writes the element of a record.</summary>
     /// <param name="record">The pixel.</param>

@@ -1,0 +1,144 @@
+using System.Runtime.InteropServices;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Interop;
+
+/// <summary>A picture that is drawn on with cairo; every result is checked. Coordinates are in px from the upper left corner, x right, y down.</summary>
+internal sealed unsafe class CairoImage : IDisposable
+{
+    /// <summary>
+    /// cairo's own built-in vector font: it needs no font file and no fontconfig, so the text looks the same everywhere. A cairo
+    /// that did not know the name would take the system's default font.
+    /// </summary>
+    private const string FontFamily = "@cairo:monospace";
+
+    private readonly CairoSurfaceHandle surface;
+    private readonly CairoContextHandle context;
+
+    private CairoImage(CairoSurfaceHandle surface)
+    {
+        this.surface = surface;
+        Width = CairoNative.cairo_image_surface_get_width(surface);
+        Height = CairoNative.cairo_image_surface_get_height(surface);
+        context = CairoNative.cairo_create(surface);
+        CairoNative.cairo_select_font_face(context, FontFamily, slant: 0, weight: 0);
+        ThrowIfContextFailed("cairo_create");
+    }
+
+    /// <summary>px.</summary>
+    public int Width { get; }
+
+    /// <summary>px.</summary>
+    public int Height { get; }
+
+    /// <summary>Reads a PNG picture.</summary>
+    /// <exception cref="ExternalPartException">cairo is missing.</exception>
+    /// <exception cref="BadInputException">The stream does not hold a whole PNG picture.</exception>
+    public static CairoImage FromPng(Stream png)
+    {
+        RequireLibrary(CairoNative.Library);
+        using CairoStream source = new(png);
+        CairoSurfaceHandle surface = CairoNative.cairo_image_surface_create_from_png_stream(CairoStream.ReadCallback, source.Closure);
+        int status = CairoNative.cairo_surface_status(surface);
+        if (status == CairoNative.StatusSuccess)
+        {
+            return new CairoImage(surface);
+        }
+
+        surface.Dispose();
+        source.ThrowIfFailed();
+        if (status == CairoNative.StatusNoMemory)
+        {
+            throw new ExternalPartException("cairo has too little memory for the picture. Make the picture smaller or leave out the annotation.");
+        }
+
+        throw new BadInputException($"The picture can't be read as PNG: {Text(status)}.");
+    }
+
+    /// <summary>Checks that a library can be loaded.</summary>
+    /// <param name="name">As the run-time linker knows it.</param>
+    /// <exception cref="ExternalPartException">It can't.</exception>
+    public static void RequireLibrary(string name)
+    {
+        if (!NativeLibrary.TryLoad(name, typeof(CairoImage).Assembly, searchPath: null, out _))
+        {
+            throw new ExternalPartException(
+                $"{name} (cairo, which draws the annotation) can't be loaded. Install it (Debian, Ubuntu: apt-get install libcairo2) or leave out --rendering-annotation.");
+        }
+    }
+
+    /// <summary>Writes the picture as PNG; equal pictures give equal bytes.</summary>
+    public void WritePng(Stream png)
+    {
+        using CairoStream destination = new(png);
+        int status = CairoNative.cairo_surface_write_to_png_stream(surface, CairoStream.WriteCallback, destination.Closure);
+        destination.ThrowIfFailed();
+        ThrowIfFailed(status, "cairo_surface_write_to_png_stream");
+    }
+
+    /// <summary>Sets the colour of what is drawn next; parts from 0 to 1.</summary>
+    public void SetColor(double red, double green, double blue, double alpha) =>
+        CairoNative.cairo_set_source_rgba(context, red, green, blue, alpha);
+
+    /// <summary>Draws a line.</summary>
+    public void DrawLine(double x1, double y1, double x2, double y2, double width)
+    {
+        CairoNative.cairo_set_line_width(context, width);
+        CairoNative.cairo_move_to(context, x1, y1);
+        CairoNative.cairo_line_to(context, x2, y2);
+        CairoNative.cairo_stroke(context);
+        ThrowIfContextFailed("cairo_stroke");
+    }
+
+    /// <summary>Draws a filled circle.</summary>
+    public void FillCircle(double x, double y, double radius)
+    {
+        CairoNative.cairo_arc(context, x, y, radius, 0.0, 2.0 * Math.PI);
+        CairoNative.cairo_fill(context);
+        ThrowIfContextFailed("cairo_fill");
+    }
+
+    /// <summary>Draws a filled rectangle.</summary>
+    public void FillRectangle(double x, double y, double width, double height)
+    {
+        CairoNative.cairo_rectangle(context, x, y, width, height);
+        CairoNative.cairo_fill(context);
+        ThrowIfContextFailed("cairo_fill");
+    }
+
+    /// <summary>How far a text reaches to the right, px.</summary>
+    public double MeasureText(string text, double fontSize)
+    {
+        CairoNative.cairo_set_font_size(context, fontSize);
+        CairoNative.cairo_text_extents(context, text, out CairoTextExtents extents);
+        ThrowIfContextFailed("cairo_text_extents");
+        return extents.AdvanceX;
+    }
+
+    /// <summary>Draws a text whose base line starts at a point.</summary>
+    public void DrawText(string text, double x, double y, double fontSize)
+    {
+        CairoNative.cairo_set_font_size(context, fontSize);
+        CairoNative.cairo_move_to(context, x, y);
+        CairoNative.cairo_show_text(context, text);
+        ThrowIfContextFailed("cairo_show_text");
+    }
+
+    public void Dispose()
+    {
+        context.Dispose();
+        surface.Dispose();
+    }
+
+    private static string Text(int status) => Marshal.PtrToStringUTF8(CairoNative.cairo_status_to_string(status)) ?? string.Empty;
+
+    private static void ThrowIfFailed(int status, string function)
+    {
+        if (status != CairoNative.StatusSuccess)
+        {
+            throw new ExternalPartException($"{function}: {Text(status)}.");
+        }
+    }
+
+    private void ThrowIfContextFailed(string function) => ThrowIfFailed(CairoNative.cairo_status(context), function);
+}

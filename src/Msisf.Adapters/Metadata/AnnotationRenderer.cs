@@ -1,0 +1,96 @@
+using Msisf.Adapters.Interop;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
+
+namespace Msisf.Adapters.Metadata;
+
+/// <summary>
+/// Draws a frame's metadata on its picture (thesis figure 9.1): a red dot on each grid point that shows the Moon, a red line from it
+/// along the illumination direction (none where that is undefined), and the general information in the upper left corner.
+/// </summary>
+public static class AnnotationRenderer
+{
+    /// <summary>px: the built-in font can be read down to this size.</summary>
+    private const double LeastFontSize = 8.0;
+
+    /// <summary>px: larger text only hides more of the picture.</summary>
+    private const double LargestFontSize = 24.0;
+
+    /// <summary>Line height as a multiple of the font size.</summary>
+    private const double LineSpacing = 1.35;
+
+    /// <summary>Part of the picture's width that the text block takes if the font sizes allow.</summary>
+    private const double TextWidthShare = 0.6;
+
+    /// <summary>Writes the annotated picture. The text is left out where a readable one does not fit (on pictures less than about 300 px wide or 190 px high).</summary>
+    /// <param name="picture">The rendered picture, PNG.</param>
+    /// <param name="annotated">Receives the annotated one, PNG without time stamps: same input, same bytes.</param>
+    /// <param name="frame">The frame's general information.</param>
+    /// <param name="pixels">The frame's grid points.</param>
+    /// <param name="cancellation">Stops between grid points.</param>
+    /// <exception cref="BadInputException">The picture is not a whole PNG of the camera's size.</exception>
+    /// <exception cref="ExternalPartException">cairo is missing or failed.</exception>
+    /// <exception cref="OperationCanceledException">It was stopped.</exception>
+    public static void Write(
+        Stream picture, Stream annotated, FrameMetadata frame, PixelSampler pixels, CancellationToken cancellation = default)
+    {
+        using CairoImage image = CairoImage.FromPng(picture);
+        if (image.Width != frame.Camera.Width || image.Height != frame.Camera.Height)
+        {
+            throw new BadInputException(
+                $"The picture has {image.Width} x {image.Height} px, the frame {frame.Camera.Width} x {frame.Camera.Height} px. Render it again.");
+        }
+
+        DrawGrid(image, pixels, cancellation);
+        DrawText(image, AnnotationText.Lines(frame));
+        image.WritePng(annotated);
+    }
+
+    private static void DrawGrid(CairoImage image, PixelSampler pixels, CancellationToken cancellation)
+    {
+        // Neighbours' marks stay apart on a narrow grid and thin on a wide one.
+        PixelGrid grid = pixels.Grid;
+        double spacing = Math.Min(grid.SpacingH, grid.SpacingV);
+        double length = Math.Clamp(0.7 * spacing, 2.0, 60.0);
+        double lineWidth = Math.Clamp(0.03 * spacing, 0.7, 1.5);
+        double radius = Math.Clamp(0.05 * spacing, 0.7, 2.5);
+
+        image.SetColor(1.0, 0.0, 0.0, 1.0);
+        foreach (PixelRecord pixel in pixels.Sample())
+        {
+            cancellation.ThrowIfCancellationRequested();
+
+            // cairo counts from the corner of the first pixel, rendering coordinates have its centre at 1.
+            double x = pixel.H - 0.5;
+            double y = pixel.V - 0.5;
+            image.FillCircle(x, y, radius);
+            if (pixel.IlluminationDirection is double direction)
+            {
+                (double right, double down) = Math.SinCos(direction);
+                image.DrawLine(x, y, x + (length * right), y + (length * down), lineWidth);
+            }
+        }
+    }
+
+    private static void DrawText(CairoImage image, string[] lines)
+    {
+        double widthAtSize1 = lines.Max(line => image.MeasureText(line, LargestFontSize)) / LargestFontSize;
+        double size = Math.Clamp(TextWidthShare * image.Width / widthAtSize1, LeastFontSize, LargestFontSize);
+        double margin = 0.5 * size;
+        double blockWidth = (size * widthAtSize1) + (2.0 * margin);
+        double blockHeight = (size * LineSpacing * lines.Length) + (2.0 * margin);
+        if (blockWidth > image.Width || blockHeight > 0.5 * image.Height)
+        {
+            return;
+        }
+
+        image.SetColor(0.0, 0.0, 0.0, 0.55);
+        image.FillRectangle(0.0, 0.0, blockWidth, blockHeight);
+        image.SetColor(1.0, 1.0, 1.0, 1.0);
+        for (int i = 0; i < lines.Length; i++)
+        {
+            image.DrawText(lines[i], margin, margin + (size * ((LineSpacing * i) + 1.0)), size);
+        }
+    }
+}

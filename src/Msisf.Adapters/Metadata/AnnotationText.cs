@@ -1,0 +1,30 @@
+using System.Globalization;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Adapters.Metadata;
+
+/// <summary>The text block of an annotated picture (thesis figure 9.1), shortened to what a viewer reads; the meta file has all digits.</summary>
+internal static class AnnotationText
+{
+    /// <summary>The lines of the block, in ASCII: the built-in font has no more.</summary>
+    public static string[] Lines(FrameMetadata frame)
+    {
+        UnitQuaternion orientation = frame.Camera.MoonFromCamera;
+        return
+        [
+            Format($"Simulation time:    {frame.SimulationTime.ToIsoUtc()} (MJD {frame.SimulationTime.Days:R})"),
+            Format($"S/C position:       {Components(frame.Camera.PositionMoonMe)} m"),
+            Format($"S/C orientation:    {orientation.X:F6}, {orientation.Y:F6}, {orientation.Z:F6}, {orientation.W:F6} (x, y, z, r)"),
+            Format($"Sun position:       {Components(frame.SunPositionMoonMe)} m"),
+            Format($"Flight altitude:    {frame.FlightAltitude:F0} m"),
+            Format($"Surface resolution: {frame.PixelsPerDegree} px/deg"),
+            Format($"Field of view:      {frame.FieldOfViewDegrees:R} deg"),
+            Format($"MSIS version:       {frame.Version}"),
+        ];
+    }
+
+    private static string Components(Vector3D v) => Format($"{v.X:F0}, {v.Y:F0}, {v.Z:F0}");
+
+    private static string Format(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,186 @@
+using System.Globalization;
+using System.Text;
+using System.Xml;
+using System.Xml.Linq;
+using Msisf.Adapters.Metadata;
+using Msisf.Core.Camera;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+using Msisf.Core.Time;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Metadata;
+
+public class MetadataXmlWriterTests
+{
+    /// <summary>Thesis section 9.2 with ERRATA's angles; the last digits of the pixels are those of tests/reference/illumination.py, rounded.</summary>
+    private const string PublishedHead = """
+        <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
+        <!DOCTYPE MSISRendering SYSTEM "../lib/MSISRendering.dtd">
+        <MSISRendering>
+          <GeneralInformation>
+            <SimulationTime>
+              <MJD>+5.528900000000000E+004</MJD>
+              <UTC>2010-04-03T00:00:00Z</UTC>
+            </SimulationTime>
+            <CameraPosition unit="m">
+              <Vector3D x="+2.000000000000000E+006" y="+2.000000000000000E+006" z="+0.000000000000000E+000" />
+            </CameraPosition>
+            <CameraOrientation>
+              <Quaternion r="+8.923991008325228E-001" x="-2.391176183943345E-001" y="+9.904576054128762E-002" z="+3.696438106143861E-001" />
+            </CameraOrientation>
+            <SunPosition unit="m">
+              <Vector3D x="+1.074955473280880E+011" y="-1.042430734878980E+011" z="+4.036164305561260E+009" />
+            </SunPosition>
+            <FlightAltitude unit="m">+1.091277124746190E+006</FlightAltitude>
+            <SurfaceResolution unit="px/deg">64</SurfaceResolution>
+            <FOV unit="deg">40</FOV>
+            <MSISVersion>1.0.0</MSISVersion>
+            <CommandLine>--fixed-state {55289,2E6} -r 64</CommandLine>
+          </GeneralInformation>
+          <PixelInformation>
+            <Pixel h="450" v="100">
+              <SelenographicCoordinates lat="
+        """;
+
+    [Fact]
+    public void Write_PublishedExample_HasItsTextAndNumbers()
+    {
+        string xml = Text(Frame(), spacing: 50);
+
+        Assert.StartsWith(PublishedHead, xml, StringComparison.Ordinal);
+        Assert.EndsWith("    </Pixel>\n  </PixelInformation>\n</MSISRendering>\n", xml, StringComparison.Ordinal);
+        XElement first = Parse(xml).Descendants("Pixel").First();
+        XElement coordinates = first.Element("SelenographicCoordinates")!;
+        Assert.InRange(Number(coordinates.Attribute("lat")!.Value), 44.58440049692400 - 1e-12, 44.58440049692400 + 1e-12);
+        Assert.InRange(Number(coordinates.Attribute("lon")!.Value), 56.79090635326980 - 1e-12, 56.79090635326980 + 1e-12);
+        Assert.Equal("deg", coordinates.Attribute("units")!.Value);
+        XElement direction = first.Element("IlluminationDirection")!;
+        Assert.InRange(Number(direction.Value), 280.850536814846401 - 1e-9, 280.850536814846401 + 1e-9);
+        Assert.Equal("deg", direction.Attribute("unit")!.Value);
+        Assert.Equal("yes", direction.Attribute("defined")!.Value); // the DTD's default
+    }
+
+    [Fact]
+    public void Write_Twice_GivesTheSameBytesWithoutBomOrCarriageReturn()
+    {
+        byte[] first = Bytes(Frame(), spacing: 14);
+
+        Assert.Equal(first, Bytes(Frame(), spacing: 14));
+        Assert.Equal((byte)'<', first[0]);
+        Assert.DoesNotContain((byte)'\r', first);
+    }
+
+    [Fact]
+    public void Write_GridLargeEnoughForThreads_KeepsTheOrderOfTheSampler()
+    {
+        FrameMetadata frame = Frame();
+        PixelSampler sampler = Sampler(frame, spacing: 14);
+
+        (int, int)[] written =
+            [.. Parse(Text(frame, spacing: 14)).Descendants("Pixel").Select(pixel => ((int)pixel.Attribute("h")!, (int)pixel.Attribute("v")!))];
+
+        Assert.True(sampler.Grid.Rows * sampler.Grid.Columns > 4096); // else one thread writes all
+        Assert.Equal(sampler.Sample().Select(record => (record.H, record.V)), written);
+    }
+
+    [Fact]
+    public void Write_UndefinedDirection_SaysSoAndHasNoNumber()
+    {
+        PinholeCamera camera = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 1, 1);
+        FrameMetadata belowTheSun = Frame() with { Camera = camera, SunPositionMoonMe = new Vector3D(1e11, 0.0, 0.0) };
+
+        string xml = Text(belowTheSun, spacing: 1);
+
+        Assert.Contains("""
+                <Pixel h="1" v="1">
+                  <SelenographicCoordinates lat="+0.000000000000000E+000" lon="+0.000000000000000E+000" units="deg" />
+                  <IlluminationDirection unit="deg" defined="no" />
+                </Pixel>
+            """, xml, StringComparison.Ordinal);
+        Assert.DoesNotContain("NaN", xml, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Write_PictureOfSpace_HasNoPixel()
+    {
+        PinholeCamera away = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, Math.PI), 0.7, 64, 64);
+
+        string xml = Text(Frame() with { Camera = away }, spacing: 1);
+
+        Assert.EndsWith("  <PixelInformation>\n  </PixelInformation>\n</MSISRendering>\n", xml, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("-o \"a & b\" <in> ]]>", "-o \"a & b\" <in> ]]>")]
+    [InlineData("Mond\u00FCberflug \U0001F311", "Mond\u00FCberflug \U0001F311")]
+    [InlineData("tab\tline\nreturn\r", "tab\tline\nreturn\r")]
+    [InlineData("bell\u0007 escape\u001B", "bell\u2407 escape\u241B")]
+    public void Write_AnyCommandLine_ComesBackFromAParser(string commandLine, string expected)
+    {
+        string xml = Text(Frame() with { CommandLine = commandLine }, spacing: 1000);
+
+        Assert.Equal(expected, Parse(xml).Descendants("CommandLine").Single().Value);
+        Assert.Equal(1, xml.Split("<CommandLine>")[1].Split('\n')[0].Split("</CommandLine>").Length - 1);
+    }
+
+    [Fact]
+    public void Write_CommandLineThatIsNotUnicode_ShowsWhereItWas()
+    {
+        // Not a theory: an attribute's text is UTF-8 and can't hold half a pair.
+        string xml = Text(Frame() with { CommandLine = "half \uD83C pair \uFFFE" }, spacing: 1000);
+
+        Assert.Equal("half \uFFFD pair \uFFFD", Parse(xml).Descendants("CommandLine").Single().Value);
+    }
+
+    [Fact]
+    public void Write_Cancelled_Stops()
+    {
+        FrameMetadata frame = Frame();
+        CancellationToken cancelled = new(canceled: true);
+
+        Assert.ThrowsAny<OperationCanceledException>(
+            () => MetadataXmlWriter.Write(Stream.Null, frame, Sampler(frame, spacing: 1), cancelled));
+    }
+
+    private static FrameMetadata Frame()
+    {
+        UnitQuaternion orientation = UnitQuaternion.FromComponents(
+            -2.391176183943345e-001, +9.904576054128762e-002, +3.696438106143861e-001, +8.923991008325228e-001);
+        return new FrameMetadata(
+            new ModifiedJulianDate(55289.0),
+            new PinholeCamera(new Vector3D(2e6, 2e6, -0.0), orientation, double.DegreesToRadians(40.0), 1024, 1024),
+            40.0,
+            new Vector3D(+1.074955473280880E+011, -1.042430734878980E+011, +4.036164305561260E+009),
+            64,
+            "1.0.0",
+            "--fixed-state {55289,2E6} -r 64");
+    }
+
+    private static PixelSampler Sampler(FrameMetadata frame, int spacing) =>
+        new(frame.Camera, new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing), ReferenceSphere.Lola, frame.SunPositionMoonMe);
+
+    private static byte[] Bytes(FrameMetadata frame, int spacing)
+    {
+        using MemoryStream stream = new();
+        MetadataXmlWriter.Write(stream, frame, Sampler(frame, spacing));
+        return stream.ToArray();
+    }
+
+    private static string Text(FrameMetadata frame, int spacing) => Encoding.UTF8.GetString(Bytes(frame, spacing));
+
+    private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+
+    /// <summary>Parses and validates against lib/MSISRendering.dtd.</summary>
+    private static XDocument Parse(string xml)
+    {
+        string dtd = File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd"));
+        string withDtd = xml.Replace("SYSTEM \"../lib/MSISRendering.dtd\"", $"[\n{dtd}]", StringComparison.Ordinal)
+            .Replace("standalone=\"no\" ", string.Empty, StringComparison.Ordinal);
+        XmlReaderSettings settings = new() { DtdProcessing = DtdProcessing.Parse, ValidationType = ValidationType.DTD };
+        using XmlReader reader = XmlReader.Create(new StringReader(withDtd), settings);
+        return XDocument.Load(reader);
+    }
+}

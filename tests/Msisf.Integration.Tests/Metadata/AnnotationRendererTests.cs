@@ -1,0 +1,151 @@
+using Msisf.Adapters.Metadata;
+using Msisf.Adapters.Render;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Metadata;
+
+public class AnnotationRendererTests
+{
+    private const int Background = 40;
+
+    [RequiresFact(Part.Cairo)]
+    public void Write_GridPoints_HaveARedDotWhereTheyShowTheMoonAndNowhereElse()
+    {
+        // Narrower than the text block, which is left out.
+        FrameMetadata frame = ExampleFrame.OfSize(280, 280);
+        PixelSampler pixels = ExampleFrame.Sampler(frame, spacing: 20);
+
+        PngPixels picture = Annotate(frame, pixels);
+
+        (int, int)[] shown = [.. pixels.Sample().Select(pixel => (pixel.H, pixel.V))];
+        Assert.InRange(shown.Length, 100, 195);
+        for (int v = 20; v <= 280; v += 20)
+        {
+            for (int h = 20; h <= 280; h += 20)
+            {
+                Assert.Equal(shown.Contains((h, v)), IsRed(picture, h, v));
+            }
+        }
+    }
+
+    [RequiresTheory(Part.Cairo)]
+    [InlineData(1.0, 0.0, 1, 0)]
+    [InlineData(-1.0, 0.0, -1, 0)]
+    [InlineData(0.0, 1.0, 0, -1)]
+    [InlineData(0.0, -1.0, 0, 1)]
+    public void Write_SunToOneSide_LineRunsThatWay(double sunRight, double sunUp, int stepX, int stepY)
+    {
+        // Looking along -x with north up: y is right, z is up. One grid point, in the middle.
+        PinholeCamera nadir = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 101, 101);
+        FrameMetadata frame = ExampleFrame.OfSize(101, 101) with
+        {
+            Camera = nadir,
+            SunPositionMoonMe = 1.5e11 * new Vector3D(0.5, sunRight, sunUp),
+        };
+
+        PngPixels picture = Annotate(frame, ExampleFrame.Sampler(frame, spacing: 51));
+
+        Assert.True(IsRed(picture, 51 + (20 * stepX), 51 + (20 * stepY)));
+        Assert.False(IsRed(picture, 51 - (20 * stepX), 51 - (20 * stepY)));
+        Assert.False(IsRed(picture, 51 + (20 * stepY), 51 + (20 * stepX)));
+    }
+
+    [RequiresFact(Part.Cairo)]
+    public void Write_UndefinedDirection_HasADotAndNoLine()
+    {
+        PinholeCamera nadir = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 101, 101);
+        FrameMetadata frame = ExampleFrame.OfSize(101, 101) with { Camera = nadir, SunPositionMoonMe = new Vector3D(1e11, 0.0, 0.0) };
+
+        PngPixels picture = Annotate(frame, ExampleFrame.Sampler(frame, spacing: 51));
+
+        Assert.True(IsRed(picture, 51, 51));
+        Assert.Equal(CountRed(picture, 46, 56), CountRed(picture, 1, 101));
+    }
+
+    [RequiresTheory(Part.Cairo)]
+    [InlineData(1, false)]
+    [InlineData(64, false)]
+    [InlineData(280, false)]
+    [InlineData(320, true)]
+    [InlineData(1024, true)]
+    public void Write_TextBlock_IsThereWhereItCanBeRead(int size, bool isThere)
+    {
+        FrameMetadata frame = ExampleFrame.OfSize(size, size);
+
+        PngPixels picture = Annotate(frame, ExampleFrame.Sampler(frame, spacing: size + 1));
+
+        bool hasLightPixel = Enumerable.Range(0, size * size).Any(i => picture[i % size, i / size, 0] > 200);
+        Assert.Equal(isThere, hasLightPixel);
+        Assert.Equal(isThere, picture[0, 0, 0] < Background);
+        Assert.Equal(Background, picture[size - 1, size - 1, 0]);
+    }
+
+    [RequiresFact(Part.Cairo)]
+    public void Write_Twice_GivesTheSameBytesWithoutTimeStamp()
+    {
+        FrameMetadata frame = ExampleFrame.OfSize(512, 512);
+        PixelSampler pixels = ExampleFrame.Sampler(frame, spacing: 50);
+
+        byte[] first = Bytes(frame, pixels, GreyPicture(512, 512));
+        using MemoryStream checkedCopy = new();
+        PngHeader header = PngFile.CopyPicture(new MemoryStream(first), checkedCopy, "annotated.png");
+
+        Assert.Equal(first, Bytes(frame, pixels, GreyPicture(512, 512)));
+        Assert.Equal(first, checkedCopy.ToArray());
+        Assert.Equal(new PngHeader(512, 512, 8, 2), header);
+    }
+
+    [RequiresFact(Part.Cairo)]
+    public void Write_PictureOfAnotherSize_IsBadInput()
+    {
+        FrameMetadata frame = ExampleFrame.OfSize(64, 64);
+
+        BadInputException failure = Assert.Throws<BadInputException>(
+            () => Bytes(frame, ExampleFrame.Sampler(frame, spacing: 8), GreyPicture(64, 63)));
+
+        Assert.Contains("64 x 63 px, the frame 64 x 64 px", failure.Message, StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.Cairo)]
+    public void Write_CutPicture_IsBadInput()
+    {
+        FrameMetadata frame = ExampleFrame.OfSize(64, 64);
+
+        Assert.Throws<BadInputException>(() => Bytes(frame, ExampleFrame.Sampler(frame, spacing: 8), GreyPicture(64, 64)[..60]));
+    }
+
+    [RequiresFact(Part.Cairo)]
+    public void Write_DestinationFails_ThrowsItsOwnException()
+    {
+        FrameMetadata frame = ExampleFrame.OfSize(64, 64);
+        using MemoryStream full = new(new byte[10]);
+
+        Assert.Throws<NotSupportedException>(() => AnnotationRenderer.Write(
+            new MemoryStream(GreyPicture(64, 64)), full, frame, ExampleFrame.Sampler(frame, spacing: 8)));
+    }
+
+    private static PngPixels Annotate(FrameMetadata frame, PixelSampler pixels) =>
+        PngPixels.Read(new MemoryStream(Bytes(frame, pixels, GreyPicture(frame.Camera.Width, frame.Camera.Height))));
+
+    private static byte[] Bytes(FrameMetadata frame, PixelSampler pixels, byte[] picture)
+    {
+        using MemoryStream annotated = new();
+        AnnotationRenderer.Write(new MemoryStream(picture), annotated, frame, pixels);
+        return annotated.ToArray();
+    }
+
+    /// <summary>Pixel (x, y) from 1.</summary>
+    private static bool IsRed(PngPixels picture, int x, int y) =>
+        picture[x - 1, y - 1, 0] > 150 && picture[x - 1, y - 1, 1] < Background;
+
+    private static int CountRed(PngPixels picture, int first, int last) =>
+        Enumerable.Range(first, last - first + 1).Sum(
+            y => Enumerable.Range(first, last - first + 1).Count(x => picture[x - 1, y - 1, 0] != Background));
+
+    private static byte[] GreyPicture(int width, int height) => PngBytes.Grey(width, height, Background);
+}

@@ -1,0 +1,78 @@
+using System.Diagnostics;
+using Msisf.Adapters.Metadata;
+using Msisf.Core.Camera;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Metadata;
+
+/// <summary>The meta file as libxml2 sees it: in output/, with the DTD found by its DOCTYPE in lib/ beside it.</summary>
+public sealed class MetadataXmlTests : IDisposable
+{
+    private readonly DirectoryInfo root = Directory.CreateTempSubdirectory("msisf-xml-");
+
+    public void Dispose() => root.Delete(recursive: true);
+
+    [RequiresFact(Part.Xmllint)]
+    public void Write_PublishedExample_IsValid() => AssertValid(ExampleFrame.OfSize(1024, 1024), spacing: 50);
+
+    [RequiresFact(Part.Xmllint)]
+    public void Write_PictureOfSpace_IsValid()
+    {
+        FrameMetadata frame = ExampleFrame.OfSize(64, 64);
+        PinholeCamera away = new(new Vector3D(2e6, 2e6, 0.0), UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, Math.PI), 0.7, 64, 64);
+
+        AssertValid(frame with { Camera = away }, spacing: 1);
+    }
+
+    [RequiresFact(Part.Xmllint)]
+    public void Write_UndefinedDirection_IsValid()
+    {
+        FrameMetadata frame = ExampleFrame.OfSize(1, 1);
+        PinholeCamera nadir = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 1, 1);
+
+        AssertValid(frame with { Camera = nadir, SunPositionMoonMe = new Vector3D(1e11, 0.0, 0.0) }, spacing: 1);
+    }
+
+    [RequiresFact(Part.Xmllint)]
+    public void Xmllint_PixelAttributesAsInAppendixB2_AreInvalid()
+    {
+        // docs/deviations.md, row 16: the check above can fail.
+        string path = WriteFiles(ExampleFrame.OfSize(1024, 1024), spacing: 500);
+        File.WriteAllText(path, File.ReadAllText(path).Replace("<Pixel h=", "<Pixel x=", StringComparison.Ordinal));
+
+        (int exitCode, string errors) = Xmllint("--valid", path);
+
+        Assert.NotEqual(0, exitCode);
+        Assert.Contains("Pixel", errors, StringComparison.Ordinal);
+    }
+
+    private static (int ExitCode, string Errors) Xmllint(params string[] arguments)
+    {
+        ProcessStartInfo start = new(TestParts.Program("xmllint")!, ["--noout", "--nonet", .. arguments]) { RedirectStandardError = true };
+        using Process process = Process.Start(start)!;
+        string errors = process.StandardError.ReadToEnd();
+        process.WaitForExit();
+        return (process.ExitCode, errors);
+    }
+
+    private void AssertValid(FrameMetadata frame, int spacing)
+    {
+        string path = WriteFiles(frame, spacing);
+
+        Assert.Equal((0, string.Empty), Xmllint("--valid", path));
+        Assert.Equal((0, string.Empty), Xmllint("--dtdvalid", Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd"), path));
+    }
+
+    private string WriteFiles(FrameMetadata frame, int spacing)
+    {
+        string lib = root.CreateSubdirectory("lib").FullName;
+        File.Copy(Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd"), Path.Combine(lib, "MSISRendering.dtd"));
+        string path = Path.Combine(root.CreateSubdirectory("output").FullName, "MoonSurfIllumSim_step_00001.xml");
+        using FileStream stream = File.Create(path);
+        MetadataXmlWriter.Write(stream, frame, ExampleFrame.Sampler(frame, spacing));
+        return path;
+    }
+}

@@ -1,0 +1,39 @@
+using System.Diagnostics;
+using System.Text;
+using Msisf.Adapters.Render;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Render;
+
+public sealed class PngFileTests : IDisposable
+{
+    private readonly DirectoryInfo folder = Directory.CreateTempSubdirectory("msisf-png-");
+
+    public void Dispose() => folder.Delete(recursive: true);
+
+    [RequiresFact(Part.PovRay)]
+    public void CopyPicture_FromPovRay_KeepsThePictureAndDropsTheRenderDate()
+    {
+        string scene = Path.Combine(folder.FullName, "grey.pov");
+        string picture = Path.Combine(folder.FullName, "grey.png");
+        File.WriteAllText(scene, "#version 3.7; global_settings { assumed_gamma 1.0 } background { rgb 0.5 }");
+        ProcessStartInfo start = new(TestParts.Program("povray")!, [scene, "+O" + picture, "+W8", "+H4", "-D"]) { RedirectStandardError = true };
+        using (Process process = Process.Start(start)!)
+        {
+            process.StandardError.ReadToEnd();
+            process.WaitForExit();
+        }
+
+        byte[] original = File.ReadAllBytes(picture);
+        using MemoryStream copy = new();
+        PngHeader header = PngFile.CopyPicture(new MemoryStream(original), copy, picture);
+
+        Assert.Contains("tIME", Encoding.Latin1.GetString(original), StringComparison.Ordinal);
+        Assert.DoesNotContain("tIME", Encoding.Latin1.GetString(copy.ToArray()), StringComparison.Ordinal);
+        Assert.DoesNotContain("Render Date", Encoding.Latin1.GetString(copy.ToArray()), StringComparison.Ordinal);
+        Assert.Equal((8, 4), (header.Width, header.Height));
+        Assert.Equal(
+            PngPixels.Read(new MemoryStream(original)).ChannelParts(0), PngPixels.Read(new MemoryStream(copy.ToArray())).ChannelParts(0));
+    }
+}
