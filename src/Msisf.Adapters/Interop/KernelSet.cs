@@ -4,6 +4,8 @@ namespace Msisf.Adapters.Interop;
 internal sealed class KernelSet : IDisposable
 {
     private readonly CSpice cspice;
+    private readonly IReadOnlyList<string> paths;
+    private bool isDisposed;
 
     /// <summary>Furnishes kernels.</summary>
     /// <param name="cspice">Started.</param>
@@ -12,13 +14,27 @@ internal sealed class KernelSet : IDisposable
     public KernelSet(CSpice cspice, IReadOnlyList<string> paths)
     {
         this.cspice = cspice;
-        Paths = paths;
+        this.paths = paths;
         cspice.Furnish(paths);
     }
 
     /// <summary>Absolute paths in load order.</summary>
-    public IReadOnlyList<string> Paths { get; }
+    public IReadOnlyList<string> Paths
+    {
+        get
+        {
+            ObjectDisposedException.ThrowIf(isDisposed, this);
+            return paths;
+        }
+    }
 
     /// <inheritdoc/>
-    public void Dispose() => cspice.Unload(Paths);
+    public void Dispose()
+    {
+        if (!isDisposed)
+        {
+            isDisposed = true;
+            cspice.Unload(paths);
+        }
+    }
 }
