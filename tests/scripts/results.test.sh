@@ -74,6 +74,15 @@ HOST
     assert_same "$(cat results)" 'failed	X.Tests	the test host ended early, with exit code 134'
 }
 
+test_results_broken_build_skips_the_tests_of_an_earlier_one() {
+    record failed build 'dotnet build'
+    run_xunit_suite <<'HOST'
+#!/bin/sh
+exit 0
+HOST
+    assert_same "$(tail -n 1 results)" 'skipped	X.Tests	all tests (missing: the build)'
+}
+
 test_results_project_without_a_test_is_a_failure() {
     run_xunit_suite <<'HOST'
 #!/bin/sh
