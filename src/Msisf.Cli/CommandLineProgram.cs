@@ -16,7 +16,10 @@ internal static class CommandLineProgram
     private const int ExitBug = 70;
 
     /// <summary>Runs one command.</summary>
-    public static async Task<int> RunAsync(IReadOnlyList<string> arguments, ProgramHost host)
+    /// <param name="arguments">As <c>main</c> gets them.</param>
+    /// <param name="host">The world.</param>
+    /// <param name="cancellation">Ends the run, as Ctrl-C does.</param>
+    public static async Task<int> RunAsync(IReadOnlyList<string> arguments, ProgramHost host, CancellationToken cancellation = default)
     {
         try
         {
@@ -36,7 +39,7 @@ internal static class CommandLineProgram
                 Output = host.Results,
                 ProcessTerminationTimeout = Timeout.InfiniteTimeSpan,
             };
-            return await line.InvokeAsync(configuration).ConfigureAwait(false);
+            return await line.InvokeAsync(configuration, cancellation).ConfigureAwait(false);
         }
         catch (OperationCanceledException)
         {

@@ -23,6 +23,10 @@ public static class AnnotationRenderer
     /// <summary>Part of the picture's width that the text block takes if the font sizes allow.</summary>
     private const double TextWidthShare = 0.6;
 
+    /// <summary>Checks, before any work is done, that pictures can be annotated.</summary>
+    /// <exception cref="ExternalPartException">cairo is missing.</exception>
+    public static void RequireCairo() => CairoImage.RequireLibrary(CairoNative.Library);
+
     /// <summary>Writes the annotated picture. The text is left out where a readable one does not fit (on pictures less than about 300 px wide or 190 px high).</summary>
     /// <param name="picture">The rendered picture, PNG.</param>
     /// <param name="annotated">Receives the annotated one, PNG without time stamps: same input, same bytes.</param>

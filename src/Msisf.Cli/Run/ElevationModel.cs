@@ -9,10 +9,12 @@ namespace Msisf.Cli.Run;
 internal sealed class ElevationModel : IDisposable
 {
     private readonly LdemImage _image;
+    private readonly ElevationSummary _summary;
 
-    private ElevationModel(LdemImage image)
+    private ElevationModel(LdemImage image, ElevationSummary summary)
     {
         _image = image;
+        _summary = summary;
     }
 
     public IElevationGrid Grid => _image;
@@ -28,15 +30,16 @@ internal sealed class ElevationModel : IDisposable
         host.Log.Note(image.Label.IsSynthetic
             ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Label.LabelPath})."
             : $"Elevation: {image.ProductId} ({image.Label.LabelPath}).");
-        return new ElevationModel(image);
+        return new ElevationModel(image, ElevationSummary.Build(image));
     }
 
-#pragma warning disable CA1822
+    /// <summary>The tiles that a frame needs, and why.</summary>
     public TileSelection Select(Frame frame) =>
-        new TileSelection([.. TileId.All.Select(t => new TileChoice(t, TileReason.Visible))]);
+        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary);
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
-    public double DepthBelowGround(Vector3D positionMoonMe) => MoonConstants.ReferenceRadius - positionMoonMe.Length;
+    public double DepthBelowGround(Vector3D positionMoonMe) =>
+        positionMoonMe.Length > _summary.GreatestRadius ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
 
     public void Dispose() => _image.Dispose();
 }

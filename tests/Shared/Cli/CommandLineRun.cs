@@ -1,6 +1,7 @@
+using Msisf.Cli;
 using Msisf.Cli.Run;
 
-namespace Msisf.Cli.Tests;
+namespace Msisf.TestSupport;
 
 /// <summary>One call of the program, in this process, and what came of it.</summary>
 internal sealed record CommandLineRun(int ExitCode, string Output, string Error)

@@ -1,0 +1,122 @@
+using Msisf.Cli.Run;
+using Msisf.TestSupport;
+using Xunit;
+
+[assembly: System.Runtime.Versioning.SupportedOSPlatform("linux")]
+
+namespace Msisf.Integration.Tests.Run;
+
+/// <summary>What happens when POV-Ray fails: stand-ins for it, written as shell scripts, do what a real one rarely does.</summary>
+public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposable
+{
+    private const string State = "{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}";
+
+    private readonly RenderFixture _fixture;
+    private readonly TemporaryFolder _folder = new();
+
+    public FailingPovRayTests(RenderFixture fixture) => _fixture = fixture;
+
+    public void Dispose() => _folder.Dispose();
+
+    [RequiresFact(Part.Ldem4)]
+    public void Run_PovRayFails_ShowsItsLastLinesAndLeavesNoFile()
+    {
+        CommandLineRun run = RunWith("echo 'Parse Error: the moon is made of cheese' >&2; exit 4");
+
+        Assert.Equal(3, run.ExitCode);
+        Assert.Contains("exit code 4", run.Error, StringComparison.Ordinal);
+        Assert.Contains("made of cheese", run.Error, StringComparison.Ordinal);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder["out"]));
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Run_PovRayEndsWellWithoutAPicture_IsAFailure()
+    {
+        CommandLineRun run = RunWith("exit 0");
+
+        Assert.Equal(3, run.ExitCode);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder["out"]));
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Run_PictureIsCutOff_IsAFailureAndLeavesNoPicture()
+    {
+        CommandLineRun run = RunWith("printf '\\211PNG\\r\\n\\032\\n' > picture.png");
+
+        Assert.NotEqual(0, run.ExitCode);
+        Assert.DoesNotContain("bug in msis", run.Error, StringComparison.Ordinal);
+        Assert.Empty(Directory.EnumerateFiles(_folder["out"], "*.png"));
+        Assert.Empty(Directory.EnumerateDirectories(_folder["out"]));
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Run_PovRayHangs_IsEndedAfterTheTimeout()
+    {
+        CommandLineRun run = RunWith("sleep 600", "--timeout", "0.5");
+
+        Assert.Equal(3, run.ExitCode);
+        Assert.Contains("was ended after 0.5 s", run.Error, StringComparison.Ordinal);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder["out"]));
+    }
+
+    [RequiresFact(Part.Ldem4, Part.PovRay)]
+    public void Run_OneFrameOfThreeFails_TheOthersAreComplete()
+    {
+        // The second camera stands at y = -2000 km; its scene is the one that this stand-in refuses.
+        string script = $"grep -q 'location <2000, -2000' scene.pov && exit 9; exec '{TestParts.Program("povray")}' \"$@\"";
+        string states = """
+            55289 2E6 2E6 0 0 0 3.826834323650898E-1 9.238795325112867E-1
+            55289 2E6 -2E6 0 0 0 -3.826834323650898E-1 9.238795325112867E-1
+            55289 2E6 2E6 1 0 0 3.826834323650898E-1 9.238795325112867E-1
+            """;
+        CommandLineRun run = CommandLineRun.Of(
+            ["--batch-file", "-", "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. _fixture.Common(_folder["out"])], states);
+
+        Assert.Equal(3, run.ExitCode);
+        Assert.Contains("step 2 (MoonSurfIllumSim_step_00002)", run.Error, StringComparison.Ordinal);
+        Assert.Contains("1 of 3 frames failed: steps 2", run.Error, StringComparison.Ordinal);
+        Assert.Equal(
+            ["MoonSurfIllumSim_step_00001.png", "MoonSurfIllumSim_step_00003.png"],
+            Directory.EnumerateFiles(_folder["out"], "*.png").Select(Path.GetFileName).Order());
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task Run_Cancelled_KillsPovRayAndLeavesNoFile()
+    {
+        string marker = _folder["started"];
+        using CancellationTokenSource stop = new();
+        using StringWriter error = new();
+        string[] arguments =
+        [
+            "--fixed-state", State, "--width", "16", "--height", "16",
+            "--pov-path", StandIn($"echo $$ > '{marker}.new'; mv '{marker}.new' '{marker}'; sleep 600"), .. _fixture.Common(_folder["out"]),
+        ];
+        ProgramHost host = new(TextWriter.Null, error, () => TextReader.Null, TimeProvider.System, arguments, Environment.GetEnvironmentVariable);
+        using FileSystemWatcher watcher = new(_folder.Path) { EnableRaisingEvents = true };
+        watcher.Renamed += (_, change) =>
+        {
+            if (change.FullPath == marker)
+            {
+                stop.Cancel();
+            }
+        };
+
+        int exitCode = await Cli.CommandLineProgram.RunAsync(arguments, host, stop.Token);
+
+        Assert.Equal(130, exitCode);
+        int processId = int.Parse(File.ReadAllText(marker), System.Globalization.CultureInfo.InvariantCulture);
+        Assert.False(Directory.Exists($"/proc/{processId}"), "POV-Ray still runs");
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder["out"]));
+    }
+
+    private CommandLineRun RunWith(string script, params string[] more) => CommandLineRun.Of(
+        ["--fixed-state", State, "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. more, .. _fixture.Common(_folder["out"])]);
+
+    private string StandIn(string script)
+    {
+        string path = _folder["povray-stand-in"];
+        File.WriteAllText(path, $"#!/bin/sh\n{script}\n");
+        File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserExecute);
+        return path;
+    }
+}
