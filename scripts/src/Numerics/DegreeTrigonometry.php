@@ -2,7 +2,7 @@
 
 declare(strict_types=1);
 
-namespace Msisf\Numerics;
+namespace Msisf\Scripts\Numerics;
 
 use InvalidArgumentException;
 

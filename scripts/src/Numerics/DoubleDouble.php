@@ -2,7 +2,7 @@
 
 declare(strict_types=1);
 
-namespace Msisf\Numerics;
+namespace Msisf\Scripts\Numerics;
 
 /**
  * A number as the unevaluated sum of two doubles, about 106 bits. Only +, - and * of doubles are used, so that the C#

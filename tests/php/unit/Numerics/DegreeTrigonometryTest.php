@@ -5,7 +5,7 @@ declare(strict_types=1);
 namespace Msisf\Tests\Unit\Numerics;
 
 use InvalidArgumentException;
-use Msisf\Numerics\DegreeTrigonometry;
+use Msisf\Scripts\Numerics\DegreeTrigonometry;
 use PHPUnit\Framework\TestCase;
 
 final class DegreeTrigonometryTest extends TestCase
