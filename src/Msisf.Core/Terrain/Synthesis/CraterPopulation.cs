@@ -17,7 +17,7 @@ internal sealed class CraterPopulation
     private const double MareCoefficient = 3e-3; // per km2
     private const double MareExponent = 3.0;
     private const double LeastMareDensity = 1.0 / 130.0;
-    private const double OldestFreshnessLog2 = -4.0;
+    private const double OldestFreshnessLog2 = -5.0;
 
     private readonly ulong seed;
     private readonly MareMask maria;
