@@ -13,9 +13,9 @@ public sealed class CraterPopulationTests
     public void Near_WholeHighlandsMoon_FollowsTraskInEveryBin()
     {
         const double MoonKm2 = 4.0 * Math.PI * 1737.4 * 1737.4;
-        double[] diametersKm = [.. new CraterPopulation(seed: 5, NoMaria, smallest: 4000.0, largest: 100_000.0)
+        double[] diametersKm = [.. new CraterPopulation(seed: 5, NoMaria, smallest: 8000.0, largest: 150_000.0)
             .Near(-90.0, 90.0, 0.0, 360.0).Select(crater => 2e-3 * crater.Radius)];
-        for (double least = 4.0; least < 60.0; least *= 1.5)
+        for (double least = 8.0; least < 100.0; least *= 1.5)
         {
             double expected = MoonKm2 * 0.079 * (Math.Pow(least, -1.83) - Math.Pow(1.5 * least, -1.83));
             int counted = diametersKm.Count(diameter => diameter >= least && diameter < 1.5 * least);
@@ -29,7 +29,7 @@ public sealed class CraterPopulationTests
     [InlineData(-90.0, -85.0)]
     public void Near_AnyLatitudes_HasTheDensityOfItsArea(double south, double north)
     {
-        Crater[] all = [.. new CraterPopulation(seed: 6, NoMaria, smallest: 3000.0, largest: 30_000.0).Near(-90.0, 90.0, 0.0, 360.0)];
+        Crater[] all = [.. new CraterPopulation(seed: 6, NoMaria, smallest: 8000.0, largest: 60_000.0).Near(-90.0, 90.0, 0.0, 360.0)];
         double part = 0.5 * (Math.Sin(north * Math.PI / 180.0) - Math.Sin(south * Math.PI / 180.0));
         double expected = part * all.Length;
         int counted = all.Count(crater => crater.LatitudeDegrees >= south && crater.LatitudeDegrees < north);
@@ -42,7 +42,7 @@ public sealed class CraterPopulationTests
     [InlineData(-90.75, -84.0, -5.0, 10.0)]
     public void Near_Block_HasEveryCraterThatReachesItInTheSameOrder(double south, double north, double west, double width)
     {
-        CraterPopulation population = new(seed: 7, NoMaria, smallest: 5000.0, largest: 60_000.0);
+        CraterPopulation population = new(seed: 7, NoMaria, smallest: 12_000.0, largest: 60_000.0);
         Crater[] all = [.. population.Near(-90.0, 90.0, 0.0, 360.0)];
         Crater[] near = [.. population.Near(south, north, west, width)];
         Assert.Equal(all.Where(near.ToHashSet().Contains), near);
@@ -56,9 +56,9 @@ public sealed class CraterPopulationTests
     public void Near_Mare_HasTheProductionOfItsAge()
     {
         MareMask maria = new(FormulaElevationGrid.HighlandsAndMare(1), CancellationToken.None);
-        Crater[] craters = [.. new CraterPopulation(seed: 8, maria, smallest: 1000.0, largest: 2000.0).Near(-20.0, 20.0, 340.0, 40.0)
-            .Where(crater => Math.Abs(crater.LatitudeDegrees) < 20.0 && Math.Abs(Math.IEEERemainder(crater.LongitudeDegrees, 360.0)) < 20.0)];
-        double km2 = 1737.4 * 1737.4 * (40.0 * Math.PI / 180.0) * 2.0 * Math.Sin(20.0 * Math.PI / 180.0);
+        Crater[] craters = [.. new CraterPopulation(seed: 8, maria, smallest: 1000.0, largest: 2000.0).Near(-10.0, 10.0, 350.0, 20.0)
+            .Where(crater => Math.Abs(crater.LatitudeDegrees) < 10.0 && Math.Abs(Math.IEEERemainder(crater.LongitudeDegrees, 360.0)) < 10.0)];
+        double km2 = 1737.4 * 1737.4 * (20.0 * Math.PI / 180.0) * 2.0 * Math.Sin(10.0 * Math.PI / 180.0);
 
         // 3e-3 D^-3 per km2 is the cumulative law as a part of Trask's at each diameter: integrate their product.
         double expected = Enumerable.Range(0, 1000).Sum(i => Density(1.0 + ((i + 0.5) / 1000.0)) / 1000.0) * km2;
