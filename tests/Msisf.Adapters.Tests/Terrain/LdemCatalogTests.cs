@@ -35,7 +35,7 @@ public sealed class LdemCatalogTests : IDisposable
     {
         Put("ldem_1.lbl");
 
-        Assert.Equal(folder["ldem_1.lbl"], LdemCatalog.Find(1, null, ["/nowhere", folder.FullName]).LabelPath);
+        Assert.Equal(folder["ldem_1.lbl"], LdemCatalog.Find(1, null, ["/nowhere", folder.Path]).LabelPath);
     }
 
     [Theory]
@@ -55,9 +55,9 @@ public sealed class LdemCatalogTests : IDisposable
     {
         Put("LDEM_1.LBL");
 
-        string message = Assert.Throws<BadInputException>(() => LdemCatalog.Find(16, null, ["/nowhere", folder.FullName])).Message;
+        string message = Assert.Throws<BadInputException>(() => LdemCatalog.Find(16, null, ["/nowhere", folder.Path])).Message;
 
-        Assert.Contains($"No elevation model of 16 px/deg in /nowhere, {folder.FullName}: put LDEM_16.LBL and .IMG there", message, StringComparison.Ordinal);
+        Assert.Contains($"No elevation model of 16 px/deg in /nowhere, {folder.Path}: put LDEM_16.LBL and .IMG there", message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -82,7 +82,7 @@ public sealed class LdemCatalogTests : IDisposable
     public void Find_ExplicitPathThatIsMissing_NamesIt() =>
         Assert.Contains("gone.lbl: can't be read", Assert.Throws<BadInputException>(() => LdemCatalog.Find(1, folder["gone.lbl"], [])).Message, StringComparison.Ordinal);
 
-    private LdemLabel Find(int resolution) => LdemCatalog.Find(resolution, null, [folder.FullName]);
+    private LdemLabel Find(int resolution) => LdemCatalog.Find(resolution, null, [folder.Path]);
 
     private void Put(string name, string text = TestModel.Label) => File.WriteAllText(folder[name], text);
 }

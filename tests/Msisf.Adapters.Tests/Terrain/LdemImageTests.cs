@@ -76,7 +76,7 @@ public sealed class LdemImageTests : IDisposable
     {
         byte[] bytes = TestModel.IntegerImage(bigEndian: false);
         Array.Resize(ref bytes, bytes.Length + change);
-        string label = TestModel.Write(folder.FullName, TestModel.Label, bytes);
+        string label = TestModel.Write(folder.Path, TestModel.Label, bytes);
 
         BadInputException exception = Assert.Throws<BadInputException>(() => LdemImage.Open(LdemLabelReader.ReadFile(label)));
 
@@ -114,7 +114,7 @@ public sealed class LdemImageTests : IDisposable
     [Fact]
     public void Open_NameInSmallLetters_IsFound()
     {
-        string label = TestModel.Write(folder.FullName, TestModel.Label, TestModel.IntegerImage(bigEndian: false), "ldem_1.img");
+        string label = TestModel.Write(folder.Path, TestModel.Label, TestModel.IntegerImage(bigEndian: false), "ldem_1.img");
         using LdemImage image = LdemImage.Open(LdemLabelReader.ReadFile(label));
 
         Assert.Equal((1, "LDEM_1"), (image.PixelsPerDegree, image.ProductId));
@@ -187,6 +187,6 @@ public sealed class LdemImageTests : IDisposable
             LdemSampleType.Float32LittleEndian => (TestModel.FloatLabel("PC_REAL"), TestModel.FloatImage(bigEndian: false)),
             _ => (TestModel.FloatLabel("IEEE_REAL"), TestModel.FloatImage(bigEndian: true)),
         };
-        return LdemImage.Open(LdemLabelReader.ReadFile(TestModel.Write(folder.FullName, label, bytes ?? image)));
+        return LdemImage.Open(LdemLabelReader.ReadFile(TestModel.Write(folder.Path, label, bytes ?? image)));
     }
 }

@@ -82,7 +82,7 @@ public sealed partial class PatternPovRayTests : IDisposable
         ProcessStartInfo start = new(TestParts.Program("povray")!, ["+I" + folder["trace.pov"], "-D", "-F", "+W1", "+H1"])
         {
             RedirectStandardError = true,
-            WorkingDirectory = folder.FullName,
+            WorkingDirectory = folder.Path,
         };
         using Process process = Process.Start(start)!;
         string log = process.StandardError.ReadToEnd();
