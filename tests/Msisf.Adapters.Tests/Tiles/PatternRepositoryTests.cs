@@ -87,12 +87,13 @@ public sealed class PatternRepositoryTests : IDisposable
     public void EnsurePatterns_ModelChangedInOneSample_MakesOnlyTheTilesThatUseIt()
     {
         FunctionGrid rough = FunctionGrid.Rough(1);
-        repository.EnsurePatterns(TileId.All, rough, default, maxParallelism: 2);
+        TileId[] around = [.. TileId.All.Where(tile => tile.SouthDegrees is >= -15 and <= 10 && tile.WestDegrees <= 15)];
+        repository.EnsurePatterns(around, rough, default, maxParallelism: 2);
 
         // The north-west sample of a tile is the outer corner of three neighbours' cells too.
         FunctionGrid changed = new(1, (line, sample) => RadiusOf(rough, line, sample) + ((line, sample) == (90, 5) ? 0.5 : 0.0));
 
-        Assert.Equal(4, repository.EnsurePatterns(TileId.All, changed, default, maxParallelism: 2).Written);
+        Assert.Equal(4, repository.EnsurePatterns(around, changed, default, maxParallelism: 2).Written);
     }
 
     [Theory]
@@ -165,13 +166,13 @@ public sealed class PatternRepositoryTests : IDisposable
     [Fact]
     public async Task EnsurePatterns_SeveralWritersAtOnce_NeverShowAHalfFile()
     {
-        TileId[] tiles = [.. TileId.All.Take(200)];
+        TileId[] tiles = [.. TileId.All.Take(80)];
         byte[][] expected = [.. new PatternRepository(folder["expected"]).EnsurePatterns(tiles, FunctionGrid.Rough(1), default, 2).Paths.Select(File.ReadAllBytes)];
 
         PatternSet[] sets = await Task.WhenAll(Enumerable.Range(0, 3).Select(_ => Task.Run(() => Ensure(tiles))));
 
         Assert.All(sets, set => Assert.Equal(expected, set.Paths.Select(File.ReadAllBytes)));
-        Assert.Equal(200, Directory.GetFiles(repository.FolderOf(1)).Length);
+        Assert.Equal(80, Directory.GetFiles(repository.FolderOf(1)).Length);
     }
 
     [Fact]
