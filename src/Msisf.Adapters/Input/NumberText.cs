@@ -39,6 +39,7 @@ public static class NumberText
         return digits switch
         {
             _ when text.IsWhiteSpace() => "a number is missing",
+            _ when text.Contains('\uFFFD') => $"{shown} is not UTF-8 text; is this file binary?",
             _ when text.Contains(',') => $"{shown} has a comma; numbers have a decimal point and no thousands separators",
             _ when text.ContainsAny('\u2212', '\u2013') => $"{shown} has a typographic minus sign; write '-'",
             _ when digits.StartsWith("0x", StringComparison.OrdinalIgnoreCase) => $"{shown} is hexadecimal; write {ValidValues}",

@@ -1,6 +1,5 @@
 using System.Buffers.Text;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Metadata;
 
@@ -24,12 +23,12 @@ internal static class PixelXml
         Append("\">\n      <SelenographicCoordinates lat=\""u8, destination, ref length);
         Append(double.RadiansToDegrees(record.Point.Latitude), destination, ref length);
         Append("\" lon=\""u8, destination, ref length);
-        Append(Angles.DegreesOnFullTurn(record.Point.Longitude), destination, ref length);
+        Append(double.RadiansToDegrees(record.Point.Longitude), destination, ref length);
         Append("\" units=\"deg\" />\n      <IlluminationDirection unit=\"deg\""u8, destination, ref length);
         if (record.IlluminationDirection is double direction)
         {
             Append(">"u8, destination, ref length);
-            Append(Angles.DegreesOnFullTurn(direction), destination, ref length);
+            Append(double.RadiansToDegrees(direction), destination, ref length);
             Append("</IlluminationDirection>\n    </Pixel>\n"u8, destination, ref length);
         }
         else

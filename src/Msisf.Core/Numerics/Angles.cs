@@ -12,14 +12,4 @@ public static class Angles
         // A tiny negative angle rounds to 2 pi, which is 0; adding 0 makes -0 a 0.
         return turned >= 2.0 * Math.PI ? 0.0 : turned + 0.0;
     }
-
-    /// <summary>The same place on the turn in degrees, [0, 360).</summary>
-    /// <param name="angle">rad, [0, 2 pi).</param>
-    public static double DegreesOnFullTurn(double angle)
-    {
-        double degrees = double.RadiansToDegrees(angle);
-
-        // The last doubles below 2 pi round to 360.
-        return degrees >= 360.0 ? 0.0 : degrees;
-    }
 }

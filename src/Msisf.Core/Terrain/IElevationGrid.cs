@@ -1,3 +1,5 @@
+using Msisf.Core.Errors;
+
 namespace Msisf.Core.Terrain;
 
 /// <summary>
@@ -15,7 +17,8 @@ public interface IElevationGrid
     /// <summary>Radii of consecutive samples of one line.</summary>
     /// <param name="line">0 to 180 res - 1, northernmost first.</param>
     /// <param name="firstSample">0 to 360 res - 1; the run goes on over the prime meridian.</param>
-    /// <param name="radii">Filled with m from the Moon's centre; at most 360 res of them.</param>
+    /// <param name="radii">Filled with m from the Moon's centre; 1 to 360 res of them.</param>
+    /// <exception cref="BadInputException">A sample can't be right: the file is damaged.</exception>
     void ReadRadii(int line, int firstSample, Span<double> radii);
 
     /// <summary>Least and greatest radius of a block of samples, m.</summary>
@@ -23,5 +26,6 @@ public interface IElevationGrid
     /// <param name="lines">How many lines.</param>
     /// <param name="firstSample">Westernmost sample.</param>
     /// <param name="samples">How many samples; the block goes on over the prime meridian.</param>
+    /// <exception cref="BadInputException">A sample of the block can't be right: the file is damaged.</exception>
     (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples);
 }

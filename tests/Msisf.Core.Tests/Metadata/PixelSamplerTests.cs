@@ -114,10 +114,10 @@ public class PixelSamplerTests
         Math.Abs(double.RadiansToDegrees(actual.Point.Latitude) - expected.LatitudeDegrees);
 
     private static double LongitudeError(ReferencePixel expected, PixelRecord actual) =>
-        ReferencePixel.Apart(Angles.DegreesOnFullTurn(actual.Point.Longitude), expected.LongitudeDegrees);
+        ReferencePixel.Apart(double.RadiansToDegrees(actual.Point.Longitude), expected.LongitudeDegrees);
 
     private static double DirectionError(ReferencePixel expected, PixelRecord actual) =>
-        ReferencePixel.Apart(Angles.DegreesOnFullTurn(actual.IlluminationDirection!.Value), expected.DirectionDegrees);
+        ReferencePixel.Apart(double.RadiansToDegrees(actual.IlluminationDirection!.Value), expected.DirectionDegrees);
 
     /// <summary>A camera on the x axis, turned about the vertical: 0 looks at the Moon.</summary>
     private static PinholeCamera LooksAlongX(double turn, double fov = 1.2) =>

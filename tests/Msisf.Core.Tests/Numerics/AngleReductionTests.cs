@@ -12,6 +12,8 @@ public class AngleReductionTests
     [InlineData(4.0, -2.2831853071795867)]
     [InlineData(6.283185307179586, -2.4492935982947064e-16)]
     [InlineData(6283185.307179586, -4.463824362721742e-10)]
+    [InlineData(1653765.788776203, 9.102615980712617e-16)] // as near to a multiple of 2 pi as doubles come below 1e6 turns
+    [InlineData(6794693.139851769, 2.01525464535881e-16)]
     [InlineData(1e15, 2.1096981170701126)]
     [InlineData(1e22, -1.020177392559087)]
     [InlineData(-1e300, 2.1838724841522326)]

@@ -15,18 +15,4 @@ public class AnglesTests
 
     [Fact]
     public void OnFullTurn_MinusZero_IsPlusZero() => Assert.False(double.IsNegative(Angles.OnFullTurn(-0.0)));
-
-    [Fact]
-    public void DegreesOnFullTurn_HalfATurn_Is180() => Assert.Equal(180.0, Angles.DegreesOnFullTurn(Math.PI));
-
-    [Fact]
-    public void DegreesOnFullTurn_LastDoublesBelow2Pi_StayBelow360()
-    {
-        double angle = 2.0 * Math.PI;
-        for (int i = 0; i < 4; i++)
-        {
-            angle = Math.BitDecrement(angle);
-            Assert.InRange(Angles.DegreesOnFullTurn(angle), 0.0, Math.BitDecrement(360.0));
-        }
-    }
 }

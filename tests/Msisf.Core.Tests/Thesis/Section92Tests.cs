@@ -30,8 +30,8 @@ public class Section92Tests
         PixelRecord pixel = sampler.Sample().Single(record => record.H == h && record.V == 100);
 
         Assert.InRange(double.RadiansToDegrees(pixel.Point.Latitude), latitude - 1e-12, latitude + 1e-12);
-        Assert.InRange(Angles.DegreesOnFullTurn(pixel.Point.Longitude), longitude - 1e-12, longitude + 1e-12);
-        Assert.InRange(Angles.DegreesOnFullTurn(pixel.IlluminationDirection!.Value), direction - 1e-12, direction + 1e-12);
+        Assert.InRange(double.RadiansToDegrees(pixel.Point.Longitude), longitude - 1e-12, longitude + 1e-12);
+        Assert.InRange(double.RadiansToDegrees(pixel.IlluminationDirection!.Value), direction - 1e-12, direction + 1e-12);
     }
 
     [Fact]

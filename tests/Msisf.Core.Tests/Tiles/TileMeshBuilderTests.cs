@@ -12,7 +12,6 @@ public class TileMeshBuilderTests
     [Theory]
     [InlineData(1)]
     [InlineData(2)]
-    [InlineData(3)]
     public void Build_AllTilesOfARoughMoon_CloseTheSurface(int pixelsPerDegree)
     {
         TileMeshBuilder builder = new(FunctionGrid.Rough(pixelsPerDegree));

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Terrain.Synthesis;
 
-/// <summary>The base model over a block of its pixels, less the means of the detail, interpolated smoothly: the sum with the detail has the base's means.</summary>
+/// <summary>The base model over a block of its pixels, less the means of the detail, interpolated smoothly: the sum with the detail has the base's means (<see cref="BaseHeights"/>: but for the polar caps).</summary>
 internal sealed class BaseSurface
 {
     private const int Reach = PixelMeanKernel.Reach;
@@ -36,8 +36,7 @@ internal sealed class BaseSurface
         lineCoefficients = new double[coefficientWidth];
         for (int line = 0; line < pixelLines + (2 * Reach); line++)
         {
-            Span<double> row = means.AsSpan(line * width, width);
-            ReadHeights(firstPixelLine - Reach + line, firstPixel - Reach, row);
+            terrain.Base.ReadHeights(firstPixelLine - Reach + line, firstPixel - Reach, means.AsSpan(line * width, width));
         }
     }
 
@@ -47,10 +46,10 @@ internal sealed class BaseSurface
     public void TakeOffMeans(TileFrame frame, ReadOnlySpan<float> detail)
     {
         int n = terrain.SamplesPerPixel;
-        double part = 1.0 / ((double)n * n);
         double[] sums = new double[width];
         for (int line = 0; line < pixelLines + (2 * Reach); line++)
         {
+            double part = terrain.Base.HonouredPart(firstPixelLine - Reach + line) / ((double)n * n);
             Array.Clear(sums);
             for (int inside = 0; inside < n; inside++)
             {
@@ -119,24 +118,6 @@ internal sealed class BaseSurface
                 inside = 0;
                 pixel++;
             }
-        }
-    }
-
-    // Beyond a pole the lines go on along the opposite meridian.
-    private void ReadHeights(int line, int sample, Span<double> heights)
-    {
-        int lines = 180 * terrain.Base.PixelsPerDegree;
-        int around = 2 * lines;
-        if (line < 0 || line >= lines)
-        {
-            line = line < 0 ? -1 - line : (2 * lines) - 1 - line;
-            sample += around / 2;
-        }
-
-        terrain.Base.ReadRadii(line, ((sample % around) + around) % around, heights);
-        for (int i = 0; i < heights.Length; i++)
-        {
-            heights[i] -= MoonConstants.ReferenceRadius;
         }
     }
 }

@@ -18,31 +18,13 @@ internal sealed class CraterCells
         bands = Math.Max(2, (int)(Math.PI * MoonConstants.ReferenceRadius / side));
     }
 
-    /// <summary>m2 of a cell of a band.</summary>
-    public double Area(int band)
-    {
-        (double south, double north) = SineBorders(band);
-        return 2.0 * Math.PI * MoonConstants.ReferenceRadius * MoonConstants.ReferenceRadius * (north - south) / Columns(band);
-    }
-
-    /// <summary>A place in a cell.</summary>
-    /// <param name="band">Counted from the south.</param>
-    /// <param name="column">Counted from longitude 0.</param>
-    /// <param name="up">[0, 1).</param>
-    /// <param name="right">[0, 1).</param>
-    public (double SinLatitude, double LongitudeDegrees) Place(int band, int column, double up, double right)
-    {
-        (double south, double north) = SineBorders(band);
-        return (south + (up * (north - south)), (column + right) * 360.0 / Columns(band));
-    }
-
     /// <summary>The cells from which something can reach into a block, by band and then by column.</summary>
     /// <param name="southDegrees">Southern border of the block; below -90 beyond the pole.</param>
     /// <param name="northDegrees">Northern border; above 90 beyond the pole.</param>
     /// <param name="westDegrees">Western border.</param>
     /// <param name="widthDegrees">Width of the block.</param>
     /// <param name="reachDegrees">How far it can reach, as an angle at the Moon's centre.</param>
-    public IEnumerable<(int Band, int Column)> Near(
+    public IEnumerable<CraterCell> Near(
         double southDegrees,
         double northDegrees,
         double westDegrees,
@@ -55,13 +37,14 @@ internal sealed class CraterCells
         // Lines beyond a pole are places of the opposite meridian: then every column of the bands that they fold back to.
         double allColumnsNorthOf = north > 90.0 ? 180.0 - north : 90.0;
         double allColumnsSouthOf = south < -90.0 ? -180.0 - south : -90.0;
-        int first = BandOf(Math.Min(south, allColumnsNorthOf));
-        int last = BandOf(Math.Max(north, allColumnsSouthOf));
-        for (int band = first; band <= last; band++)
+        int firstBand = BandOf(Math.Min(south, allColumnsNorthOf));
+        int lastBand = BandOf(Math.Max(north, allColumnsSouthOf));
+        for (int band = firstBand; band <= lastBand; band++)
         {
             double northBorder = BorderDegrees(band + 1);
             double southBorder = BorderDegrees(band);
-            int columns = Columns(band);
+            CraterCell first = First(band, southBorder, northBorder);
+            int columns = first.Columns;
             double cos = PortableMath.SinCosDegrees(Math.Max(Math.Abs(northBorder), Math.Abs(southBorder))).Cos;
 
             // asin(sin(reach) / cos(latitude)) is the half width; pi/2 times its argument is never less.
@@ -75,12 +58,12 @@ internal sealed class CraterCells
             // Ascending, also over the prime meridian: sums of overlapping craters must not depend on the block.
             for (int column = 0; column < west + count - columns; column++)
             {
-                yield return (band, column);
+                yield return first with { Column = column };
             }
 
             for (int column = west; column < Math.Min(columns, west + count); column++)
             {
-                yield return (band, column);
+                yield return first with { Column = column };
             }
         }
     }
@@ -89,9 +72,14 @@ internal sealed class CraterCells
 
     private int BandOf(double latitudeDegrees) => Math.Clamp((int)Math.Floor((latitudeDegrees + 90.0) / 180.0 * bands), 0, bands - 1);
 
-    private (double South, double North) SineBorders(int band) =>
-        (PortableMath.SinCosDegrees(BorderDegrees(band)).Sin, PortableMath.SinCosDegrees(BorderDegrees(band + 1)).Sin);
-
-    private int Columns(int band) =>
-        Math.Max(4, (int)(2.0 * bands * PortableMath.SinCosDegrees(0.5 * (BorderDegrees(band) + BorderDegrees(band + 1))).Cos));
+    private CraterCell First(int band, double southBorder, double northBorder)
+    {
+        double cosMiddle = PortableMath.SinCosDegrees(0.5 * (southBorder + northBorder)).Cos;
+        return new CraterCell(
+            band,
+            Column: 0,
+            Math.Max(4, (int)(2.0 * bands * cosMiddle)),
+            PortableMath.SinCosDegrees(southBorder).Sin,
+            PortableMath.SinCosDegrees(northBorder).Sin);
+    }
 }

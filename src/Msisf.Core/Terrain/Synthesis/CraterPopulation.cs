@@ -17,7 +17,7 @@ internal sealed class CraterPopulation
     private const double MareCoefficient = 3e-3; // per km2
     private const double MareExponent = 3.0;
     private const double LeastMareDensity = 1.0 / 130.0;
-    private const double OldestFreshnessLog2 = -4.0;
+    private const double OldestFreshnessLog2 = -5.0;
 
     private readonly ulong seed;
     private readonly MareMask maria;
@@ -55,11 +55,12 @@ internal sealed class CraterPopulation
     {
         for (int octave = (int)Math.Floor(PortableMath.Log2(smallest)); Math.ScaleB(1.0, octave) < largest; octave++)
         {
-            CraterCells cells = new(octave);
-            double reach = Crater.Reach * Math.ScaleB(1.0, octave) / MoonConstants.ReferenceRadius * (180.0 / Math.PI);
-            foreach ((int band, int column) in cells.Near(southDegrees, northDegrees, westDegrees, widthDegrees, reach))
+            double least = Math.ScaleB(1.0, octave);
+            double density = HighlandsCountAbove(least) - HighlandsCountAbove(2.0 * least);
+            double reach = Crater.Reach * least / MoonConstants.ReferenceRadius * (180.0 / Math.PI);
+            foreach (CraterCell cell in new CraterCells(octave).Near(southDegrees, northDegrees, westDegrees, widthDegrees, reach))
             {
-                foreach (Crater crater in InCell(cells, octave, band, column))
+                foreach (Crater crater in InCell(cell, octave, density))
                 {
                     yield return crater;
                 }
@@ -67,18 +68,16 @@ internal sealed class CraterPopulation
         }
     }
 
-    private IEnumerable<Crater> InCell(CraterCells cells, int octave, int band, int column)
+    private IEnumerable<Crater> InCell(CraterCell cell, int octave, double density)
     {
         double least = Math.ScaleB(1.0, octave);
-        SplitMix64 random = SplitMix64.For(seed, Purpose + ((ulong)octave << 8), band, column);
-        double density = HighlandsCountAbove(least) - HighlandsCountAbove(2.0 * least);
-        double noneLog2 = -density * cells.Area(band) / 0.69314718055994530942;
-        double none = PortableMath.Exp2(noneLog2);
+        SplitMix64 random = SplitMix64.For(seed, Purpose + ((ulong)octave << 8), cell.Band, cell.Column);
+        double none = PortableMath.Exp2(-density * cell.Area / 0.69314718055994530942);
 
         // Knuth: a Poisson count is how many uniform numbers multiply up to below e^-mean.
         for (double product = random.NextUniform(); product > none; product *= random.NextUniform())
         {
-            (double sinLatitude, double longitude) = cells.Place(band, column, random.NextUniform(), random.NextUniform());
+            (double sinLatitude, double longitude) = cell.Place(random.NextUniform(), random.NextUniform());
             double part = 1.0 - (random.NextUniform() * (1.0 - PortableMath.Exp2(-Exponent)));
             double diameter = least * PortableMath.Pow(part, -1.0 / Exponent);
             double freshness = PortableMath.Exp2(OldestFreshnessLog2 * random.NextUniform());

@@ -14,14 +14,15 @@ internal static class DetailSpectrum
     // The median length of a 2-D Gaussian slope is sqrt(2 ln 2) times the RMS of one component.
     private const double MedianOverRms = 1.1774100225154747;
 
-    // The noise's slope between points half a lattice step apart, over its derivative.
-    private const double HalfStepSlope = 0.88;
+    // The noise's slope between points half a lattice step apart is 0.84 of its derivative (GradientNoiseTests): so much the finest octave
+    // shows between the output's samples, the coarser ones nearly all of theirs.
+    private const double VisibleSlope = 0.92;
 
-    // Slope power that craters add in each octave of diameters where they are as dense as on highlands (measured, docs/synthetic-ldem.md).
-    private const double CraterSlopePower = 0.0009;
+    // Slope power (tangent squared) that craters add in an octave of diameters, for each crater per square of the diameter (measured, docs/synthetic-ldem.md).
+    private const double CraterSlopePower = 0.0108;
 
     // Craters are sparse: even where they fill the law there is this part of noise between them.
-    private const double LeastNoisePart = 0.25;
+    private const double LeastNoisePart = 0.15;
 
     /// <summary>Octaves from the base's spacing down to the output's.</summary>
     /// <param name="seed">The user's seed.</param>
@@ -33,23 +34,29 @@ internal static class DetailSpectrum
         List<NoiseOctave> octaves = [];
         for (double spacing = baseSpacing; spacing >= FinestSpacingInSamples * outputSpacing; spacing *= 0.5)
         {
+            // Craters twice as wide as the lattice have waves as long as the noise.
+            double diameter = 2.0 * spacing;
+            double craters = CraterSlopePower * diameter * diameter * CraterPopulation.HighlandsCountAbove(diameter);
+
+            // Sparse craters move the median less than their share of the power.
+            double thinned = CraterPopulation.MareDensity(diameter);
             octaves.Add(new NoiseOctave(
                 seed,
                 spacing,
-                Amplitude(SlopeLaw.Highlands, spacing, baseSpacing, baseSlopes.Highlands, 1.0),
-                Amplitude(SlopeLaw.Maria, spacing, baseSpacing, baseSlopes.Maria, CraterPopulation.MareDensity(2.0 * spacing))));
+                Amplitude(SlopeLaw.Highlands, spacing, baseSpacing, baseSlopes.Highlands, craters),
+                Amplitude(SlopeLaw.Maria, spacing, baseSpacing, baseSlopes.Maria, craters * thinned * thinned)));
         }
 
         return [.. octaves];
     }
 
-    private static double Amplitude(SlopeLaw law, double spacing, double baseSpacing, double? baseTangent, double craterDensity)
+    private static double Amplitude(SlopeLaw law, double spacing, double baseSpacing, double? baseTangent, double craterPower)
     {
         double fine = Target(law, spacing / 2.0, baseSpacing, baseTangent);
         double coarse = Target(law, spacing, baseSpacing, baseTangent);
         double power = (fine * fine) - (coarse * coarse);
-        double noisePower = Math.Max(power - (craterDensity * CraterSlopePower), LeastNoisePart * power);
-        return Math.Sqrt(noisePower) * spacing / (MedianOverRms * GradientNoise.RmsSlope * HalfStepSlope);
+        double noisePower = Math.Max(power - craterPower, LeastNoisePart * power);
+        return Math.Sqrt(noisePower) * spacing / (MedianOverRms * GradientNoise.RmsSlope * VisibleSlope);
     }
 
     private static double Target(SlopeLaw law, double baseline, double baseSpacing, double? baseTangent)

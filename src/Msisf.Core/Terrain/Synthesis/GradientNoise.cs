@@ -8,7 +8,7 @@ namespace Msisf.Core.Terrain.Synthesis;
 internal static class GradientNoise
 {
     /// <summary>1 per lattice step: root mean square of one component of the noise's gradient (measured, GradientNoiseTests).</summary>
-    public const double RmsSlope = 0.6;
+    public const double RmsSlope = 0.5;
 
     private const int PrimeX = 0x1B873593;
     private const int PrimeY = unchecked((int)0xCC9E2D51);

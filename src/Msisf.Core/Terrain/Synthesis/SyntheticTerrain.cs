@@ -42,13 +42,14 @@ public sealed class SyntheticTerrain
 
         PixelsPerDegree = pixelsPerDegree;
         HasBase = baseModel is not null;
-        Base = baseModel ?? new SyntheticShape(seed);
-        SamplesPerPixel = pixelsPerDegree / Base.PixelsPerDegree;
+        IElevationGrid model = baseModel ?? new SyntheticShape(seed);
+        Base = new BaseHeights(model);
+        SamplesPerPixel = pixelsPerDegree / model.PixelsPerDegree;
         Kernel = new PixelMeanKernel(SamplesPerPixel);
-        Maria = new MareMask(Base, cancellation);
+        Maria = new MareMask(model, cancellation);
         double spacing = ModelSlopes.Spacing(pixelsPerDegree);
-        double baseSpacing = ModelSlopes.Spacing(Base.PixelsPerDegree);
-        Octaves = DetailSpectrum.Octaves(seed, baseSpacing, spacing, ModelSlopes.Of(Base, Maria));
+        double baseSpacing = ModelSlopes.Spacing(model.PixelsPerDegree);
+        Octaves = DetailSpectrum.Octaves(seed, baseSpacing, spacing, ModelSlopes.Of(model, Maria));
         craters = new CraterPopulation(
             seed,
             Maria,
@@ -59,11 +60,11 @@ public sealed class SyntheticTerrain
     /// <summary>Samples a degree.</summary>
     public int PixelsPerDegree { get; }
 
-    /// <summary>A base was given, and the mean of the model's samples in each of its pixels is the base's value.</summary>
+    /// <summary>A base was given; between 70 degrees south and north the mean of the model's samples in each of its pixels is the base's value.</summary>
     public bool HasBase { get; }
 
     /// <summary>The base, or the made-up shape.</summary>
-    internal IElevationGrid Base { get; }
+    internal BaseHeights Base { get; }
 
     /// <summary>Samples along one side of a base pixel.</summary>
     internal int SamplesPerPixel { get; }

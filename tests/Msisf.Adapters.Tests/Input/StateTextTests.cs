@@ -1,0 +1,92 @@
+using Msisf.Adapters.Input;
+using Msisf.Core.Errors;
+using Msisf.Core.Time;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Input;
+
+public class StateTextTests
+{
+    private static readonly string[] RateFields = ["dpx", "dpy", "dpz"];
+
+    [Theory]
+    [InlineData("{1,-2.5,3E2}")]
+    [InlineData("{ 1 , -2.5,\t3E2 }")]
+    [InlineData("{1,", "-2.5,", "3E2}")] // cut at blanks
+    [InlineData("1", "-2.5", "3E2")] // braces expanded by the shell
+    [InlineData("1 -2.5 3E2")] // expanded, then quoted
+    [InlineData("1,-2.5,3E2")]
+    [InlineData("{", "1,-2.5,3E2", "}")]
+    public void ParseNumbers_AnyShell_MeansTheSame(params string[] words) =>
+        Assert.Equal([1.0, -2.5, 300.0], StateText.ParseNumbers("--rate", words, RateFields));
+
+    [Theory]
+    [InlineData("--rate: 2 numbers, 3 expected: {dpx,dpy,dpz}. Commas separate the numbers, decimals take a point.", "{1,2}")]
+    [InlineData("--rate: 4 numbers, 3 expected", "{1,5,2,3}")]
+    [InlineData("--rate: 1 number, 3 expected", "1")]
+    [InlineData("--rate: 0 numbers, 3 expected", "{}")]
+    [InlineData("--rate: 0 numbers, 3 expected")]
+    [InlineData("--rate, number 2 (dpy): a number is missing.", "{1,,3}")]
+    [InlineData("--rate, number 3 (dpz): a number is missing.", "{1,2,}")]
+    [InlineData("--rate, number 1 (dpx): 'a' is not a number; write", "{a,2,3}")]
+    [InlineData("--rate, number 2 (dpy): 'NaN' is not finite", "1", "NaN", "3")]
+    [InlineData("--rate, number 2 (dpy): '2;5' is not a number", "{1,2;5,3}")]
+    [InlineData("--rate: 2 numbers, 3 expected", "{1 2,3}")]
+    [InlineData("--rate: '{1,2,3' has unbalanced '{' and '}'; {dpx,dpy,dpz} is expected, quoted so that the shell leaves it alone.", "{1,2,3")]
+    [InlineData("--rate: '1,2,3}' has unbalanced", "1,2,3}")]
+    [InlineData("--rate: '{{1,2,3}}' has unbalanced", "{{1,2,3}}")]
+    [InlineData("--rate: '{1},{2},{3}' has unbalanced", "{1},{2},{3}")]
+    [InlineData("--rate: '{' has unbalanced", "{")]
+    [InlineData("--rate, number 1 (dpx): '[1' is not a number", "[1,2,3]")]
+    public void ParseNumbers_Wrong_NamesOptionAndField(string message, params string[] words) =>
+        Assert.StartsWith(
+            message,
+            Assert.Throws<BadInputException>(() => StateText.ParseNumbers("--rate", words, RateFields)).Message,
+            StringComparison.Ordinal);
+
+    [Theory]
+    [InlineData(1, "{55289}")]
+    [InlineData(1, "55289")]
+    [InlineData(3, "{55289,55290.5,55291}")]
+    [InlineData(3, "55289", "55290.5", "55291")]
+    public void ParseList_OneOrMore_AllOfThem(int count, params string[] words)
+    {
+        double[] times = StateText.ParseList("--times", words, "MJD");
+        Assert.Equal(new[] { 55289.0, 55290.5, 55291.0 }[..count], times);
+    }
+
+    [Theory]
+    [InlineData("--times: the list is empty; {MJD1,MJD2,...} is expected.", "{ }")]
+    [InlineData("--times, number 2 (MJD2): '1e999' is too large", "{55289,1e999}")]
+    [InlineData("--times, number 3 (MJD3): a number is missing", "{55289,55290,}")]
+    public void ParseList_Wrong_NamesOptionAndPlace(string message, params string[] words) =>
+        Assert.StartsWith(
+            message,
+            Assert.Throws<BadInputException>(() => StateText.ParseList("--times", words, "MJD")).Message,
+            StringComparison.Ordinal);
+
+    [Theory]
+    [InlineData("[55289:0.25:55290]")]
+    [InlineData("[ 55289 : 0.25 : 55290 ]")]
+    [InlineData("[55289:", "2.5E-1", ":55290]")]
+    [InlineData("55289:+0.25:55290")]
+    public void ParseInterval_StartStepEnd_MatlabsColon(params string[] words)
+    {
+        TimeInterval interval = StateText.ParseInterval("--time-interval", words);
+        Assert.Equal([55289.0, 55289.25, 55289.5, 55289.75, 55290.0], interval.Select(time => time.Days));
+    }
+
+    [Theory]
+    [InlineData("--time-interval: 2 numbers, 3 expected: [start:step:end] in MJD, days, MJD; colons separate the numbers.", "[55289:55290]")]
+    [InlineData("--time-interval: 1 number, 3 expected", "[55289,0.1,55290]")]
+    [InlineData("--time-interval, number 2 (step): a number is missing.", "[55289::55290]")]
+    [InlineData("--time-interval, number 3 (end): '00;00' is not", "[55289:1:00;00]")]
+    [InlineData("--time-interval: '[55289:1:55290' has unbalanced '[' and ']'", "[55289:1:55290")]
+    [InlineData("--time-interval: The step of the time interval is 0 days", "[55289:0:55290]")]
+    [InlineData("--time-interval: The MJD 5528900 is not a date", "[5528900:1:55290]")]
+    public void ParseInterval_Wrong_NamesOptionAndPlace(string message, params string[] words) =>
+        Assert.StartsWith(
+            message,
+            Assert.Throws<BadInputException>(() => StateText.ParseInterval("--time-interval", words)).Message,
+            StringComparison.Ordinal);
+}
