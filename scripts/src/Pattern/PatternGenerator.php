@@ -13,10 +13,12 @@ final class PatternGenerator
     /** @var array<int, float> mean radius of the lines beside the poles, by line */
     private array $poles = [];
 
+    /** @param bool $makeAll also make patterns that are there and right */
     public function __construct(
         private readonly RadiusSource $source,
         private readonly PatternRepository $repository,
         private readonly PatternFormat $format,
+        private readonly bool $makeAll,
     ) {
         $this->writer = new PatternWriter($format);
         $this->directions = new GridDirections($source->pixelsPerDegree());
@@ -60,7 +62,7 @@ final class PatternGenerator
     {
         $layout = $radii->layout;
         $header = PatternHeader::withoutLength($layout, $radii, $this->source->productId(), $this->format);
-        if (!$this->repository->needs($layout->tile, $header)) {
+        if (!$this->repository->needs($layout->tile, $header) && !$this->makeAll) {
             return null;
         }
         $file = $this->repository->create($layout->tile);

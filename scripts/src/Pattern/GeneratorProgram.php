@@ -1,0 +1,74 @@
+<?php
+
+declare(strict_types=1);
+
+namespace Msisf\Scripts\Pattern;
+
+use Closure;
+use Msisf\Scripts\Console\Output;
+use Msisf\Scripts\Exception\ExternalPartException;
+
+/** What generate_pattern.php does: the work itself, or its distribution to processes. */
+final class GeneratorProgram
+{
+    private readonly PatternRepository $repository;
+
+    /** @var list<TileBatch> */
+    private readonly array $batches;
+
+    public function __construct(private readonly GeneratorOptions $options, private readonly Output $output)
+    {
+        $resolution = $options->resolution->value;
+        $this->repository = new PatternRepository($options->repository, $resolution);
+        $this->batches = TileBatch::cut($options->range->tiles(), $resolution, $options->pattern->marginSamples($resolution));
+    }
+
+    /**
+     * The first process: makes the patterns, and prints their folder on stdout.
+     *
+     * @param list<string> $command the script and its arguments, for further processes
+     */
+    public function run(array $command): void
+    {
+        $start = hrtime(true);
+        $table = ElevationTable::open($this->options);
+        $this->repository->makeFolder();
+        $total = new GenerationReport();
+        $progress = function (GenerationReport $done) use (&$total): void {
+            $total = $total->plus($done);
+        };
+        $jobs = min($this->options->jobs, count($this->batches));
+        if ($jobs === 1) {
+            $this->makeShare($table, 1, 1, $progress);
+        } else {
+            unset($table); // it was opened to find what is wrong before there are several processes
+            (new WorkerPool($command, $jobs))->wait($progress);
+        }
+        if ($total->made > 0) {
+            $this->repository->removeStaleFiles();
+        }
+        $this->output->notice($total->summary((hrtime(true) - $start) / 1e9));
+        $this->output->result($this->repository->folder());
+    }
+
+    /** A further process: makes its share, and reports each batch on stdout. */
+    public function work(int $number, int $jobs): void
+    {
+        $this->makeShare(ElevationTable::open($this->options), $number, $jobs, static function (GenerationReport $done): void {
+            if (@fwrite(STDOUT, $done->serialize() . "\n") === false) {
+                throw new ExternalPartException('the first process is gone.');
+            }
+        });
+    }
+
+    /** @param Closure(GenerationReport): void $progress */
+    private function makeShare(ElevationTable $table, int $number, int $jobs, Closure $progress): void
+    {
+        $generator = new PatternGenerator($table, $this->repository, $this->options->pattern->format, $this->options->makeAll);
+        foreach ($this->batches as $index => $batch) {
+            if ($index % $jobs === $number - 1) {
+                $progress($generator->run($batch));
+            }
+        }
+    }
+}
