@@ -74,7 +74,7 @@ final class GeneratorOptions
         }
 
         return new self(
-            Resolution::of($options->integer('res', 1, 1024)),
+            Resolution::from((int) $options->choice('res', array_map(strval(...), array_column(Resolution::cases(), 'value')))),
             TileRange::parse($options->text('lat'), $options->text('lon')),
             $options->integer('jobs', 1, self::MOST_JOBS),
             $repository,

@@ -6,6 +6,8 @@ namespace Msisf\Scripts\Pattern;
 
 use Closure;
 use Msisf\Scripts\Console\Output;
+use Msisf\Scripts\Database\Connection;
+use Msisf\Scripts\Database\ConnectionSettings;
 use Msisf\Scripts\Exception\ExternalPartException;
 
 /** What generate_pattern.php does: the work itself, or its distribution to processes. */
@@ -31,7 +33,7 @@ final class GeneratorProgram
     public function run(array $command): void
     {
         $start = hrtime(true);
-        $table = ElevationTable::open($this->options);
+        $table = $this->openTable();
         $this->repository->makeFolder();
         $total = new GenerationReport();
         $progress = function (GenerationReport $done) use (&$total): void {
@@ -54,11 +56,19 @@ final class GeneratorProgram
     /** A further process: makes its share, and reports each batch on stdout. */
     public function work(int $number, int $jobs): void
     {
-        $this->makeShare(ElevationTable::open($this->options), $number, $jobs, static function (GenerationReport $done): void {
+        $this->makeShare($this->openTable(), $number, $jobs, static function (GenerationReport $done): void {
             if (@fwrite(STDOUT, $done->serialize() . "\n") === false) {
                 throw new ExternalPartException('the first process is gone.');
             }
         });
+    }
+
+    private function openTable(): ElevationTable
+    {
+        $connection = Connection::open(ConnectionSettings::read($this->options->optionFile, getenv()));
+        $connection->useDatabase();
+
+        return ElevationTable::open($connection, $this->options->resolution, $this->options->query);
     }
 
     /** @param Closure(GenerationReport): void $progress */
