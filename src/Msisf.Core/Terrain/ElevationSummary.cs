@@ -49,6 +49,46 @@ public sealed class ElevationSummary
     public static ElevationSummary Build(IElevationGrid grid) =>
         new(grid.PixelsPerDegree, new SummaryScan(grid, FinestSubdivisions(grid.PixelsPerDegree)).Run());
 
+    /// <summary>Makes a summary again from what <see cref="ToValues"/> gave.</summary>
+    /// <param name="pixelsPerDegree">Samples a degree of the model.</param>
+    /// <param name="values">Three a block: least and greatest radius (m), tangent of the steepest slope.</param>
+    /// <exception cref="BadInputException">The count is not that of a model of this resolution, or a value can't be.</exception>
+    public static ElevationSummary FromValues(int pixelsPerDegree, ReadOnlySpan<float> values)
+    {
+        int subdivisions = FinestSubdivisions(pixelsPerDegree);
+        BlockBounds[] blocks = new BlockBounds[TileId.Count * subdivisions * subdivisions];
+        if (values.Length != 3 * blocks.Length)
+        {
+            throw new BadInputException($"The elevation summary has {values.Length} numbers, {3 * blocks.Length} expected; make it again.");
+        }
+
+        for (int block = 0; block < blocks.Length; block++)
+        {
+            BlockBounds bounds = new(values[3 * block], values[(3 * block) + 1], values[(3 * block) + 2]);
+            if (!(bounds.Least > 0.0F && bounds.Greatest >= bounds.Least && bounds.Steepness >= 0.0F && float.IsFinite(bounds.Greatest + bounds.Steepness)))
+            {
+                throw new BadInputException($"Block {block} of the elevation summary can't be: {bounds}; make it again.");
+            }
+
+            blocks[block] = bounds;
+        }
+
+        return new ElevationSummary(pixelsPerDegree, blocks);
+    }
+
+    /// <summary>The bounds of the finest blocks, row by row, three numbers a block; all else follows from them.</summary>
+    public float[] ToValues()
+    {
+        BlockBounds[] blocks = Levels[^1].Bounds;
+        float[] values = new float[3 * blocks.Length];
+        for (int block = 0; block < blocks.Length; block++)
+        {
+            (values[3 * block], values[(3 * block) + 1], values[(3 * block) + 2]) = blocks[block];
+        }
+
+        return values;
+    }
+
     /// <summary>Blocks to a tile's edge at the finest level.</summary>
     internal static int FinestSubdivisions(int pixelsPerDegree)
     {

@@ -13,7 +13,7 @@ public sealed class SummaryLevel
     private readonly (double Sin, double Cos)[] _longitudes;
     private readonly (double Sin, double Cos)[] _capRadii;
     private readonly double _sagitta;
-    
+
 
     /// <summary>Takes the bounds.</summary>
     /// <param name="pixelsPerDegree">Samples a degree of the model.</param>
@@ -97,8 +97,7 @@ public sealed class SummaryLevel
     /// <summary>Half of the least extent of a block as an angle; rad.</summary>
     internal double InnerRadius(int row)
     {
-        CellRange cells = Cells(row, 0);
-        return MeshBounds.InnerRadius(cells, Lines, Samples);
+        return MeshBounds.InnerRadius(Cells(row, 0) with { EndSample = TileCells / Subdivisions }, Lines, Samples);
     }
 
     /// <summary>First line or sample of a row or column.</summary>
@@ -110,7 +109,10 @@ public sealed class SummaryLevel
         {
             CellRange cells = Cells(row, 0);
             _latitudes[row] = Math.SinCos(MeshBounds.CentreLatitude(cells, Lines));
-            SphericalCap cap = MeshBounds.CapOf(cells, Lines, Samples);
+
+            // Where a tile's cells can't be parted evenly some columns are a cell wider: all get the cap of those.
+            int widest = (TileCells + Subdivisions - 1) / Subdivisions;
+            SphericalCap cap = MeshBounds.CapOf(cells with { EndSample = widest }, Lines, Samples);
             _capRadii[row] = (cap.SinRadius, cap.CosRadius);
         }
 

@@ -1,3 +1,4 @@
+using Msisf.Core.Numerics;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Terrain;
@@ -78,8 +79,9 @@ internal sealed class SummaryScan
 
             block.Least = least;
             block.Greatest = greatest;
-            block.East = Math.Max(block.East, stepEast * perMetreEast / least);
-            block.North = Math.Max(block.North, stepNorth * perMetreSouth / least);
+            // Rounding to the lattice tilts a facet too, most where the samples of a polar line lie close together.
+            block.East = Math.Max(block.East, (stepEast + (2.0 * Tolerances.VertexLattice)) * perMetreEast / least);
+            block.North = Math.Max(block.North, (stepNorth + (2.0 * Tolerances.VertexLattice)) * perMetreSouth / least);
         }
     }
 

@@ -10,10 +10,10 @@ namespace Msisf.Core.Tiles;
 internal sealed class CasterVisitor : ISurfaceVisitor
 {
     /// <summary>Vertices of kept tiles that are read at most to see what they darken: about a millisecond.</summary>
-    private const int VertexBudget = 8_000;
+    private const int VertexBudget = 5_000;
 
     /// <summary>Facets whose shadow rays are looked at; afterwards all that may throw a shadow on a block counts.</summary>
-    private const int MostFacets = 6_000;
+    private const int MostFacets = 3_000;
 
     private readonly SunView _sun;
     private readonly ElevationSummary _summary;

@@ -12,7 +12,7 @@ internal sealed class CoverVisitor : ISurfaceVisitor
     private const int Bins = 360;
 
     /// <summary>Facets that are looked at; afterwards what a block may cover counts as covered.</summary>
-    private const int MostFacets = 4000;
+    private const int MostFacets = 1500;
 
     private readonly BoundsTable _table;
     private readonly TurnedFacets _facets;
@@ -165,6 +165,10 @@ internal sealed class CoverVisitor : ISurfaceVisitor
                 if (facet.Near < exit && facet.Far > target.Near && facet.CanShareRayWith(target))
                 {
                     exit = facet.Near;
+                    if (exit <= target.Near)
+                    {
+                        return target.Near;
+                    }
                 }
             }
         }

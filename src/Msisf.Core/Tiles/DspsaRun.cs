@@ -8,7 +8,7 @@ namespace Msisf.Core.Tiles;
 internal sealed class DspsaRun
 {
     /// <summary>So many rounds look closely at what dark tiles cover; then all that may be links of a chain along the limb are kept.</summary>
-    private const int MostCloseRounds = 2;
+    private const int MostCloseRounds = 1;
 
     private readonly ElevationSummary _summary;
     private readonly SummaryLevel _tiles;

@@ -16,7 +16,7 @@ internal sealed class HorizonSurvey
     private const double BinsPerCell = 2.5;
 
     /// <summary>Vertices read for one map at most: some milliseconds. What is left out only makes the map weaker, never wrong.</summary>
-    private const int VertexBudget = 12_000;
+    private const int VertexBudget = 9_000;
 
     private readonly PolarView _view;
     private readonly ElevationSummary _summary;

@@ -13,7 +13,7 @@ internal sealed class TurnedFacets
     private const int MostCellsRead = 64;
 
     /// <summary>Blocks read at most, some 10 microseconds each; the others' own bounds stand for their facets.</summary>
-    private const int MostBlocksRead = 200;
+    private const int MostBlocksRead = 100;
 
     private readonly BoundsTable _table;
     private readonly ElevationSummary _summary;
