@@ -1,4 +1,3 @@
-using System.Text;
 using Msisf.Adapters.Terrain;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
@@ -44,11 +43,8 @@ internal sealed class ElevationModel : IDisposable
             return ElevationSummary.Build(image);
         }
 
-        FileInfo file = new(image.Label.ImagePath);
-        SummarySource source = new(
-            image.ProductId, image.PixelsPerDegree, file.Length, file.LastWriteTimeUtc, File.ReadAllText(image.Label.LabelPath, Encoding.Latin1));
         (ElevationSummary summary, string? warning) = ElevationSummaryFile.LoadOrBuild(
-            Path.ChangeExtension(image.Label.ImagePath, ".summary"), source, image);
+            Path.ChangeExtension(image.Label.ImagePath, ".summary"), SummarySource.Of(image.Label), image);
         if (warning is not null)
         {
             log.Warning(warning);
