@@ -7,6 +7,8 @@ namespace Msisf\Scripts\Pattern;
 use Msisf\Scripts\Console\Option;
 use Msisf\Scripts\Console\OptionParser;
 use Msisf\Scripts\Console\ParsedOptions;
+use Msisf\Scripts\Database\ConnectionOptions;
+use Msisf\Scripts\Database\ConnectionSettings;
 use Msisf\Scripts\Exception\BadInputException;
 use Msisf\Scripts\Exception\UsageException;
 use Msisf\Scripts\Ldem\Resolution;
@@ -25,7 +27,7 @@ final class GeneratorOptions
         public readonly bool $makeAll,
         public readonly QueryMethod $query,
         public readonly PatternOptions $pattern,
-        public readonly ?string $optionFile,
+        public readonly ConnectionSettings $connection,
         public readonly ?array $share,
     ) {
     }
@@ -49,8 +51,7 @@ final class GeneratorOptions
                     . 'the same.', 'grid'),
                 Option::value('margin', 'DEGREES', 'Overlap with the neighbours, for scenes of 2012; none is needed, at most 1.', '0'),
                 Option::value('format', 'mesh2|mesh', 'Form of the patterns: exact and compact, or the thesis\'s text form.', 'mesh2'),
-                Option::value('defaults-file', 'FILE', 'Option file with the connection in its [client] group; else MSISF_DB_HOST, '
-                    . '_PORT, _SOCKET, _USER, _PASSWORD and _DATABASE of the environment.'),
+                ...ConnectionOptions::all(),
                 Option::value('worker', 'K/N', 'For the script itself: make the K-th of N shares and report on stdout.'),
             ],
         );
@@ -84,7 +85,7 @@ final class GeneratorOptions
                 $options->requiredText('margin'),
                 PatternFormat::from($options->choice('format', array_column(PatternFormat::cases(), 'value'))),
             ),
-            $options->text('defaults-file'),
+            ConnectionOptions::settings($options),
             self::share($options->text('worker')),
         );
     }

@@ -6,8 +6,8 @@ namespace Msisf\Scripts\Pattern;
 
 use Closure;
 use Msisf\Scripts\Console\Output;
+use Msisf\Scripts\Console\Progress;
 use Msisf\Scripts\Database\Connection;
-use Msisf\Scripts\Database\ConnectionSettings;
 use Msisf\Scripts\Exception\ExternalPartException;
 
 /** What generate_pattern.php does: the work itself, or its distribution to processes. */
@@ -36,8 +36,10 @@ final class GeneratorProgram
         $table = $this->openTable();
         $this->repository->makeFolder();
         $total = new GenerationReport();
-        $progress = function (GenerationReport $done) use (&$total): void {
+        $display = new Progress($this->output, 'patterns', $this->tileCount());
+        $progress = static function (GenerationReport $done) use (&$total, $display): void {
             $total = $total->plus($done);
+            $display->reach($total->made + $total->kept);
         };
         $jobs = min($this->options->jobs, count($this->batches));
         if ($jobs === 1) {
@@ -49,6 +51,7 @@ final class GeneratorProgram
         if ($total->made > 0) {
             $this->repository->removeStaleFiles();
         }
+        $display->finish();
         $this->output->notice($total->summary((hrtime(true) - $start) / 1e9));
         $this->output->result($this->repository->folder());
     }
@@ -63,9 +66,14 @@ final class GeneratorProgram
         });
     }
 
+    private function tileCount(): int
+    {
+        return array_sum(array_map(static fn (TileBatch $batch): int => count($batch->layouts), $this->batches));
+    }
+
     private function openTable(): ElevationTable
     {
-        $connection = Connection::open(ConnectionSettings::read($this->options->optionFile, getenv()));
+        $connection = Connection::open($this->options->connection);
         $connection->useDatabase();
 
         return ElevationTable::open($connection, $this->options->resolution, $this->options->query);
