@@ -33,9 +33,20 @@ final class Parts
     /** POV-Ray, for msis. */
     public static function povray(): string
     {
-        $folders = explode(PATH_SEPARATOR, (string) getenv('PATH'));
+        return self::program('povray');
+    }
 
-        return self::first('povray', array_map(static fn (string $folder): string => "$folder/povray", $folders));
+    /** The database server. */
+    public static function mariadbd(): string
+    {
+        return self::program('mariadbd');
+    }
+
+    private static function program(string $name): string
+    {
+        $folders = [...explode(PATH_SEPARATOR, (string) getenv('PATH')), '/usr/sbin'];
+
+        return self::first($name, array_map(static fn (string $folder): string => "$folder/$name", $folders));
     }
 
     /** @param list<string> $candidates */
