@@ -8,6 +8,8 @@ use Msisf\Scripts\Database\Connection;
 use Msisf\Scripts\Database\Statement;
 use Msisf\Scripts\Exception\ExternalPartException;
 use PDO;
+use PDOException;
+use PDOStatement;
 
 /** Reads long results without a copy of them in PDO's own buffer, which would cost a third more time. */
 final class SampleReader
@@ -29,10 +31,24 @@ final class SampleReader
                 Statement::bind($statement, $values);
                 $statement->execute();
 
-                return $statement->fetchAll($mode);
+                $rows = $statement->fetchAll($mode);
+                self::requireEnd($statement);
+
+                return $rows;
             } finally {
                 $pdo->setAttribute(PDO::MYSQL_ATTR_USE_BUFFERED_QUERY, true);
             }
         });
+    }
+
+    /** fetchAll() throws nothing when the result breaks off: the server went away, or somebody stopped the query. */
+    private static function requireEnd(PDOStatement $statement): void
+    {
+        [$state, $number, $message] = [...$statement->errorInfo(), null, null];
+        if ($state !== PDO::ERR_NONE) {
+            $failure = new PDOException((string) $message);
+            $failure->errorInfo = [$state, $number, $message];
+            throw $failure;
+        }
     }
 }
