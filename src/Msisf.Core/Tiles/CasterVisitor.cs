@@ -55,7 +55,7 @@ internal sealed class CasterVisitor : ISurfaceVisitor
     public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, int depth)
     {
         PolarBounds fromSun = _sun.View.Bounds(node);
-        if (_facets.Fill(node, fromSun) || _sun.KeptMap.Hides(fromSun))
+        if (_facets.AreAllOf(node, fromSun) || _sun.KeptMap.Hides(fromSun))
         {
             return Visit.Skip; // black without any shadow, or darkened already
         }

@@ -6,7 +6,7 @@ namespace Msisf.Core.Tiles;
 /// <summary>Makes a horizon map of the model as seen from a viewpoint: first from the blocks' least radii, then from the edges of the blocks that matter most.</summary>
 internal sealed class HorizonSurvey
 {
-    /// <summary>Where the viewpoint stands higher than this in the terrain's sky the map is not made: hardly a facet is steeper.</summary>
+    /// <summary>rad: where the viewpoint stands higher than this in the ground's sky the map is not made: no tile is hidden whole there, and parts do not matter.</summary>
     private const double GreatestElevation = Math.PI / 15.0;
 
     /// <summary>Bins of a map; all around that is 0.09 degrees, a third of a cell at 4 px/deg.</summary>

@@ -53,7 +53,7 @@ internal sealed class TurnedFacets
     }
 
     /// <summary>Whether the viewpoint is so far under a node's horizon that all its facets are certainly turned away.</summary>
-    public bool Fill(in TerrainNode node, in PolarBounds bounds)
+    public bool AreAllOf(in TerrainNode node, in PolarBounds bounds)
     {
         double cos = 1.0 - (2.0 * bounds.Near * bounds.Near);
         double sin = Math.Sqrt(Math.Max(0.0, (1.0 - cos) * (1.0 + cos)));

@@ -26,7 +26,7 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
             (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, ldem4.Grid, PixelsEach);
             TileSelection selection = Dspsa.Select(camera, sun, ldem4.Grid, ldem4.Summary);
             BruteForcePicture whole = new(ldem4.Moon, camera, sun, isThere: null);
-            BruteForcePicture selected = new(ldem4.Moon, camera, sun, IsThere(selection));
+            BruteForcePicture selected = new(ldem4.Moon, camera, sun, TilesThere.In(selection));
             lit += whole.Lit;
             dropped += TileId.Count - selection.Kept.Count;
             if (whole.DifferencesFrom(selected) > 0)
@@ -47,7 +47,7 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         for (int number = 1000; number < 1000 + Cameras; number++)
         {
             (PinholeCamera camera, _, string kind) = CameraCases.Make(number, ldem4.Grid, PixelsEach);
-            bool[] isThere = IsThere(Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary));
+            bool[] isThere = TilesThere.In(Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary));
             bool[] isHit = new BruteForcePicture(ldem4.Moon, camera, Sun, isThere: null).HitTiles;
             missed.AddRange(Enumerable.Range(0, TileId.Count).Where(tile => isHit[tile] && !isThere[tile]).Select(tile => $"camera {number} ({kind}): tile {tile}"));
         }
@@ -142,16 +142,5 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         PinholeCamera camera = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.5, 64, 64);
 
         Assert.Throws<BadInputException>(() => Dspsa.Select(camera, new Vector3D(1e6, 0.0, 0.0), ldem4.Grid, ldem4.Summary));
-    }
-
-    private static bool[] IsThere(TileSelection selection)
-    {
-        bool[] isThere = new bool[TileId.Count];
-        foreach (TileChoice choice in selection.Kept)
-        {
-            isThere[((85 - choice.Tile.SouthDegrees) / 5 * TileId.Columns) + (choice.Tile.WestDegrees / 5)] = true;
-        }
-
-        return isThere;
     }
 }

@@ -16,11 +16,11 @@ public sealed class OrbitFrameTests
     private static readonly KeplerElements Elements = new(1.9e6, 0.05, 0.7, 1.1, 0.9, 2.0);
     private static readonly ModifiedJulianDate Epoch = new(55289.0);
 
-    /// <summary>tests/reference/orbit_frames.py, CSPICE N0067.</summary>
+    /// <summary>tests/reference/orbit_frames.py, CSPICE N0067; times that an MJD holds exactly.</summary>
     [Theory]
-    [InlineData(OrbitFrame.MoonMe, 7200.0, -1298942.1504211377, -1190926.0397576098, 778056.1768316632)]
-    [InlineData(OrbitFrame.J2000, 7200.0, -1371791.406981371, 715231.7808621353, 1147849.6382349855)]
-    [InlineData(OrbitFrame.MoonMeEpoch, 7200.0, -1321526.8737499549, -1165810.510252468, 778061.393953514)]
+    [InlineData(OrbitFrame.MoonMe, 10800.0, 1352916.3598718392, 735902.7835975757, -1098765.1790939362)]
+    [InlineData(OrbitFrame.J2000, 10800.0, 928478.31993717, -1058428.7550338241, -1263676.0195671422)]
+    [InlineData(OrbitFrame.MoonMeEpoch, 10800.0, 1373512.1839652637, 696701.7082965658, -1098768.1796723432)]
     [InlineData(OrbitFrame.MoonMe, 2592000.0, -807222.9713299418, 852986.2367247599, 1394131.0586919927)]
     [InlineData(OrbitFrame.J2000, 2592000.0, 1366041.1249149928, 772602.018045957, 927261.3553074228)]
     [InlineData(OrbitFrame.MoonMeEpoch, 2592000.0, -165176.42658108234, 1163063.1016265575, 1393842.4674370407)]
