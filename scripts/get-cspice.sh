@@ -11,6 +11,8 @@ readonly least_bytes=20000000   # NAIF replaces the package under one name and g
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly root
+. "$root/scripts/lib/common.sh"
+. "$root/scripts/lib/packages.sh"
 readonly library="$root/lib/native/libcspice.so"
 readonly shared="$root/../shared/cspice/libcspice.so"
 
@@ -50,7 +52,6 @@ install_library() {
 download() {
     [[ $(uname -sm) == 'Linux x86_64' ]] || give_up "NAIF's package is for Linux on x86-64 and this is $(uname -sm)"
     local compiler tool
-    compiler=$(command -v cc || command -v gcc) || give_up 'CSPICE must be linked, and there is no C compiler (cc or gcc)'
     for tool in curl gzip tar; do
         command -v "$tool" > /dev/null || give_up "CSPICE must be downloaded, and there is no $tool"
     done
@@ -58,6 +59,9 @@ download() {
     printf 'get-cspice: downloading %s\n' "$url" >&2
     curl --fail --silent --location --connect-timeout 5 --speed-limit 10000 --speed-time 20 \
         --output "$work/cspice.tar.Z" -- "$url" || give_up "$url does not answer (curl: exit code $?)"
+    # Only now, that there is something to link.
+    install_parts compiler || give_up 'CSPICE must be linked, and there is no C compiler (cc or gcc)'
+    compiler=$(command -v cc || command -v gcc)
     (($(wc -c < "$work/cspice.tar.Z") >= least_bytes)) || give_up "$url is too small to be CSPICE"
     gzip -dc -- "$work/cspice.tar.Z" | tar -xf - -C "$work" cspice/lib/cspice.a || give_up "$url is not the package that it should be"
     "$compiler" -shared -o "$work/libcspice.so" -Wl,-soname,libcspice.so \

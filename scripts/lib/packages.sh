@@ -8,7 +8,6 @@ part_is_here() {
         compiler) have cc || have gcc ;;
         cairo) library_is_here libcairo ;;
         icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
-        fonts) font_is_here DejaVuSans.ttf ;;
         certificates) certificates_are_here ;;
         *) have "$1" ;;
     esac
@@ -24,11 +23,6 @@ library_is_here() {
     esac
 }
 
-font_is_here() {
-    [ -n "$(find /usr/share/fonts /usr/local/share/fonts ~/.fonts ~/.local/share/fonts ~/Library/Fonts \
-        -name "$1" -print 2>/dev/null | head -n 1)" ]
-}
-
 # Without them every download fails, NuGet's too. Only a minimal Linux lacks them.
 certificates_are_here() {
     [ "$(uname -s)" = Darwin ] || [ -s /etc/ssl/certs/ca-certificates.crt ] || [ -s /etc/pki/tls/certs/ca-bundle.crt ]
@@ -42,14 +36,10 @@ package_of() {
         apt-compiler) echo gcc libc6-dev ;;
         *-compiler) echo gcc ;;
         apt-cairo) echo libcairo2 ;;
-        apt-fonts) echo fonts-dejavu-core ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
         apt-xmllint) echo libxml2-utils ;;
-        dnf-fonts) echo dejavu-sans-fonts ;;
         dnf-icu) echo libicu ;;
         dnf-shellcheck) echo ShellCheck ;;
-        pacman-fonts) echo ttf-dejavu ;;
-        brew-fonts) echo font-dejavu ;;
         *-xmllint) echo libxml2 ;;
         *) echo "$2" ;;
     esac

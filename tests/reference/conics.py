@@ -55,7 +55,7 @@ class CSpice:
 
 
 def orbits(rng):
-    """a, e, omega, Omega, i, M0, dt: the case of ERRATA row 1, the degenerate ones, 400 drawn ones."""
+    """a, e, omega, Omega, i, M0, dt: the case of docs/deviations.md row 1, the degenerate ones, 400 drawn ones."""
     yield 1.9e6, 0.05, 0.7, 1.1, 0.9, 2.0, 0.0
     for i in DEGENERATE_INCLINATIONS:
         for e in [0.0, 1e-12, 0.3, 0.95]:

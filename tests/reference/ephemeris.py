@@ -48,11 +48,11 @@ for year, month in leap_years:
     before = "%d-12-31" % (year - 1) if month == 1 else "%d-06-30" % year
     print("[InlineData(%d, %d, %r, %r)]" % (year, month, tdb(before + "T23:59:59.5"), tdb("%d-%02d-01T00:00:00" % (year, month))))
 
-print("ERRATA 11: what cutting the time to whole seconds costs, at 2010-04-03T00:00:00.999")
+print("docs/deviations.md row 11: what cutting the time to whole seconds costs, at 2010-04-03T00:00:00.999")
 cut, whole = sun_km("2010-04-03T00:00:00"), sun_km("2010-04-03T00:00:00.999")
 print("%.6f mdeg, %.0f m" % (1e3 * math.degrees(spice.vsep_c(cut, whole)), 1e3 * math.dist(cut, whole)))
 
-print("ERRATA 23: angle between NONE and LT+S, arcsec, over 2010 in steps of a day")
+print("docs/deviations.md row 23: angle between NONE and LT+S, arcsec, over 2010 in steps of a day")
 angles = []
 for day in range(365):
     utc = "2010-%03dT00:00:00" % (day + 1)

@@ -176,7 +176,7 @@ def main():
 
 
 def published():
-    """The example of section 9.2 (arguments as printed there), the numbers of ERRATA row 10."""
+    """The example of section 9.2 (arguments as printed there), the numbers of docs/deviations.md row 10."""
     q = [-2.391176183943345e-001, 9.904576054128762e-002, 3.696438106143861e-001, 8.923991008325228e-001]
     sun = [1.074955473280880e011, -1.042430734878980e011, 4.036164305561260e009]
     for x in (450, 500):

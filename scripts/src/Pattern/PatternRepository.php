@@ -65,10 +65,10 @@ final class PatternRepository
         };
     }
 
-    /** @param callable(resource): void $write writes the pattern */
-    public function put(TileId $tile, callable $write): void
+    /** A new file that will replace the tile's pattern. */
+    public function create(TileId $tile): AtomicFile
     {
-        AtomicFile::write($this->pathOf($tile), $write);
+        return new AtomicFile($this->pathOf($tile));
     }
 
     /**
@@ -77,23 +77,19 @@ final class PatternRepository
      */
     public function removeStaleFiles(): void
     {
-        $partials = glob("$this->folder/pattern_*" . AtomicFile::PARTIAL_MARK . '.inc') ?: [];
-        if ($partials === []) {
-            return;
-        }
-        $newest = max(array_map(self::modified(...), glob("$this->folder/pattern_*.inc") ?: [0]));
-        foreach ($partials as $partial) {
-            if ($newest - self::modified($partial) > self::STALE_AGE) {
-                @unlink($partial); // another user's leftover is theirs to remove
+        $newest = 0;
+        $partials = [];
+        foreach (@scandir($this->folder) ?: [] as $name) {
+            $time = fnmatch('pattern_*.inc', $name) ? @filemtime("$this->folder/$name") : false;
+            $newest = max($newest, (int) $time);
+            if ($time !== false && str_ends_with($name, AtomicFile::PARTIAL_MARK . '.inc')) {
+                $partials[$name] = $time;
             }
         }
-    }
-
-    /** Seconds since 1970; a file that has just gone counts as new. */
-    private static function modified(string $path): int
-    {
-        $time = @filemtime($path);
-
-        return $time === false ? 0 : $time;
+        foreach ($partials as $name => $time) {
+            if ($newest - $time > self::STALE_AGE) {
+                @unlink("$this->folder/$name"); // another user's leftover is theirs to remove
+            }
+        }
     }
 }

@@ -21,12 +21,11 @@ final class PatternWriter
     }
 
     /**
-     * Writes a pattern from the beginning of a file.
+     * Writes a pattern into a new file.
      *
-     * @param resource $file   can seek
-     * @param string   $header the header without length
+     * @param string $header the header without length
      */
-    public function write($file, TileMesh $mesh, string $header): void
+    public function write(AtomicFile $file, TileMesh $mesh, string $header): void
     {
         $written = 0;
         $chunk = $header . PatternHeader::length(0) . "\n";
@@ -34,20 +33,13 @@ final class PatternWriter
         foreach ($pieces as $piece) {
             $chunk .= $piece;
             if (strlen($chunk) >= self::CHUNK_BYTES) {
-                AtomicFile::put($file, $chunk);
+                $file->put($chunk);
                 $written += strlen($chunk);
                 $chunk = '';
             }
         }
-        if ($written === 0) {
-            $length = PatternHeader::length(strlen($chunk));
-            AtomicFile::put($file, substr_replace($chunk, $length, strlen($header), PatternHeader::LENGTH_DIGITS));
-
-            return;
-        }
-        AtomicFile::put($file, $chunk);
-        fseek($file, strlen($header));
-        AtomicFile::put($file, PatternHeader::length($written + strlen($chunk)));
+        $file->put($chunk);
+        $file->putAt(strlen($header), PatternHeader::length($written + strlen($chunk)));
     }
 
     /**

@@ -4,11 +4,14 @@ declare(strict_types=1);
 
 namespace Msisf\Scripts\Pattern;
 
+use LogicException;
+
 /** Radii of a rectangle of samples, read at once; it may run over the prime meridian. */
 final class SampleBlock
 {
     /**
-     * @param list<array{int, int, list<float>}> $strips first sample, samples a line, radii; from west to east
+     * @param list<array{int, int, list<float>}> $strips first sample, samples a line, radii; each goes on with the next,
+     *                                                   the last with the first
      */
     private function __construct(private readonly int $firstLine, private readonly array $strips)
     {
@@ -17,10 +20,15 @@ final class SampleBlock
     /** @param int $samples samples a line; those beyond the last one go on with the first */
     public static function read(RadiusSource $source, int $line, int $lines, int $sample, int $samples): self
     {
-        $before = min($samples, 360 * $source->pixelsPerDegree() - $sample);
-        $strips = [[$sample, $before, $source->radii($line, $lines, $sample, $before)]];
-        if ($before < $samples) {
-            $strips[] = [0, $samples - $before, $source->radii($line, $lines, 0, $samples - $before)];
+        $all = 360 * $source->pixelsPerDegree();
+        $ranges = match (true) {
+            $samples >= $all => [[0, $all]],
+            $sample + $samples > $all => [[$sample, $all - $sample], [0, $sample + $samples - $all]],
+            default => [[$sample, $samples]],
+        };
+        $strips = [];
+        foreach ($ranges as [$first, $width]) {
+            $strips[] = [$first, $width, $source->radii($line, $lines, $first, $width)];
         }
 
         return new self($line, $strips);
@@ -38,15 +46,16 @@ final class SampleBlock
             if ($firstSample < $first || $firstSample >= $first + $width) {
                 continue;
             }
-            $part = array_slice($radii, $row * $width + $firstSample - $first, min($samples, $first + $width - $firstSample));
-            if (count($part) < $samples) {
-                [, $nextWidth, $nextRadii] = $this->strips[$index + 1];
-                array_push($part, ...array_slice($nextRadii, $row * $nextWidth, $samples - count($part)));
+            $before = min($samples, $first + $width - $firstSample);
+            $part = array_slice($radii, $row * $width + $firstSample - $first, $before);
+            if ($before < $samples) {
+                [, $nextWidth, $nextRadii] = $this->strips[($index + 1) % count($this->strips)];
+                array_push($part, ...array_slice($nextRadii, $row * $nextWidth, $samples - $before));
             }
 
             return $part;
         }
 
-        throw new \LogicException("Sample $firstSample of line $line was not read.");
+        throw new LogicException("Sample $firstSample of line $line was not read.");
     }
 }

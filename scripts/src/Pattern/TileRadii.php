@@ -12,7 +12,7 @@ final class TileRadii
      * @param ?float $southPole mean radius of the last line, likewise
      */
     public function __construct(
-        private readonly TileMeshLayout $layout,
+        public readonly TileMeshLayout $layout,
         private readonly SampleBlock $block,
         public readonly ?float $northPole,
         public readonly ?float $southPole,

@@ -12,7 +12,10 @@ public static class PovRayOptions
         "Display", "Clock", "Initial_", "Final_", "Subset_", "Start_", "End_", "Continue_Trace", "Include_Header",
     ];
 
-    private static readonly string[] ReservedSwitches = ["I", "O", "W", "H", "F", "L", "D", "C", "S", "E", "K", "HI"];
+    private static readonly string[] ReservedSwitches = ["W", "WT", "H", "HI", "L", "D", "C", "S", "E", "K"];
+
+    /// <summary>Switches whose value follows at once and may begin with a letter: +Iname, +Oname, +FN16.</summary>
+    private static readonly char[] ReservedLetters = ['I', 'O', 'F'];
 
     /// <summary>Splits the option text at white space.</summary>
     /// <param name="text">E.g. "Antialias=Off +Q9".</param>
@@ -46,7 +49,6 @@ public static class PovRayOptions
         string letters = string.Concat(body.TakeWhile(char.IsAsciiLetter));
         return letters.Length == 0
             || ReservedSwitches.Contains(letters, StringComparer.OrdinalIgnoreCase)
-            || ReservedSwitches.Take(2).Any(name => body.StartsWith(name, StringComparison.OrdinalIgnoreCase))
-            || letters.Equals("WT", StringComparison.OrdinalIgnoreCase);
+            || ReservedLetters.Contains(char.ToUpperInvariant(letters[0]));
     }
 }

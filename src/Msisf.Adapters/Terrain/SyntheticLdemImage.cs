@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Collections.Concurrent;
 using Microsoft.Win32.SafeHandles;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain.Synthesis;
@@ -10,6 +11,7 @@ internal sealed class SyntheticLdemImage
 {
     private const double ScalingFactor = 0.5; // m a unit, as in the archive
     private const int SampleBytes = 2;
+    private const long LargestMemory = 220_000_000; // bytes of all threads' blocks: many cores do not mean much memory
 
     private readonly SyntheticTerrain terrain;
     private readonly SyntheticLdemProduct product;
@@ -38,24 +40,31 @@ internal sealed class SyntheticLdemImage
     /// <exception cref="BadInputException">A height does not fit 16 bits.</exception>
     public (short Minimum, short Maximum) Write(SafeFileHandle file, IProgress<double>? progress, CancellationToken cancellation)
     {
-        int side = new TileSynthesizer(terrain).PreferredSide;
+        TileSynthesizer typical = new(terrain);
+        int side = typical.PreferredSide;
+        int fitting = (int)Math.Clamp(LargestMemory / typical.PreferredBytes, 1, threads);
         int blocksAcross = (product.LineSamples + side - 1) / side;
         int blocksDown = (product.Lines + side - 1) / side;
-        ParallelOptions options = new() { MaxDegreeOfParallelism = threads, CancellationToken = cancellation };
+        ConcurrentBag<Worker> idle = [];
+        ParallelOptions options = new() { MaxDegreeOfParallelism = fitting, CancellationToken = cancellation };
         try
         {
             Parallel.For(
                 0,
                 blocksAcross * blocksDown,
                 options,
-                () => new Worker(new TileSynthesizer(terrain), new float[side * side], new byte[SampleBytes * side]),
-                (block, _, worker) =>
+                block =>
                 {
+                    // Parallel.For starts a new task every now and then; buffers of this size must outlive it.
+                    if (!idle.TryTake(out Worker? worker))
+                    {
+                        worker = new Worker(new TileSynthesizer(terrain), new float[side * side], new byte[SampleBytes * side]);
+                    }
+
                     WriteBlock(file, worker, block / blocksAcross * side, block % blocksAcross * side, side);
                     Report(progress, block / blocksAcross * side, block % blocksAcross * side, side);
-                    return worker;
-                },
-                _ => { });
+                    idle.Add(worker);
+                });
         }
         catch (AggregateException exception) when (exception.InnerExceptions.OfType<MsisfException>().FirstOrDefault() is { } first)
         {

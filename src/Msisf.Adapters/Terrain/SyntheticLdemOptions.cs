@@ -15,6 +15,6 @@ public sealed record SyntheticLdemOptions(int PixelsPerDegree, ulong Seed, strin
     /// <summary>The part to write; its samples are those of the whole Moon.</summary>
     public MoonRegion Region { get; init; } = MoonRegion.WholeMoon;
 
-    /// <summary>How many threads compute; the bytes do not depend on it.</summary>
+    /// <summary>How many threads compute at most; fewer where their blocks would take more than 220 MB. The bytes do not depend on it.</summary>
     public int Threads { get; init; } = Environment.ProcessorCount;
 }

@@ -8,6 +8,9 @@ namespace Msisf.Cli.Run;
 /// <summary>The elevation model of a run, with what is derived from it once. Safe for several threads.</summary>
 internal sealed class ElevationModel : IDisposable
 {
+    /// <summary>px/deg: up to here reading the whole model for its summary takes less time than a picture; a finer one keeps it in a file.</summary>
+    private const int FinestSummarisedEachRun = 16;
+
     private readonly LdemImage _image;
     private readonly ElevationSummary _summary;
 
@@ -30,7 +33,24 @@ internal sealed class ElevationModel : IDisposable
         host.Log.Note(image.Label.IsSynthetic
             ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Label.LabelPath})."
             : $"Elevation: {image.ProductId} ({image.Label.LabelPath}).");
-        return new ElevationModel(image, ElevationSummary.Build(image));
+        return new ElevationModel(image, Summarise(image, host.Log));
+    }
+
+    private static ElevationSummary Summarise(LdemImage image, Log log)
+    {
+        if (image.PixelsPerDegree <= FinestSummarisedEachRun)
+        {
+            return ElevationSummary.Build(image);
+        }
+
+        (ElevationSummary summary, string? warning) = ElevationSummaryFile.LoadOrBuild(
+            Path.ChangeExtension(image.Label.ImagePath, ".summary"), SummarySource.Of(image.Label), image);
+        if (warning is not null)
+        {
+            log.Warning(warning);
+        }
+
+        return summary;
     }
 
     /// <summary>The tiles that a frame needs, and why.</summary>

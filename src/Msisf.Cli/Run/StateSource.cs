@@ -17,8 +17,6 @@ namespace Msisf.Cli.Run;
 /// <summary>The states of the spacecraft that a run takes pictures of, from any of the four modes; all are known before the first picture.</summary>
 internal sealed class StateSource
 {
-    private static readonly string[] StateFields = ["MJD", "rx", "ry", "rz", "qx", "qy", "qz", "q0"];
-
     private readonly ModeOptions _options;
     private readonly ParseResult _line;
     private readonly Func<IEphemeris> _ephemeris;
@@ -54,11 +52,8 @@ internal sealed class StateSource
 
     private SpacecraftState FixedState()
     {
-        double[] values = Numbers(_options.FixedState, StateFields);
-        return OptionText.Named(_options.FixedState, () => new SpacecraftState(
-            new ModifiedJulianDate(values[0]),
-            new Vector3D(values[1], values[2], values[3]),
-            UnitQuaternion.FromComponents(values[4], values[5], values[6], values[7])));
+        double[] values = Numbers(_options.FixedState, SpacecraftState.NumberNames);
+        return OptionText.Named(_options.FixedState, () => SpacecraftState.FromNumbers(values));
     }
 
     private IReadOnlyList<SpacecraftState> BatchFile()
@@ -150,7 +145,7 @@ internal sealed class StateSource
             : StateText.ParseInterval(_options.TimeInterval.Name, [_line.GetValue(_options.TimeInterval)!]);
     }
 
-    private double[] Numbers(Option<string[]> option, string[] fields) =>
+    private double[] Numbers(Option<string[]> option, IReadOnlyList<string> fields) =>
         StateText.ParseNumbers(option.Name, _line.GetValue(option)!, fields);
 
     private static ModifiedJulianDate Date(Option option, string text)

@@ -37,6 +37,6 @@ public static class IlluminationDirection
         double down = -planeNormal.Y;
         return double.Hypot(right, down) < Tolerances.IlluminationDirectionSine
             ? null
-            : Angles.OnFullTurn(Math.Atan2(right, down));
+            : AngleReduction.ToFullTurn(Math.Atan2(right, down));
     }
 }

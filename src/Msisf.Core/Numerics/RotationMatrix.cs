@@ -15,6 +15,9 @@ public readonly record struct RotationMatrix(Vector3D Row0, Vector3D Row1, Vecto
         new Vector3D(Row0.Y, Row1.Y, Row2.Y),
         new Vector3D(Row0.Z, Row1.Z, Row2.Z));
 
+    /// <summary>The three rows.</summary>
+    public override string ToString() => $"[{Row0}, {Row1}, {Row2}]";
+
     /// <summary>Rotates a vector.</summary>
     public static Vector3D operator *(RotationMatrix m, Vector3D v) =>
         new(Vector3D.Dot(m.Row0, v), Vector3D.Dot(m.Row1, v), Vector3D.Dot(m.Row2, v));

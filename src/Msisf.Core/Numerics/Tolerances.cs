@@ -30,4 +30,13 @@ public static class Tolerances
 
     /// <summary>1, sine of an angle: vectors this near to parallel count as parallel. Rounding their components to doubles turns them by up to a quarter of it.</summary>
     public const double ParallelSine = 1e-15;
+
+    /// <summary>m: twice the 2^-7 m step of the lattice on which mesh vertices lie (docs/pattern-format.md), so more than rounding moves one.</summary>
+    public const double VertexLattice = 0.016;
+
+    /// <summary>rad: the same at the lunar radius, and the rounding of a cap's own sine and cosine.</summary>
+    public const double CapRadius = 2e-8;
+
+    /// <summary>rad: added to the azimuths of a picture for what lies within <see cref="VertexLattice"/> of its border, 20 m and more from the axis.</summary>
+    public const double WindowMargin = 1e-3;
 }

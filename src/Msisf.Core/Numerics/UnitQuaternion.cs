@@ -35,6 +35,9 @@ public readonly record struct UnitQuaternion
     /// <summary>The inverse rotation.</summary>
     public UnitQuaternion Conjugate => new(-X, -Y, -Z, W);
 
+    /// <summary>"{qx,qy,qz,q0}", to the last digit, whatever the culture.</summary>
+    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{{{X:R},{Y:R},{Z:R},{W:R}}}");
+
     /// <summary>Checks and normalises four components.</summary>
     /// <param name="qx">Coefficient of i.</param>
     /// <param name="qy">Coefficient of j.</param>

@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Core.Errors;
 
 namespace Msisf.Core.Numerics;
@@ -61,6 +62,9 @@ public readonly record struct Vector3D(double X, double Y, double Z)
         Vector3D b = u.Length * v;
         return 2.0 * Math.Atan2((a - b).Length, (a + b).Length);
     }
+
+    /// <summary>"(1.5, -2, 0)", to the last digit, whatever the culture.</summary>
+    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"({X:R}, {Y:R}, {Z:R})");
 
     /// <summary>The vector of length 1 in the same direction.</summary>
     /// <exception cref="BadInputException">The vector is zero or not finite.</exception>

@@ -13,7 +13,7 @@ public readonly record struct SelenographicPoint(double Latitude, double Longitu
     public static SelenographicPoint Below(Vector3D positionMoonMe)
     {
         double latitude = Math.Atan2(positionMoonMe.Z, double.Hypot(positionMoonMe.X, positionMoonMe.Y));
-        return new SelenographicPoint(latitude, Angles.OnFullTurn(Math.Atan2(positionMoonMe.Y, positionMoonMe.X)));
+        return new SelenographicPoint(latitude, AngleReduction.ToFullTurn(Math.Atan2(positionMoonMe.Y, positionMoonMe.X)));
     }
 
     /// <summary>The unit vector from the Moon's centre to this point, MOON_ME (thesis eq. 3.9).</summary>

@@ -29,7 +29,9 @@ public readonly record struct ModifiedJulianDate
                 $"The MJD {days:R} is not a date; a number from {FirstDay:R} (year 1) to below {EndOfLastDay:R} (year 10000) is needed."));
         }
 
-        Days = days;
+        // A day's fraction below half a spacing of 1 rounds to a whole day: then it is the next midnight.
+        double midnight = Math.Floor(days);
+        Days = days - midnight < 1.0 ? days : midnight + 1.0;
     }
 
     /// <summary>Days since 1858-11-17T00:00:00 UTC.</summary>

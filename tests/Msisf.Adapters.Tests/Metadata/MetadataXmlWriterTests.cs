@@ -15,7 +15,7 @@ namespace Msisf.Adapters.Tests.Metadata;
 
 public class MetadataXmlWriterTests
 {
-    /// <summary>Thesis section 9.2 with ERRATA's angles; the last digits of the pixels are those of tests/reference/illumination.py, rounded.</summary>
+    /// <summary>Thesis section 9.2 with the exact angles (docs/deviations.md, row 10); the last digits of the pixels are those of tests/reference/illumination.py, rounded.</summary>
     private const string PublishedHead = """
         <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
         <!DOCTYPE MSISRendering SYSTEM "../lib/MSISRendering.dtd">

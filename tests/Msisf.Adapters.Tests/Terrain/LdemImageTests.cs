@@ -15,7 +15,7 @@ public sealed class LdemImageTests : IDisposable
     [RequiresFact(Part.Ldem4)]
     public void ReadRadii_RealLdem4_HasTheKnownExtremesAtTheirPlaces()
     {
-        // ERRATA, numbers to hold on to: 10504.0 m at 5.375 N 201.375 E, -8878.5 m at 70.375 S 187.625 E.
+        // LDEM_4 V3.0: 10504.0 m at 5.375 N 201.375 E, -8878.5 m at 70.375 S 187.625 E.
         using LdemImage image = LdemImage.Open(LdemLabelReader.ReadFile(TestParts.Ldem4Label!));
         double[] radius = new double[1];
 

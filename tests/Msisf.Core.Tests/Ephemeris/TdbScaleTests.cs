@@ -54,6 +54,13 @@ public class TdbScaleTests
         Assert.Equal(-3116188758.690886, Scale.FromUtc(new ModifiedJulianDate(15477.0 + (43200.123456789 / 86400.0))), 5e-7);
     }
 
+    [Fact]
+    public void FromUtc_NearlyBetweenTwoDoubles_RoundsAsCSpice()
+    {
+        // CSPICE N0067: u + deltet_c(u, "UTC") for u = -1152073943.6425798; a random time at which 6e-11 s decide.
+        Assert.Equal(-1152073902.4584477, Scale.FromUtc(new ModifiedJulianDate(38210.31083747014)));
+    }
+
     [Theory]
     [InlineData(15100)]
     [InlineData(55289)]

@@ -29,6 +29,8 @@ public class AngleReductionTests
 
     [Theory]
     [InlineData(-1e-300, 0.0)]
+    [InlineData(-1e-17, 0.0)]
+    [InlineData(3.0, 3.0)]
     [InlineData(-0.0, 0.0)]
     [InlineData(6.283185307179586, 6.283185307179586)]
     [InlineData(-1.0, 5.283185307179586)]

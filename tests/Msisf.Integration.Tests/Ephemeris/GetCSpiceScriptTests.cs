@@ -16,11 +16,17 @@ public sealed class GetCSpiceScriptTests : IDisposable
     public GetCSpiceScriptTests()
     {
         string root = Path.Combine(folder.FullName, "my repository");
-        Directory.CreateDirectory(Path.Combine(root, "scripts"));
+        string helpers = Path.Combine(root, "scripts", "lib");
+        Directory.CreateDirectory(helpers);
         Directory.CreateDirectory(Path.Combine(folder.FullName, "bin"));
         script = Path.Combine(root, "scripts", "get-cspice.sh");
         library = Path.Combine(root, "lib", "native", "libcspice.so");
         File.Copy(Path.Combine(TestParts.RepositoryRoot, "scripts", "get-cspice.sh"), script);
+        foreach (string helper in Directory.EnumerateFiles(Path.Combine(TestParts.RepositoryRoot, "scripts", "lib")))
+        {
+            File.Copy(helper, Path.Combine(helpers, Path.GetFileName(helper)));
+        }
+
         WriteCurl("exit 7");
     }
 

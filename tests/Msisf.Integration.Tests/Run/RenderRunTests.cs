@@ -41,7 +41,7 @@ public sealed class RenderRunTests : IClassFixture<RenderFixture>, IDisposable
         XElement root = XDocument.Load($"{stem}.xml").Root!;
         XElement general = root.Element("GeneralInformation")!;
 
-        // ERRATA of the thesis, CSPICE N0067: (+1.074955473280880E+011, -1.042430734878980E+011, +4.036164305561260E+009) m, 15 digits.
+        // CSPICE N0067: (+1.074955473280880E+011, -1.042430734878980E+011, +4.036164305561260E+009) m, 15 digits.
         XElement sun = general.Element("SunPosition")!.Element("Vector3D")!;
         AssertDigits(1.07495547328088e11, Number(sun.Attribute("x")!.Value), 1e-14);
         AssertDigits(-1.04243073487898e11, Number(sun.Attribute("y")!.Value), 1e-14);

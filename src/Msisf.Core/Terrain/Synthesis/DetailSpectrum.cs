@@ -16,7 +16,7 @@ internal static class DetailSpectrum
 
     // The noise's slope between points half a lattice step apart is 0.84 of its derivative (GradientNoiseTests): so much the finest octave
     // shows between the output's samples, the coarser ones nearly all of theirs.
-    private const double VisibleSlope = 0.92;
+    private const double VisibleSlope = 0.97;
 
     // Slope power (tangent squared) that craters add in an octave of diameters, for each crater per square of the diameter (measured, docs/synthetic-ldem.md).
     private const double CraterSlopePower = 0.0108;

@@ -4,7 +4,7 @@ namespace Msisf.Core.Terrain.Synthesis;
 /// Where the maria are: low ground of the near side, from a model's mean heights over cells of 1 degree. Mare is full below -1600 m,
 /// none above -900 m, and fades out towards the limb, so that the floor of the South Pole-Aitken basin stays highlands.
 /// </summary>
-/// <remarks>A rule of thumb, not a geological map: it finds the large maria of LDEM_4, and calls low crater floors of the near side mare.</remarks>
+/// <remarks>A rule of thumb, not a geological map: low ground of the near side that is no mare is taken for one.</remarks>
 internal sealed class MareMask
 {
     private const int Rows = 180;

@@ -2,7 +2,7 @@ namespace Msisf.Core.Terrain.Synthesis;
 
 /// <summary>
 /// A Moon out of nothing, 1 sample a degree: hills from a thousand km down to 60 km, a lower near side, and flat maria in its lows.
-/// Heights stay within 6 km; craters are not its business.
+/// Heights stay within 4.2 km; craters are not its business.
 /// </summary>
 /// <remarks>Slopes after LDEM_4: median 3.6 degrees at 7.6 km and 1.5 degrees at 61 km on highlands, so about baseline^-0.45.</remarks>
 internal sealed class SyntheticShape : IElevationGrid
@@ -18,7 +18,7 @@ internal sealed class SyntheticShape : IElevationGrid
     private const double NearSideDrop = 1100.0; // m
     private const double FloodedPart = 0.4; // of the depth below the lava's level
     private const double LavaLevel = -2000.0; // m
-    private const double LimitHeight = 6000.0; // m: smooth limit, so that with craters no seed leaves the Moon's range
+    private const double LimitHeight = 4200.0; // m: smooth limit, so that with craters no seed leaves the Moon's range
 
     private readonly double[] radii = new double[Lines * Samples];
 

@@ -22,7 +22,7 @@ public sealed class SyntheticTerrain
     private const double LargestCraterInBaseSamples = 2.0;
 
     // Without a base all craters are ours; larger ones would be basins, which the shape's lows stand for.
-    private const double LargestCraterWithoutBase = 200_000.0; // m
+    private const double LargestCraterWithoutBase = 120_000.0; // m
 
     private readonly CraterPopulation craters;
 

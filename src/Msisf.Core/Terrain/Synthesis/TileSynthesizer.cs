@@ -6,7 +6,7 @@ namespace Msisf.Core.Terrain.Synthesis;
 /// </summary>
 public sealed class TileSynthesizer
 {
-    private const long LargestBuffer = 20_000_000; // samples with margins, 80 MB
+    private const long LargestBuffers = 27_000_000; // samples, with margins and without: 108 MB
     private const int LargestSideDegrees = 20; // the margins cost under a sixth, the tables stay in the second-level cache
 
     private readonly SyntheticTerrain terrain;
@@ -26,11 +26,18 @@ public sealed class TileSynthesizer
     {
         get
         {
-            int n = terrain.SamplesPerPixel;
-            int pixels = (int)(Math.Sqrt(LargestBuffer) / n) - (2 * margin);
-            return n * Math.Clamp(pixels, 1, LargestSideDegrees * terrain.Base.PixelsPerDegree);
+            int pixels = LargestSideDegrees * terrain.Base.PixelsPerDegree;
+            while (pixels > 1 && BufferSamples(pixels) > LargestBuffers)
+            {
+                pixels--;
+            }
+
+            return terrain.SamplesPerPixel * pixels;
         }
     }
+
+    /// <summary>Bytes that a thread needs for a block of that side: the detail with its margins, and the heights.</summary>
+    public long PreferredBytes => sizeof(float) * BufferSamples(PreferredSide / terrain.SamplesPerPixel);
 
     /// <summary>Computes one block.</summary>
     /// <param name="firstLine">Northernmost line, 0 to 180 res - 1.</param>
@@ -65,6 +72,13 @@ public sealed class TileSynthesizer
             int detailStart = ((firstLine + line - frame.FirstLine) * frame.Stride) + firstSample - frame.FirstSample;
             surface.ReadLine(firstLine + line, firstSample, detail.AsSpan(detailStart, samples), row);
         }
+    }
+
+    private long BufferSamples(int pixels)
+    {
+        long core = (long)pixels * terrain.SamplesPerPixel;
+        long withMargins = core + (2L * margin * terrain.SamplesPerPixel);
+        return (core * core) + (withMargins * withMargins);
     }
 
     private void AddDetail(TileFrame frame)

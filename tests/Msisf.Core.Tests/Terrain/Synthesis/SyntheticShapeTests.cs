@@ -13,8 +13,8 @@ public sealed class SyntheticShapeTests
     public void RadiusBounds_AnySeed_AreLikeTheMoons(ulong seed)
     {
         (double minimum, double maximum) = new SyntheticShape(seed).RadiusBounds(0, 180, 0, 360);
-        Assert.InRange(minimum - MoonConstants.ReferenceRadius, -6000.0, -2000.0);
-        Assert.InRange(maximum - MoonConstants.ReferenceRadius, 2000.0, 6000.0);
+        Assert.InRange(minimum - MoonConstants.ReferenceRadius, -5000.0, -2000.0);
+        Assert.InRange(maximum - MoonConstants.ReferenceRadius, 2000.0, 5000.0);
     }
 
     [Fact]

@@ -1,0 +1,31 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles;
+
+/// <summary>
+/// The Dynamical Surface Pattern Selection Algorithm: which tiles a picture needs (thesis chapter 8). Other than the thesis's, which
+/// shoots a ray for each pixel at a sphere, it works with bounds of the real surface and misses nothing (docs/tile-selection.md).
+/// </summary>
+public static class Dspsa
+{
+    /// <summary>Selects the tiles.</summary>
+    /// <param name="camera">The camera, above the surface.</param>
+    /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it throws no shadow that is seen.</param>
+    /// <param name="grid">The model.</param>
+    /// <param name="summary">Of the same model.</param>
+    /// <exception cref="BadInputException">The camera is inside the Moon, the Sun is no higher than the terrain, or the summary is of another model.</exception>
+    public static TileSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, IElevationGrid grid, ElevationSummary summary)
+    {
+        summary.CheckFits(grid);
+        TerrainHeight.RequireAbove(grid, camera.PositionMoonMe);
+        if (sunPositionMoonMe is Vector3D sun && !(sun.IsFinite && sun.Length > summary.GreatestRadius))
+        {
+            throw new BadInputException($"The Sun's position {sun} m is not above the Moon's highest terrain; give one that is.");
+        }
+
+        return new DspsaRun(camera, sunPositionMoonMe, grid, summary).Select();
+    }
+}

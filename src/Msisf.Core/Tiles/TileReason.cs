@@ -1,0 +1,23 @@
+namespace Msisf.Core.Tiles;
+
+/// <summary>Why a tile is kept or dropped.</summary>
+public enum TileReason
+{
+    /// <summary>Kept: some of it can be seen, perhaps in sunlight.</summary>
+    Visible,
+
+    /// <summary>Kept: it can be seen and is dark, but without it something behind it would show.</summary>
+    DarkButCovering,
+
+    /// <summary>Kept: its shadow can fall on something that is seen.</summary>
+    CastsShadow,
+
+    /// <summary>Dropped: no ray of the picture passes through it.</summary>
+    OutsideFrame,
+
+    /// <summary>Dropped: nearer terrain or the limb hides all of it that is in the picture.</summary>
+    Hidden,
+
+    /// <summary>Dropped: what can be seen of it is certainly dark, as black as the sky.</summary>
+    Night,
+}

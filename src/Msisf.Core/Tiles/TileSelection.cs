@@ -1,0 +1,17 @@
+namespace Msisf.Core.Tiles;
+
+/// <summary>The tiles that a picture needs, and why the others are not needed.</summary>
+public sealed class TileSelection
+{
+    internal TileSelection(IEnumerable<TileChoice> choices)
+    {
+        All = [.. choices.OrderBy(choice => choice.Tile)];
+        Kept = [.. All.Where(choice => choice.IsKept)];
+    }
+
+    /// <summary>All 2,592 tiles, by latitude, then longitude.</summary>
+    public IReadOnlyList<TileChoice> All { get; }
+
+    /// <summary>The tiles to load, by latitude, then longitude.</summary>
+    public IReadOnlyList<TileChoice> Kept { get; }
+}

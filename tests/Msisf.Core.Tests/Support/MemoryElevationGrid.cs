@@ -1,0 +1,61 @@
+using System.Buffers.Binary;
+using Msisf.Core.Terrain;
+using Msisf.TestSupport;
+
+namespace Msisf.Core.Tests.Support;
+
+/// <summary>A model in memory, for tests that must not depend on the program's own reader.</summary>
+internal sealed class MemoryElevationGrid : IElevationGrid
+{
+    private readonly float[] _radii;
+
+    /// <param name="productId">Name of the model.</param>
+    /// <param name="pixelsPerDegree">Samples a degree.</param>
+    /// <param name="radius">m, by line and sample; kept as float, which is exact for steps of 0.125 m.</param>
+    public MemoryElevationGrid(string productId, int pixelsPerDegree, Func<int, int, double> radius)
+    {
+        ProductId = productId;
+        PixelsPerDegree = pixelsPerDegree;
+        _radii = new float[180 * pixelsPerDegree * Samples];
+        for (int index = 0; index < _radii.Length; index++)
+        {
+            _radii[index] = (float)radius(index / Samples, index % Samples);
+        }
+    }
+
+    public string ProductId { get; }
+
+    public int PixelsPerDegree { get; }
+
+    private int Samples => 360 * PixelsPerDegree;
+
+    /// <summary>The real LDEM_4: 720 lines of 1440 little-endian 16-bit numbers in steps of 0.5 m over 1737400 m (its label).</summary>
+    public static MemoryElevationGrid Ldem4()
+    {
+        byte[] image = File.ReadAllBytes(Path.ChangeExtension(TestParts.Ldem4Label!, ".IMG"));
+        return new MemoryElevationGrid(
+            "LDEM_4",
+            4,
+            (line, sample) => 1_737_400.0 + (0.5 * BinaryPrimitives.ReadInt16LittleEndian(image.AsSpan(2 * ((line * 1440) + sample)))));
+    }
+
+    public void ReadRadii(int line, int firstSample, Span<double> radii)
+    {
+        int start = line * Samples;
+        for (int index = 0, sample = firstSample; index < radii.Length; index++, sample++)
+        {
+            sample = sample == Samples ? 0 : sample;
+            radii[index] = _radii[start + sample];
+        }
+    }
+
+    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
+    {
+        var block =
+            from line in Enumerable.Range(firstLine, lines)
+            from sample in Enumerable.Range(firstSample, samples)
+            select (double)_radii[(line * Samples) + (sample % Samples)];
+        double[] radii = [.. block];
+        return (radii.Min(), radii.Max());
+    }
+}

@@ -1,0 +1,146 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tests.Support;
+using Msisf.Core.Tiles;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Core.Tests.Tiles;
+
+public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
+{
+    private const int Cameras = 204;
+    private const int PixelsEach = 600;
+    private static readonly Vector3D Sun = new(1.074955473280880E+011, -1.042430734878980E+011, 4.036164305561260E+009);
+
+    [RequiresFact(Part.Ldem4)]
+    public void Select_ManyCamerasWithSun_EveryPixelIsAsWithAllTiles()
+    {
+        List<string> wrong = [];
+        int lit = 0;
+        int dropped = 0;
+        for (int number = 0; number < Cameras; number++)
+        {
+            (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, ldem4.Grid, PixelsEach);
+            TileSelection selection = Dspsa.Select(camera, sun, ldem4.Grid, ldem4.Summary);
+            BruteForcePicture whole = new(ldem4.Moon, camera, sun, isThere: null);
+            BruteForcePicture selected = new(ldem4.Moon, camera, sun, TilesThere.In(selection));
+            lit += whole.Lit;
+            dropped += TileId.Count - selection.Kept.Count;
+            if (whole.DifferencesFrom(selected) > 0)
+            {
+                wrong.Add($"camera {number} ({kind}): {whole.DifferencesFrom(selected)} pixels");
+            }
+        }
+
+        Assert.Empty(wrong);
+        Assert.True(lit > 10_000, $"only {lit} lit pixels: the cameras show nothing");
+        Assert.True(dropped > Cameras * TileId.Count / 2, $"only {dropped} tiles were dropped");
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Select_ManyCamerasIgnoringSun_HoldsEveryTileThatAnyRayHits()
+    {
+        List<string> missed = [];
+        for (int number = 1000; number < 1000 + Cameras; number++)
+        {
+            (PinholeCamera camera, _, string kind) = CameraCases.Make(number, ldem4.Grid, PixelsEach);
+            bool[] isThere = TilesThere.In(Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary));
+            bool[] isHit = new BruteForcePicture(ldem4.Moon, camera, Sun, isThere: null).HitTiles;
+            missed.AddRange(Enumerable.Range(0, TileId.Count).Where(tile => isHit[tile] && !isThere[tile]).Select(tile => $"camera {number} ({kind}): tile {tile}"));
+        }
+
+        Assert.Empty(missed);
+    }
+
+    /// <summary>A tile counts as seen if one of its vertices or facet middles can be: pixels would miss slivers that antialiasing meets.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Select_ManyCamerasIgnoringSun_KeepsAtMost15PercentMoreThanIsSeen()
+    {
+        int kept = 0;
+        int seen = 0;
+        for (int number = 0; number < 24; number++)
+        {
+            (PinholeCamera camera, _, _) = CameraCases.Make(number, ldem4.Grid, 1_000_000);
+            TileSelection selection = Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary);
+            kept += selection.Kept.Count;
+            seen += selection.Kept.Count(choice => TileSight.IsSeen(ldem4.Moon, camera, choice.Tile));
+        }
+
+        Assert.InRange((double)kept / seen, 1.0, 1.15);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Select_SameTwice_ChoosesTheSame()
+    {
+        (PinholeCamera camera, Vector3D sun, _) = CameraCases.Make(1, ldem4.Grid, 10_000);
+
+        Assert.Equal(
+            Dspsa.Select(camera, sun, ldem4.Grid, ldem4.Summary).All,
+            Dspsa.Select(camera, sun, ldem4.Grid, ldem4.Summary).All);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Select_AnyCamera_ListsEachTileOnceInOrder()
+    {
+        (PinholeCamera camera, Vector3D sun, _) = CameraCases.Make(3, ldem4.Grid, 10_000);
+        TileSelection selection = Dspsa.Select(camera, sun, ldem4.Grid, ldem4.Summary);
+
+        Assert.Equal(TileId.All, selection.All.Select(choice => choice.Tile));
+        Assert.Equal(selection.All.Where(choice => choice.IsKept), selection.Kept);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Select_MoonOutOfView_KeepsNothing()
+    {
+        PinholeCamera camera = new(new Vector3D(4e6, 0.0, 0.0), CameraCases.Attitude(Vector3D.UnitX, Vector3D.UnitY), 0.7, 64, 64);
+
+        TileSelection selection = Dspsa.Select(camera, Sun, ldem4.Grid, ldem4.Summary);
+
+        Assert.Empty(selection.Kept);
+        Assert.All(selection.All, choice => Assert.Equal(TileReason.OutsideFrame, choice.Reason));
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Select_DiscWithSunBehindTheMoon_KeepsNoTileInTheMiddle()
+    {
+        PinholeCamera camera = new(new Vector3D(8e6, 0.0, 0.0), UnitQuaternion.Identity, 0.5, 512, 512);
+
+        TileSelection selection = Dspsa.Select(camera, new Vector3D(-1.5e11, 0.0, 0.0), ldem4.Grid, ldem4.Summary);
+
+        TileChoice middle = selection.All.Single(choice => choice.Tile == new TileId(0, 0));
+        Assert.Equal(TileReason.Night, middle.Reason);
+        Assert.Equal("night", middle.ReasonText);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Select_OnThePolarAxis_KeepsAllTilesAroundThePole()
+    {
+        PinholeCamera camera = new(
+            new Vector3D(0.0, 0.0, 1.9e6), CameraCases.Attitude(-Vector3D.UnitZ, Vector3D.UnitX), 0.5, 64, 64);
+
+        TileSelection selection = Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary);
+
+        Assert.Equal(TileId.Columns, selection.Kept.Count(choice => choice.Tile.SouthDegrees == 85));
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Select_CameraInsideTheMoon_IsBadInput()
+    {
+        PinholeCamera camera = new(new Vector3D(1.7e6, 0.0, 0.0), UnitQuaternion.Identity, 0.5, 64, 64);
+
+        BadInputException exception = Assert.Throws<BadInputException>(() => Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary));
+
+        Assert.Contains("inside the Moon", exception.Message, StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Select_SunInsideTheMoon_IsBadInput()
+    {
+        PinholeCamera camera = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.5, 64, 64);
+
+        Assert.Throws<BadInputException>(() => Dspsa.Select(camera, new Vector3D(1e6, 0.0, 0.0), ldem4.Grid, ldem4.Summary));
+    }
+}
