@@ -34,13 +34,14 @@ final class Connection
         return DatabaseFailure::wrap($settings, static function () use ($settings, $allowLocalFiles): self {
             $pdo = new PDO($settings->dataSource(), $settings->user, $settings->password(), [
                 PDO::ATTR_ERRMODE => PDO::ERRMODE_EXCEPTION,
-                PDO::ATTR_EMULATE_PREPARES => false,
                 PDO::ATTR_STRINGIFY_FETCHES => false,
                 PDO::MYSQL_ATTR_LOCAL_INFILE => $allowLocalFiles,
                 PDO::MYSQL_ATTR_MULTI_STATEMENTS => false,
             ]);
             $version = ServerVersion::parse((string) $pdo->query('SELECT VERSION()')->fetchColumn());
-            // READ COMMITTED: INSERT ... SELECT then locks nothing of what it reads. ANSI_QUOTES and the like are left out.
+            // Only now: a server that is too old for prepared statements can still say so.
+            $pdo->setAttribute(PDO::ATTR_EMULATE_PREPARES, false);
+            // READ COMMITTED: INSERT ... SELECT then locks nothing of what it reads.
             $pdo->exec("SET SESSION sql_mode = 'STRICT_ALL_TABLES,NO_ENGINE_SUBSTITUTION,ERROR_FOR_DIVISION_BY_ZERO'");
             $pdo->exec('SET SESSION TRANSACTION ISOLATION LEVEL READ COMMITTED');
 

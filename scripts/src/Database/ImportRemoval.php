@@ -28,7 +28,13 @@ final class ImportRemoval
     public function makeRoom(ImportRecord $wanted, Resolution $resolution, bool $replace): ?ImportRecord
     {
         $present = $this->records->of($resolution);
-        if ($present === [] && $this->schema->exists($resolution->table())) {
+        if (!$this->schema->exists($resolution->table())) {
+            // Somebody has dropped it: what the records say is no longer so.
+            array_map($this->records->remove(...), $present);
+
+            return null;
+        }
+        if ($present === []) {
             throw new BadInputException("database {$this->connection->database}: its table {$resolution->table()} was not made by this script. "
                 . 'Rename or drop it, or import into another database.');
         }
@@ -60,7 +66,7 @@ final class ImportRemoval
         $this->records->setState($record, ImportState::Removing);
         if (count($this->records->of($resolution)) === 1) {
             $this->schema->dropElevations($resolution);
-        } elseif ($this->schema->exists($resolution->table())) {
+        } else {
             $delete = $this->connection->prepare(
                 "DELETE FROM {$resolution->table()} WHERE row_index = ? AND col_index >= ? AND col_index < ?"
             );

@@ -119,6 +119,15 @@ final class RefusedImportTest extends ImportTestCase
         self::assertDone($this->import(['--verify', $label]));
     }
 
+    public function testImportTableThatWasDroppedIsFilledAgain(): void
+    {
+        $label = $this->smallProduct();
+        self::assertDone($this->import([$label]));
+        $this->execute('DROP TABLE ldem_4');
+        self::assertDone($this->import([$label]));
+        self::assertDone($this->import(['--verify', $label]));
+    }
+
     public function testImportTableOfSomebodyElseIsLeftAlone(): void
     {
         $this->execute('CREATE TABLE ldem_4 (point_id BIGINT PRIMARY KEY, lat DOUBLE)');
