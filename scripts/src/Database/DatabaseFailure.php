@@ -62,7 +62,8 @@ final class DatabaseFailure
     private static function of(PDOException $exception, ?ConnectionSettings $settings): ExternalPartException
     {
         $number = self::number($exception);
-        $what = (string) preg_replace('/^SQLSTATE\[\w+\](:? \[\d+\]|:)?\s*/', '', $exception->getMessage());
+        // While connecting there can be no errorInfo; the message then begins with "SQLSTATE[HY000] [2002] ".
+        $what = $exception->errorInfo[2] ?? (string) preg_replace('/^SQLSTATE\[\w+\]:?(?: \[\d+\])?\s*/', '', $exception->getMessage());
         $where = $settings === null ? '' : $settings->server() . ': ';
         $advice = self::ADVICE[$number] ?? 'The server\'s documentation explains the number.';
 

@@ -20,7 +20,7 @@ final class GridTables
 
     private const SAMPLES = 'msisf_samples';
 
-    /** Bytes: the radii of a band of lines take 10 MB at most, the default limit is 16 MB. */
+    /** Bytes: the radii of a band of lines take 44 MB at most (LDEM_256), the default limit is 16 MB. */
     private const MEMORY_LIMIT = 64 << 20;
 
     private const ROWS_PER_INSERT = 2000;

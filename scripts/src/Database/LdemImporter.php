@@ -19,10 +19,10 @@ use Msisf\Scripts\Ldem\Resolution;
 final class LdemImporter
 {
     /**
-     * Lines a transaction. Ten make the leaves of the spatial index about square; more would only cost memory
-     * (LDEM_1024: 30720 samples a line).
+     * Lines a transaction. The spatial index of LDEM_4 takes a quarter less time with 40 than with 20 or line by line; more
+     * lines bring nothing, and cost memory: 40 lines of LDEM_256 are 44 MB on the server and 30 MB here.
      */
-    private const BAND_LINES = 10;
+    private const BAND_LINES = 40;
 
     private readonly ImportRecords $records;
 
@@ -83,7 +83,9 @@ final class LdemImporter
         $text = new RowText($image);
         $progress = new Progress($this->output, 'rows', $record->rowCount * $record->columnCount, $record->samplesDone());
         foreach ($this->bands($image, $record->rowsDone) as $rowsDone => $band) {
-            $loader->load($text->rows($band));
+            foreach ($text->chunks($band) as $rows) {
+                $loader->load($rows);
+            }
             $this->connection->inTransaction(function () use ($grid, $record, $rowsDone): void {
                 $grid->insertElevations();
                 $this->records->setRowsDone($record, $rowsDone);

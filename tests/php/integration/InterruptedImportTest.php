@@ -1,0 +1,141 @@
+<?php
+
+declare(strict_types=1);
+
+namespace Msisf\Tests\Integration;
+
+use Msisf\Tests\Support\LabelText;
+use Msisf\Tests\Support\Parts;
+use Msisf\Tests\Support\PrivateServer;
+use Random\Engine\Mt19937;
+use Random\Randomizer;
+
+/** Whatever stops an import, the same command again completes it: nothing is lost, nothing is there twice. */
+final class InterruptedImportTest extends ImportTestCase
+{
+    private const KILLS = 20;
+
+    public function testImportKilledTwentyTimesEndsAsIfUndisturbed(): void
+    {
+        $random = new Randomizer(new Mt19937(20120222));
+        $label = $this->northOfLdem4();
+        $undisturbed = $this->checksum('row_index < 360', ImportedModels::ldem4());
+        $span = 400_000;
+        $reached = [];
+        for ($kill = 0; $kill < self::KILLS; $kill++) {
+            $before = $this->rowsDone();
+            $run = $this->start([$label]);
+            usleep($random->getInt(20_000, $span));
+            if ($kill % 2 === 0) {
+                $run->kill();
+                $run->wait();
+            } else {
+                PrivateServer::shared()->kill();
+                $run->wait();
+                PrivateServer::shared()->restart();
+                self::assertContains($run->exitCode, [0, 3], $run->errors);
+            }
+            $after = $this->rowsDone();
+            self::assertGreaterThanOrEqual($before, $after, 'A kill took back what was done.');
+            $reached[] = $after;
+            // Kills that come too early for any progress would test the beginning only, whatever the speed of the machine.
+            $span = $after === $before ? (int) (1.3 * $span) : $span;
+            if ($after === 360) {
+                $this->execute('DROP TABLE ldem_4, ldem_import');
+            }
+        }
+        self::assertGreaterThan(3, count(array_unique($reached)), 'The kills fell into one place: ' . implode(' ', $reached));
+        self::assertDone($this->import([$label]));
+        self::assertSame($undisturbed, $this->checksum());
+        self::assertDone($this->import(['--verify', $label]));
+    }
+
+    public function testImportServerGoneSaysSoAndGoesOnLater(): void
+    {
+        $label = $this->northOfLdem4();
+        $run = $this->start([$label]);
+        while ($this->rowsDone() < 40 && $run->isRunning()) {
+            usleep(5000);
+        }
+        // A commit is seen by others shortly before it is on the disk.
+        usleep(100_000);
+        PrivateServer::shared()->kill();
+        $run->wait();
+        PrivateServer::shared()->restart();
+        self::assertRefused(3, 'has gone away', $run);
+        self::assertStringContainsString('run this again', $run->errors);
+        $again = $this->import([$label]);
+        self::assertDone($again);
+        self::assertMatchesRegularExpression('/going on after line (40|80|120|160|200|240|280|320)\n/', $again->errors);
+        self::assertSame($this->checksum('row_index < 360', ImportedModels::ldem4()), $this->checksum());
+    }
+
+    public function testImportConnectionKilledByTheAdministratorLosesNothing(): void
+    {
+        $label = $this->northOfLdem4();
+        $run = $this->start([$label]);
+        while ($this->rowsDone() < 40 && $run->isRunning()) {
+            usleep(5000);
+        }
+        $database = $this->environment['MSISF_DB_DATABASE'];
+        $id = $this->value("SELECT id FROM information_schema.processlist WHERE db = '$database' AND id <> CONNECTION_ID()");
+        $this->execute("KILL $id");
+        self::assertSame(3, $run->wait()->exitCode, $run->errors);
+        self::assertDone($this->import([$label]));
+        self::assertDone($this->import(['--verify', $label]));
+    }
+
+    public function testImportTwoAtOnceTheSecondWaitsAndFindsItDone(): void
+    {
+        $label = $this->northOfLdem4();
+        $first = $this->start([$label]);
+        while ($this->rowsDone() < 40 && $first->isRunning()) {
+            usleep(5000);
+        }
+        self::assertRefused(3, 'another import into ldem_4', $this->import(['--wait=0', $label]));
+        $second = $this->import([$label]);
+        self::assertDone($first->wait());
+        self::assertDone($second);
+        self::assertStringContainsString('waiting up to 600 s', $second->errors);
+        self::assertStringContainsString('is in ldem_4 already', $second->errors);
+        self::assertSame($first->output, $second->output);
+        self::assertSame(518400, $this->value('SELECT COUNT(*) FROM ldem_4'));
+    }
+
+    public function testImportDiskFullSaysSoAndGoesOnLater(): void
+    {
+        $folder = $this->value('SELECT @@datadir') . $this->environment['MSISF_DB_DATABASE'];
+        exec('mount -t tmpfs -o size=24m,mode=777 none ' . escapeshellarg($folder) . ' 2>&1', $lines, $code);
+        if ($code !== 0) {
+            self::assertNotSame('true', getenv('CI') ?: '', 'missing: the right to mount a small disk');
+            self::markTestSkipped('missing: the right to mount a small disk');
+        }
+        try {
+            $label = $this->northOfLdem4();
+            $run = $this->import([$label]);
+            self::assertRefused(3, 'is full', $run);
+            self::assertStringContainsString('Make room and run this again: it goes on where it stopped.', $run->errors);
+            exec('mount -o remount,size=512m ' . escapeshellarg($folder));
+            self::assertDone($this->import([$label]));
+            self::assertSame($this->checksum('row_index < 360', ImportedModels::ldem4()), $this->checksum());
+            $this->execute('DROP TABLE ldem_4, ldem_import');
+        } finally {
+            exec('umount -l ' . escapeshellarg($folder));
+        }
+    }
+
+    /** The northern half of the real model as a product of its own. */
+    private function northOfLdem4(): string
+    {
+        $samples = (string) file_get_contents(Parts::ldem4Image(), length: 360 * 2880);
+
+        return LabelText::writeProduct($this->folder, 'LDEM_4_00N_90N', [90, 0, 0, 360], $samples);
+    }
+
+    private function rowsDone(): int
+    {
+        $exists = $this->value("SELECT COUNT(*) FROM information_schema.tables WHERE table_schema = DATABASE() AND table_name = 'ldem_import'");
+
+        return $exists === 0 ? 0 : (int) $this->value('SELECT COALESCE(MAX(rows_done), 0) FROM ldem_import');
+    }
+}
