@@ -1,4 +1,4 @@
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>A range of azimuths, cut into bins of equal width.</summary>
 internal sealed class AzimuthWindow

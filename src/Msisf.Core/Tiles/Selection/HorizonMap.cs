@@ -1,4 +1,4 @@
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// What the terrain surely hides from a viewpoint: for each bin of azimuth and each of some rising arcs, a slope that the terrain up to

@@ -1,4 +1,4 @@
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Where something lies against the picture.</summary>
 internal enum FrameSide

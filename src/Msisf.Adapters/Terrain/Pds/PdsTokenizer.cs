@@ -1,7 +1,7 @@
 using System.Globalization;
 using Msisf.Core.Errors;
 
-namespace Msisf.Adapters.Terrain;
+namespace Msisf.Adapters.Terrain.Pds;
 
 /// <summary>Cuts the text of a PDS3 label (Object Description Language) into tokens, comments left out.</summary>
 /// <remarks>Planetary Data System Standards Reference 3.8, chapter 12.</remarks>

@@ -1,6 +1,6 @@
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Polar bounds of all tiles from one viewpoint, and of the blocks of those tiles that are asked for.</summary>
 internal sealed class BoundsTable

@@ -2,7 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>What lies in the picture: the four-sided pyramid of the camera's rays, one pixel wider all around for antialiasing's jitter.</summary>
 internal sealed class FramePyramid

@@ -1,7 +1,7 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// Writes the edges of a patch of terrain into a horizon map. Lines of edges (along the rows, the columns and the diagonals of the mesh) are

@@ -1,7 +1,7 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Finds out whether anything of a tile may be seen, and whether in sunlight.</summary>
 internal sealed class SeenVisitor : ISurfaceVisitor

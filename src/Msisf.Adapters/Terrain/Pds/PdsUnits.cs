@@ -1,4 +1,4 @@
-namespace Msisf.Adapters.Terrain;
+namespace Msisf.Adapters.Terrain.Pds;
 
 /// <summary>The spellings of units that labels use; the first is NASA's in LDEM labels.</summary>
 internal static class PdsUnits

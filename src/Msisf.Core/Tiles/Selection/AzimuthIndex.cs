@@ -1,4 +1,4 @@
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Tiles or blocks by the azimuths that they cover, so that a search meets only those beside it.</summary>
 internal sealed class AzimuthIndex

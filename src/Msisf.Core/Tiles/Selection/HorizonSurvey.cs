@@ -1,7 +1,7 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Makes a horizon map of the model as seen from a viewpoint: first from the blocks' least radii, then from the edges of the blocks that matter most.</summary>
 internal sealed class HorizonSurvey

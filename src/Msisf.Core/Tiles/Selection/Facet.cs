@@ -1,6 +1,6 @@
 using Msisf.Core.Numerics;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>A triangle of the mesh, counter-clockwise from outside.</summary>
 /// <param name="A">m, MOON_ME.</param>

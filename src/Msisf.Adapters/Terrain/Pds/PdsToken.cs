@@ -1,4 +1,4 @@
-namespace Msisf.Adapters.Terrain;
+namespace Msisf.Adapters.Terrain.Pds;
 
 /// <summary>What a piece of a PDS3 label is.</summary>
 internal enum PdsTokenKind

@@ -1,7 +1,7 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Walks down a tile to its facets, leaving out what is outside the picture or certainly hidden from the camera.</summary>
 internal sealed class SurfaceWalk

@@ -1,4 +1,4 @@
-namespace Msisf.Adapters.Terrain;
+namespace Msisf.Adapters.Terrain.Pds;
 
 /// <summary>A value of a PDS3 label: one text, or a sequence or set of values.</summary>
 /// <param name="Text">The text without quotes; empty for a sequence or set.</param>

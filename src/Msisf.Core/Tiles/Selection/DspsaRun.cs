@@ -2,7 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>One selection. Tiles are numbered by row (0 northernmost) times columns plus column.</summary>
 internal sealed class DspsaRun

@@ -1,8 +1,8 @@
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Terrain.Pds;
 using Msisf.Core.Errors;
 using Xunit;
 
-namespace Msisf.Adapters.Tests.Terrain;
+namespace Msisf.Adapters.Tests.Terrain.Pds;
 
 public class PdsLabelParserTests
 {

@@ -1,7 +1,7 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// The Moon in half planes about the axis from its centre to a viewpoint (the camera or the Sun). In such a half plane the surface is a

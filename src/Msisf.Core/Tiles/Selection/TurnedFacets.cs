@@ -1,7 +1,7 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// Where facets that are not certainly turned towards a viewpoint lie. Only through such a facet can a ray to the viewpoint enter the

@@ -1,7 +1,7 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Is shown what of the surface may be in the picture, coarse before fine.</summary>
 internal interface ISurfaceVisitor

@@ -1,7 +1,7 @@
 using System.Globalization;
 using Msisf.Core.Errors;
 
-namespace Msisf.Adapters.Terrain;
+namespace Msisf.Adapters.Terrain.Pds;
 
 /// <summary>Reads a PDS3 label, attached or detached: nested objects, comments, texts, sequences and sets over several lines, units.</summary>
 /// <remarks>Planetary Data System Standards Reference 3.8, chapters 5 and 12.</remarks>

@@ -1,4 +1,4 @@
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>A point in the half planes of a <see cref="PolarView"/>.</summary>
 /// <param name="East">m across the axis.</param>

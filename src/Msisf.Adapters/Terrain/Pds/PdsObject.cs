@@ -1,7 +1,7 @@
 using System.Globalization;
 using Msisf.Core.Errors;
 
-namespace Msisf.Adapters.Terrain;
+namespace Msisf.Adapters.Terrain.Pds;
 
 /// <summary>An OBJECT or GROUP of a PDS3 label, or the label itself: keywords with their values, and objects inside it.</summary>
 public sealed class PdsObject

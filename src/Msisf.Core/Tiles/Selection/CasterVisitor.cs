@@ -1,7 +1,7 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// Keeps the tiles that can throw a shadow on what is seen of a tile: those that a ray from there to the Sun can meet, the nearest

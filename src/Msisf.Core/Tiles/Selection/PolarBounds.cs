@@ -1,4 +1,4 @@
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Where a piece of the surface can lie in the half planes of a <see cref="PolarView"/>.</summary>
 /// <param name="Near">Least <see cref="PolarPoint.Arc"/>.</param>

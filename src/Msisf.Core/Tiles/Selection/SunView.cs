@@ -1,7 +1,7 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>The Moon as the Sun sees it: what the Sun certainly does not reach is dark.</summary>
 internal sealed class SunView
