@@ -9,6 +9,8 @@ part_is_here() {
         cairo) library_is_here libcairo ;;
         icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
         certificates) certificates_are_here ;;
+        php) have php && php -r 'exit(PHP_VERSION_ID >= 80200 && extension_loaded("pdo_mysql") ? 0 : 1);' ;;
+        mariadbd) { have mariadbd || [ -x /usr/sbin/mariadbd ]; } && have mariadb-install-db ;; # not on every user's PATH
         *) have "$1" ;;
     esac
 }
@@ -38,6 +40,13 @@ package_of() {
         apt-cairo) echo libcairo2 ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
         apt-xmllint) echo libxml2-utils ;;
+        apt-php) echo php-cli php-mysql ;;
+        # Not mariadb-server: that one starts a server, also at every boot. The tests start their own.
+        apt-mariadbd) echo mariadb-server-core mariadb-client-core ;;
+        dnf-php) echo php-cli php-mysqlnd ;;
+        dnf-mariadbd) echo mariadb-server ;;
+        pacman-mariadbd) echo mariadb ;;
+        brew-mariadbd) echo mariadb ;;
         dnf-icu) echo libicu ;;
         dnf-shellcheck) echo ShellCheck ;;
         *-xmllint) echo libxml2 ;;

@@ -81,11 +81,13 @@ final class Schema
     public function requireOwn(Resolution $resolution): void
     {
         $keys = $this->connection->rows(
-            'SELECT CONCAT(index_name, \' \', column_name) AS entry FROM information_schema.statistics'
-            . ' WHERE table_schema = DATABASE() AND table_name = ? ORDER BY index_name, seq_in_index',
+            'SELECT CONCAT_WS(\' \', index_name, seq_in_index, column_name) AS entry FROM information_schema.statistics'
+            . ' WHERE table_schema = DATABASE() AND table_name = ?',
             [$resolution->table()]
         );
-        if (array_column($keys, 'entry') !== ['point_index point', 'PRIMARY row_index', 'PRIMARY col_index']) {
+        $entries = array_column($keys, 'entry');
+        sort($entries);
+        if ($entries !== ['PRIMARY 1 row_index', 'PRIMARY 2 col_index', 'point_index 1 point']) {
             throw new BadInputException("database {$this->connection->database}: the table {$resolution->table()} there has other keys than "
                 . 'this version makes (docs/database.md). Rename or drop it, or import into another database.');
         }
