@@ -39,7 +39,7 @@ final class WorkerPool
      */
     public function wait(Closure $progress): void
     {
-        while (($streams = array_merge(...array_map(static fn (WorkerProcess $worker): array => $worker->streams(), $this->workers))) !== []) {
+        while (($streams = $this->streams()) !== []) {
             $none = null;
             // False: a signal came in between.
             if (@stream_select($streams, $none, $none, null) === false) {
@@ -51,5 +51,11 @@ final class WorkerPool
                 }
             }
         }
+    }
+
+    /** @return list<resource> what to wait for; nothing after the end of all */
+    private function streams(): array
+    {
+        return array_merge(...array_map(static fn (WorkerProcess $worker): array => $worker->streams(), $this->workers));
     }
 }

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Terrain.Pds;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Terrain.Pds;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tiles;

@@ -1,4 +1,5 @@
 using System.Text;
+using Msisf.Adapters.Terrain.Pds;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;

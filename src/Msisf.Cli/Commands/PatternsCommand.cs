@@ -3,6 +3,7 @@ using Msisf.Adapters.Tiles;
 using Msisf.Cli.Options;
 using Msisf.Cli.Progress;
 using Msisf.Cli.Run;
+using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Commands;
@@ -14,13 +15,14 @@ internal static class PatternsCommand
     public static Command Create(ProgramHost host)
     {
         SourceOptions source = new();
+        DatabaseOptions database = new();
         Option<string?> margin = OptionFactory.Value(
             "--margin", [], "DEGREES", "Overlap with the neighbours, for scenes of 2012; none is needed (default 0, at most 1)");
         Option<string?> format = OptionFactory.Value(
             "--format", [], "mesh2|mesh", "Form of the patterns: exact and compact (default), or the thesis's text form for old scenes");
         Option<bool> batch = OptionFactory.Flag("--batch", ["-b"], "Unattended: draw no progress bar");
         Command command = new("patterns", "Makes all 2,592 surface patterns of an elevation model; those that are there and right are kept.");
-        foreach (Option option in (Option[])[.. source.All, margin, format, batch])
+        foreach (Option option in (Option[])[.. source.All, .. database.All, margin, format, batch])
         {
             command.Options.Add(option);
         }
@@ -34,7 +36,8 @@ internal static class PatternsCommand
                     ? OptionText.Choice(format, name, [("mesh2", PatternFormat.Mesh2), ("mesh", PatternFormat.Mesh)])
                     : PatternFormat.Mesh2;
                 PatternOptions options = OptionText.Named(margin, () => new PatternOptions(marginDegrees, form));
-                Make(line, source, options, line.GetValue(batch), host, cancellation);
+                using GridSource grid = GridSource.Open(line, source, database, host);
+                Make(line, source, grid.Grid, options, line.GetValue(batch), host, cancellation);
                 return 0;
             },
             cancellation));
@@ -42,19 +45,17 @@ internal static class PatternsCommand
     }
 
     private static void Make(
-        ParseResult line, SourceOptions source, PatternOptions options, bool unattended, ProgramHost host, CancellationToken cancellation)
+        ParseResult line, SourceOptions source, IElevationGrid grid, PatternOptions options, bool unattended, ProgramHost host, CancellationToken cancellation)
     {
-        string? ldem = line.GetValue(source.Ldem) is string path ? OptionText.FilePath(source.Ldem, path) : null;
         string root = line.GetValue(source.PatternRepository) is string folder
             ? OptionText.FilePath(source.PatternRepository, folder)
             : SourceSettings.DefaultRepository;
-        using ElevationModel model = ElevationModel.Open(ldem, SourceSettings.Resolution(line, source), host);
         PatternRepository repository = new(root);
         using IRunProgress progress = RunProgress.Start("Patterns", TileId.Count, unattended, host.Log, host.Clock);
         PatternSet made = repository.EnsurePatterns(
-            TileId.All, model.Grid, options, Environment.ProcessorCount, new StepProgress(progress), cancellation);
+            TileId.All, grid, options, Environment.ProcessorCount, new StepProgress(progress), cancellation);
         host.Log.Note($"{made.Written} of {made.Paths.Count} patterns made, the others were there.");
-        host.Results.WriteLine(repository.FolderOf(model.Grid.PixelsPerDegree));
+        host.Results.WriteLine(repository.FolderOf(grid.PixelsPerDegree));
     }
 
     /// <summary>Passes each ready tile on at once, on the thread that made it.</summary>

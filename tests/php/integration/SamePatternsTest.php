@@ -5,6 +5,7 @@ declare(strict_types=1);
 namespace Msisf\Tests\Integration;
 
 use Msisf\Tests\Support\Parts;
+use Msisf\Tests\Support\PrivateServer;
 use Msisf\Tests\Support\ReferencePatterns;
 use Msisf\Tests\Support\ScriptRun;
 
@@ -80,6 +81,21 @@ final class SamePatternsTest extends GenerationTestCase
         self::assertSame([], ReferencePatterns::ldem4()->differencesIn($repository, wantAll: false));
         self::assertSame(1_000_000_000, filemtime($files[2]));
         self::assertStringContainsString(' 32 patterns made, 0 were there', $this->generate([...$range, '--no-resume'])->errors);
+    }
+
+    public function testUserWhoMayOnlyReadIsEnough(): void
+    {
+        $database = $this->environment['MSISF_DB_DATABASE'];
+        foreach (["CREATE OR REPLACE USER reader@localhost IDENTIFIED BY 'geheim-7x!'", "GRANT SELECT ON $database.* TO reader@localhost"] as $sql) {
+            PrivateServer::shared()->execute($this->environment, $sql);
+        }
+        $run = $this->generate(
+            ['--lat=0', '--lon=0', '--repository', $this->folder->path('r')],
+            ['MSISF_DB_USER' => 'reader', 'MSISF_DB_PASSWORD' => 'geheim-7x!'],
+        );
+
+        self::assertSame(0, $run->exitCode, $run->errors);
+        self::assertStringNotContainsString('geheim', $run->errors . $run->output);
     }
 
     public function testTwoGeneratorsAndMsisInOneRepositoryGiveTheSamePatternsWithoutAnError(): void

@@ -1,0 +1,17 @@
+namespace Msisf.Adapters.Terrain.Pds;
+
+/// <summary>The spellings of units that labels use; the first is NASA's in LDEM labels.</summary>
+internal static class PdsUnits
+{
+    /// <summary>Angles.</summary>
+    public static readonly string[] Degrees = ["deg", "degree", "degrees"];
+
+    /// <summary>Resolutions.</summary>
+    public static readonly string[] PixelsPerDegree = ["pix/deg", "pixel/deg", "pixel/degree", "pixels/degree"];
+
+    /// <summary>Places in an image.</summary>
+    public static readonly string[] Pixels = ["pix", "pixel", "pixels"];
+
+    /// <summary>Lengths.</summary>
+    public static readonly string[] Kilometres = ["km", "kilometer", "kilometers"];
+}

@@ -1,0 +1,178 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>
+/// Finds out whether a dark tile covers something that is kept. A ray that enters the Moon through the tile leaves it next through a facet
+/// that is turned away from the camera; nothing else can be met before it.
+/// </summary>
+internal sealed class CoverVisitor : ISurfaceVisitor
+{
+    private const int Bins = 360;
+
+    /// <summary>Facets that are looked at; afterwards what a block may cover counts as covered.</summary>
+    private const int MostFacets = 1500;
+
+    private readonly BoundsTable _table;
+    private readonly TurnedFacets _facets;
+    private readonly double _limb;
+    private readonly AzimuthIndex _soughtTiles = new(Bins);
+    private readonly AzimuthIndex _turned = new(Bins);
+    private readonly List<PolarBounds> _turnedFacets = [];
+    private int _facetBudget = MostFacets;
+
+    /// <param name="summary">Bounds of the terrain.</param>
+    /// <param name="frame">The picture.</param>
+    /// <param name="table">From the camera.</param>
+    /// <param name="camera">m, MOON_ME.</param>
+    /// <param name="patch">For reading; not the one that the walk reads.</param>
+    /// <param name="dark">The tiles that will be asked for.</param>
+    public CoverVisitor(ElevationSummary summary, FramePyramid frame, BoundsTable table, Vector3D camera, TerrainPatch patch, List<int> dark)
+    {
+        _table = table;
+        _facets = new TurnedFacets(table, summary, camera, patch);
+
+        // From where a sphere as high as the highest terrain turns away, a facet that does so is taken for granted.
+        _limb = PolarView.Arc(Math.Min(1.0, summary.GreatestRadius / table.View.Distance));
+        AzimuthIndex asked = new(Bins);
+        foreach (int tile in dark)
+        {
+            asked.Add(tile, table[tile]);
+        }
+
+        SummaryLevel tiles = summary.Levels[0];
+        for (int tile = 0; tile < tiles.Bounds.Length; tile++)
+        {
+            TerrainNode node = tiles.Node(tile / tiles.Columns, tile % tiles.Columns);
+            if (table[tile].Near < _limb && SharesRay(asked, table[tile]) && _facets.MayBeIn(node, table[tile])
+                && frame.Classify(node) != FrameSide.Outside)
+            {
+                NoteTurned(tile, table.Blocks(tile));
+            }
+        }
+    }
+
+    /// <summary>One of the tiles that were looked for may lie behind the tile that was walked.</summary>
+    public bool Covers { get; private set; }
+
+    /// <summary>Makes ready for the next tile.</summary>
+    public void Reset() => Covers = false;
+
+    /// <summary>Asks from now on for what lies behind these tiles only.</summary>
+    public void LookFor(IEnumerable<int> tiles)
+    {
+        _soughtTiles.Clear();
+        foreach (int tile in tiles)
+        {
+            _soughtTiles.Add(tile, _table[tile]);
+        }
+    }
+
+    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, int depth)
+    {
+        if (!AnyBehind(bounds))
+        {
+            return Visit.Skip;
+        }
+
+        Covers = depth > 0 && _facetBudget <= 0;
+        return Covers ? Visit.Stop : Visit.Descend;
+    }
+
+    public Visit Facet(ReadOnlySpan<Vector3D> part, in PolarBounds bounds, in Facet facet)
+    {
+        _facetBudget--;
+        Covers = AnyBehind(bounds);
+        return Covers ? Visit.Stop : Visit.Descend;
+    }
+
+    /// <summary>Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles cover each other in long chains.</summary>
+    public bool MayLeaveBeforeLimb(int tile) => FirstExit(_table[tile]) < _limb;
+
+    private bool SharesRay(AzimuthIndex index, in PolarBounds bounds)
+    {
+        foreach (int bin in index.Bins(bounds))
+        {
+            foreach (int tile in index[bin])
+            {
+                if (_table[tile].CanShareRayWith(bounds))
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
+    private void NoteTurned(int tile, ReadOnlySpan<PolarBounds> blocks)
+    {
+        for (int block = 0; block < blocks.Length; block++)
+        {
+            if (!(blocks[block].Near < _limb))
+            {
+                continue;
+            }
+
+            foreach (PolarBounds facet in _facets.Of(tile, block))
+            {
+                _turned.Add(_turnedFacets.Count, facet);
+                _turnedFacets.Add(facet);
+            }
+        }
+    }
+
+    private bool AnyBehind(in PolarBounds target)
+    {
+        double exit = FirstExit(target);
+        foreach (int bin in _soughtTiles.Bins(target))
+        {
+            foreach (int tile in _soughtTiles[bin])
+            {
+                if (_table[tile].Far > exit && _table[tile].CanShareRayWith(target) && AnyBlockBehind(tile, target, exit))
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
+    private bool AnyBlockBehind(int tile, in PolarBounds target, double exit)
+    {
+        foreach (ref readonly PolarBounds block in _table.Blocks(tile))
+        {
+            if (block.Far > exit && block.CanShareRayWith(target))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The least arc at which a ray that entered through the target can leave the Moon.</summary>
+    private double FirstExit(in PolarBounds target)
+    {
+        double exit = _limb;
+        foreach (int bin in _turned.Bins(target))
+        {
+            foreach (int index in _turned[bin])
+            {
+                PolarBounds facet = _turnedFacets[index];
+                if (facet.Near < exit && facet.Far > target.Near && facet.CanShareRayWith(target))
+                {
+                    exit = facet.Near;
+                    if (exit <= target.Near)
+                    {
+                        return target.Near;
+                    }
+                }
+            }
+        }
+
+        return Math.Max(exit, target.Near);
+    }
+}

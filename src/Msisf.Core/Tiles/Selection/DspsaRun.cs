@@ -1,0 +1,180 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>One selection. Tiles are numbered by row (0 northernmost) times columns plus column.</summary>
+internal sealed class DspsaRun
+{
+    /// <summary>So many rounds look closely at what dark tiles cover; then all that may be links of a chain along the limb are kept.</summary>
+    private const int MostCloseRounds = 1;
+
+    private readonly ElevationSummary _summary;
+    private readonly SummaryLevel _tiles;
+    private readonly FramePyramid _frame;
+    private readonly PolarView _view;
+    private readonly HorizonMap _horizon;
+    private readonly SurfaceWalk _walk;
+    private readonly TerrainPatch _patch;
+    private readonly Vector3D _camera;
+    private readonly Vector3D? _sunPosition;
+    private readonly TileReason[] _reasons = new TileReason[TileId.Count];
+    private readonly bool[] _kept = new bool[TileId.Count];
+    private readonly bool[] _seen = new bool[TileId.Count];
+
+    public DspsaRun(PinholeCamera camera, Vector3D? sunPositionMoonMe, IElevationGrid grid, ElevationSummary summary)
+    {
+        _summary = summary;
+        _tiles = summary.Levels[0];
+        _frame = new FramePyramid(camera);
+        _view = new PolarView(camera.PositionMoonMe);
+        _sunPosition = sunPositionMoonMe;
+        _camera = camera.PositionMoonMe;
+
+        // Two patches: a walk still reads its own while a visitor loads another.
+        FacetMesh mesh = new(grid);
+        _patch = new TerrainPatch(mesh);
+        HorizonSurvey survey = new(_view, summary, _patch);
+        (double middle, double width) = FrameAzimuths();
+        _horizon = survey.EmptyMap(middle, width, withCore: true);
+        survey.Fill(_horizon, (in TerrainNode node, in PolarBounds _) => _frame.Classify(node) != FrameSide.Outside);
+        _walk = new SurfaceWalk(summary, _frame, _view, _horizon, camera.PositionMoonMe, new TerrainPatch(mesh));
+    }
+
+    public TileSelection Select()
+    {
+        List<int> inFrame = TilesInFrame();
+        SunView? sun = _sunPosition is Vector3D position
+            ? new SunView(position, _summary, _patch, inFrame.Where(tile => !_horizon.Hides(_view.Bounds(Node(tile)))))
+            : null;
+        List<int> newlyKept = [];
+        List<int> dark = [];
+        FindVisible(inFrame, sun, newlyKept, dark);
+        if (sun is not null)
+        {
+            KeepWhatIsNeeded(sun, newlyKept, dark);
+        }
+
+        return new TileSelection(_reasons.Select((reason, tile) => new TileChoice(IdOf(tile), reason)));
+    }
+
+    private static TileId IdOf(int tile) =>
+        new(90 - (TileId.SizeDegrees * ((tile / TileId.Columns) + 1)), TileId.SizeDegrees * (tile % TileId.Columns));
+
+    /// <summary>The azimuths about the line to the Moon's centre that the picture covers.</summary>
+    private (double Middle, double Width) FrameAzimuths()
+    {
+        Vector3D up = _view.Axis;
+        if (_frame.Holds(up) || _frame.Holds(-up))
+        {
+            return (0.0, 2.0 * Math.PI);
+        }
+
+        // The picture is a convex cone without the axis, so less than half a turn, and its edges bound it.
+        double middle = _view.AzimuthOf(_frame.Forward);
+        double least = 0.0;
+        double greatest = 0.0;
+        foreach (Vector3D edge in _frame.Edges)
+        {
+            double turn = AzimuthWindow.Wrapped(_view.AzimuthOf(edge) - middle);
+            least = Math.Min(least, turn);
+            greatest = Math.Max(greatest, turn);
+        }
+
+        // Where the axis is on the border of the picture, rounding decides between a half turn and more.
+        double width = greatest - least + (2.0 * Tolerances.WindowMargin);
+        return width < 0.9 * Math.PI ? (middle + (0.5 * (least + greatest)), width) : (0.0, 2.0 * Math.PI);
+    }
+
+    private TerrainNode Node(int tile) => _tiles.Node(tile / TileId.Columns, tile % TileId.Columns);
+
+    private void Walk(int tile, ISurfaceVisitor visitor) => _walk.Walk(tile / TileId.Columns, tile % TileId.Columns, visitor);
+
+    private List<int> TilesInFrame()
+    {
+        List<int> tiles = [];
+        for (int tile = 0; tile < TileId.Count; tile++)
+        {
+            _reasons[tile] = TileReason.OutsideFrame;
+            if (_frame.Classify(Node(tile)) != FrameSide.Outside)
+            {
+                tiles.Add(tile);
+            }
+        }
+
+        return tiles;
+    }
+
+    private void FindVisible(List<int> inFrame, SunView? sun, List<int> newlyKept, List<int> dark)
+    {
+        SeenVisitor visitor = new(sun);
+        foreach (int tile in inFrame)
+        {
+            visitor.Reset();
+            Walk(tile, visitor);
+            _seen[tile] = visitor.SeenLit || visitor.SeenDark;
+            if (visitor.SeenLit)
+            {
+                _reasons[tile] = TileReason.Visible;
+                _kept[tile] = true;
+                newlyKept.Add(tile);
+            }
+            else if (visitor.SeenDark)
+            {
+                _reasons[tile] = TileReason.Night;
+                dark.Add(tile);
+            }
+            else if (_walk.MetFrame)
+            {
+                _reasons[tile] = TileReason.Hidden;
+            }
+        }
+    }
+
+    /// <summary>Adds what casts shadows on what is kept, and dark tiles that cover what is kept, until nothing more is needed.</summary>
+    private void KeepWhatIsNeeded(SunView sun, List<int> newlyKept, List<int> dark)
+    {
+        CasterVisitor casters = new(sun, _summary, _patch, _kept, newlyKept);
+        CoverVisitor? cover = null;
+        int done = 0;
+        int coverKnows = 0;
+        int round = 0;
+        while (done < newlyKept.Count)
+        {
+            for (; done < newlyKept.Count; done++)
+            {
+                int tile = newlyKept[done];
+                if (_reasons[tile] is not (TileReason.Visible or TileReason.DarkButCovering))
+                {
+                    _reasons[tile] = TileReason.CastsShadow;
+                }
+
+                if (_seen[tile])
+                {
+                    Walk(tile, casters);
+                }
+            }
+
+            cover ??= new CoverVisitor(_summary, _frame, new BoundsTable(_view, _summary), _camera, _patch, dark);
+            cover.LookFor(newlyKept.Skip(coverKnows));
+            coverKnows = newlyKept.Count;
+            round++;
+            foreach (int tile in dark.Where(tile => !_kept[tile]))
+            {
+                cover.Reset();
+                if (round <= MostCloseRounds || !cover.MayLeaveBeforeLimb(tile))
+                {
+                    Walk(tile, cover);
+                }
+
+                if (cover.Covers || (round > MostCloseRounds && cover.MayLeaveBeforeLimb(tile)))
+                {
+                    _kept[tile] = true;
+                    _reasons[tile] = TileReason.DarkButCovering;
+                    newlyKept.Add(tile);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,127 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>What lies in the picture: the four-sided pyramid of the camera's rays, one pixel wider all around for antialiasing's jitter.</summary>
+internal sealed class FramePyramid
+{
+    private readonly Vector3D _camera;
+    private readonly Vector3D[] _inward;
+    private readonly Vector3D[] _edges;
+
+    public FramePyramid(PinholeCamera camera)
+    {
+        _camera = camera.PositionMoonMe;
+        double focalLength = camera.Direction.Length;
+        double right = camera.Right.Length / (2.0 * focalLength) * (1.0 + (2.0 / camera.Width));
+        double up = camera.Up.Length / (2.0 * focalLength) * (1.0 + (2.0 / camera.Height));
+        Vector3D forward = camera.ForwardMoonMe;
+        Vector3D unitRight = camera.Right.Normalized();
+        Vector3D unitUp = camera.Up.Normalized();
+        _inward =
+        [
+            ((right * forward) + unitRight).Normalized(),
+            ((right * forward) - unitRight).Normalized(),
+            ((up * forward) + unitUp).Normalized(),
+            ((up * forward) - unitUp).Normalized(),
+        ];
+        _edges =
+        [
+            forward + (right * unitRight) + (up * unitUp),
+            forward + (right * unitRight) - (up * unitUp),
+            forward - (right * unitRight) + (up * unitUp),
+            forward - (right * unitRight) - (up * unitUp),
+        ];
+        Forward = forward;
+    }
+
+    /// <summary>Viewing direction, MOON_ME.</summary>
+    public Vector3D Forward { get; }
+
+    /// <summary>Directions of the four edges, MOON_ME.</summary>
+    public ReadOnlySpan<Vector3D> Edges => _edges;
+
+    /// <summary>Whether a direction from the camera is in the picture.</summary>
+    public bool Holds(Vector3D direction)
+    {
+        foreach (Vector3D inward in _inward)
+        {
+            if (Vector3D.Dot(inward, direction) < 0.0)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Where a node lies, by the sphere about it.</summary>
+    public FrameSide Classify(in TerrainNode node)
+    {
+        double middle = 0.5 * (node.LeastRadius + node.GreatestRadius) * node.Cap.CosRadius;
+        double radius = Math.Max(ToRim(node.Cap, middle, node.LeastRadius), ToRim(node.Cap, middle, node.GreatestRadius));
+        Vector3D centre = (middle * node.Cap.Centre) - _camera;
+        FrameSide side = FrameSide.Inside;
+        foreach (Vector3D inward in _inward)
+        {
+            double distance = Vector3D.Dot(inward, centre);
+            if (distance < -radius)
+            {
+                return FrameSide.Outside;
+            }
+
+            if (distance < radius)
+            {
+                side = FrameSide.Straddling;
+            }
+        }
+
+        return side;
+    }
+
+    /// <summary>Cuts off what is outside the picture.</summary>
+    /// <param name="polygon">Corners, m, MOON_ME; convex. Holds the result, which can have four corners more.</param>
+    /// <param name="count">Corners before; after: 0 if nothing is in the picture.</param>
+    public void Clip(Span<Vector3D> polygon, ref int count)
+    {
+        Span<Vector3D> cut = stackalloc Vector3D[polygon.Length];
+        foreach (Vector3D inward in _inward)
+        {
+            int kept = 0;
+            for (int corner = 0; corner < count; corner++)
+            {
+                Vector3D here = polygon[corner];
+                Vector3D next = polygon[corner + 1 == count ? 0 : corner + 1];
+                double distance = Vector3D.Dot(inward, here - _camera) + Tolerances.VertexLattice;
+                double nextDistance = Vector3D.Dot(inward, next - _camera) + Tolerances.VertexLattice;
+                if (distance >= 0.0)
+                {
+                    cut[kept++] = here;
+                }
+
+                if ((distance >= 0.0) != (nextDistance >= 0.0))
+                {
+                    cut[kept++] = here + (distance / (distance - nextDistance) * (next - here));
+                }
+            }
+
+            cut[..kept].CopyTo(polygon);
+            count = kept;
+            if (count == 0)
+            {
+                return;
+            }
+        }
+    }
+
+    /// <summary>Distance from the point at height <paramref name="middle"/> on a cap's axis to the rim at a radius; the farthest at that radius.</summary>
+    private static double ToRim(in SphericalCap cap, double middle, double radius)
+    {
+        double along = (radius * cap.CosRadius) - middle;
+        double across = radius * cap.SinRadius;
+        double rim = Math.Sqrt((along * along) + (across * across)); // lunar radii
+        return Math.Max(rim, Math.Abs(radius - middle));
+    }
+}

@@ -1,0 +1,188 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>Makes a horizon map of the model as seen from a viewpoint: first from the blocks' least radii, then from the edges of the blocks that matter most.</summary>
+internal sealed class HorizonSurvey
+{
+    /// <summary>rad: where the viewpoint stands higher than this in the ground's sky the map is not made: no tile is hidden whole there, and parts do not matter.</summary>
+    private const double GreatestElevation = Math.PI / 15.0;
+
+    /// <summary>Bins of a map; all around that is 0.09 degrees, a third of a cell at 4 px/deg.</summary>
+    private const int MostBins = 4096;
+
+    /// <summary>Bins to a cell at the limb; more add work and nothing else.</summary>
+    private const double BinsPerCell = 2.5;
+
+    /// <summary>Vertices read for one map at most: some milliseconds. What is left out only makes the map weaker, never wrong.</summary>
+    private const int VertexBudget = 9_000;
+
+    private readonly PolarView _view;
+    private readonly ElevationSummary _summary;
+    private readonly TerrainPatch _patch;
+    private readonly SummaryLevel _blocks;
+    private readonly SummaryLevel _finest;
+    private readonly double _cellAngle;
+
+    public HorizonSurvey(PolarView view, ElevationSummary summary, TerrainPatch patch)
+    {
+        _view = view;
+        _summary = summary;
+        _patch = patch;
+        _blocks = summary.Levels[1];
+        _finest = summary.Levels[^1];
+        _cellAngle = Math.PI / 180.0 / summary.PixelsPerDegree;
+    }
+
+    /// <summary>Whether terrain in a place could hide something that matters.</summary>
+    public delegate bool Relevance(in TerrainNode node, in PolarBounds bounds);
+
+    /// <summary>Makes a map without terrain.</summary>
+    /// <param name="middle">rad, of the azimuths that matter.</param>
+    /// <param name="width">rad.</param>
+    /// <param name="withCore">Whether the sphere below the lowest terrain hides: yes if all terrain is there.</param>
+    public HorizonMap EmptyMap(double middle, double width, bool withCore)
+    {
+        double least = (_summary.LeastRadius * MeshBounds.SagittaFactor(_summary.PixelsPerDegree)) - Tolerances.VertexLattice;
+        double toTangent = AngleOfCosine(least / _view.Distance);
+        double lastAngle = Math.Min(Math.PI, toTangent + AngleOfCosine(least / _summary.GreatestRadius));
+        double sight = 0.5 * (_summary.LeastRadius + _summary.GreatestRadius) * Math.Cos(GreatestElevation) / _view.Distance;
+        double firstAngle = Math.Max(0.0, AngleOfCosine(sight) - GreatestElevation);
+        AzimuthWindow window = new(middle, width, _cellAngle / BinsPerCell / Math.Sin(Math.Min(lastAngle, 0.5 * Math.PI)), MostBins);
+        HorizonMap map = new(window, Math.Sin(0.5 * firstAngle), Math.Sin(0.5 * lastAngle));
+        if (withCore && _view.Distance > least)
+        {
+            map.RaiseAll(Math.Sin(0.5 * toTangent), _view.TangentSlope(least));
+        }
+
+        return map;
+    }
+
+    /// <summary>Adds the terrain to a map.</summary>
+    public void Fill(HorizonMap map, Relevance relevant)
+    {
+        List<Candidate> candidates = Candidates(map, relevant);
+        candidates.Sort((a, b) => a.Slope != b.Slope ? b.Slope.CompareTo(a.Slope) : a.Index.CompareTo(b.Index));
+        RidgeTracer tracer = new(map, _view, _cellAngle);
+        int budget = VertexBudget;
+        foreach (Candidate candidate in candidates)
+        {
+            if (budget <= 0)
+            {
+                return;
+            }
+
+            int row = candidate.Index / _blocks.Columns;
+            Refine(map, relevant, tracer, row, candidate.Index % _blocks.Columns, candidate.Count, ref budget);
+        }
+    }
+
+    private static double AngleOfCosine(double cos) => cos >= 1.0 ? 0.0 : Math.Atan2(Math.Sqrt((1.0 - cos) * (1.0 + cos)), cos);
+
+    private List<Candidate> Candidates(HorizonMap map, Relevance relevant)
+    {
+        List<Candidate> candidates = [];
+        bool[] tiles = RelevantTiles(map, relevant);
+        int factor = _blocks.Subdivisions;
+        int tileColumns = _summary.Levels[0].Columns;
+        for (int row = 0; row < _blocks.Rows; row++)
+        {
+            // Towards the poles blocks are slivers: as many as make one about as wide as high are taken together.
+            int group = Math.Clamp((int)(1.0 / Math.Cos(MeshBounds.CentreLatitude(_blocks.Cells(row, 0), _blocks.Lines))), 1, _blocks.Columns / 4);
+            double inner = _blocks.InnerRadius(row);
+            for (int column = 0; column < _blocks.Columns; column += group)
+            {
+                int count = Math.Min(group, _blocks.Columns - column);
+                if (!AnyTile(tiles, row / factor * tileColumns, column / factor, (column + count - 1) / factor))
+                {
+                    continue;
+                }
+
+                TerrainNode node = _blocks.Node(row, column, count);
+                PolarBounds bounds = _view.Bounds(node);
+                if (Concerns(map, relevant, node, bounds))
+                {
+                    candidates.Add(new Candidate(bounds.GreatestSlope, (row * _blocks.Columns) + column, count));
+                    if (count == 1)
+                    {
+                        RaiseByInnerCap(map, node, inner);
+                    }
+                }
+            }
+        }
+
+        return candidates;
+    }
+
+    private bool[] RelevantTiles(HorizonMap map, Relevance relevant)
+    {
+        SummaryLevel level = _summary.Levels[0];
+        bool[] tiles = new bool[level.Bounds.Length];
+        for (int index = 0; index < tiles.Length; index++)
+        {
+            TerrainNode node = level.Node(index / level.Columns, index % level.Columns);
+            tiles[index] = Concerns(map, relevant, node, _view.Bounds(node));
+        }
+
+        return tiles;
+    }
+
+    private static bool AnyTile(bool[] tiles, int rowStart, int first, int last)
+    {
+        for (int column = first; column <= last; column++)
+        {
+            if (tiles[rowStart + column])
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static bool Concerns(HorizonMap map, Relevance relevant, in TerrainNode node, in PolarBounds bounds) =>
+        bounds.Near < map.LastArc && !map.NeverHides(bounds)
+        && map.Window.Touched(bounds.Azimuth, bounds.HalfWidth).Count > 0 && relevant(node, bounds);
+
+    /// <summary>Each half plane that meets the cap inside a block meets the block's terrain there, at its least radius or higher.</summary>
+    private void RaiseByInnerCap(HorizonMap map, in TerrainNode node, double inner)
+    {
+        (double sin, double cos) = Math.SinCos(inner);
+        PolarBounds bounds = _view.Bounds(node with { Cap = new SphericalCap(node.Cap.Centre, cos, sin) });
+        if (bounds.HalfWidth >= Math.PI)
+        {
+            return;
+        }
+
+        double place = map.Window.Place(bounds.Azimuth);
+        double half = bounds.HalfWidth / map.Window.BinWidth;
+        int last = (int)Math.Floor(place + half) - 1;
+        for (int bin = (int)Math.Ceiling(place - half); bin <= last; bin++)
+        {
+            map.Raise(bin, bounds.Far, bounds.LeastSlope);
+        }
+    }
+
+    private void Refine(HorizonMap map, Relevance relevant, RidgeTracer tracer, int row, int column, int count, ref int budget)
+    {
+        int factor = _finest.Subdivisions / _blocks.Subdivisions;
+        for (int fineRow = row * factor; fineRow < (row + 1) * factor; fineRow++)
+        {
+            for (int part = 0; part < factor; part++)
+            {
+                int fineColumn = (column * factor) + (part * count);
+                TerrainNode node = _finest.Node(fineRow, fineColumn, count);
+                PolarBounds bounds = _view.Bounds(node);
+                if (map.CouldRise(bounds) && relevant(node, bounds))
+                {
+                    _patch.Load(_finest.Cells(fineRow, fineColumn, count));
+                    tracer.Trace(_patch);
+                    budget -= _patch.Lines * _patch.Samples;
+                }
+            }
+        }
+    }
+
+    private readonly record struct Candidate(double Slope, int Index, int Count);
+}

@@ -1,0 +1,24 @@
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>Where a piece of the surface can lie in the half planes of a <see cref="PolarView"/>.</summary>
+/// <param name="Near">Least <see cref="PolarPoint.Arc"/>.</param>
+/// <param name="Far">Greatest arc.</param>
+/// <param name="Azimuth">rad, of the middle.</param>
+/// <param name="HalfWidth">rad; pi or more: all around.</param>
+/// <param name="LeastSlope">Of the lines of sight to it.</param>
+/// <param name="GreatestSlope">Of the lines of sight to it.</param>
+internal readonly record struct PolarBounds(
+    double Near, double Far, double Azimuth, double HalfWidth, double LeastSlope, double GreatestSlope)
+{
+    /// <summary>Both can be met by one ray from the viewpoint.</summary>
+    public bool CanShareRayWith(in PolarBounds other)
+    {
+        if (LeastSlope > other.GreatestSlope || other.LeastSlope > GreatestSlope)
+        {
+            return false;
+        }
+
+        double apart = Math.Abs(Azimuth - other.Azimuth);
+        return Math.Min(apart, (2.0 * Math.PI) - apart) <= HalfWidth + other.HalfWidth;
+    }
+}

@@ -1,0 +1,53 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>Finds out whether anything of a tile may be seen, and whether in sunlight.</summary>
+internal sealed class SeenVisitor : ISurfaceVisitor
+{
+    private readonly SunView? _sun;
+
+    /// <param name="sun">Null: the light is at the camera.</param>
+    public SeenVisitor(SunView? sun) => _sun = sun;
+
+    /// <summary>Something may be seen in the light.</summary>
+    public bool SeenLit { get; private set; }
+
+    /// <summary>Something may be seen that is dark.</summary>
+    public bool SeenDark { get; private set; }
+
+    /// <summary>Makes ready for the next tile.</summary>
+    public void Reset() => (SeenLit, SeenDark) = (false, false);
+
+    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, int depth)
+    {
+        if (_sun is null)
+        {
+            SeenLit |= certain;
+            return certain ? Visit.Stop : Visit.Descend;
+        }
+
+        PolarBounds fromSun = _sun.View.Bounds(node);
+        if (_sun.Map.Hides(fromSun))
+        {
+            SeenDark |= certain;
+            return SeenDark ? Visit.Skip : Visit.Descend;
+        }
+
+        SeenLit |= certain && _sun.Map.NeverHides(fromSun);
+        return SeenLit ? Visit.Stop : Visit.Descend;
+    }
+
+    public Visit Facet(ReadOnlySpan<Vector3D> part, in PolarBounds bounds, in Facet facet)
+    {
+        if (_sun is not null && (facet.TurnsAwayFrom(_sun.Position) || _sun.Map.Hides(SurfaceWalk.BoundsOf(_sun.View, part))))
+        {
+            SeenDark = true;
+            return Visit.Descend;
+        }
+
+        SeenLit = true;
+        return Visit.Stop;
+    }
+}

@@ -1,0 +1,112 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>The Moon as the Sun sees it: what the Sun certainly does not reach is dark.</summary>
+internal sealed class SunView
+{
+    /// <summary>Azimuth bins of the list of what needs a map.</summary>
+    private const int NeedBins = 360;
+
+    /// <summary>Terrain that stands this much nearer to the Sun's axis (as arc, some 8 degrees) is hardly high enough to hide anything.</summary>
+    private const double Reach = 0.05;
+
+    private readonly double[] _needNear = new double[NeedBins];
+    private readonly double[] _needFar = new double[NeedBins];
+    private readonly AzimuthWindow _needs = new(0.0, 2.0 * Math.PI, 2.0 * Math.PI / NeedBins, NeedBins);
+
+    /// <param name="sunMoonMe">m, MOON_ME.</param>
+    /// <param name="summary">Bounds of the terrain.</param>
+    /// <param name="patch">For reading.</param>
+    /// <param name="tiles">The tiles whose light matters.</param>
+    public SunView(Vector3D sunMoonMe, ElevationSummary summary, TerrainPatch patch, IEnumerable<int> tiles)
+    {
+        Position = sunMoonMe;
+        View = new PolarView(sunMoonMe);
+        Table = new BoundsTable(View, summary);
+        Survey = new HorizonSurvey(View, summary, patch);
+        Array.Fill(_needNear, double.PositiveInfinity);
+        HorizonMap limits = Survey.EmptyMap(0.0, 0.0, withCore: true);
+        foreach (int tile in tiles)
+        {
+            PolarBounds bounds = Table[tile];
+            if (bounds.Near < limits.LastArc && !limits.NeverHides(bounds))
+            {
+                Note(bounds);
+            }
+        }
+
+        (double middle, double width) = Span();
+        Map = Survey.EmptyMap(middle, width, withCore: true);
+        KeptMap = Survey.EmptyMap(middle, width, withCore: false);
+        if (width > 0.0)
+        {
+            Survey.Fill(Map, (in TerrainNode _, in PolarBounds bounds) => IsNeeded(bounds));
+        }
+    }
+
+    /// <summary>m, MOON_ME.</summary>
+    public Vector3D Position { get; }
+
+    /// <summary>Half planes about the axis to the Sun.</summary>
+    public PolarView View { get; }
+
+    /// <summary>Bounds of all tiles.</summary>
+    public BoundsTable Table { get; }
+
+    /// <summary>Adds terrain to maps.</summary>
+    public HorizonSurvey Survey { get; }
+
+    /// <summary>What the whole terrain hides from the Sun.</summary>
+    public HorizonMap Map { get; }
+
+    /// <summary>What the terrain of the kept tiles hides, as far as it was added.</summary>
+    public HorizonMap KeptMap { get; }
+
+    private void Note(in PolarBounds bounds)
+    {
+        (int first, int count) = _needs.Touched(bounds.Azimuth, bounds.HalfWidth);
+        for (int bin = first; bin < first + count; bin++)
+        {
+            int index = ((bin % NeedBins) + NeedBins) % NeedBins;
+            _needNear[index] = Math.Min(_needNear[index], bounds.Near);
+            _needFar[index] = Math.Max(_needFar[index], bounds.Far);
+        }
+    }
+
+    private bool IsNeeded(in PolarBounds bounds)
+    {
+        (int first, int count) = _needs.Touched(bounds.Azimuth, bounds.HalfWidth);
+        for (int bin = first; bin < first + count; bin++)
+        {
+            int index = ((bin % NeedBins) + NeedBins) % NeedBins;
+            if (bounds.Near < _needFar[index] && bounds.Far > _needNear[index] - Reach)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The circle without its widest gap of azimuths that nothing needs.</summary>
+    private (double Middle, double Width) Span()
+    {
+        int gap = 0;
+        int widest = 0;
+        int endOfWidest = 0;
+        for (int bin = 0; bin < 2 * NeedBins; bin++)
+        {
+            gap = _needNear[bin % NeedBins] < double.PositiveInfinity ? 0 : gap + 1;
+            if (gap > widest)
+            {
+                widest = gap;
+                endOfWidest = bin + 1;
+            }
+        }
+
+        int used = Math.Max(0, NeedBins - widest);
+        return (_needs.Border(endOfWidest) + (0.5 * used * _needs.BinWidth), used * _needs.BinWidth);
+    }
+}

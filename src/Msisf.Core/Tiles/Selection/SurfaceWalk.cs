@@ -1,0 +1,184 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>Walks down a tile to its facets, leaving out what is outside the picture or certainly hidden from the camera.</summary>
+internal sealed class SurfaceWalk
+{
+    /// <summary>Corners of a triangle that four planes have cut.</summary>
+    private const int MostCorners = 8;
+
+    private readonly ElevationSummary _summary;
+    private readonly FramePyramid _frame;
+    private readonly PolarView _view;
+    private readonly HorizonMap _horizon;
+    private readonly Vector3D _camera;
+    private readonly TerrainPatch _patch;
+
+    public SurfaceWalk(ElevationSummary summary, FramePyramid frame, PolarView view, HorizonMap horizon, Vector3D camera, TerrainPatch patch)
+    {
+        _summary = summary;
+        _frame = frame;
+        _view = view;
+        _horizon = horizon;
+        _camera = camera;
+        _patch = patch;
+    }
+
+    /// <summary>Whether the last walk met anything inside the picture.</summary>
+    public bool MetFrame { get; private set; }
+
+    /// <summary>Walks one tile.</summary>
+    public void Walk(int tileRow, int tileColumn, ISurfaceVisitor visitor)
+    {
+        MetFrame = false;
+        Enter(0, tileRow, tileColumn, inside: false, visitor);
+    }
+
+    /// <summary>Bounds of a polygon that does not meet the axis; all around if it may.</summary>
+    public static PolarBounds BoundsOf(PolarView view, ReadOnlySpan<Vector3D> polygon)
+    {
+        PolarPoint first = view.Project(polygon[0]);
+        double near = first.Arc;
+        double far = first.Arc;
+        double least = double.PositiveInfinity;
+        double greatest = double.NegativeInfinity;
+        double lowest = 0.0;
+        double highest = 0.0;
+        double nearest = double.PositiveInfinity;
+        foreach (Vector3D corner in polygon)
+        {
+            PolarPoint point = view.Project(corner);
+            double across = point.Across;
+            double slope = point.Rise / across;
+            double margin = Tolerances.VertexLattice * (1.0 + Math.Abs(slope)) / across;
+            double turn = AzimuthWindow.Wrapped(point.Azimuth - first.Azimuth);
+            nearest = Math.Min(nearest, across);
+            near = Math.Min(near, point.Arc);
+            far = Math.Max(far, point.Arc);
+            least = Math.Min(least, slope - margin);
+            greatest = Math.Max(greatest, slope + margin);
+            lowest = Math.Min(lowest, turn);
+            highest = Math.Max(highest, turn);
+        }
+
+        double half = 0.5 * (highest - lowest);
+        double reach = half + (Tolerances.VertexLattice / nearest);
+        double size = Math.Sqrt((polygon[0] - polygon[^1]).LengthSquared + (polygon[0] - polygon[1]).LengthSquared + (polygon[0] - polygon[2]).LengthSquared);
+        if (!(reach < 0.25 * Math.PI) || nearest < 3.0 * size)
+        {
+            // So near to the axis that it may lie around it, or that its chords come much nearer than its corners.
+            return new PolarBounds(0.0, Math.Min(1.0, far + Tolerances.CapRadius), 0.0, 2.0 * Math.PI, double.NegativeInfinity, double.PositiveInfinity);
+        }
+
+        // Between two corners a chord is nearer to the axis than both, by the cosine of half the turn at most; its arcs by far less than the turn squared.
+        double chord = 1.0 / Math.Cos(half);
+        double bulge = half * half;
+        return new PolarBounds(
+            near * (1.0 - bulge),
+            Math.Min(1.0, far * (1.0 + bulge)),
+            first.Azimuth + (0.5 * (lowest + highest)),
+            reach,
+            least < 0.0 ? least * chord : least,
+            greatest > 0.0 ? greatest * chord : greatest);
+    }
+
+    private bool Enter(int depth, int row, int column, bool inside, ISurfaceVisitor visitor)
+    {
+        SummaryLevel level = _summary.Levels[depth];
+        TerrainNode node = level.Node(row, column);
+        if (!inside)
+        {
+            FrameSide side = _frame.Classify(node);
+            if (side == FrameSide.Outside)
+            {
+                return true;
+            }
+
+            inside = side == FrameSide.Inside;
+        }
+
+        MetFrame |= inside;
+        PolarBounds bounds = _view.Bounds(node);
+        if (_horizon.Hides(bounds))
+        {
+            return true;
+        }
+
+        Visit wanted = visitor.Node(node, bounds, inside && _horizon.NeverHides(bounds), depth);
+        if (wanted != Visit.Descend)
+        {
+            return wanted != Visit.Stop;
+        }
+
+        return depth + 1 == _summary.Levels.Count
+            ? EnterCells(level.Cells(row, column), inside, visitor)
+            : EnterChildren(depth, row, column, inside, visitor);
+    }
+
+    private bool EnterChildren(int depth, int row, int column, bool inside, ISurfaceVisitor visitor)
+    {
+        int factor = _summary.Levels[depth + 1].Subdivisions / _summary.Levels[depth].Subdivisions;
+        for (int child = 0; child < factor * factor; child++)
+        {
+            if (!Enter(depth + 1, (row * factor) + (child / factor), (column * factor) + (child % factor), inside, visitor))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    private bool EnterCells(CellRange cells, bool inside, ISurfaceVisitor visitor)
+    {
+        _patch.Load(cells);
+        for (int line = 0; line + 1 < _patch.Lines; line++)
+        {
+            for (int sample = 0; sample + 1 < _patch.Samples; sample++)
+            {
+                Vector3D northWest = _patch[line, sample];
+                Vector3D southEast = _patch[line + 1, sample + 1];
+                if (!EnterFacet(new Facet(northWest, _patch[line + 1, sample], southEast), inside, visitor)
+                    || !EnterFacet(new Facet(northWest, southEast, _patch[line, sample + 1]), inside, visitor))
+                {
+                    return false;
+                }
+            }
+        }
+
+        return true;
+    }
+
+    private bool EnterFacet(in Facet facet, bool inside, ISurfaceVisitor visitor)
+    {
+        if (MetFrame && facet.TurnsAwayFrom(_camera))
+        {
+            return true;
+        }
+
+        Span<Vector3D> part = stackalloc Vector3D[MostCorners];
+        part[0] = facet.A;
+        part[1] = facet.B;
+        part[2] = facet.C;
+        int count = 3;
+        if (!inside)
+        {
+            _frame.Clip(part, ref count);
+            if (count < 3)
+            {
+                return true;
+            }
+
+            MetFrame = true;
+            if (facet.TurnsAwayFrom(_camera))
+            {
+                return true;
+            }
+        }
+
+        PolarBounds bounds = BoundsOf(_view, part[..count]);
+        return _horizon.Hides(bounds) || visitor.Facet(part[..count], bounds, facet) != Visit.Stop;
+    }
+}

@@ -1,0 +1,91 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using Msisf.Core.Errors;
+
+namespace Msisf.MySql;
+
+/// <summary>Reads the [client] group of an option file of the MySQL and MariaDB clients. A message never shows a line's text.</summary>
+internal static partial class ClientOptionFile
+{
+    private const UnixFileMode OfOthers = UnixFileMode.GroupRead | UnixFileMode.GroupWrite | UnixFileMode.GroupExecute
+        | UnixFileMode.OtherRead | UnixFileMode.OtherWrite | UnixFileMode.OtherExecute;
+
+    /// <summary>The options of the group by name.</summary>
+    /// <exception cref="BadInputException">The file can't be read, others can read its password, or a line is no option.</exception>
+    public static IReadOnlyDictionary<string, string> Read(string path)
+    {
+        try
+        {
+            Dictionary<string, string> options = Parse(File.ReadAllLines(path), path);
+            return options.ContainsKey("password") && !OperatingSystem.IsWindows() && (File.GetUnixFileMode(path) & OfOthers) != 0
+                ? throw new BadInputException($"{path}: holds a password, and other users may read it. Say: chmod 600 on it.")
+                : options;
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            throw new BadInputException($"{path}: this option file is missing or can't be read.", exception);
+        }
+    }
+
+    private static Dictionary<string, string> Parse(string[] lines, string path)
+    {
+        Dictionary<string, string> options = [];
+        bool isClient = false;
+        for (int i = 0; i < lines.Length; i++)
+        {
+            string line = lines[i].Trim();
+            if (line.Length == 0 || line[0] is '#' or ';')
+            {
+                continue;
+            }
+
+            if (line[0] == '[' && line[^1] == ']')
+            {
+                isClient = line == "[client]";
+            }
+            else if (Option().Match(line) is { Success: true } option)
+            {
+                if (isClient)
+                {
+                    options[option.Groups["name"].Value] = Unquoted(option.Groups["value"].Value);
+                }
+            }
+            else
+            {
+                throw new BadInputException(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{path}, line {i + 1}: neither [group] nor name=value. Keep the connection in a file of its own, without !include."));
+            }
+        }
+
+        return options;
+    }
+
+    /// <summary>The rules of the clients: quotes round a value are left out, " #" begins a comment outside them, backslashes escape.</summary>
+    private static string Unquoted(string value)
+    {
+        Match quoted = Quoted().Match(value);
+        string text = quoted.Success ? quoted.Groups["text"].Value : Comment().Replace(value, string.Empty).TrimEnd();
+        return Escape().Replace(text, match => match.Value[1] switch
+        {
+            'b' => "\b",
+            't' => "\t",
+            'n' => "\n",
+            'r' => "\r",
+            's' => " ",
+            char other => other.ToString(),
+        });
+    }
+
+    [GeneratedRegex(@"\A(?<name>[\w-]+)\s*(?:=\s*(?<value>.*))?\z", RegexOptions.CultureInvariant)]
+    private static partial Regex Option();
+
+    [GeneratedRegex("""\A(?<quote>["'])(?<text>(?:\\.|(?!\k<quote>)[^\\])*)\k<quote>(?:\s*#.*)?\z""", RegexOptions.CultureInvariant)]
+    private static partial Regex Quoted();
+
+    [GeneratedRegex(@"\s#.*\z", RegexOptions.CultureInvariant)]
+    private static partial Regex Comment();
+
+    [GeneratedRegex("""\\[btnr\\s"']""", RegexOptions.CultureInvariant)]
+    private static partial Regex Escape();
+}

@@ -1,0 +1,128 @@
+using System.Data.Common;
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain;
+
+namespace Msisf.MySql;
+
+/// <summary>
+/// The elevation model that scripts/ldem_mysql_insert.php has put into a table (docs/database.md). Samples are read in runs of a line
+/// and kept for a while, as neighbouring tiles share them. Safe for several threads; each query takes a connection of its own.
+/// </summary>
+public sealed class LdemTableGrid : IElevationGrid
+{
+    private readonly DbDataSource source;
+    private readonly string table;
+    private readonly RunCache runs;
+
+    private LdemTableGrid(DbDataSource source, int pixelsPerDegree, string table, string productId)
+    {
+        this.source = source;
+        this.table = table;
+        ProductId = productId;
+        PixelsPerDegree = pixelsPerDegree;
+        runs = new RunCache(LineSamples, ReadRun);
+    }
+
+    /// <inheritdoc/>
+    public string ProductId { get; }
+
+    /// <inheritdoc/>
+    public int PixelsPerDegree { get; }
+
+    private int LineSamples => 360 * PixelsPerDegree;
+
+    /// <summary>Opens the model of a resolution.</summary>
+    /// <param name="source">Connections to the database of the tables; the caller keeps it, and disposes of it last.</param>
+    /// <param name="pixelsPerDegree">The resolution, at least 1.</param>
+    /// <exception cref="BadInputException">The model was not imported, or not all of it.</exception>
+    /// <exception cref="ExternalPartException">The database can't be reached, or refuses.</exception>
+    public static LdemTableGrid Open(DbDataSource source, int pixelsPerDegree)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
+        string table = string.Create(CultureInfo.InvariantCulture, $"ldem_{pixelsPerDegree}");
+        string productId = Ask(source, connection => ImportedModel.ReadProductId(connection, table));
+        return new LdemTableGrid(source, pixelsPerDegree, table, productId);
+    }
+
+    /// <inheritdoc/>
+    /// <exception cref="ExternalPartException">The database failed.</exception>
+    public void ReadRadii(int line, int firstSample, Span<double> radii)
+    {
+        CheckBlock(line, 1, firstSample, radii.Length);
+        int sample = firstSample;
+        while (!radii.IsEmpty)
+        {
+            ReadOnlySpan<double> found = runs.From(line, sample);
+            int taken = Math.Min(found.Length, radii.Length);
+            found[..taken].CopyTo(radii);
+            radii = radii[taken..];
+            sample = (sample + taken) % LineSamples;
+        }
+    }
+
+    /// <inheritdoc/>
+    /// <exception cref="ExternalPartException">The database failed.</exception>
+    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
+    {
+        CheckBlock(firstLine, lines, firstSample, samples);
+        double[] radii = new double[samples];
+        (double minimum, double maximum) = (double.PositiveInfinity, double.NegativeInfinity);
+        for (int line = firstLine; line < firstLine + lines; line++)
+        {
+            ReadRadii(line, firstSample, radii);
+            foreach (double radius in radii)
+            {
+                minimum = Math.Min(minimum, radius);
+                maximum = Math.Max(maximum, radius);
+            }
+        }
+
+        return (minimum, maximum);
+    }
+
+    private static T Ask<T>(DbDataSource source, Func<DbConnection, T> question)
+    {
+        try
+        {
+            using DbConnection connection = source.OpenConnection();
+            return question(connection);
+        }
+        catch (DbException exception)
+        {
+            throw new ExternalPartException($"database: {exception.Message.ReplaceLineEndings(" ")} Check that the server runs, and the user's name, password and rights.", exception);
+        }
+    }
+
+    private double[] ReadRun(int line, int firstSample, int count) => Ask(source, connection =>
+    {
+        using DbCommand command = connection.CreateCommand();
+        command.CommandText = $"SELECT planetary_radius FROM {table} WHERE row_index = @row AND col_index BETWEEN @first AND @last ORDER BY col_index";
+        command.AddValue("@row", line);
+        command.AddValue("@first", firstSample);
+        command.AddValue("@last", firstSample + count - 1);
+        using DbDataReader reader = command.ExecuteReader();
+        double[] radii = new double[count];
+        int found = 0;
+        while (reader.Read() && found < count)
+        {
+            radii[found++] = reader.GetDouble(0);
+        }
+
+        // The key is (row, column): as many rows as samples are those samples.
+        return found == count ? radii : throw new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"table {table}: only {found} of {count} samples of line {line + 1} from sample {firstSample + 1} on are there. Import the product that has them, or run scripts/ldem_mysql_insert.php --verify."));
+    });
+
+    private void CheckBlock(int firstLine, int lines, int firstSample, int samples)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(firstLine);
+        ArgumentOutOfRangeException.ThrowIfLessThan(lines, 1);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan((long)firstLine + lines, 180 * PixelsPerDegree, nameof(lines));
+        ArgumentOutOfRangeException.ThrowIfNegative(firstSample);
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(firstSample, LineSamples);
+        ArgumentOutOfRangeException.ThrowIfLessThan(samples, 1);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(samples, LineSamples);
+    }
+}

@@ -1,0 +1,49 @@
+namespace Msisf.MySql;
+
+/// <summary>Keeps the runs of samples that were read last. A run is part of a line; each is read once, also if several threads want it.</summary>
+internal sealed class RunCache
+{
+    /// <summary>Samples: a query's fixed costs are small beside them, and a tile of 512 px/deg needs no more than two in a line.</summary>
+    private const int RunSamples = 8192;
+
+    /// <summary>Bytes of radii: a row of tiles at 64 px/deg.</summary>
+    private const long Budget = 256L << 20;
+
+    private readonly Lock gate = new();
+    private readonly Dictionary<(int Line, int First), Lazy<double[]>> runs = [];
+    private readonly Queue<(int Line, int First)> order = new();
+    private readonly int lineSamples;
+    private readonly Func<int, int, int, double[]> read;
+
+    /// <summary>Starts empty.</summary>
+    /// <param name="lineSamples">Samples a line.</param>
+    /// <param name="read">Reads a run: line, first sample, count.</param>
+    public RunCache(int lineSamples, Func<int, int, int, double[]> read)
+    {
+        this.lineSamples = lineSamples;
+        this.read = read;
+    }
+
+    /// <summary>The samples from one on, to the end of its run; at least that one.</summary>
+    public ReadOnlySpan<double> From(int line, int sample)
+    {
+        int first = sample / RunSamples * RunSamples;
+        Lazy<double[]> run;
+        lock (gate)
+        {
+            if (!runs.TryGetValue((line, first), out run!))
+            {
+                int count = Math.Min(RunSamples, lineSamples - first);
+                run = new Lazy<double[]>(() => read(line, first, count));
+                runs.Add((line, first), run);
+                order.Enqueue((line, first));
+                while (order.Count > Math.Max(Budget / (sizeof(double) * (long)RunSamples), 1))
+                {
+                    runs.Remove(order.Dequeue());
+                }
+            }
+        }
+
+        return run.Value.AsSpan(sample - first);
+    }
+}
