@@ -87,6 +87,7 @@ public sealed class WrongInputTests : IDisposable
 
     // Values in braces.
     [InlineData("--fixed-state {55289,2E10,2E6,0,0,0,0,1} --ephemeris builtin", 2, "POV-Ray draws nothing beyond 1E+010 m")]
+    [InlineData("--fixed-state {55289,0,0,0,0,0,0,1} --ephemeris builtin", 2, "at the Moon's centre")]
     [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,1}", 2, "7 numbers, 8 expected")]
     [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1,0}", 2, "9 numbers, 8 expected")]
     [InlineData("--fixed-state {55289,2E6,,0,0,0,0,1}", 2, "a number is missing")]
@@ -132,7 +133,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("ldem synthesize --res 4", 1, "--seed")]
     [InlineData("ldem synthesize --res 0 --seed 1", 2, "--res is '0'")]
     [InlineData("ldem synthesize --res 4 --seed x", 2, "--seed is 'x'")]
-    [InlineData("ldem synthesize --res 4 --seed 1 --region 1:2", 2, "--region")]
+    [InlineData("ldem synthesize --res 4 --seed 1 --region 1:2", 2, "error: --region 1:2: ")]
     public void Run_WrongArguments_EndWithCodeAndOneLine(string words, int exitCode, string message)
     {
         string[] arguments = [.. words.Split(' ').Select(word => word.Replace('_', ' '))];

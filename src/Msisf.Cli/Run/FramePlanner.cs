@@ -31,7 +31,7 @@ internal static class FramePlanner
         {
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = states[index];
-            RefuseTooFar(index + 1, state);
+            RefuseUndrawable(index + 1, state);
             PinholeCamera camera = new(state.PositionMoonMe, state.MoonFromCamera, fieldOfView, settings.Width, settings.Height);
             SceneLight light = ephemeris is null
                 ? new SceneLight(state.PositionMoonMe, IsSun: false)
@@ -42,9 +42,14 @@ internal static class FramePlanner
         return frames;
     }
 
-    private static void RefuseTooFar(int step, SpacecraftState state)
+    private static void RefuseUndrawable(int step, SpacecraftState state)
     {
         double distance = state.PositionMoonMe.Length;
+        if (distance == 0.0)
+        {
+            throw new BadInputException($"the camera of step {step} is at the Moon's centre. Choose a position above the terrain.");
+        }
+
         if (distance > PovSceneWriter.GreatestDistance)
         {
             throw new BadInputException(string.Create(
