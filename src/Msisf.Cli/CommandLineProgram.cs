@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Msisf.Cli.Commands;
+using Msisf.Cli.Options;
 using Msisf.Cli.Run;
 using Msisf.Core.Errors;
 
@@ -26,7 +27,7 @@ internal static class CommandLineProgram
             RootCommand root = RenderCommand.Create(host);
             root.Subcommands.Add(PatternsCommand.Create(host));
             root.Subcommands.Add(LdemCommand.Create(host));
-            ParseResult line = root.Parse([.. arguments]);
+            ParseResult line = root.Parse([.. arguments], new ParserConfiguration { ResponseFileTokenReplacer = ResponseFile.TryRead });
             if (line.Errors.Count > 0)
             {
                 host.Log.Error($"{string.Join(" ", line.Errors.Select(error => error.Message))} See {HelpCall(line)}.");

@@ -1,5 +1,13 @@
+using System.Runtime.InteropServices;
 using Msisf.Cli;
 using Msisf.Cli.Run;
 
+// System.CommandLine turns SIGINT and SIGTERM into a cancellation; a terminal that goes away ends a run as cleanly.
+using CancellationTokenSource hangUp = new();
+using PosixSignalRegistration registration = PosixSignalRegistration.Create(PosixSignal.SIGHUP, context =>
+{
+    context.Cancel = true;
+    hangUp.Cancel();
+});
 ProgramHost host = new(Console.Out, Console.Error, () => Console.In, TimeProvider.System, args, Environment.GetEnvironmentVariable);
-return await CommandLineProgram.RunAsync(args, host).ConfigureAwait(false);
+return await CommandLineProgram.RunAsync(args, host, hangUp.Token).ConfigureAwait(false);

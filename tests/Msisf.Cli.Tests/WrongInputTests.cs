@@ -28,6 +28,9 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --fixed-state {{55289,2E6,2E6,0,0,0,0,1}}", 1, "--fixed-state is given 2 times")]
     [InlineData("--batch patterns --res 4", 1, "--batch stands before the command patterns")]
     [InlineData("@missing.rsp", 1, "missing.rsp")]
+    [InlineData("@.", 1, "can't be read")]
+    [InlineData($"{Fixed} --widht 5", 1, "'--widht' after --fixed-state")]
+    [InlineData($"{Kepler} -x 5", 1, "'-x' after --kepler-set")]
     [InlineData("ldem", 1, "msis ldem --help")]
 
     // Table 6.1: which argument goes with which mode.
@@ -74,6 +77,8 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --timeout soon", 2, "'soon' is not a number")]
     [InlineData($"{Fixed} --jobs 0", 2, "--jobs is '0'")]
     [InlineData($"{Fixed} --pov-options +W64", 1, "+W64 is set by msis itself")]
+    [InlineData($"{Fixed} --pov-options +SC0.5", 1, "+SC0.5 is set by msis itself")]
+    [InlineData($"{Fixed} --pov-options +KFF3", 1, "+KFF3 is set by msis itself")]
     [InlineData($"{Fixed} --pov-options fast", 1, "'fast' is no POV-Ray option")]
     [InlineData($"{Fixed} --output-name sub/name", 2, "without folders")]
     [InlineData($"{Fixed} --output-name {{frame}}", 2, "a field is {step} or {mjd}")]
@@ -81,6 +86,8 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Orbit} --times {{55289,55290}} --output-name same", 2, "steps 1 and 2 would both be written to same")]
 
     // Values in braces.
+    [InlineData("--fixed-state {55289,2E10,2E6,0,0,0,0,1} --ephemeris builtin", 2, "POV-Ray draws nothing beyond 1E+010 m")]
+    [InlineData("--fixed-state {55289,0,0,0,0,0,0,1} --ephemeris builtin", 2, "at the Moon's centre")]
     [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,1}", 2, "7 numbers, 8 expected")]
     [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1,0}", 2, "9 numbers, 8 expected")]
     [InlineData("--fixed-state {55289,2E6,,0,0,0,0,1}", 2, "a number is missing")]
@@ -113,6 +120,7 @@ public sealed class WrongInputTests : IDisposable
 
     // Files and external parts.
     [InlineData("--batch-file missing.tab", 2, "missing.tab: there is no such file")]
+    [InlineData("--batch-file .", 2, "is a folder")]
     [InlineData($"{Fixed} --kernels missing.tm", 2, "missing.tm")]
     [InlineData($"{Fixed} --ldem missing.lbl --ephemeris builtin", 2, "missing.lbl")]
     [InlineData($"{Fixed} --pov-path missing-folder --ephemeris builtin", 3, "missing-folder")]
@@ -130,7 +138,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("ldem synthesize --res 4", 1, "--seed")]
     [InlineData("ldem synthesize --res 0 --seed 1", 2, "--res is '0'")]
     [InlineData("ldem synthesize --res 4 --seed x", 2, "--seed is 'x'")]
-    [InlineData("ldem synthesize --res 4 --seed 1 --region 1:2", 2, "--region")]
+    [InlineData("ldem synthesize --res 4 --seed 1 --region 1:2", 2, "error: --region 1:2: ")]
     public void Run_WrongArguments_EndWithCodeAndOneLine(string words, int exitCode, string message)
     {
         string[] arguments = [.. words.Split(' ').Select(word => word.Replace('_', ' '))];

@@ -9,10 +9,11 @@ public static class PovRayOptions
     private static readonly string[] Reserved =
     [
         "Input_File_Name", "Output_File_Name", "Output_To_File", "Output_File_Type", "Width", "Height", "Library_Path", "Work_Threads",
-        "Display", "Clock", "Initial_", "Final_", "Subset_", "Start_", "End_", "Continue_Trace", "Include_Header",
+        "Display", "Clock", "Initial_", "Final_", "Subset_", "Start_", "End_", "Continue_Trace", "Include_Header", "Cyclic_Animation",
+        "Frame_Step", "Field_",
     ];
 
-    private static readonly string[] ReservedSwitches = ["W", "WT", "H", "HI", "L", "D", "C", "S", "E", "K"];
+    private static readonly string[] ReservedSwitches = ["W", "WT", "H", "HI", "L", "D", "C", "S", "SC", "SR", "SF", "E", "EC", "ER", "EF", "K", "KC", "KF", "KI", "KFF", "KFI"];
 
     /// <summary>Switches whose value follows at once and may begin with a letter: +Iname, +Oname, +FN16.</summary>
     private static readonly char[] ReservedLetters = ['I', 'O', 'F'];

@@ -2,6 +2,7 @@ using System.ComponentModel;
 using System.Diagnostics;
 using System.Globalization;
 using System.Text;
+using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
@@ -41,11 +42,10 @@ public sealed class PovRayProcess
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
     public async Task<PovRayTimes> RenderAsync(PovRayJob job, Action<Stream> consumePicture, CancellationToken cancellation)
     {
-        string folder = Path.Combine(
-            job.WorkFolder, string.Create(CultureInfo.InvariantCulture, $".msis-{Environment.ProcessId}-{Guid.NewGuid():N}"));
         try
         {
-            Directory.CreateDirectory(folder);
+            using WorkFolder work = WorkFolder.In(job.WorkFolder);
+            string folder = work.Path;
             Directory.CreateSymbolicLink(Path.Combine(folder, PatternLink), Path.GetFullPath(job.PatternFolder));
             File.WriteAllText(Path.Combine(folder, EmptySettings), string.Empty);
             using (StreamWriter writer = new(Path.Combine(folder, SceneName), append: false, new UTF8Encoding(false)))
@@ -64,13 +64,6 @@ public sealed class PovRayProcess
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
             throw new PovRayException($"{job.WorkFolder}: POV-Ray's files can't be kept there: {exception.Message}", exception);
-        }
-        finally
-        {
-            if (Directory.Exists(folder))
-            {
-                Directory.Delete(folder, recursive: true);
-            }
         }
     }
 
@@ -137,11 +130,16 @@ public sealed class PovRayProcess
         }
 
         string output = await standardOutput.ConfigureAwait(false) + await standardError.ConfigureAwait(false);
-        return process.ExitCode == 0 && File.Exists(Path.Combine(folder, PictureName))
-            ? output
-            : throw new PovRayException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{_program} {string.Join(' ', process.StartInfo.ArgumentList)}: exit code {process.ExitCode}: {LastLines(output)}"));
+        if (process.ExitCode == 0 && File.Exists(Path.Combine(folder, PictureName)))
+        {
+            return output;
+        }
+
+        string command = $"{_program} {string.Join(' ', process.StartInfo.ArgumentList)}";
+        string said = LastLines(output) is { Length: > 0 } lines ? lines : "it printed nothing";
+        throw new PovRayException(process.ExitCode == 0
+            ? $"{command}: ended without a picture: {said}"
+            : string.Create(CultureInfo.InvariantCulture, $"{command}: exit code {process.ExitCode}: {said}"));
     }
 
     private static string LastLines(string output) =>

@@ -52,7 +52,7 @@ internal static class LdemCommand
                     line.GetValue(folder) is string given ? OptionText.FilePath(folder, given) : Path.Combine("input", "ldem"))
                 {
                     Base = continued,
-                    Region = line.GetValue(region) is string text ? Region(region, text) : MoonRegion.WholeMoon,
+                    Region = line.GetValue(region) is string text ? Region(text) : MoonRegion.WholeMoon,
                 };
                 using IRunProgress progress = RunProgress.Start("Synthesis", ProgressSteps, line.GetValue(batch), host.Log, host.Clock);
                 string label = SyntheticLdemWriter.Write(options, new FractionProgress(progress), cancellation);
@@ -68,7 +68,7 @@ internal static class LdemCommand
             ? seed
             : throw new BadInputException($"{option.Name} is '{text}'; a whole number from 0 to {ulong.MaxValue} is needed.");
 
-    private static MoonRegion Region(Option option, string text)
+    private static MoonRegion Region(string text)
     {
         try
         {
@@ -76,7 +76,7 @@ internal static class LdemCommand
         }
         catch (UsageException exception)
         {
-            throw new BadInputException($"{option.Name}: {exception.Message}", exception);
+            throw new BadInputException(exception.Message, exception); // it names the option
         }
     }
 

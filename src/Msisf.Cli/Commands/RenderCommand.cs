@@ -54,7 +54,7 @@ internal static class RenderCommand
         RenderSettings settings = new RenderSettingsReader(line).Read(picture, source, run);
         using RenderRun rendering = new(settings, host);
         StateSource states = new(modeOptions, line, rendering.Ephemeris, host.StandardInput, host.Log);
-        await rendering.RunAsync(() => states.Read(mode), cancellation).ConfigureAwait(false);
+        await rendering.RunAsync(() => states.Read(mode, cancellation), cancellation).ConfigureAwait(false);
         return 0;
     }
 }

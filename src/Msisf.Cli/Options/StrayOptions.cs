@@ -17,6 +17,12 @@ internal static class StrayOptions
             {
                 throw new UsageException($"{option.Option.Name} is given {option.IdentifierTokenCount} times. Give it once.");
             }
+
+            // A value in braces takes all words up to the next option, and so a misspelt option too.
+            if (option.Tokens.Select(token => token.Value).FirstOrDefault(IsNoValue) is string word)
+            {
+                throw new UsageException($"Unrecognized option '{word}' after {option.Option.Name}. See msis --help.");
+            }
         }
 
         for (SymbolResult? outer = line.CommandResult.Parent; outer is CommandResult command; outer = outer.Parent)
@@ -28,6 +34,9 @@ internal static class StrayOptions
             }
         }
     }
+
+    private static bool IsNoValue(string word) =>
+        word.StartsWith("--", StringComparison.Ordinal) || (word.Length > 1 && word[0] == '-' && char.IsAsciiLetter(word[1]) && !word.StartsWith("-Inf", StringComparison.OrdinalIgnoreCase) && !word.StartsWith("-NaN", StringComparison.OrdinalIgnoreCase));
 
     private static IEnumerable<OptionResult> OptionsOf(CommandResult command) =>
         command.Children.OfType<OptionResult>().Where(option => !option.Implicit);

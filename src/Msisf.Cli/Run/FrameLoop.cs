@@ -37,21 +37,22 @@ internal sealed class FrameLoop
         await Parallel.ForAsync(0, frames.Count, Options(atOnce, cancellation), async (index, stop) =>
         {
             Frame frame = frames[index];
+            IReadOnlyList<string> paths = [];
             try
             {
                 outputs[index] = await _render(frame, threads, stop).ConfigureAwait(false);
-                printer.Done(index, outputs[index].Paths);
+                paths = outputs[index].Paths;
             }
             catch (MsisfException exception) when (frames.Count > 1)
             {
                 _log.Error($"step {frame.Step} ({frame.Name}): {exception.Message}");
-                printer.Done(index, []);
                 lock (failed)
                 {
                     failed.Add(frame.Step);
                 }
             }
 
+            printer.Done(index, paths);
             _progress.Advance(frame.Name);
         }).ConfigureAwait(false);
         return failed.Count == 0

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text;
 using System.Text.RegularExpressions;
 using Msisf.Core.Errors;
 using Msisf.Core.Time;
@@ -47,9 +48,10 @@ internal sealed partial class FrameNaming
                 ? step.ToString(format, CultureInfo.InvariantCulture)
                 : time.Days.ToString(format ?? "R", CultureInfo.InvariantCulture);
         });
-        return name.Length <= LongestName
+        int bytes = Encoding.UTF8.GetByteCount(name);
+        return bytes <= LongestName
             ? name
-            : throw new BadInputException($"--output-name: the name {name[..40]}... has {name.Length} characters; at most {LongestName} are possible.");
+            : throw new BadInputException($"--output-name: the name {name[..Math.Min(40, name.Length)]}... has {bytes} bytes; at most {LongestName} are possible.");
     }
 
     /// <summary>The names of all frames.</summary>

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Scene;
 using Msisf.Cli.Options;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
@@ -18,8 +19,9 @@ internal static class FramePlanner
     /// <param name="states">In the order of the input.</param>
     /// <param name="settings">The options.</param>
     /// <param name="sun">The ephemeris; not asked if the Sun is ignored.</param>
+    /// <param name="cancellation">Stops between two states.</param>
     /// <exception cref="MsisfException">A name twice, a time outside the kernels' cover, ...</exception>
-    public static Frame[] Plan(IReadOnlyList<SpacecraftState> states, RenderSettings settings, Func<IEphemeris> sun)
+    public static Frame[] Plan(IReadOnlyList<SpacecraftState> states, RenderSettings settings, Func<IEphemeris> sun, CancellationToken cancellation)
     {
         IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
         IEphemeris? ephemeris = settings.IgnoreSun ? null : sun();
@@ -27,7 +29,9 @@ internal static class FramePlanner
         Frame[] frames = new Frame[states.Count];
         for (int index = 0; index < frames.Length; index++)
         {
+            cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = states[index];
+            RefuseUndrawable(index + 1, state);
             PinholeCamera camera = new(state.PositionMoonMe, state.MoonFromCamera, fieldOfView, settings.Width, settings.Height);
             SceneLight light = ephemeris is null
                 ? new SceneLight(state.PositionMoonMe, IsSun: false)
@@ -38,14 +42,31 @@ internal static class FramePlanner
         return frames;
     }
 
+    private static void RefuseUndrawable(int step, SpacecraftState state)
+    {
+        double distance = state.PositionMoonMe.Length;
+        if (distance == 0.0)
+        {
+            throw new BadInputException($"the camera of step {step} is at the Moon's centre. Choose a position above the terrain.");
+        }
+
+        if (distance > PovSceneWriter.GreatestDistance)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"the camera of step {step} is {distance:E3} m from the Moon's centre; POV-Ray draws nothing beyond {PovSceneWriter.GreatestDistance:E0} m. Move it closer on the same line, with a field of view that is larger by as much."));
+        }
+    }
+
     /// <summary>Refuses cameras in the ground.</summary>
     /// <exception cref="BadInputException">A camera lies below the terrain; the message names the steps.</exception>
-    public static void RefuseCamerasInTheGround(IReadOnlyList<Frame> frames, ElevationModel model)
+    public static void RefuseCamerasInTheGround(IReadOnlyList<Frame> frames, ElevationModel model, CancellationToken cancellation)
     {
         List<string> buried = [];
         int count = 0;
         foreach (Frame frame in frames)
         {
+            cancellation.ThrowIfCancellationRequested();
             Vector3D position = frame.Camera.PositionMoonMe;
             double depth = model.DepthBelowGround(position);
             if (depth > 0.0 && ++count <= NamedSteps)

@@ -86,18 +86,21 @@ internal sealed class FrameRenderer
             _identity.CommandLine);
         PixelGrid grid = new(frame.Camera.Width, frame.Camera.Height, _settings.GridHorizontal, _settings.GridVertical);
         PixelSampler pixels = new(frame.Camera, grid, ReferenceSphere.Lola, frame.Light.PositionMoonMe);
-        _times.Measure(Phase.Output, () => AtomicFile.WriteText($"{stem}.pov", writeScene));
-        _times.Measure(Phase.Xml, () => AtomicFile.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation)));
+        using AtomicFileSet files = new();
+        _times.Measure(Phase.Output, () => files.WriteText($"{stem}.pov", writeScene));
+        _times.Measure(Phase.Xml, () => files.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation)));
         _times.Measure(Phase.Output, () =>
         {
             if (_settings.Annotate)
             {
-                AtomicFile.Write(
+                files.Write(
                     $"{stem}.annotated.png", stream => AnnotationRenderer.Write(picture, stream, metadata, pixels, cancellation));
                 picture.Position = 0;
             }
 
-            AtomicFile.Write($"{stem}.png", stream => PngFile.CopyPicture(picture, stream, "POV-Ray's picture"));
+            files.Write($"{stem}.png", stream => PngFile.CopyPicture(picture, stream, "POV-Ray's picture"));
+            cancellation.ThrowIfCancellationRequested();
+            files.Commit();
         });
         return _settings.Annotate
             ? [$"{stem}.png", $"{stem}.annotated.png", $"{stem}.pov", $"{stem}.xml"]

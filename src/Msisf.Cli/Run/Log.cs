@@ -7,12 +7,22 @@ internal sealed class Log
 
     public Log(TextWriter error) => _error = TextWriter.Synchronized(error);
 
-    public void Note(string text) => _error.WriteLine($"msis: {text}");
+    public void Note(string text) => Raw($"msis: {text}");
 
-    public void Warning(string text) => _error.WriteLine($"msis: warning: {text}");
+    public void Warning(string text) => Raw($"msis: warning: {text}");
 
-    public void Error(string text) => _error.WriteLine($"msis: error: {text.ReplaceLineEndings(" ")}");
+    public void Error(string text) => Raw($"msis: error: {text.ReplaceLineEndings(" ")}");
 
-    /// <summary>A line as it is, for machines.</summary>
-    public void Raw(string line) => _error.WriteLine(line);
+    /// <summary>A line as it is, for machines. One that can't be written is lost: there is no other place to tell, and the run and its exit code are worth more.</summary>
+    public void Raw(string line)
+    {
+        try
+        {
+            _error.WriteLine(line);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            return;
+        }
+    }
 }

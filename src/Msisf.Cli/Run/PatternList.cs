@@ -7,10 +7,11 @@ namespace Msisf.Cli.Run;
 internal static class PatternList
 {
     /// <summary>One line a tile: step, tile, taken or not, reason; separated by tabs.</summary>
-    public static void Print(IReadOnlyList<Frame> frames, ElevationModel model, TextWriter results)
+    public static void Print(IReadOnlyList<Frame> frames, ElevationModel model, TextWriter results, CancellationToken cancellation)
     {
         foreach (Frame frame in frames)
         {
+            cancellation.ThrowIfCancellationRequested();
             foreach (TileChoice choice in model.Select(frame).All)
             {
                 results.WriteLine(string.Create(

@@ -11,7 +11,7 @@ internal sealed class ProgramHost
     public ProgramHost(TextWriter results, TextWriter error, Func<TextReader> standardInput, TimeProvider clock, IReadOnlyList<string> arguments, Func<string, string?> environment)
     {
         _environment = environment;
-        Results = results;
+        Results = new ResultsWriter(results);
         Log = new Log(error);
         StandardInput = standardInput;
         Clock = clock;

@@ -46,13 +46,13 @@ internal sealed class RenderRun : IDisposable
     public async Task RunAsync(Func<IReadOnlyList<SpacecraftState>> readStates, CancellationToken cancellation)
     {
         IReadOnlyList<SpacecraftState> states = _times.Measure(Phase.States, readStates);
-        Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, _settings, Ephemeris));
+        Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, _settings, Ephemeris, cancellation));
         using ElevationModel model = _times.Measure(Phase.Model, () => ElevationModel.Open(
             _settings.Ldem, _settings.PixelsPerDegree, _host));
-        FramePlanner.RefuseCamerasInTheGround(frames, model);
+        FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
         if (_settings.ListPatterns)
         {
-            PatternList.Print(frames, model, _host.Results);
+            PatternList.Print(frames, model, _host.Results, cancellation);
             return;
         }
 
@@ -89,6 +89,7 @@ internal sealed class RenderRun : IDisposable
         try
         {
             Directory.CreateDirectory(folder);
+            WorkFolder.RemoveStale(folder);
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {

@@ -35,13 +35,17 @@ internal static class ResourceCheck
         Refuse($"free disk space in {outputFolder}", width, height, disk, new DriveInfo(Path.GetFullPath(outputFolder)).AvailableFreeSpace);
     }
 
+    private static string Size(long bytes) => bytes >= 1 << 20
+        ? string.Create(CultureInfo.InvariantCulture, $"{bytes >> 20} MiB")
+        : string.Create(CultureInfo.InvariantCulture, $"{bytes} bytes");
+
     private static void Refuse(string what, int width, int height, long needed, long there)
     {
         if (needed > there)
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"a picture of {width} x {height} px needs {needed >> 20} MiB of {what}, {there >> 20} MiB are there. Use a smaller --width and --height, or fewer --jobs."));
+                $"a picture of {width} x {height} px needs {Size(needed)} of {what}, {Size(there)} are there. Use a smaller --width and --height, or fewer --jobs."));
         }
     }
 }

@@ -33,20 +33,22 @@ internal sealed class StateSource
     }
 
     /// <summary>Reads or computes all states.</summary>
+    /// <param name="mode">How they are given.</param>
+    /// <param name="cancellation">Ends the wait for a terminal or pipe too.</param>
     /// <exception cref="NothingToRenderException">There is none.</exception>
-    public IReadOnlyList<SpacecraftState> Read(Mode mode)
+    public IReadOnlyList<SpacecraftState> Read(Mode mode, CancellationToken cancellation)
     {
         IReadOnlyList<SpacecraftState> states = mode switch
         {
             Mode.FixedState => [FixedState()],
-            Mode.BatchFile => BatchFile(),
-            Mode.Kepler => OnOrbit(KeplerElements()),
-            _ => OnOrbit(OptionText.Named(_options.StateVectors, () => StateConversion.ToElements(StateVector()))),
+            Mode.BatchFile => BatchFile(cancellation),
+            Mode.Kepler => OnOrbit(KeplerElements(), cancellation),
+            _ => OnOrbit(OptionText.Named(_options.StateVectors, () => StateConversion.ToElements(StateVector())), cancellation),
         };
         return states.Count > 0
             ? states
             : throw new NothingToRenderException(mode == Mode.BatchFile
-                ? $"{_line.GetValue(_options.BatchFile)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0."
+                ? $"{BatchFileName}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0."
                 : "--time-interval: no time in it: the step leads away from the end. Swap start and end, or change the step's sign.");
     }
 
@@ -56,17 +58,25 @@ internal sealed class StateSource
         return OptionText.Named(_options.FixedState, () => SpacecraftState.FromNumbers(values));
     }
 
+    private string BatchFileName => _line.GetValue(_options.BatchFile) is string name and not "-" ? name : "standard input";
+
+    // A read from a terminal or pipe can't be cancelled: it is left behind.
+    private IReadOnlyList<SpacecraftState> BatchFile(CancellationToken cancellation) =>
+        Task.Run(BatchFile, CancellationToken.None).WaitAsync(cancellation).GetAwaiter().GetResult();
+
     private IReadOnlyList<SpacecraftState> BatchFile()
     {
         string path = OptionText.FilePath(_options.BatchFile, _line.GetValue(_options.BatchFile)!);
         if (path == "-")
         {
-            return BatchFileReader.Read(_standardInput(), "standard input");
+            return BatchFileReader.Read(_standardInput(), BatchFileName);
         }
 
         if (!File.Exists(path))
         {
-            throw new BadInputException($"--batch-file {path}: there is no such file.");
+            throw new BadInputException(Directory.Exists(path)
+                ? $"--batch-file {path}: is a folder; a file is needed."
+                : $"--batch-file {path}: there is no such file.");
         }
 
         try
@@ -92,7 +102,7 @@ internal sealed class StateSource
         return new StateVector(new Vector3D(values[0], values[1], values[2]), new Vector3D(values[3], values[4], values[5]));
     }
 
-    private SpacecraftState[] OnOrbit(KeplerElements elements)
+    private SpacecraftState[] OnOrbit(KeplerElements elements, CancellationToken cancellation)
     {
         ModifiedJulianDate epoch = Date(_options.Epoch, _line.GetValue(_options.Epoch)!);
         OrbitFrame frame = _line.GetValue(_options.OrbitFrame) is string text
@@ -112,6 +122,7 @@ internal sealed class StateSource
         AttitudeTransition? attitude = Attitude();
         return [.. Times().Select(time =>
         {
+            cancellation.ThrowIfCancellationRequested();
             Vector3D position = orbit.PositionMoonMe(time);
             return new SpacecraftState(time, position, attitude?.At(time.SecondsSince(epoch)) ?? NadirPointing.MoonFromCamera(position));
         })];

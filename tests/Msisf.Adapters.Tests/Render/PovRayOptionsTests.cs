@@ -24,6 +24,9 @@ public sealed class PovRayOptionsTests
     [InlineData("Output_File_Name=a.png")]
     [InlineData("width=64")]
     [InlineData("Work_Threads=9")]
+    [InlineData("Frame_Step=2")]
+    [InlineData("+SC0.5")]
+    [InlineData("+KFI2")]
     [InlineData("other.ini")]
     public void Parse_WhatTheProgramSetsItself_IsRefused(string option)
     {

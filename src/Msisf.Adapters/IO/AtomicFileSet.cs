@@ -1,0 +1,75 @@
+using System.Text;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.IO;
+
+/// <summary>
+/// Files that belong together: each is written under a name of its own in its folder, flushed to disk; all get their final names
+/// at the end, or none does. Not for several threads.
+/// </summary>
+public sealed class AtomicFileSet : IDisposable
+{
+    private readonly List<(string Temporary, string Path)> pending = [];
+
+    /// <summary>Writes one file; its final name appears with <see cref="Commit"/>.</summary>
+    /// <param name="path">The final name.</param>
+    /// <param name="write">Writes the content; the stream can seek.</param>
+    /// <param name="flushToDisk">See <see cref="AtomicFile.Write"/>.</param>
+    /// <exception cref="ExternalPartException">The file system refuses.</exception>
+    public void Write(string path, Action<Stream> write, bool flushToDisk = true)
+    {
+        string temporary = AtomicFile.TemporaryNameFor(path);
+        pending.Add((temporary, path));
+        Wrapped(path, () =>
+        {
+            using FileStream stream = new(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 65536);
+            write(stream);
+            stream.Flush(flushToDisk);
+        });
+    }
+
+    /// <summary>Writes one text file, UTF-8 without byte order mark, LF.</summary>
+    /// <param name="path">The final name.</param>
+    /// <param name="write">Writes the content.</param>
+    /// <exception cref="ExternalPartException">The file system refuses.</exception>
+    public void WriteText(string path, Action<TextWriter> write) => Write(path, stream =>
+    {
+        using StreamWriter writer = new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), bufferSize: 65536, leaveOpen: true);
+        writer.NewLine = "\n";
+        write(writer);
+    });
+
+    /// <summary>Gives all files their final names, in the order in which they were written; existing files are replaced.</summary>
+    /// <exception cref="ExternalPartException">The file system refuses.</exception>
+    public void Commit()
+    {
+        while (pending.Count > 0)
+        {
+            (string temporary, string path) = pending[0];
+            Wrapped(path, () => File.Move(temporary, path, overwrite: true));
+            pending.RemoveAt(0);
+        }
+    }
+
+    /// <summary>Removes what was not committed.</summary>
+    public void Dispose()
+    {
+        // File.Delete is content with a missing file, but not with a missing folder.
+        foreach ((string temporary, string path) in pending.Where(file => File.Exists(file.Temporary)))
+        {
+            Wrapped(path, () => File.Delete(temporary));
+        }
+    }
+
+    private static void Wrapped(string path, Action work)
+    {
+        try
+        {
+            work();
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            throw new ExternalPartException($"{path}: can't be written: {exception.Message}", exception);
+        }
+    }
+}

@@ -1,0 +1,47 @@
+using Msisf.Adapters.IO;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.IO;
+
+public sealed class WorkFolderTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Dispose_FolderWithFiles_IsGone()
+    {
+        using (WorkFolder work = WorkFolder.In(_folder.Path))
+        {
+            File.WriteAllText(Path.Combine(work.Path, "picture.png"), "x");
+        }
+
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
+    }
+
+    [Fact]
+    public void RemoveStale_LockIsFree_RemovesTheFolderAndNothingElse()
+    {
+        Directory.CreateDirectory(_folder[".msis-1-killed"]);
+        File.WriteAllText(_folder[".msis-1-killed/lock"], string.Empty);
+        Directory.CreateDirectory(_folder[".msis-2-being-made"]);
+        Directory.CreateDirectory(_folder["msis-mine"]);
+        File.WriteAllText(_folder["msis-mine/lock"], string.Empty);
+
+        Assert.Equal(1, WorkFolder.RemoveStale(_folder.Path));
+
+        Assert.Equal([".msis-2-being-made", "msis-mine"], Directory.EnumerateDirectories(_folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+    }
+
+    [Fact]
+    public void RemoveStale_FolderInUse_Stays()
+    {
+        using WorkFolder work = WorkFolder.In(_folder.Path);
+
+        Assert.Equal(0, WorkFolder.RemoveStale(_folder.Path));
+
+        Assert.True(Directory.Exists(work.Path));
+    }
+}
