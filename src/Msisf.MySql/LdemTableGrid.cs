@@ -11,17 +11,17 @@ namespace Msisf.MySql;
 /// </summary>
 public sealed class LdemTableGrid : IElevationGrid
 {
-    private readonly DbDataSource source;
-    private readonly string table;
-    private readonly RunCache runs;
+    private readonly DbDataSource _source;
+    private readonly string _table;
+    private readonly RunCache _runs;
 
     private LdemTableGrid(DbDataSource source, int pixelsPerDegree, string table, string productId)
     {
-        this.source = source;
-        this.table = table;
+        _source = source;
+        _table = table;
         ProductId = productId;
         PixelsPerDegree = pixelsPerDegree;
-        runs = new RunCache(LineSamples, ReadRun);
+        _runs = new RunCache(LineSamples, ReadRun);
     }
 
     /// <inheritdoc/>
@@ -53,7 +53,7 @@ public sealed class LdemTableGrid : IElevationGrid
         int sample = firstSample;
         while (!radii.IsEmpty)
         {
-            ReadOnlySpan<double> found = runs.From(line, sample);
+            ReadOnlySpan<double> found = _runs.From(line, sample);
             int taken = Math.Min(found.Length, radii.Length);
             found[..taken].CopyTo(radii);
             radii = radii[taken..];
@@ -94,10 +94,10 @@ public sealed class LdemTableGrid : IElevationGrid
         }
     }
 
-    private double[] ReadRun(int line, int firstSample, int count) => Ask(source, connection =>
+    private double[] ReadRun(int line, int firstSample, int count) => Ask(_source, connection =>
     {
         using DbCommand command = connection.CreateCommand();
-        command.CommandText = $"SELECT planetary_radius FROM {table} WHERE row_index = @row AND col_index BETWEEN @first AND @last ORDER BY col_index";
+        command.CommandText = $"SELECT planetary_radius FROM {_table} WHERE row_index = @row AND col_index BETWEEN @first AND @last ORDER BY col_index";
         command.AddValue("@row", line);
         command.AddValue("@first", firstSample);
         command.AddValue("@last", firstSample + count - 1);
@@ -112,7 +112,7 @@ public sealed class LdemTableGrid : IElevationGrid
         // The key is (row, column): as many rows as samples are those samples.
         return found == count ? radii : throw new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"table {table}: only {found} of {count} samples of line {line + 1} from sample {firstSample + 1} on are there. Import the product that has them, or run scripts/ldem_mysql_insert.php --verify."));
+            $"table {_table}: only {found} of {count} samples of line {line + 1} from sample {firstSample + 1} on are there. Import the product that has them, or run scripts/ldem_mysql_insert.php --verify."));
     });
 
     private void CheckBlock(int firstLine, int lines, int firstSample, int samples)

@@ -9,19 +9,19 @@ internal sealed class RunCache
     /// <summary>Bytes of radii: a row of tiles at 64 px/deg.</summary>
     private const long Budget = 256L << 20;
 
-    private readonly Lock gate = new();
-    private readonly Dictionary<(int Line, int First), Lazy<double[]>> runs = [];
-    private readonly Queue<(int Line, int First)> order = new();
-    private readonly int lineSamples;
-    private readonly Func<int, int, int, double[]> read;
+    private readonly Lock _gate = new();
+    private readonly Dictionary<(int Line, int First), Lazy<double[]>> _runs = [];
+    private readonly Queue<(int Line, int First)> _order = new();
+    private readonly int _lineSamples;
+    private readonly Func<int, int, int, double[]> _read;
 
     /// <summary>Starts empty.</summary>
     /// <param name="lineSamples">Samples a line.</param>
     /// <param name="read">Reads a run: line, first sample, count.</param>
     public RunCache(int lineSamples, Func<int, int, int, double[]> read)
     {
-        this.lineSamples = lineSamples;
-        this.read = read;
+        _lineSamples = lineSamples;
+        _read = read;
     }
 
     /// <summary>The samples from one on, to the end of its run; at least that one.</summary>
@@ -29,17 +29,17 @@ internal sealed class RunCache
     {
         int first = sample / RunSamples * RunSamples;
         Lazy<double[]> run;
-        lock (gate)
+        lock (_gate)
         {
-            if (!runs.TryGetValue((line, first), out run!))
+            if (!_runs.TryGetValue((line, first), out run!))
             {
-                int count = Math.Min(RunSamples, lineSamples - first);
-                run = new Lazy<double[]>(() => read(line, first, count));
-                runs.Add((line, first), run);
-                order.Enqueue((line, first));
-                while (order.Count > Math.Max(Budget / (sizeof(double) * (long)RunSamples), 1))
+                int count = Math.Min(RunSamples, _lineSamples - first);
+                run = new Lazy<double[]>(() => _read(line, first, count));
+                _runs.Add((line, first), run);
+                _order.Enqueue((line, first));
+                while (_order.Count > Math.Max(Budget / (sizeof(double) * (long)RunSamples), 1))
                 {
-                    runs.Remove(order.Dequeue());
+                    _runs.Remove(_order.Dequeue());
                 }
             }
         }

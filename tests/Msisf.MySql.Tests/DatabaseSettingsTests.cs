@@ -7,9 +7,9 @@ namespace Msisf.MySql.Tests;
 
 public sealed class DatabaseSettingsTests : IDisposable
 {
-    private readonly TemporaryFolder folder = new();
+    private readonly TemporaryFolder _folder = new();
 
-    public void Dispose() => folder.Dispose();
+    public void Dispose() => _folder.Dispose();
 
     [Fact]
     public void Read_FileAndEnvironment_TheFileComesFirst()
@@ -44,7 +44,7 @@ public sealed class DatabaseSettingsTests : IDisposable
     }
 
     [Fact]
-    public void Read_MissingFile_IsRefused() => Assert.Contains("missing", Refusal(folder["none.cnf"]).Message, StringComparison.Ordinal);
+    public void Read_MissingFile_IsRefused() => Assert.Contains("missing", Refusal(_folder["none.cnf"]).Message, StringComparison.Ordinal);
 
     [Fact]
     public void Read_NoUser_IsAUsageError() => Assert.Throws<UsageException>(() => DatabaseSettings.Read(null, _ => null));
@@ -74,7 +74,7 @@ public sealed class DatabaseSettingsTests : IDisposable
     public void Open_BuildWithoutTheProvider_SaysSo()
     {
         DatabaseSettings settings = DatabaseSettings.Read(null, Variables(("MSISF_DB_USER", "reader")));
-        ExternalPartException exception = Assert.Throws<ExternalPartException>(() => MySqlProvider.Open(settings, folder["."]));
+        ExternalPartException exception = Assert.Throws<ExternalPartException>(() => MySqlProvider.Open(settings, _folder["."]));
         Assert.StartsWith("this build of msis has no MySqlConnector", exception.Message, StringComparison.Ordinal);
     }
 
@@ -85,7 +85,7 @@ public sealed class DatabaseSettingsTests : IDisposable
 
     private string OptionFile(params string[] lines)
     {
-        string path = folder["my.cnf"];
+        string path = _folder["my.cnf"];
         File.WriteAllLines(path, lines);
         if (!OperatingSystem.IsWindows())
         {

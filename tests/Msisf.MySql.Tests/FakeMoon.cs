@@ -8,20 +8,20 @@ namespace Msisf.MySql.Tests;
 /// <summary>The tables of docs/database.md with a grid in them; counts the questions for samples.</summary>
 internal sealed class FakeMoon
 {
-    private readonly IElevationGrid grid;
-    private readonly List<object[]> records;
-    private int sampleQueries;
+    private readonly IElevationGrid _grid;
+    private readonly List<object[]> _records;
+    private int _sampleQueries;
 
     public FakeMoon(IElevationGrid grid, params object[][] records)
     {
-        this.grid = grid;
-        this.records = [.. records];
+        _grid = grid;
+        _records = [.. records];
         Source = new FakeDataSource(Answer);
     }
 
     public FakeDataSource Source { get; }
 
-    public int SampleQueries => sampleQueries;
+    public int SampleQueries => _sampleQueries;
 
     /// <summary>Column of a sample that is not in the table, in every line.</summary>
     public int? MissingColumn { get; init; }
@@ -32,10 +32,10 @@ internal sealed class FakeMoon
 
     public DataTable Answer(string text, IReadOnlyDictionary<string, object> parameters)
     {
-        string table = string.Create(CultureInfo.InvariantCulture, $"ldem_{grid.PixelsPerDegree}");
+        string table = string.Create(CultureInfo.InvariantCulture, $"ldem_{_grid.PixelsPerDegree}");
         if (text.Contains("FROM ldem_import", StringComparison.Ordinal))
         {
-            return Equals(parameters["@table"], table) ? Table([typeof(string), typeof(string), typeof(ushort), typeof(uint), typeof(uint)], records) : Table([typeof(string)], []);
+            return Equals(parameters["@table"], table) ? Table([typeof(string), typeof(string), typeof(ushort), typeof(uint), typeof(uint)], _records) : Table([typeof(string)], []);
         }
 
         if (!text.Contains($"FROM {table} ", StringComparison.Ordinal))
@@ -43,11 +43,11 @@ internal sealed class FakeMoon
             throw new NoSuchTableException();
         }
 
-        Interlocked.Increment(ref sampleQueries);
+        Interlocked.Increment(ref _sampleQueries);
         int line = (int)parameters["@row"];
         int first = (int)parameters["@first"];
         double[] radii = new double[(int)parameters["@last"] - first + 1];
-        grid.ReadRadii(line, first, radii);
+        _grid.ReadRadii(line, first, radii);
         return Table([typeof(double)], radii.Where((_, i) => first + i != MissingColumn).Select(radius => new object[] { radius }));
     }
 

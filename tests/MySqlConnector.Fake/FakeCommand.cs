@@ -6,7 +6,7 @@ namespace MySqlConnector;
 
 internal sealed class FakeCommand(Func<string, IReadOnlyDictionary<string, object>, DataTable> answer) : DbCommand
 {
-    private readonly FakeParameters parameters = new();
+    private readonly FakeParameters _parameters = new();
 
     [AllowNull]
     public override string CommandText { get; set; } = string.Empty;
@@ -21,7 +21,7 @@ internal sealed class FakeCommand(Func<string, IReadOnlyDictionary<string, objec
 
     protected override DbConnection? DbConnection { get; set; }
 
-    protected override DbParameterCollection DbParameterCollection => parameters;
+    protected override DbParameterCollection DbParameterCollection => _parameters;
 
     protected override DbTransaction? DbTransaction { get; set; }
 
@@ -37,5 +37,5 @@ internal sealed class FakeCommand(Func<string, IReadOnlyDictionary<string, objec
 
     protected override DbParameter CreateDbParameter() => new FakeParameter();
 
-    protected override DbDataReader ExecuteDbDataReader(CommandBehavior behavior) => answer(CommandText, parameters.Values).CreateDataReader();
+    protected override DbDataReader ExecuteDbDataReader(CommandBehavior behavior) => answer(CommandText, _parameters.Values).CreateDataReader();
 }

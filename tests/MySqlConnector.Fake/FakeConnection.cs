@@ -6,7 +6,7 @@ namespace MySqlConnector;
 
 internal sealed class FakeConnection(Func<string, IReadOnlyDictionary<string, object>, DataTable> answer, Action<int> countOpen) : DbConnection
 {
-    private ConnectionState state = ConnectionState.Closed;
+    private ConnectionState _state = ConnectionState.Closed;
 
     [AllowNull]
     public override string ConnectionString { get; set; } = string.Empty;
@@ -17,21 +17,21 @@ internal sealed class FakeConnection(Func<string, IReadOnlyDictionary<string, ob
 
     public override string ServerVersion => "0";
 
-    public override ConnectionState State => state;
+    public override ConnectionState State => _state;
 
     public override void ChangeDatabase(string databaseName) => throw new NotSupportedException();
 
     public override void Open()
     {
-        state = ConnectionState.Open;
+        _state = ConnectionState.Open;
         countOpen(1);
     }
 
     public override void Close()
     {
-        if (state == ConnectionState.Open)
+        if (_state == ConnectionState.Open)
         {
-            state = ConnectionState.Closed;
+            _state = ConnectionState.Closed;
             countOpen(-1);
         }
     }

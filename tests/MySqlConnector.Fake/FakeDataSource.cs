@@ -6,12 +6,12 @@ namespace MySqlConnector;
 /// <summary>A database that answers each query by a function of its text and parameters.</summary>
 public sealed class FakeDataSource(Func<string, IReadOnlyDictionary<string, object>, DataTable> answer, string connectionString = "") : DbDataSource
 {
-    private int openConnections;
+    private int _openConnections;
 
     public override string ConnectionString => connectionString;
 
     /// <summary>How many connections were not given back.</summary>
-    public int OpenConnections => openConnections;
+    public int OpenConnections => _openConnections;
 
-    protected override DbConnection CreateDbConnection() => new FakeConnection(answer, change => Interlocked.Add(ref openConnections, change));
+    protected override DbConnection CreateDbConnection() => new FakeConnection(answer, change => Interlocked.Add(ref _openConnections, change));
 }

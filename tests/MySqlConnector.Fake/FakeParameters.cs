@@ -5,49 +5,49 @@ namespace MySqlConnector;
 
 internal sealed class FakeParameters : DbParameterCollection
 {
-    private readonly List<FakeParameter> items = [];
+    private readonly List<FakeParameter> _items = [];
 
-    public override int Count => items.Count;
+    public override int Count => _items.Count;
 
-    public override object SyncRoot => items;
+    public override object SyncRoot => _items;
 
-    public IReadOnlyDictionary<string, object> Values => items.ToDictionary(item => item.ParameterName, item => item.Value!);
+    public IReadOnlyDictionary<string, object> Values => _items.ToDictionary(item => item.ParameterName, item => item.Value!);
 
     public override int Add(object value)
     {
-        items.Add((FakeParameter)value);
-        return items.Count - 1;
+        _items.Add((FakeParameter)value);
+        return _items.Count - 1;
     }
 
     public override void AddRange(Array values) => throw new NotSupportedException();
 
-    public override void Clear() => items.Clear();
+    public override void Clear() => _items.Clear();
 
-    public override bool Contains(object value) => items.Contains((FakeParameter)value);
+    public override bool Contains(object value) => _items.Contains((FakeParameter)value);
 
     public override bool Contains(string value) => IndexOf(value) >= 0;
 
-    public override void CopyTo(Array array, int index) => ((ICollection)items).CopyTo(array, index);
+    public override void CopyTo(Array array, int index) => ((ICollection)_items).CopyTo(array, index);
 
-    public override IEnumerator GetEnumerator() => items.GetEnumerator();
+    public override IEnumerator GetEnumerator() => _items.GetEnumerator();
 
-    public override int IndexOf(object value) => items.IndexOf((FakeParameter)value);
+    public override int IndexOf(object value) => _items.IndexOf((FakeParameter)value);
 
-    public override int IndexOf(string parameterName) => items.FindIndex(item => item.ParameterName == parameterName);
+    public override int IndexOf(string parameterName) => _items.FindIndex(item => item.ParameterName == parameterName);
 
-    public override void Insert(int index, object value) => items.Insert(index, (FakeParameter)value);
+    public override void Insert(int index, object value) => _items.Insert(index, (FakeParameter)value);
 
-    public override void Remove(object value) => items.Remove((FakeParameter)value);
+    public override void Remove(object value) => _items.Remove((FakeParameter)value);
 
-    public override void RemoveAt(int index) => items.RemoveAt(index);
+    public override void RemoveAt(int index) => _items.RemoveAt(index);
 
     public override void RemoveAt(string parameterName) => RemoveAt(IndexOf(parameterName));
 
-    protected override DbParameter GetParameter(int index) => items[index];
+    protected override DbParameter GetParameter(int index) => _items[index];
 
-    protected override DbParameter GetParameter(string parameterName) => items[IndexOf(parameterName)];
+    protected override DbParameter GetParameter(string parameterName) => _items[IndexOf(parameterName)];
 
-    protected override void SetParameter(int index, DbParameter value) => items[index] = (FakeParameter)value;
+    protected override void SetParameter(int index, DbParameter value) => _items[index] = (FakeParameter)value;
 
-    protected override void SetParameter(string parameterName, DbParameter value) => items[IndexOf(parameterName)] = (FakeParameter)value;
+    protected override void SetParameter(string parameterName, DbParameter value) => _items[IndexOf(parameterName)] = (FakeParameter)value;
 }

@@ -5,18 +5,18 @@ namespace Msisf.TestSupport;
 /// <summary>Collects meshes and judges, by lattice coordinates alone, whether together they close a surface.</summary>
 internal sealed class ClosedSurface
 {
-    private readonly Dictionary<LatticePoint, uint> vertices = [];
-    private readonly List<ulong> edges = [];
+    private readonly Dictionary<LatticePoint, uint> _vertices = [];
+    private readonly List<ulong> _edges = [];
 
     /// <summary>Triangles whose front looks towards the Moon's centre.</summary>
     public int InwardFaces { get; private set; }
 
     /// <summary>V - E + F: 2 for a sphere.</summary>
-    public int EulerCharacteristic => vertices.Count - (edges.Count / 2) + (edges.Count / 3);
+    public int EulerCharacteristic => _vertices.Count - (_edges.Count / 2) + (_edges.Count / 3);
 
-    public int Faces => edges.Count / 3;
+    public int Faces => _edges.Count / 3;
 
-    public int Vertices => vertices.Count;
+    public int Vertices => _vertices.Count;
 
     public void Add(TileMesh mesh)
     {
@@ -26,17 +26,17 @@ internal sealed class ClosedSurface
         {
             (int a, int b, int c) = (mesh.Faces[i], mesh.Faces[i + 1], mesh.Faces[i + 2]);
             InwardFaces += LooksOutward(points[a], points[b], points[c]) ? 0 : 1;
-            edges.Add(Edge(numbers[a], numbers[b]));
-            edges.Add(Edge(numbers[b], numbers[c]));
-            edges.Add(Edge(numbers[c], numbers[a]));
+            _edges.Add(Edge(numbers[a], numbers[b]));
+            _edges.Add(Edge(numbers[b], numbers[c]));
+            _edges.Add(Edge(numbers[c], numbers[a]));
         }
     }
 
     /// <summary>Edges that are not run through once in each direction.</summary>
     public int CountOpenEdges()
     {
-        ulong[] forward = [.. edges];
-        ulong[] backward = [.. edges.Select(edge => Edge((uint)edge, (uint)(edge >> 32)))];
+        ulong[] forward = [.. _edges];
+        ulong[] backward = [.. _edges.Select(edge => Edge((uint)edge, (uint)(edge >> 32)))];
         Array.Sort(forward);
         Array.Sort(backward);
         int open = 0;
@@ -63,10 +63,10 @@ internal sealed class ClosedSurface
 
     private uint NumberOf(LatticePoint point)
     {
-        if (!vertices.TryGetValue(point, out uint number))
+        if (!_vertices.TryGetValue(point, out uint number))
         {
-            number = (uint)vertices.Count;
-            vertices.Add(point, number);
+            number = (uint)_vertices.Count;
+            _vertices.Add(point, number);
         }
 
         return number;

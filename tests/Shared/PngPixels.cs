@@ -7,7 +7,7 @@ namespace Msisf.TestSupport;
 /// <summary>The samples of a PNG picture, 8 or 16 bits, grey or RGB with or without alpha, not interlaced: an independent reader for picture tests.</summary>
 internal sealed class PngPixels
 {
-    private readonly ushort[] samples;
+    private readonly ushort[] _samples;
 
     private PngPixels(int width, int height, int channels, int bitDepth, ushort[] samples)
     {
@@ -15,7 +15,7 @@ internal sealed class PngPixels
         Height = height;
         Channels = channels;
         BitDepth = bitDepth;
-        this.samples = samples;
+        _samples = samples;
     }
 
     public int Width { get; }
@@ -29,7 +29,7 @@ internal sealed class PngPixels
     public int BitDepth { get; }
 
     /// <summary>A sample as stored; pixel (0, 0) is the upper left one.</summary>
-    public int this[int x, int y, int channel] => samples[(((y * Width) + x) * Channels) + channel];
+    public int this[int x, int y, int channel] => _samples[(((y * Width) + x) * Channels) + channel];
 
     public static PngPixels Read(string path)
     {

@@ -6,7 +6,7 @@ namespace Msisf.Adapters.Ephemeris;
 /// <summary>Kernels that the built-in reader holds open, and the engine that works on them.</summary>
 public sealed class BuiltInKernels : IDisposable
 {
-    private readonly List<DafFile> binaryKernels = [];
+    private readonly List<DafFile> _binaryKernels = [];
 
     /// <summary>Opens kernels.</summary>
     /// <param name="paths">Kernels (no meta-kernels) in load order; a later one wins over an earlier one.</param>
@@ -40,7 +40,7 @@ public sealed class BuiltInKernels : IDisposable
     /// <inheritdoc/>
     public void Dispose()
     {
-        foreach (DafFile kernel in binaryKernels)
+        foreach (DafFile kernel in _binaryKernels)
         {
             kernel.Dispose();
         }
@@ -55,7 +55,7 @@ public sealed class BuiltInKernels : IDisposable
                 FileStream stream = KernelFile.OpenBinary(path);
                 try
                 {
-                    binaryKernels.Add(new DafFile(stream, path));
+                    _binaryKernels.Add(new DafFile(stream, path));
                 }
                 catch
                 {
@@ -83,5 +83,5 @@ public sealed class BuiltInKernels : IDisposable
     }
 
     private SegmentTable SegmentsOf(string idWord) =>
-        new(binaryKernels.Where(kernel => kernel.IdWord == idWord).SelectMany(DafSegments.Of));
+        new(_binaryKernels.Where(kernel => kernel.IdWord == idWord).SelectMany(DafSegments.Of));
 }

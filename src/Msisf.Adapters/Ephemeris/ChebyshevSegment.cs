@@ -19,13 +19,13 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
 
     private const int Components = 3;
 
-    private readonly DafFile file;
-    private readonly int firstAddress;
-    private readonly double start;
-    private readonly double recordSeconds;
-    private readonly int recordWords;
-    private readonly int coefficients;
-    private readonly double[]?[] records;
+    private readonly DafFile _file;
+    private readonly int _firstAddress;
+    private readonly double _start;
+    private readonly double _recordSeconds;
+    private readonly int _recordWords;
+    private readonly int _coefficients;
+    private readonly double[]?[] _records;
 
     /// <summary>Reads the segment's directory.</summary>
     /// <param name="file">The kernel; must outlive the segment.</param>
@@ -36,11 +36,11 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
     /// <exception cref="BadInputException">The directory contradicts the segment's size.</exception>
     public ChebyshevSegment(DafFile file, DafSummary summary, int body, int center, int seriesPerRecord)
     {
-        this.file = file;
+        _file = file;
         Body = body;
         Center = center;
         Interval = summary.Interval;
-        firstAddress = summary.FirstAddress;
+        _firstAddress = summary.FirstAddress;
 
         Span<double> directory = stackalloc double[DirectoryWords];
         long words = (long)summary.LastAddress - summary.FirstAddress + 1;
@@ -50,12 +50,12 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
         }
 
         file.ReadDoubles(summary.LastAddress - DirectoryWords + 1, directory);
-        start = directory[0];
-        recordSeconds = directory[1];
+        _start = directory[0];
+        _recordSeconds = directory[1];
         double size = directory[2];
         double count = directory[3];
-        bool isSound = double.IsFinite(start)
-            && double.IsFinite(recordSeconds) && recordSeconds > 0.0
+        bool isSound = double.IsFinite(_start)
+            && double.IsFinite(_recordSeconds) && _recordSeconds > 0.0
             && size >= WordsBeforeSeries + seriesPerRecord && (size - WordsBeforeSeries) % seriesPerRecord == 0.0
             && count >= 1.0
             && (size * count) + DirectoryWords == words;
@@ -64,9 +64,9 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
             throw file.Damaged($"the directory of the segment of body {body} does not fit its size");
         }
 
-        recordWords = (int)size;
-        coefficients = (recordWords - WordsBeforeSeries) / seriesPerRecord;
-        records = new double[(int)count][];
+        _recordWords = (int)size;
+        _coefficients = (_recordWords - WordsBeforeSeries) / seriesPerRecord;
+        _records = new double[(int)count][];
     }
 
     /// <inheritdoc/>
@@ -82,36 +82,36 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
     public Vector3D ValueAt(double tdbSeconds)
     {
         // As in SPICE the last record also serves the segment's very end.
-        int index = (int)Math.Clamp((tdbSeconds - start) / recordSeconds, 0.0, records.Length - 1.0);
-        ReadOnlySpan<double> record = Volatile.Read(ref records[index]) ?? ReadRecord(index);
+        int index = (int)Math.Clamp((tdbSeconds - _start) / _recordSeconds, 0.0, _records.Length - 1.0);
+        ReadOnlySpan<double> record = Volatile.Read(ref _records[index]) ?? ReadRecord(index);
         double x = (tdbSeconds - record[0]) / record[1];
         ReadOnlySpan<double> series = record[WordsBeforeSeries..];
         return new Vector3D(
-            Chebyshev.Evaluate(series[..coefficients], x),
-            Chebyshev.Evaluate(series.Slice(coefficients, coefficients), x),
-            Chebyshev.Evaluate(series.Slice(2 * coefficients, coefficients), x));
+            Chebyshev.Evaluate(series[.._coefficients], x),
+            Chebyshev.Evaluate(series.Slice(_coefficients, _coefficients), x),
+            Chebyshev.Evaluate(series.Slice(2 * _coefficients, _coefficients), x));
     }
 
     /// <summary>Two threads may read the same record at once; both get the same numbers, and one copy stays.</summary>
     private double[] ReadRecord(int index)
     {
         // One array holds what ValueAt needs and no more: the middle, the half length and the first three series.
-        double[] record = new double[WordsBeforeSeries + (Components * coefficients)];
-        file.ReadDoubles(firstAddress + ((long)index * recordWords), record);
+        double[] record = new double[WordsBeforeSeries + (Components * _coefficients)];
+        _file.ReadDoubles(_firstAddress + ((long)index * _recordWords), record);
         foreach (double value in record)
         {
             if (!double.IsFinite(value))
             {
-                throw file.Damaged($"record {index + 1} of body {Body} holds a number that is not finite");
+                throw _file.Damaged($"record {index + 1} of body {Body} holds a number that is not finite");
             }
         }
 
         if (record[1] <= 0.0)
         {
-            throw file.Damaged($"record {index + 1} of body {Body} has no length");
+            throw _file.Damaged($"record {index + 1} of body {Body} has no length");
         }
 
-        Volatile.Write(ref records[index], record);
+        Volatile.Write(ref _records[index], record);
         return record;
     }
 }

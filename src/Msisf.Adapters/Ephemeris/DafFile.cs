@@ -20,9 +20,9 @@ public sealed class DafFile : IDisposable
     /// <summary>SPK and PCK alike: the segment's first and last time.</summary>
     private const int SummaryDoubles = 2;
 
-    private readonly Stream stream;
-    private readonly Lock streamLock = new();
-    private readonly bool isLittleEndian;
+    private readonly Stream _stream;
+    private readonly Lock _streamLock = new();
+    private readonly bool _isLittleEndian;
 
     /// <summary>Opens a kernel and takes the stream over.</summary>
     /// <param name="stream">Must be able to seek.</param>
@@ -30,7 +30,7 @@ public sealed class DafFile : IDisposable
     /// <exception cref="BadInputException">Not an SPK or binary PCK, damaged or cut short.</exception>
     public DafFile(Stream stream, string fileName)
     {
-        this.stream = stream;
+        _stream = stream;
         FileName = fileName;
         Span<byte> fileRecord = stackalloc byte[RecordBytes];
         if (stream.Length < RecordBytes)
@@ -47,7 +47,7 @@ public sealed class DafFile : IDisposable
             _ => throw new BadInputException($"{fileName}: the file begins with \"{IdWord}\"; DAF/SPK or DAF/PCK expected."),
         };
         string format = Encoding.ASCII.GetString(fileRecord.Slice(88, 8));
-        isLittleEndian = format switch
+        _isLittleEndian = format switch
         {
             "LTL-IEEE" => true,
             "BIG-IEEE" => false,
@@ -80,7 +80,7 @@ public sealed class DafFile : IDisposable
     {
         Span<byte> bytes = MemoryMarshal.AsBytes(values);
         ReadBytes((firstAddress - 1) * WordBytes, bytes);
-        if (isLittleEndian != BitConverter.IsLittleEndian)
+        if (_isLittleEndian != BitConverter.IsLittleEndian)
         {
             Span<long> words = MemoryMarshal.Cast<byte, long>(bytes);
             BinaryPrimitives.ReverseEndianness(words, words);
@@ -92,19 +92,19 @@ public sealed class DafFile : IDisposable
     public BadInputException Damaged(string what) => new($"{FileName}: damaged kernel: {what}. Get the file anew.");
 
     /// <inheritdoc/>
-    public void Dispose() => stream.Dispose();
+    public void Dispose() => _stream.Dispose();
 
     private List<DafSummary> ReadSummaries(int firstRecord, int integers)
     {
         int summaryBytes = WordBytes * (SummaryDoubles + ((integers + 1) / 2));
         int maximumPerRecord = (RecordBytes - (WordsBeforeSummaries * WordBytes)) / summaryBytes;
-        long recordsLeft = stream.Length / RecordBytes;
+        long recordsLeft = _stream.Length / RecordBytes;
         List<DafSummary> summaries = [];
         Span<byte> record = stackalloc byte[RecordBytes];
         double next = firstRecord;
         while (next != 0.0)
         {
-            if (!(next >= 1.0 && next * RecordBytes <= stream.Length) || recordsLeft-- == 0)
+            if (!(next >= 1.0 && next * RecordBytes <= _stream.Length) || recordsLeft-- == 0)
             {
                 throw Damaged("the chain of its summary records leads out of the file or in a ring");
             }
@@ -147,25 +147,25 @@ public sealed class DafFile : IDisposable
             throw Damaged("a segment with impossible addresses");
         }
 
-        return (long)summary.LastAddress * WordBytes <= stream.Length
+        return (long)summary.LastAddress * WordBytes <= _stream.Length
             ? summary
-            : throw Damaged($"it has {stream.Length} bytes, but its data need {(long)summary.LastAddress * WordBytes}: it is cut short");
+            : throw Damaged($"it has {_stream.Length} bytes, but its data need {(long)summary.LastAddress * WordBytes}: it is cut short");
     }
 
     private double ReadDouble(ReadOnlySpan<byte> bytes) =>
-        isLittleEndian ? BinaryPrimitives.ReadDoubleLittleEndian(bytes) : BinaryPrimitives.ReadDoubleBigEndian(bytes);
+        _isLittleEndian ? BinaryPrimitives.ReadDoubleLittleEndian(bytes) : BinaryPrimitives.ReadDoubleBigEndian(bytes);
 
     private int ReadInt32(ReadOnlySpan<byte> bytes) =>
-        isLittleEndian ? BinaryPrimitives.ReadInt32LittleEndian(bytes) : BinaryPrimitives.ReadInt32BigEndian(bytes);
+        _isLittleEndian ? BinaryPrimitives.ReadInt32LittleEndian(bytes) : BinaryPrimitives.ReadInt32BigEndian(bytes);
 
     private void ReadBytes(long offset, Span<byte> bytes)
     {
         try
         {
-            lock (streamLock)
+            lock (_streamLock)
             {
-                stream.Seek(offset, SeekOrigin.Begin);
-                stream.ReadExactly(bytes);
+                _stream.Seek(offset, SeekOrigin.Begin);
+                _stream.ReadExactly(bytes);
             }
         }
         catch (IOException exception)

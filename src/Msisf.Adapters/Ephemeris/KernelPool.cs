@@ -6,21 +6,21 @@ namespace Msisf.Adapters.Ephemeris;
 /// <summary>What text kernels assign. A later assignment replaces an earlier one, as in SPICE; names are case-sensitive.</summary>
 public sealed class KernelPool
 {
-    private readonly Dictionary<string, KernelVariable> variables = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, KernelVariable> _variables = new(StringComparer.Ordinal);
 
     /// <summary>All names, in no order.</summary>
-    public IReadOnlyCollection<string> Names => variables.Keys;
+    public IReadOnlyCollection<string> Names => _variables.Keys;
 
     /// <summary>Assigns (=).</summary>
-    public void Assign(string name, KernelVariable values) => variables[name] = values;
+    public void Assign(string name, KernelVariable values) => _variables[name] = values;
 
     /// <summary>Appends (+=); a new name is assigned.</summary>
     /// <exception cref="BadInputException">Numbers are appended to texts, or the reverse.</exception>
     public void Append(string name, KernelVariable values)
     {
-        if (!variables.TryGetValue(name, out KernelVariable? present))
+        if (!_variables.TryGetValue(name, out KernelVariable? present))
         {
-            variables[name] = values;
+            _variables[name] = values;
             return;
         }
 
@@ -29,11 +29,11 @@ public sealed class KernelPool
             throw new BadInputException($"{values.Source}: {name} += mixes numbers and texts; the values before stand in {present.Source}.");
         }
 
-        variables[name] = new KernelVariable([.. present.Numbers, .. values.Numbers], [.. present.Texts, .. values.Texts], values.Source);
+        _variables[name] = new KernelVariable([.. present.Numbers, .. values.Numbers], [.. present.Texts, .. values.Texts], values.Source);
     }
 
     /// <summary>The values of a name, or null.</summary>
-    public KernelVariable? Find(string name) => variables.GetValueOrDefault(name);
+    public KernelVariable? Find(string name) => _variables.GetValueOrDefault(name);
 
     /// <summary>Numbers that must be there.</summary>
     /// <param name="name">Name of the variable.</param>

@@ -5,13 +5,13 @@ namespace Msisf.Adapters.Ephemeris;
 /// <summary>An engine that works until <see cref="Dispose"/>.</summary>
 public sealed class OpenedEphemeris : IDisposable
 {
-    private readonly IDisposable resources;
+    private readonly IDisposable _resources;
 
     internal OpenedEphemeris(IEphemeris engine, string notice, IDisposable resources)
     {
         Engine = engine;
         Notice = notice;
-        this.resources = resources;
+        _resources = resources;
     }
 
     /// <summary>The engine.</summary>
@@ -21,5 +21,5 @@ public sealed class OpenedEphemeris : IDisposable
     public string Notice { get; }
 
     /// <inheritdoc/>
-    public void Dispose() => resources.Dispose();
+    public void Dispose() => _resources.Dispose();
 }

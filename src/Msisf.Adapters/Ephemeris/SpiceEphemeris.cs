@@ -9,33 +9,33 @@ namespace Msisf.Adapters.Ephemeris;
 /// <summary>The engine that asks NAIF's CSPICE. Safe for several threads, which take turns.</summary>
 public sealed class SpiceEphemeris : IEphemeris, IDisposable
 {
-    private readonly CSpice cspice;
-    private readonly KernelSet kernels;
+    private readonly CSpice _cspice;
+    private readonly KernelSet _kernels;
 
     /// <summary>Furnishes kernels to a CSPICE that is started.</summary>
     internal SpiceEphemeris(CSpice cspice, IReadOnlyList<string> paths)
     {
-        this.cspice = cspice;
-        kernels = new KernelSet(cspice, paths);
+        _cspice = cspice;
+        _kernels = new KernelSet(cspice, paths);
     }
 
     /// <inheritdoc/>
-    public string EngineName => cspice.Version.Replace('_', ' ');
+    public string EngineName => _cspice.Version.Replace('_', ' ');
 
     /// <inheritdoc/>
-    public Vector3D SunPositionMoonMe(ModifiedJulianDate time) => Ask(cspice.SunPositionMoonMe, time);
+    public Vector3D SunPositionMoonMe(ModifiedJulianDate time) => Ask(_cspice.SunPositionMoonMe, time);
 
     /// <inheritdoc/>
-    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Ask(cspice.MoonMeFromJ2000, time);
+    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Ask(_cspice.MoonMeFromJ2000, time);
 
     /// <summary>Unloads the kernels.</summary>
-    public void Dispose() => kernels.Dispose();
+    public void Dispose() => _kernels.Dispose();
 
     private T Ask<T>(Func<IReadOnlyList<string>, ModifiedJulianDate, T> question, ModifiedJulianDate time)
     {
         try
         {
-            return question(kernels.Paths, time);
+            return question(_kernels.Paths, time);
         }
         catch (SpiceException exception)
         {
@@ -49,7 +49,7 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
     {
         try
         {
-            using BuiltInKernels readable = new(kernels.Paths);
+            using BuiltInKernels readable = new(_kernels.Paths);
             return readable.Ephemeris.Cover;
         }
         catch (MsisfException)

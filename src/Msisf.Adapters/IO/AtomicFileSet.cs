@@ -9,7 +9,7 @@ namespace Msisf.Adapters.IO;
 /// </summary>
 public sealed class AtomicFileSet : IDisposable
 {
-    private readonly List<(string Temporary, string Path)> pending = [];
+    private readonly List<(string Temporary, string Path)> _pending = [];
 
     /// <summary>Writes one file; its final name appears with <see cref="Commit"/>.</summary>
     /// <param name="path">The final name.</param>
@@ -19,7 +19,7 @@ public sealed class AtomicFileSet : IDisposable
     public void Write(string path, Action<Stream> write, bool flushToDisk = true)
     {
         string temporary = AtomicFile.TemporaryNameFor(path);
-        pending.Add((temporary, path));
+        _pending.Add((temporary, path));
         Wrapped(path, () =>
         {
             using FileStream stream = new(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 65536);
@@ -43,11 +43,11 @@ public sealed class AtomicFileSet : IDisposable
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
     public void Commit()
     {
-        while (pending.Count > 0)
+        while (_pending.Count > 0)
         {
-            (string temporary, string path) = pending[0];
+            (string temporary, string path) = _pending[0];
             Wrapped(path, () => File.Move(temporary, path, overwrite: true));
-            pending.RemoveAt(0);
+            _pending.RemoveAt(0);
         }
     }
 
@@ -55,7 +55,7 @@ public sealed class AtomicFileSet : IDisposable
     public void Dispose()
     {
         // File.Delete is content with a missing file, but not with a missing folder.
-        foreach ((string temporary, string path) in pending.Where(file => File.Exists(file.Temporary)))
+        foreach ((string temporary, string path) in _pending.Where(file => File.Exists(file.Temporary)))
         {
             Wrapped(path, () => File.Delete(temporary));
         }

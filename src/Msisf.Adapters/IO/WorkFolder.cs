@@ -12,13 +12,13 @@ public sealed class WorkFolder : IDisposable
     private const string Prefix = ".msis-";
     private const string LockName = "lock";
 
-    private readonly FileStream heldLock;
+    private readonly FileStream _heldLock;
 
     private WorkFolder(string path)
     {
         Path = path;
         Directory.CreateDirectory(path);
-        heldLock = OpenLock(path);
+        _heldLock = OpenLock(path);
     }
 
     /// <summary>The folder.</summary>
@@ -78,7 +78,7 @@ public sealed class WorkFolder : IDisposable
         }
         finally
         {
-            heldLock.Dispose();
+            _heldLock.Dispose();
         }
     }
 

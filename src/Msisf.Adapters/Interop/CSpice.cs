@@ -17,9 +17,9 @@ internal sealed class CSpice
     /// <summary>The versions that the tests ran with.</summary>
     private static readonly string[] TestedVersions = ["CSPICE_N0067"];
 
-    private readonly Lock gate = new();
-    private readonly CSpiceLibrary library = new();
-    private readonly FurnishedKernels furnished = new();
+    private readonly Lock _gate = new();
+    private readonly CSpiceLibrary _library = new();
+    private readonly FurnishedKernels _furnished = new();
 
     private CSpice()
     {
@@ -37,9 +37,9 @@ internal sealed class CSpice
     /// <param name="pathOrReason">The library's path; on failure why it can't be used.</param>
     public bool TryStart(string? explicitPath, string installationRoot, out string pathOrReason)
     {
-        lock (gate)
+        lock (_gate)
         {
-            if (!library.TryLoad(explicitPath, installationRoot, out string found))
+            if (!_library.TryLoad(explicitPath, installationRoot, out string found))
             {
                 pathOrReason = $"CSPICE's library could not be loaded; looked at {found}";
                 return false;
@@ -63,9 +63,9 @@ internal sealed class CSpice
     /// <exception cref="SpiceException">CSPICE refuses a kernel.</exception>
     public void Furnish(IReadOnlyList<string> paths)
     {
-        lock (gate)
+        lock (_gate)
         {
-            furnished.Use(paths);
+            _furnished.Use(paths);
         }
     }
 
@@ -73,9 +73,9 @@ internal sealed class CSpice
     /// <param name="paths">As given to <see cref="Furnish"/>.</param>
     public void Unload(IReadOnlyList<string> paths)
     {
-        lock (gate)
+        lock (_gate)
         {
-            furnished.Drop(paths);
+            _furnished.Drop(paths);
         }
     }
 
@@ -86,9 +86,9 @@ internal sealed class CSpice
     public Vector3D SunPositionMoonMe(IReadOnlyList<string> kernels, ModifiedJulianDate time)
     {
         Span<double> positionKm = stackalloc double[3];
-        lock (gate)
+        lock (_gate)
         {
-            furnished.Use(kernels);
+            _furnished.Use(kernels);
             double ephemerisSeconds = EphemerisSeconds(time);
             CSpiceNative.spkpos_c("SUN", ephemerisSeconds, "MOON_ME", "NONE", "MOON", ref positionKm[0], out _);
             CSpiceError.ThrowIfFailed("spkpos_c", time);
@@ -104,9 +104,9 @@ internal sealed class CSpice
     public RotationMatrix MoonMeFromJ2000(IReadOnlyList<string> kernels, ModifiedJulianDate time)
     {
         Span<double> rows = stackalloc double[9];
-        lock (gate)
+        lock (_gate)
         {
-            furnished.Use(kernels);
+            _furnished.Use(kernels);
             double ephemerisSeconds = EphemerisSeconds(time);
             CSpiceNative.pxform_c("J2000", "MOON_ME", ephemerisSeconds, ref rows[0]);
             CSpiceError.ThrowIfFailed("pxform_c", time);

@@ -7,7 +7,7 @@ internal sealed class CSpiceLibrary
 {
     private const string FileName = "libcspice.so";
 
-    private nint loaded;
+    private nint _loaded;
 
     /// <summary>Loads the library: the explicit path alone if one is given, else beside the program, in the installation, in the system.</summary>
     /// <param name="explicitPath">MSISF_CSPICE, or null.</param>
@@ -59,21 +59,21 @@ internal sealed class CSpiceLibrary
             return isFile ? LastLine(exception.Message) : "not installed in the system";
         }
 
-        if (handle == loaded)
+        if (handle == _loaded)
         {
             return null;
         }
 
-        if (loaded != nint.Zero || !NativeLibrary.TryGetExport(handle, nameof(CSpiceNative.tkvrsn_c), out _))
+        if (_loaded != nint.Zero || !NativeLibrary.TryGetExport(handle, nameof(CSpiceNative.tkvrsn_c), out _))
         {
             NativeLibrary.Free(handle);
-            return loaded != nint.Zero ? "another CSPICE is loaded already; a process holds one" : "a library, but not CSPICE";
+            return _loaded != nint.Zero ? "another CSPICE is loaded already; a process holds one" : "a library, but not CSPICE";
         }
 
         NativeLibrary.SetDllImportResolver(
             typeof(CSpiceNative).Assembly,
             (name, _, _) => name == CSpiceNative.Library ? handle : nint.Zero);
-        loaded = handle;
+        _loaded = handle;
         return null;
     }
 

@@ -12,16 +12,16 @@ internal sealed unsafe class CairoImage : IDisposable
     /// </summary>
     private const string FontFamily = "@cairo:monospace";
 
-    private readonly CairoSurfaceHandle surface;
-    private readonly CairoContextHandle context;
+    private readonly CairoSurfaceHandle _surface;
+    private readonly CairoContextHandle _context;
 
     private CairoImage(CairoSurfaceHandle surface)
     {
-        this.surface = surface;
+        _surface = surface;
         Width = CairoNative.cairo_image_surface_get_width(surface);
         Height = CairoNative.cairo_image_surface_get_height(surface);
-        context = CairoNative.cairo_create(surface);
-        CairoNative.cairo_select_font_face(context, FontFamily, slant: 0, weight: 0);
+        _context = CairoNative.cairo_create(surface);
+        CairoNative.cairo_select_font_face(_context, FontFamily, slant: 0, weight: 0);
         ThrowIfContextFailed("cairo_create");
     }
 
@@ -71,46 +71,46 @@ internal sealed unsafe class CairoImage : IDisposable
     public void WritePng(Stream png)
     {
         using CairoStream destination = new(png);
-        int status = CairoNative.cairo_surface_write_to_png_stream(surface, CairoStream.WriteCallback, destination.Closure);
+        int status = CairoNative.cairo_surface_write_to_png_stream(_surface, CairoStream.WriteCallback, destination.Closure);
         destination.ThrowIfFailed();
         ThrowIfFailed(status, "cairo_surface_write_to_png_stream");
     }
 
     /// <summary>Sets the colour of what is drawn next; parts from 0 to 1.</summary>
     public void SetColor(double red, double green, double blue, double alpha) =>
-        CairoNative.cairo_set_source_rgba(context, red, green, blue, alpha);
+        CairoNative.cairo_set_source_rgba(_context, red, green, blue, alpha);
 
     /// <summary>Draws a line.</summary>
     public void DrawLine(double x1, double y1, double x2, double y2, double width)
     {
-        CairoNative.cairo_set_line_width(context, width);
-        CairoNative.cairo_move_to(context, x1, y1);
-        CairoNative.cairo_line_to(context, x2, y2);
-        CairoNative.cairo_stroke(context);
+        CairoNative.cairo_set_line_width(_context, width);
+        CairoNative.cairo_move_to(_context, x1, y1);
+        CairoNative.cairo_line_to(_context, x2, y2);
+        CairoNative.cairo_stroke(_context);
         ThrowIfContextFailed("cairo_stroke");
     }
 
     /// <summary>Draws a filled circle.</summary>
     public void FillCircle(double x, double y, double radius)
     {
-        CairoNative.cairo_arc(context, x, y, radius, 0.0, 2.0 * Math.PI);
-        CairoNative.cairo_fill(context);
+        CairoNative.cairo_arc(_context, x, y, radius, 0.0, 2.0 * Math.PI);
+        CairoNative.cairo_fill(_context);
         ThrowIfContextFailed("cairo_fill");
     }
 
     /// <summary>Draws a filled rectangle.</summary>
     public void FillRectangle(double x, double y, double width, double height)
     {
-        CairoNative.cairo_rectangle(context, x, y, width, height);
-        CairoNative.cairo_fill(context);
+        CairoNative.cairo_rectangle(_context, x, y, width, height);
+        CairoNative.cairo_fill(_context);
         ThrowIfContextFailed("cairo_fill");
     }
 
     /// <summary>How far a text reaches to the right, px.</summary>
     public double MeasureText(string text, double fontSize)
     {
-        CairoNative.cairo_set_font_size(context, fontSize);
-        CairoNative.cairo_text_extents(context, text, out CairoTextExtents extents);
+        CairoNative.cairo_set_font_size(_context, fontSize);
+        CairoNative.cairo_text_extents(_context, text, out CairoTextExtents extents);
         ThrowIfContextFailed("cairo_text_extents");
         return extents.AdvanceX;
     }
@@ -118,16 +118,16 @@ internal sealed unsafe class CairoImage : IDisposable
     /// <summary>Draws a text whose base line starts at a point.</summary>
     public void DrawText(string text, double x, double y, double fontSize)
     {
-        CairoNative.cairo_set_font_size(context, fontSize);
-        CairoNative.cairo_move_to(context, x, y);
-        CairoNative.cairo_show_text(context, text);
+        CairoNative.cairo_set_font_size(_context, fontSize);
+        CairoNative.cairo_move_to(_context, x, y);
+        CairoNative.cairo_show_text(_context, text);
         ThrowIfContextFailed("cairo_show_text");
     }
 
     public void Dispose()
     {
-        context.Dispose();
-        surface.Dispose();
+        _context.Dispose();
+        _surface.Dispose();
     }
 
     private static string Text(int status) => Marshal.PtrToStringUTF8(CairoNative.cairo_status_to_string(status)) ?? string.Empty;
@@ -140,5 +140,5 @@ internal sealed unsafe class CairoImage : IDisposable
         }
     }
 
-    private void ThrowIfContextFailed(string function) => ThrowIfFailed(CairoNative.cairo_status(context), function);
+    private void ThrowIfContextFailed(string function) => ThrowIfFailed(CairoNative.cairo_status(_context), function);
 }

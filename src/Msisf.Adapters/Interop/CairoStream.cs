@@ -7,18 +7,18 @@ namespace Msisf.Adapters.Interop;
 /// <summary>A stream as cairo's read and write callbacks see it. An exception may not cross native code: it is kept and thrown again behind it.</summary>
 internal sealed unsafe class CairoStream : IDisposable
 {
-    private readonly Stream stream;
-    private GCHandle self;
-    private ExceptionDispatchInfo? failure;
+    private readonly Stream _stream;
+    private GCHandle _self;
+    private ExceptionDispatchInfo? _failure;
 
     public CairoStream(Stream stream)
     {
-        this.stream = stream;
-        self = GCHandle.Alloc(this);
+        _stream = stream;
+        _self = GCHandle.Alloc(this);
     }
 
     /// <summary>What the callbacks need to find this object again.</summary>
-    public nint Closure => GCHandle.ToIntPtr(self);
+    public nint Closure => GCHandle.ToIntPtr(_self);
 
     /// <summary>cairo_read_func_t: fills all the bytes or fails.</summary>
     public static delegate* unmanaged[Cdecl]<nint, byte*, uint, int> ReadCallback => &Read;
@@ -27,9 +27,9 @@ internal sealed unsafe class CairoStream : IDisposable
     public static delegate* unmanaged[Cdecl]<nint, byte*, uint, int> WriteCallback => &Write;
 
     /// <summary>Throws what the stream threw inside a callback.</summary>
-    public void ThrowIfFailed() => failure?.Throw();
+    public void ThrowIfFailed() => _failure?.Throw();
 
-    public void Dispose() => self.Free();
+    public void Dispose() => _self.Free();
 
     [UnmanagedCallersOnly(CallConvs = [typeof(CallConvCdecl)])]
     private static int Read(nint closure, byte* data, uint length)
@@ -38,12 +38,12 @@ internal sealed unsafe class CairoStream : IDisposable
         try
         {
             Span<byte> wanted = new(data, checked((int)length));
-            bool isWhole = owner.stream.ReadAtLeast(wanted, wanted.Length, throwOnEndOfStream: false) == wanted.Length;
+            bool isWhole = owner._stream.ReadAtLeast(wanted, wanted.Length, throwOnEndOfStream: false) == wanted.Length;
             return isWhole ? CairoNative.StatusSuccess : CairoNative.StatusReadError;
         }
         catch (Exception exception)
         {
-            owner.failure = ExceptionDispatchInfo.Capture(exception);
+            owner._failure = ExceptionDispatchInfo.Capture(exception);
             return CairoNative.StatusReadError;
         }
     }
@@ -54,12 +54,12 @@ internal sealed unsafe class CairoStream : IDisposable
         CairoStream owner = Owner(closure);
         try
         {
-            owner.stream.Write(new ReadOnlySpan<byte>(data, checked((int)length)));
+            owner._stream.Write(new ReadOnlySpan<byte>(data, checked((int)length)));
             return CairoNative.StatusSuccess;
         }
         catch (Exception exception)
         {
-            owner.failure = ExceptionDispatchInfo.Capture(exception);
+            owner._failure = ExceptionDispatchInfo.Capture(exception);
             return CairoNative.StatusWriteError;
         }
     }

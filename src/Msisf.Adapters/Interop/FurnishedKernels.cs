@@ -13,21 +13,21 @@ internal sealed class FurnishedKernels
     /// <summary>The longest path that furnsh_c takes, in bytes (CSPICE N0067: 256 gives SPICE(FILENAMETOOLONG)).</summary>
     private const int MaximumPathBytes = 255;
 
-    private IReadOnlyList<string> loaded = [];
+    private IReadOnlyList<string> _loaded = [];
 
     /// <summary>Makes these kernels, and no others, the loaded ones.</summary>
     /// <param name="paths">Absolute paths in load order.</param>
     /// <exception cref="SpiceException">CSPICE refuses a kernel; none stays loaded.</exception>
     public void Use(IReadOnlyList<string> paths)
     {
-        if (ReferenceEquals(loaded, paths) || loaded.SequenceEqual(paths))
+        if (ReferenceEquals(_loaded, paths) || _loaded.SequenceEqual(paths))
         {
             return;
         }
 
         UnloadAll();
         List<string> furnished = [];
-        loaded = furnished;
+        _loaded = furnished;
         try
         {
             foreach (string path in paths)
@@ -42,14 +42,14 @@ internal sealed class FurnishedKernels
             throw;
         }
 
-        loaded = paths;
+        _loaded = paths;
     }
 
     /// <summary>Unloads these kernels if they are the loaded ones.</summary>
     /// <param name="paths">As given to <see cref="Use"/>.</param>
     public void Drop(IReadOnlyList<string> paths)
     {
-        if (loaded.SequenceEqual(paths))
+        if (_loaded.SequenceEqual(paths))
         {
             UnloadAll();
         }
@@ -71,8 +71,8 @@ internal sealed class FurnishedKernels
 
     private void UnloadAll()
     {
-        IReadOnlyList<string> paths = loaded;
-        loaded = [];
+        IReadOnlyList<string> paths = _loaded;
+        _loaded = [];
         for (int i = paths.Count - 1; i >= 0; i--)
         {
             CSpiceNative.unload_c(paths[i]);

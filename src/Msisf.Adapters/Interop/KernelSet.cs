@@ -3,9 +3,9 @@ namespace Msisf.Adapters.Interop;
 /// <summary>Kernels that are furnished to CSPICE until <see cref="Dispose"/>.</summary>
 internal sealed class KernelSet : IDisposable
 {
-    private readonly CSpice cspice;
-    private readonly IReadOnlyList<string> paths;
-    private bool isDisposed;
+    private readonly CSpice _cspice;
+    private readonly IReadOnlyList<string> _paths;
+    private bool _isDisposed;
 
     /// <summary>Furnishes kernels.</summary>
     /// <param name="cspice">Started.</param>
@@ -13,8 +13,8 @@ internal sealed class KernelSet : IDisposable
     /// <exception cref="Core.Errors.SpiceException">CSPICE refuses a kernel; none stays loaded.</exception>
     public KernelSet(CSpice cspice, IReadOnlyList<string> paths)
     {
-        this.cspice = cspice;
-        this.paths = paths;
+        _cspice = cspice;
+        _paths = paths;
         cspice.Furnish(paths);
     }
 
@@ -23,18 +23,18 @@ internal sealed class KernelSet : IDisposable
     {
         get
         {
-            ObjectDisposedException.ThrowIf(isDisposed, this);
-            return paths;
+            ObjectDisposedException.ThrowIf(_isDisposed, this);
+            return _paths;
         }
     }
 
     /// <inheritdoc/>
     public void Dispose()
     {
-        if (!isDisposed)
+        if (!_isDisposed)
         {
-            isDisposed = true;
-            cspice.Unload(paths);
+            _isDisposed = true;
+            _cspice.Unload(_paths);
         }
     }
 }

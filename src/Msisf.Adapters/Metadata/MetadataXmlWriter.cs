@@ -79,19 +79,19 @@ public static class MetadataXmlWriter
     /// <summary>The memory of one worker: a row's records and their text.</summary>
     private sealed class RowBuffer(PixelSampler pixels)
     {
-        private readonly PixelRecord[] records = new PixelRecord[pixels.Grid.Columns];
-        private readonly byte[] text = new byte[pixels.Grid.Columns * PixelXml.MaximumLength];
-        private int length;
+        private readonly PixelRecord[] _records = new PixelRecord[pixels.Grid.Columns];
+        private readonly byte[] _text = new byte[pixels.Grid.Columns * PixelXml.MaximumLength];
+        private int _length;
 
-        public ReadOnlySpan<byte> Bytes => text.AsSpan(0, length);
+        public ReadOnlySpan<byte> Bytes => _text.AsSpan(0, _length);
 
         public void Fill(int row)
         {
-            int count = pixels.SampleRow(row, records);
-            length = 0;
-            foreach (ref readonly PixelRecord record in records.AsSpan(0, count))
+            int count = pixels.SampleRow(row, _records);
+            _length = 0;
+            foreach (ref readonly PixelRecord record in _records.AsSpan(0, count))
             {
-                length += PixelXml.Write(record, text.AsSpan(length));
+                _length += PixelXml.Write(record, _text.AsSpan(_length));
             }
         }
     }

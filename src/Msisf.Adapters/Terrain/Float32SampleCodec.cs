@@ -7,25 +7,25 @@ namespace Msisf.Adapters.Terrain;
 /// <summary>32-bit floats of either byte order.</summary>
 internal sealed unsafe class Float32SampleCodec : SampleCodec
 {
-    private readonly bool isReversed;
-    private readonly double scale;
-    private readonly double offset;
-    private readonly double lowest;
-    private readonly double highest;
+    private readonly bool _isReversed;
+    private readonly double _scale;
+    private readonly double _offset;
+    private readonly double _lowest;
+    private readonly double _highest;
 
     public Float32SampleCodec(LdemLabel label, bool isReversed)
     {
-        this.isReversed = isReversed;
-        scale = label.ScalingFactor;
-        offset = label.Offset;
+        _isReversed = isReversed;
+        _scale = label.ScalingFactor;
+        _offset = label.Offset;
         double slack = Tolerances.FloatSampleLimits * (label.Maximum - label.Minimum);
-        lowest = label.Minimum - slack;
-        highest = label.Maximum + slack;
+        _lowest = label.Minimum - slack;
+        _highest = label.Maximum + slack;
     }
 
     public override double ValueAt(byte* sample) => Value(sample, 0);
 
-    public override bool IsAllowed(double value) => value >= lowest && value <= highest;
+    public override bool IsAllowed(double value) => value >= _lowest && value <= _highest;
 
     public override bool TryReadRadii(byte* samples, Span<double> radii)
     {
@@ -34,7 +34,7 @@ internal sealed unsafe class Float32SampleCodec : SampleCodec
         {
             double value = Value(samples, i);
             areAllowed &= IsAllowed(value);
-            radii[i] = offset + (scale * value);
+            radii[i] = _offset + (_scale * value);
         }
 
         return areAllowed;
@@ -60,6 +60,6 @@ internal sealed unsafe class Float32SampleCodec : SampleCodec
     private double Value(byte* samples, int index)
     {
         uint bits = Unsafe.ReadUnaligned<uint>((uint*)samples + index);
-        return BitConverter.UInt32BitsToSingle(isReversed ? BinaryPrimitives.ReverseEndianness(bits) : bits);
+        return BitConverter.UInt32BitsToSingle(_isReversed ? BinaryPrimitives.ReverseEndianness(bits) : bits);
     }
 }

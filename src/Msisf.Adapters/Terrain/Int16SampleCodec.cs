@@ -8,24 +8,24 @@ namespace Msisf.Adapters.Terrain;
 /// <summary>16-bit integers of either byte order, eight at a time.</summary>
 internal sealed unsafe class Int16SampleCodec : SampleCodec
 {
-    private readonly bool isReversed;
-    private readonly double scale;
-    private readonly double offset;
-    private readonly short lowest;
-    private readonly short highest;
+    private readonly bool _isReversed;
+    private readonly double _scale;
+    private readonly double _offset;
+    private readonly short _lowest;
+    private readonly short _highest;
 
     public Int16SampleCodec(LdemLabel label, bool isReversed)
     {
-        this.isReversed = isReversed;
-        scale = label.ScalingFactor;
-        offset = label.Offset;
-        lowest = (short)Math.Ceiling(label.Minimum);
-        highest = (short)Math.Floor(label.Maximum);
+        _isReversed = isReversed;
+        _scale = label.ScalingFactor;
+        _offset = label.Offset;
+        _lowest = (short)Math.Ceiling(label.Minimum);
+        _highest = (short)Math.Floor(label.Maximum);
     }
 
     public override double ValueAt(byte* sample) => Value(sample, 0);
 
-    public override bool IsAllowed(double value) => value >= lowest && value <= highest;
+    public override bool IsAllowed(double value) => value >= _lowest && value <= _highest;
 
     public override bool TryReadRadii(byte* samples, Span<double> radii)
     {
@@ -36,7 +36,7 @@ internal sealed unsafe class Int16SampleCodec : SampleCodec
             for (; i <= radii.Length - Vector128<short>.Count; i += Vector128<short>.Count)
             {
                 Vector128<short> values = Eight(samples, i);
-                outside |= Vector128.LessThan(values, Vector128.Create(lowest)) | Vector128.GreaterThan(values, Vector128.Create(highest));
+                outside |= Vector128.LessThan(values, Vector128.Create(_lowest)) | Vector128.GreaterThan(values, Vector128.Create(_highest));
                 (Vector128<int> lower, Vector128<int> upper) = Vector128.Widen(values);
                 StoreRadii(lower, radii.Slice(i, 4));
                 StoreRadii(upper, radii.Slice(i + 4, 4));
@@ -47,8 +47,8 @@ internal sealed unsafe class Int16SampleCodec : SampleCodec
         for (; i < radii.Length; i++)
         {
             short value = Value(samples, i);
-            areAllowed &= value >= lowest && value <= highest;
-            radii[i] = offset + (scale * value);
+            areAllowed &= value >= _lowest && value <= _highest;
+            radii[i] = _offset + (_scale * value);
         }
 
         return areAllowed;
@@ -92,19 +92,19 @@ internal sealed unsafe class Int16SampleCodec : SampleCodec
     {
         Vector128<double> lower = Sse2.ConvertToVector128Double(values);
         Vector128<double> upper = Sse2.ConvertToVector128Double(Vector128.Shuffle(values, Vector128.Create(2, 3, 2, 3)));
-        (Vector128.Create(offset) + (scale * lower)).CopyTo(radii);
-        (Vector128.Create(offset) + (scale * upper)).CopyTo(radii[2..]);
+        (Vector128.Create(_offset) + (_scale * lower)).CopyTo(radii);
+        (Vector128.Create(_offset) + (_scale * upper)).CopyTo(radii[2..]);
     }
 
     private Vector128<short> Eight(byte* samples, int index)
     {
         Vector128<short> values = Vector128.Load((short*)samples + index);
-        return isReversed ? Vector128.ShiftLeft(values, 8) | Vector128.ShiftRightLogical(values, 8) : values;
+        return _isReversed ? Vector128.ShiftLeft(values, 8) | Vector128.ShiftRightLogical(values, 8) : values;
     }
 
     private short Value(byte* samples, int index)
     {
         short value = Unsafe.ReadUnaligned<short>((short*)samples + index);
-        return isReversed ? BinaryPrimitives.ReverseEndianness(value) : value;
+        return _isReversed ? BinaryPrimitives.ReverseEndianness(value) : value;
     }
 }

@@ -12,20 +12,20 @@ namespace Msisf.Adapters.Terrain;
 /// <remarks>Don't use it after or while it is disposed. A file that is made shorter while it is open ends the process.</remarks>
 public sealed unsafe class LdemImage : IElevationGrid, IDisposable
 {
-    private readonly MemoryMappedFile file;
-    private readonly MemoryMappedViewAccessor view;
-    private readonly byte* samples;
-    private readonly SampleCodec codec;
+    private readonly MemoryMappedFile _file;
+    private readonly MemoryMappedViewAccessor _view;
+    private readonly byte* _samples;
+    private readonly SampleCodec _codec;
 
     private LdemImage(LdemLabel label, FileStream stream)
     {
         Label = label;
-        codec = SampleCodec.For(label);
-        file = MemoryMappedFile.CreateFromFile(stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
-        view = file.CreateViewAccessor(0, 0, MemoryMappedFileAccess.Read);
+        _codec = SampleCodec.For(label);
+        _file = MemoryMappedFile.CreateFromFile(stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
+        _view = _file.CreateViewAccessor(0, 0, MemoryMappedFileAccess.Read);
         byte* start = null;
-        view.SafeMemoryMappedViewHandle.AcquirePointer(ref start);
-        samples = start + view.PointerOffset + label.ImageOffset;
+        _view.SafeMemoryMappedViewHandle.AcquirePointer(ref start);
+        _samples = start + _view.PointerOffset + label.ImageOffset;
     }
 
     /// <summary>What the label says.</summary>
@@ -99,11 +99,11 @@ public sealed unsafe class LdemImage : IElevationGrid, IDisposable
     /// <summary>Unmaps the file.</summary>
     public void Dispose()
     {
-        if (!view.SafeMemoryMappedViewHandle.IsClosed)
+        if (!_view.SafeMemoryMappedViewHandle.IsClosed)
         {
-            view.SafeMemoryMappedViewHandle.ReleasePointer();
-            view.Dispose();
-            file.Dispose();
+            _view.SafeMemoryMappedViewHandle.ReleasePointer();
+            _view.Dispose();
+            _file.Dispose();
         }
     }
 
@@ -121,7 +121,7 @@ public sealed unsafe class LdemImage : IElevationGrid, IDisposable
 
     private void CheckBlock(int firstLine, int lines, int firstSample, int sampleCount)
     {
-        ObjectDisposedException.ThrowIf(view.SafeMemoryMappedViewHandle.IsClosed, this);
+        ObjectDisposedException.ThrowIf(_view.SafeMemoryMappedViewHandle.IsClosed, this);
         ArgumentOutOfRangeException.ThrowIfNegative(firstLine);
         ArgumentOutOfRangeException.ThrowIfLessThan(lines, 1);
         ArgumentOutOfRangeException.ThrowIfGreaterThan((long)firstLine + lines, Label.Lines, nameof(lines));
@@ -131,11 +131,11 @@ public sealed unsafe class LdemImage : IElevationGrid, IDisposable
         ArgumentOutOfRangeException.ThrowIfGreaterThan(sampleCount, Label.LineSamples);
     }
 
-    private byte* Address(int line, int sample) => samples + (line * Label.LineBytes) + ((long)sample * Label.SampleBytes);
+    private byte* Address(int line, int sample) => _samples + (line * Label.LineBytes) + ((long)sample * Label.SampleBytes);
 
     private void ReadRun(int line, int firstSample, Span<double> radii)
     {
-        if (!codec.TryReadRadii(Address(line, firstSample), radii))
+        if (!_codec.TryReadRadii(Address(line, firstSample), radii))
         {
             throw NotAllowed(line, 1, firstSample, radii.Length);
         }
@@ -143,8 +143,8 @@ public sealed unsafe class LdemImage : IElevationGrid, IDisposable
 
     private (double Minimum, double Maximum) BoundsOfRun(int firstLine, int lines, int firstSample, int sampleCount)
     {
-        (double minimum, double maximum) = codec.Bounds(Address(firstLine, firstSample), Label.LineBytes, lines, sampleCount);
-        return codec.IsAllowed(minimum) && codec.IsAllowed(maximum)
+        (double minimum, double maximum) = _codec.Bounds(Address(firstLine, firstSample), Label.LineBytes, lines, sampleCount);
+        return _codec.IsAllowed(minimum) && _codec.IsAllowed(maximum)
             ? (minimum, maximum)
             : throw NotAllowed(firstLine, lines, firstSample, sampleCount);
     }
@@ -156,8 +156,8 @@ public sealed unsafe class LdemImage : IElevationGrid, IDisposable
         {
             int line = firstLine + (i / sampleCount);
             int sample = firstSample + (i % sampleCount);
-            double value = codec.ValueAt(Address(line, sample));
-            if (!codec.IsAllowed(value))
+            double value = _codec.ValueAt(Address(line, sample));
+            if (!_codec.IsAllowed(value))
             {
                 return new BadInputException(string.Create(
                     CultureInfo.InvariantCulture,

@@ -13,13 +13,13 @@ internal sealed class SyntheticLdemImage
     private const int SampleBytes = 2;
     private const long LargestMemory = 220_000_000; // bytes of all threads' blocks: many cores do not mean much memory
 
-    private readonly SyntheticTerrain terrain;
-    private readonly SyntheticLdemProduct product;
-    private readonly int threads;
-    private readonly Lock gate = new();
-    private short minimum = short.MaxValue;
-    private short maximum = short.MinValue;
-    private long samplesDone;
+    private readonly SyntheticTerrain _terrain;
+    private readonly SyntheticLdemProduct _product;
+    private readonly int _threads;
+    private readonly Lock _gate = new();
+    private short _minimum = short.MaxValue;
+    private short _maximum = short.MinValue;
+    private long _samplesDone;
 
     /// <summary>An image to write.</summary>
     /// <param name="terrain">The model.</param>
@@ -27,9 +27,9 @@ internal sealed class SyntheticLdemImage
     /// <param name="threads">At least 1.</param>
     public SyntheticLdemImage(SyntheticTerrain terrain, SyntheticLdemProduct product, int threads)
     {
-        this.terrain = terrain;
-        this.product = product;
-        this.threads = Math.Max(1, threads);
+        _terrain = terrain;
+        _product = product;
+        _threads = Math.Max(1, threads);
     }
 
     /// <summary>Writes all samples.</summary>
@@ -40,11 +40,11 @@ internal sealed class SyntheticLdemImage
     /// <exception cref="BadInputException">A height does not fit 16 bits.</exception>
     public (short Minimum, short Maximum) Write(SafeFileHandle file, IProgress<double>? progress, CancellationToken cancellation)
     {
-        TileSynthesizer typical = new(terrain);
+        TileSynthesizer typical = new(_terrain);
         int side = typical.PreferredSide;
-        int fitting = (int)Math.Clamp(LargestMemory / typical.PreferredBytes, 1, threads);
-        int blocksAcross = (product.LineSamples + side - 1) / side;
-        int blocksDown = (product.Lines + side - 1) / side;
+        int fitting = (int)Math.Clamp(LargestMemory / typical.PreferredBytes, 1, _threads);
+        int blocksAcross = (_product.LineSamples + side - 1) / side;
+        int blocksDown = (_product.Lines + side - 1) / side;
         ConcurrentBag<Worker> idle = [];
         ParallelOptions options = new() { MaxDegreeOfParallelism = fitting, CancellationToken = cancellation };
         try
@@ -58,7 +58,7 @@ internal sealed class SyntheticLdemImage
                     // Parallel.For starts a new task every now and then; buffers of this size must outlive it.
                     if (!idle.TryTake(out Worker? worker))
                     {
-                        worker = new Worker(new TileSynthesizer(terrain), new float[side * side], new byte[SampleBytes * side]);
+                        worker = new Worker(new TileSynthesizer(_terrain), new float[side * side], new byte[SampleBytes * side]);
                     }
 
                     WriteBlock(file, worker, block / blocksAcross * side, block % blocksAcross * side, side);
@@ -72,18 +72,18 @@ internal sealed class SyntheticLdemImage
         }
         catch (AggregateException exception) when (exception.InnerExceptions.OfType<IOException>().FirstOrDefault() is { } first)
         {
-            throw new ExternalPartException($"{product.ProductId}: can't be written: {first.Message}", first);
+            throw new ExternalPartException($"{_product.ProductId}: can't be written: {first.Message}", first);
         }
 
-        return (minimum, maximum);
+        return (_minimum, _maximum);
     }
 
     private void WriteBlock(SafeFileHandle file, Worker worker, int line0, int sample0, int side)
     {
-        int lines = Math.Min(side, product.Lines - line0);
-        int samples = Math.Min(side, product.LineSamples - sample0);
-        int moonLine = line0 + ((90 - product.Region.NorthDegrees) * product.PixelsPerDegree);
-        int moonSample = sample0 + (product.Region.WestDegrees * product.PixelsPerDegree);
+        int lines = Math.Min(side, _product.Lines - line0);
+        int samples = Math.Min(side, _product.LineSamples - sample0);
+        int moonLine = line0 + ((90 - _product.Region.NorthDegrees) * _product.PixelsPerDegree);
+        int moonSample = sample0 + (_product.Region.WestDegrees * _product.PixelsPerDegree);
         worker.Synthesizer.Synthesize(moonLine, lines, moonSample, samples, worker.Heights);
         short least = short.MaxValue;
         short greatest = short.MinValue;
@@ -106,20 +106,20 @@ internal sealed class SyntheticLdemImage
                 BinaryPrimitives.WriteInt16LittleEndian(bytes[(SampleBytes * sample)..], value);
             }
 
-            RandomAccess.Write(file, bytes, SampleBytes * (((long)(line0 + line) * product.LineSamples) + sample0));
+            RandomAccess.Write(file, bytes, SampleBytes * (((long)(line0 + line) * _product.LineSamples) + sample0));
         }
 
-        lock (gate)
+        lock (_gate)
         {
-            minimum = Math.Min(minimum, least);
-            maximum = Math.Max(maximum, greatest);
+            _minimum = Math.Min(_minimum, least);
+            _maximum = Math.Max(_maximum, greatest);
         }
     }
 
     private void Report(IProgress<double>? progress, int line0, int sample0, int side)
     {
-        long block = (long)Math.Min(side, product.Lines - line0) * Math.Min(side, product.LineSamples - sample0);
-        double fraction = (double)Interlocked.Add(ref samplesDone, block) / ((long)product.Lines * product.LineSamples);
+        long block = (long)Math.Min(side, _product.Lines - line0) * Math.Min(side, _product.LineSamples - sample0);
+        double fraction = (double)Interlocked.Add(ref _samplesDone, block) / ((long)_product.Lines * _product.LineSamples);
         progress?.Report(fraction);
     }
 

@@ -8,16 +8,16 @@ internal sealed class AsciiWriter
     private const int BufferBytes = 65536;
     private const int LongestPiece = 64;
 
-    private readonly Stream output;
-    private readonly byte[] buffer = new byte[BufferBytes];
-    private int used;
-    private long flushed;
+    private readonly Stream _output;
+    private readonly byte[] _buffer = new byte[BufferBytes];
+    private int _used;
+    private long _flushed;
 
     /// <summary>Writes from the stream's position on.</summary>
-    public AsciiWriter(Stream output) => this.output = output;
+    public AsciiWriter(Stream output) => _output = output;
 
     /// <summary>Bytes written so far.</summary>
-    public long Length => flushed + used;
+    public long Length => _flushed + _used;
 
     /// <summary>Writes text; a "..."u8 literal of up to 64 bytes, or longer bytes.</summary>
     public void Write(ReadOnlySpan<byte> text)
@@ -29,24 +29,24 @@ internal sealed class AsciiWriter
         }
 
         Reserve();
-        text.CopyTo(buffer.AsSpan(used));
-        used += text.Length;
+        text.CopyTo(_buffer.AsSpan(_used));
+        _used += text.Length;
     }
 
     /// <summary>Writes a number without leading zeros, '-' if it is negative.</summary>
     public void Write(int number)
     {
         Reserve();
-        Utf8Formatter.TryFormat(number, buffer.AsSpan(used), out int written);
-        used += written;
+        Utf8Formatter.TryFormat(number, _buffer.AsSpan(_used), out int written);
+        _used += written;
     }
 
     /// <summary>Writes a number of at least some digits, with leading zeros.</summary>
     public void Write(long number, byte digits)
     {
         Reserve();
-        Utf8Formatter.TryFormat(number, buffer.AsSpan(used), out int written, new System.Buffers.StandardFormat('D', digits));
-        used += written;
+        Utf8Formatter.TryFormat(number, _buffer.AsSpan(_used), out int written, new System.Buffers.StandardFormat('D', digits));
+        _used += written;
     }
 
     /// <summary>Writes three numbers as POV-Ray's vector.</summary>
@@ -64,14 +64,14 @@ internal sealed class AsciiWriter
     /// <summary>Gives what the buffer holds to the stream.</summary>
     public void Flush()
     {
-        output.Write(buffer, 0, used);
-        flushed += used;
-        used = 0;
+        _output.Write(_buffer, 0, _used);
+        _flushed += _used;
+        _used = 0;
     }
 
     private void Reserve()
     {
-        if (used > BufferBytes - LongestPiece)
+        if (_used > BufferBytes - LongestPiece)
         {
             Flush();
         }

@@ -16,14 +16,14 @@ public sealed class PatternRepository
 {
     private static readonly TimeSpan StaleAge = TimeSpan.FromHours(1); // a pattern takes under a second
 
-    private readonly string root;
+    private readonly string _root;
 
     /// <summary>Names the repository; the folder is made when the first pattern is written.</summary>
     /// <param name="root">Its folder.</param>
-    public PatternRepository(string root) => this.root = root;
+    public PatternRepository(string root) => _root = root;
 
     /// <summary>The folder of a resolution's patterns.</summary>
-    public string FolderOf(int pixelsPerDegree) => Path.Combine(root, pixelsPerDegree.ToString(CultureInfo.InvariantCulture));
+    public string FolderOf(int pixelsPerDegree) => Path.Combine(_root, pixelsPerDegree.ToString(CultureInfo.InvariantCulture));
 
     /// <summary>The file of a tile's pattern.</summary>
     public string PathOf(TileId tile, int pixelsPerDegree) => Path.Combine(

@@ -10,7 +10,7 @@ namespace Msisf.Core.Camera;
 /// </summary>
 public sealed class PinholeCamera
 {
-    private readonly double imagePlaneDistance;
+    private readonly double _imagePlaneDistance;
 
     /// <summary>Places the camera.</summary>
     /// <param name="positionMoonMe">Focal point, m, MOON_ME.</param>
@@ -53,8 +53,8 @@ public sealed class PinholeCamera
         ForwardMoonMe = moonFromCamera * -Vector3D.UnitX;
         Right = aspect * (moonFromCamera * Vector3D.UnitY);
         Up = moonFromCamera * Vector3D.UnitZ;
-        imagePlaneDistance = aspect / 2.0 / Math.Tan(fieldOfView / 2.0);
-        Direction = imagePlaneDistance * ForwardMoonMe;
+        _imagePlaneDistance = aspect / 2.0 / Math.Tan(fieldOfView / 2.0);
+        Direction = _imagePlaneDistance * ForwardMoonMe;
     }
 
     /// <summary>Focal point, m, MOON_ME.</summary>
@@ -107,7 +107,7 @@ public sealed class PinholeCamera
         Vector3D inCamera = MoonFromCamera.Conjugate * directionMoonMe;
 
         // One unit of the image plane is Height px in both directions: Right spans aspect units and Width px.
-        double scale = Height * imagePlaneDistance / -inCamera.X;
+        double scale = Height * _imagePlaneDistance / -inCamera.X;
         double x = ((1.0 + Width) / 2.0) + (scale * inCamera.Y);
         double y = ((1.0 + Height) / 2.0) - (scale * inCamera.Z);
         bool isInFront = scale > 0.0 && double.IsFinite(x) && double.IsFinite(y);

@@ -14,10 +14,10 @@ public sealed class BuiltInEphemeris : IEphemeris
     /// <summary>SPICE allows as many links (CHLEN in SPKGEO); more means that centres name each other in a ring.</summary>
     private const int MaximumLinks = 20;
 
-    private readonly TdbScale scale;
-    private readonly SegmentTable positions;
-    private readonly SegmentTable orientations;
-    private readonly BodyFixedFrame moonMe;
+    private readonly TdbScale _scale;
+    private readonly SegmentTable _positions;
+    private readonly SegmentTable _orientations;
+    private readonly BodyFixedFrame _moonMe;
 
     /// <summary>Makes the engine from what the kernels hold.</summary>
     /// <param name="scale">From the leap seconds kernel.</param>
@@ -26,10 +26,10 @@ public sealed class BuiltInEphemeris : IEphemeris
     /// <param name="moonMe">MOON_ME, from the frame kernels.</param>
     public BuiltInEphemeris(TdbScale scale, SegmentTable positions, SegmentTable orientations, BodyFixedFrame moonMe)
     {
-        this.scale = scale;
-        this.positions = positions;
-        this.orientations = orientations;
-        this.moonMe = moonMe;
+        _scale = scale;
+        _positions = positions;
+        _orientations = orientations;
+        _moonMe = moonMe;
     }
 
     /// <inheritdoc/>
@@ -37,19 +37,19 @@ public sealed class BuiltInEphemeris : IEphemeris
 
     /// <summary>When the Sun, the Moon and the Moon's orientation are all known; computed anew at each call.</summary>
     public KernelCover Cover => new(
-        scale,
-        positions.CoverOfChain(Sun).Intersect(positions.CoverOfChain(Moon)).Intersect(orientations.CoverOf(moonMe.OrientationBody)));
+        _scale,
+        _positions.CoverOfChain(Sun).Intersect(_positions.CoverOfChain(Moon)).Intersect(_orientations.CoverOf(_moonMe.OrientationBody)));
 
     /// <inheritdoc/>
     public Vector3D SunPositionMoonMe(ModifiedJulianDate time)
     {
-        double tdbSeconds = scale.FromUtc(time);
+        double tdbSeconds = _scale.FromUtc(time);
         Vector3D sunFromMoonKm = PositionKm(Sun, tdbSeconds, time) - PositionKm(Moon, tdbSeconds, time);
         return MetresPerKilometre * (Rotation(tdbSeconds, time) * sunFromMoonKm);
     }
 
     /// <inheritdoc/>
-    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Rotation(scale.FromUtc(time), time);
+    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Rotation(_scale.FromUtc(time), time);
 
     private Vector3D PositionKm(int body, double tdbSeconds, ModifiedJulianDate time)
     {
@@ -62,7 +62,7 @@ public sealed class BuiltInEphemeris : IEphemeris
                 throw new SpiceException($"The kernels' centres lead from body {body} nowhere: {MaximumLinks} links did not reach the solar system's barycentre. Use other kernels.");
             }
 
-            IEphemerisSegment segment = positions.Find(link, tdbSeconds) ?? throw Cover.Outside(time);
+            IEphemerisSegment segment = _positions.Find(link, tdbSeconds) ?? throw Cover.Outside(time);
             positionKm += segment.ValueAt(tdbSeconds);
             link = segment.Center;
         }
@@ -72,11 +72,11 @@ public sealed class BuiltInEphemeris : IEphemeris
 
     private RotationMatrix Rotation(double tdbSeconds, ModifiedJulianDate time)
     {
-        IEphemerisSegment segment = orientations.Find(moonMe.OrientationBody, tdbSeconds) ?? throw Cover.Outside(time);
+        IEphemerisSegment segment = _orientations.Find(_moonMe.OrientationBody, tdbSeconds) ?? throw Cover.Outside(time);
         Vector3D angles = segment.ValueAt(tdbSeconds);
         RotationMatrix orientationFromJ2000 =
             RotationMatrix.FrameAboutZ(ReduceAngle(angles.Z)) * RotationMatrix.FrameAboutX(angles.Y) * RotationMatrix.FrameAboutZ(angles.X);
-        return moonMe.FrameFromOrientation * orientationFromJ2000;
+        return _moonMe.FrameFromOrientation * orientationFromJ2000;
     }
 
     /// <summary>

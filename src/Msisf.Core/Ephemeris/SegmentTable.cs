@@ -6,7 +6,7 @@ public sealed class SegmentTable
     /// <summary>NAIF's number of the solar system's barycentre, at which every chain of centres ends.</summary>
     public const int SolarSystemBarycenter = 0;
 
-    private readonly Dictionary<int, List<IEphemerisSegment>> inLoadOrder = [];
+    private readonly Dictionary<int, List<IEphemerisSegment>> _inLoadOrder = [];
 
     /// <summary>Sorts segments by body.</summary>
     /// <param name="segmentsInLoadOrder">By kernel, and as they stand in it.</param>
@@ -14,10 +14,10 @@ public sealed class SegmentTable
     {
         foreach (IEphemerisSegment segment in segmentsInLoadOrder)
         {
-            if (!inLoadOrder.TryGetValue(segment.Body, out List<IEphemerisSegment>? segments))
+            if (!_inLoadOrder.TryGetValue(segment.Body, out List<IEphemerisSegment>? segments))
             {
                 segments = [];
-                inLoadOrder.Add(segment.Body, segments);
+                _inLoadOrder.Add(segment.Body, segments);
             }
 
             segments.Add(segment);
@@ -29,7 +29,7 @@ public sealed class SegmentTable
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     public IEphemerisSegment? Find(int body, double tdbSeconds)
     {
-        if (inLoadOrder.TryGetValue(body, out List<IEphemerisSegment>? segments))
+        if (_inLoadOrder.TryGetValue(body, out List<IEphemerisSegment>? segments))
         {
             for (int i = segments.Count - 1; i >= 0; i--)
             {
@@ -73,5 +73,5 @@ public sealed class SegmentTable
     }
 
     private List<IEphemerisSegment> SegmentsOf(int body) =>
-        inLoadOrder.TryGetValue(body, out List<IEphemerisSegment>? segments) ? segments : [];
+        _inLoadOrder.TryGetValue(body, out List<IEphemerisSegment>? segments) ? segments : [];
 }

@@ -15,8 +15,8 @@ public sealed class TdbScale
     /// <summary>The correction changes by under 1e-9 of the time it is taken at, so each pass gains nine digits.</summary>
     private const int InversionPasses = 3;
 
-    private readonly TdbScaleConstants constants;
-    private readonly LeapSecond[] leapSeconds;
+    private readonly TdbScaleConstants _constants;
+    private readonly LeapSecond[] _leapSeconds;
 
     /// <summary>Makes the scale.</summary>
     /// <param name="constants">DELTET/DELTA_T_A, K, EB and M of the kernel.</param>
@@ -24,8 +24,8 @@ public sealed class TdbScale
     public TdbScale(TdbScaleConstants constants, IReadOnlyList<LeapSecond> leapSeconds)
     {
         ArgumentOutOfRangeException.ThrowIfZero(leapSeconds.Count);
-        this.constants = constants;
-        this.leapSeconds = [.. leapSeconds];
+        _constants = constants;
+        _leapSeconds = [.. leapSeconds];
     }
 
     /// <summary>Seconds past 2000-01-01T12:00:00 UTC, each day counted with 86 400 s; one rounding (at most 0.24 microseconds from 1900 to 2050).</summary>
@@ -57,21 +57,21 @@ public sealed class TdbScale
 
     private double TdbMinusUtc(double utcSeconds)
     {
-        double taiMinusUtc = leapSeconds[0].TaiMinusUtc - StepBeforeTable;
-        for (int i = leapSeconds.Length - 1; i >= 0; i--)
+        double taiMinusUtc = _leapSeconds[0].TaiMinusUtc - StepBeforeTable;
+        for (int i = _leapSeconds.Length - 1; i >= 0; i--)
         {
-            if (utcSeconds >= leapSeconds[i].UtcSeconds)
+            if (utcSeconds >= _leapSeconds[i].UtcSeconds)
             {
-                taiMinusUtc = leapSeconds[i].TaiMinusUtc;
+                taiMinusUtc = _leapSeconds[i].TaiMinusUtc;
                 break;
             }
         }
 
         // CSPICE's DELTET takes the anomaly at the nearest whole second. It changes TDB by 2e-10 s at most, but that much put one
         // time in 5000 on the other side of a rounding; so the two agree in every bit (20 000 random times).
-        double nearestSecond = Math.Round(utcSeconds + constants.TtMinusTai + taiMinusUtc, MidpointRounding.AwayFromZero);
-        double meanAnomaly = constants.MeanAnomalyAtJ2000 + (constants.MeanMotion * nearestSecond);
-        double eccentricAnomaly = meanAnomaly + (constants.Eccentricity * Math.Sin(meanAnomaly));
-        return constants.TtMinusTai + taiMinusUtc + (constants.Amplitude * Math.Sin(eccentricAnomaly));
+        double nearestSecond = Math.Round(utcSeconds + _constants.TtMinusTai + taiMinusUtc, MidpointRounding.AwayFromZero);
+        double meanAnomaly = _constants.MeanAnomalyAtJ2000 + (_constants.MeanMotion * nearestSecond);
+        double eccentricAnomaly = meanAnomaly + (_constants.Eccentricity * Math.Sin(meanAnomaly));
+        return _constants.TtMinusTai + taiMinusUtc + (_constants.Amplitude * Math.Sin(eccentricAnomaly));
     }
 }

@@ -8,9 +8,9 @@ namespace Msisf.Core.Metadata;
 /// <summary>Computes the records of a frame's grid, row by row; nothing is kept, so any picture size streams. Safe for several threads.</summary>
 public sealed class PixelSampler
 {
-    private readonly PinholeCamera camera;
-    private readonly ISurface surface;
-    private readonly Vector3D sunPositionMoonMe;
+    private readonly PinholeCamera _camera;
+    private readonly ISurface _surface;
+    private readonly Vector3D _sunPositionMoonMe;
 
     /// <summary>Prepares a frame.</summary>
     /// <param name="camera">The frame's camera.</param>
@@ -25,9 +25,9 @@ public sealed class PixelSampler
             throw new BadInputException($"The Sun's position {sunPositionMoonMe} is not finite.");
         }
 
-        this.camera = camera;
-        this.surface = surface;
-        this.sunPositionMoonMe = sunPositionMoonMe;
+        _camera = camera;
+        _surface = surface;
+        _sunPositionMoonMe = sunPositionMoonMe;
         Grid = grid;
     }
 
@@ -45,10 +45,10 @@ public sealed class PixelSampler
         for (int column = 0; column < Grid.Columns; column++)
         {
             int h = Grid.PixelX(column);
-            Ray ray = camera.RayThrough(h, v);
-            if (surface.TryFirstHit(ray, out Vector3D point))
+            Ray ray = _camera.RayThrough(h, v);
+            if (_surface.TryFirstHit(ray, out Vector3D point))
             {
-                double? direction = IlluminationDirection.At(camera, ray.Direction, point, sunPositionMoonMe);
+                double? direction = IlluminationDirection.At(_camera, ray.Direction, point, _sunPositionMoonMe);
                 records[count++] = new PixelRecord(h, v, SelenographicPoint.Below(point), direction);
             }
         }

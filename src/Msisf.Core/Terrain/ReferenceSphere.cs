@@ -10,12 +10,12 @@ namespace Msisf.Core.Terrain;
 /// </summary>
 public sealed class ReferenceSphere : ISurface
 {
-    private readonly double radius;
+    private readonly double _radius;
 
     /// <summary>Makes a sphere.</summary>
     /// <param name="radius">m, above 0.</param>
     /// <exception cref="BadInputException">The radius is not finite or not above 0.</exception>
-    public ReferenceSphere(double radius) => this.radius = Guard.Positive(radius, "The sphere's radius (m)");
+    public ReferenceSphere(double radius) => _radius = Guard.Positive(radius, "The sphere's radius (m)");
 
     /// <summary>The sphere that the heights of the elevation model are over (docs/deviations.md, row 8).</summary>
     public static ReferenceSphere Lola { get; } = new(MoonConstants.ReferenceRadius);
@@ -31,13 +31,13 @@ public sealed class ReferenceSphere : ISurface
         Vector3D nearest = Vector3D.Cross(direction, Vector3D.Cross(ray.Origin, direction)) / direction.LengthSquared;
         double nearestDistance = nearest.Length;
         bool looksInward = Vector3D.Dot(ray.Origin, direction) < 0.0;
-        if (!(looksInward && nearestDistance <= radius && ray.Origin.Length >= radius))
+        if (!(looksInward && nearestDistance <= _radius && ray.Origin.Length >= _radius))
         {
             pointMoonMe = default;
             return false;
         }
 
-        double halfChord = Math.Sqrt((radius - nearestDistance) * (radius + nearestDistance));
+        double halfChord = Math.Sqrt((_radius - nearestDistance) * (_radius + nearestDistance));
         pointMoonMe = nearest - (halfChord * direction);
         return true;
     }

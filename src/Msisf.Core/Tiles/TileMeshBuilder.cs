@@ -9,19 +9,19 @@ namespace Msisf.Core.Tiles;
 /// <remarks>Each vertex depends on its sample alone, so tiles meet bit for bit. All steps are in docs/pattern-format.md.</remarks>
 public sealed class TileMeshBuilder
 {
-    private readonly IElevationGrid grid;
-    private readonly GridDirections directions;
-    private readonly Lazy<double> northPoleRadius;
-    private readonly Lazy<double> southPoleRadius;
+    private readonly IElevationGrid _grid;
+    private readonly GridDirections _directions;
+    private readonly Lazy<double> _northPoleRadius;
+    private readonly Lazy<double> _southPoleRadius;
 
     /// <summary>Prepares the directions of the grid's samples.</summary>
     /// <param name="grid">The whole Moon.</param>
     public TileMeshBuilder(IElevationGrid grid)
     {
-        this.grid = grid;
-        directions = new GridDirections(grid.PixelsPerDegree);
-        northPoleRadius = new Lazy<double>(() => MeanRadius(0));
-        southPoleRadius = new Lazy<double>(() => MeanRadius((180 * grid.PixelsPerDegree) - 1));
+        _grid = grid;
+        _directions = new GridDirections(grid.PixelsPerDegree);
+        _northPoleRadius = new Lazy<double>(() => MeanRadius(0));
+        _southPoleRadius = new Lazy<double>(() => MeanRadius((180 * grid.PixelsPerDegree) - 1));
     }
 
     /// <summary>The radius of each vertex, in vertex order.</summary>
@@ -35,17 +35,17 @@ public sealed class TileMeshBuilder
         for (int row = 0; row < layout.Lines; row++)
         {
             Span<double> line = radii.AsSpan(firstRow + (row * layout.Samples), layout.Samples);
-            grid.ReadRadii(layout.FirstLine + row, layout.FirstSample, line);
+            _grid.ReadRadii(layout.FirstLine + row, layout.FirstSample, line);
         }
 
         if (layout.HasNorthPole)
         {
-            radii[0] = northPoleRadius.Value;
+            radii[0] = _northPoleRadius.Value;
         }
 
         if (layout.HasSouthPole)
         {
-            radii[^1] = southPoleRadius.Value;
+            radii[^1] = _southPoleRadius.Value;
         }
 
         return radii;
@@ -62,7 +62,7 @@ public sealed class TileMeshBuilder
         SineCosine[] longitudes = new SineCosine[layout.Samples];
         for (int column = 0; column < layout.Samples; column++)
         {
-            longitudes[column] = directions.Longitude(SampleOf(layout, column));
+            longitudes[column] = _directions.Longitude(SampleOf(layout, column));
         }
 
         int vertex = 0;
@@ -73,7 +73,7 @@ public sealed class TileMeshBuilder
 
         for (int row = 0; row < layout.Lines; row++)
         {
-            SineCosine latitude = directions.Latitude(layout.FirstLine + row);
+            SineCosine latitude = _directions.Latitude(layout.FirstLine + row);
             for (int column = 0; column < layout.Samples; column++)
             {
                 Place(offsets, vertex++, layout, radii, origin, latitude, longitudes[column]);
@@ -126,8 +126,8 @@ public sealed class TileMeshBuilder
     /// <summary>The sum from west to east, one rounding an addition, divided by the count.</summary>
     private double MeanRadius(int line)
     {
-        double[] radii = new double[360 * grid.PixelsPerDegree];
-        grid.ReadRadii(line, 0, radii);
+        double[] radii = new double[360 * _grid.PixelsPerDegree];
+        _grid.ReadRadii(line, 0, radii);
         double sum = 0.0;
         foreach (double radius in radii)
         {

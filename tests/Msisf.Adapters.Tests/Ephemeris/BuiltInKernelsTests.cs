@@ -10,13 +10,13 @@ namespace Msisf.Adapters.Tests.Ephemeris;
 public sealed class BuiltInKernelsTests : IDisposable
 {
     private const double Day = 86400.0;
-    private readonly TemporaryFolder folder = new();
+    private readonly TemporaryFolder _folder = new();
 
     private static string Lsk => Path.Combine(TestParts.Kernels, "naif0012.tls");
 
     private static string Fk => Path.Combine(TestParts.Kernels, "moon_080317.tf");
 
-    public void Dispose() => folder.Dispose();
+    public void Dispose() => _folder.Dispose();
 
     // tests/reference/ephemeris.py, CSPICE N0067. utc2et_c may round a time to the neighbouring double, which turns the Sun by 1.3e-12 in 1900.
     [Theory]
@@ -89,8 +89,8 @@ public sealed class BuiltInKernelsTests : IDisposable
     [Fact]
     public void SunPositionMoonMe_TwoKernelsHoldTheSun_TheLaterWins()
     {
-        string early = folder.Write("early.bsp", new DafBuilder("DAF/SPK").AddSpk(10, 0, -Day, 2.0 * Day, 2, [1.0, 1.0, 1.0]).AddSpk(301, 0, -Day, 2.0 * Day, 2, [0.0, 0.0, 0.0]).ToArray());
-        string late = folder.Write("late.bsp", new DafBuilder("DAF/SPK").AddSpk(10, 0, -Day, 2.0 * Day, 2, [2.0, 2.0, 2.0]).ToArray());
+        string early = _folder.Write("early.bsp", new DafBuilder("DAF/SPK").AddSpk(10, 0, -Day, 2.0 * Day, 2, [1.0, 1.0, 1.0]).AddSpk(301, 0, -Day, 2.0 * Day, 2, [0.0, 0.0, 0.0]).ToArray());
+        string late = _folder.Write("late.bsp", new DafBuilder("DAF/SPK").AddSpk(10, 0, -Day, 2.0 * Day, 2, [2.0, 2.0, 2.0]).ToArray());
         using BuiltInKernels lateWins = new([.. Frames(bigEndian: false), early, late]);
         using BuiltInKernels earlyWins = new([.. Frames(bigEndian: false), late, early]);
 
@@ -155,13 +155,13 @@ public sealed class BuiltInKernelsTests : IDisposable
     [InlineData("", "no line \\begindata")]
     public void Open_NotAKernel_SaysSo(string content, string expected) => Assert.Contains(
         expected,
-        Assert.Throws<BadInputException>(() => new BuiltInKernels([Lsk, Fk, folder.Write("x.bin", content)])).Message,
+        Assert.Throws<BadInputException>(() => new BuiltInKernels([Lsk, Fk, _folder.Write("x.bin", content)])).Message,
         StringComparison.Ordinal);
 
     [Fact]
     public void Open_SpacecraftAttitudeKernel_IsPassedOver()
     {
-        string attitude = folder.Write("x.bc", "DAF/CK  and so on");
+        string attitude = _folder.Write("x.bc", "DAF/CK  and so on");
         using BuiltInKernels kernels = new([Lsk, Fk, attitude]);
 
         Assert.Empty(kernels.Ephemeris.Cover.Times.Intervals);
@@ -190,10 +190,10 @@ public sealed class BuiltInKernelsTests : IDisposable
     /// <summary>A scale without offset, MOON_ME = PA, and a PCK that turns nothing (its angles are 0 at a record's middle).</summary>
     private string[] Frames(bool bigEndian) =>
     [
-        folder.Write("flat.tls", "KPL/LSK\n\\begindata\nDELTET/DELTA_T_A = 0\nDELTET/K = 0\nDELTET/EB = 0\nDELTET/M = ( 0 0 )\nDELTET/DELTA_AT = ( 0, @1000-JAN-1 )\n"),
-        folder.Write("flat.tf", "KPL/FK\n\\begindata\nFRAME_MOON_ME = 7\nFRAME_7_CLASS = 2\nFRAME_7_CLASS_ID = 31006\n"),
-        folder.Write("flat.bpc", new DafBuilder("DAF/PCK", bigEndian).AddRaw(-9.0 * Day, 9.0 * Day, [31006, 1, 2], [0.0, 9.0 * Day, 0.0, 0.0, 0.0, -9.0 * Day, 18.0 * Day, 5.0, 1.0]).ToArray()),
+        _folder.Write("flat.tls", "KPL/LSK\n\\begindata\nDELTET/DELTA_T_A = 0\nDELTET/K = 0\nDELTET/EB = 0\nDELTET/M = ( 0 0 )\nDELTET/DELTA_AT = ( 0, @1000-JAN-1 )\n"),
+        _folder.Write("flat.tf", "KPL/FK\n\\begindata\nFRAME_MOON_ME = 7\nFRAME_7_CLASS = 2\nFRAME_7_CLASS_ID = 31006\n"),
+        _folder.Write("flat.bpc", new DafBuilder("DAF/PCK", bigEndian).AddRaw(-9.0 * Day, 9.0 * Day, [31006, 1, 2], [0.0, 9.0 * Day, 0.0, 0.0, 0.0, -9.0 * Day, 18.0 * Day, 5.0, 1.0]).ToArray()),
     ];
 
-    private BuiltInKernels Open(byte[] spk, bool bigEndian) => new([.. Frames(bigEndian), folder.Write("sample.bsp", spk)]);
+    private BuiltInKernels Open(byte[] spk, bool bigEndian) => new([.. Frames(bigEndian), _folder.Write("sample.bsp", spk)]);
 }

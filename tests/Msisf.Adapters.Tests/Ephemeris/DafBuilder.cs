@@ -7,7 +7,7 @@ namespace Msisf.Adapters.Tests.Ephemeris;
 internal sealed class DafBuilder(string idWord, bool bigEndian = false)
 {
     private const int RecordBytes = 1024;
-    private readonly List<(double Start, double End, int[] Integers, double[] Data)> segments = [];
+    private readonly List<(double Start, double End, int[] Integers, double[] Data)> _segments = [];
 
     /// <summary>SPK type 2 or 3 with one record per entry: three constant components each.</summary>
     public DafBuilder AddSpk(int target, int center, double start, double recordSeconds, int type, params double[][] constants) =>
@@ -20,24 +20,24 @@ internal sealed class DafBuilder(string idWord, bool bigEndian = false)
     /// <summary>A segment as it is.</summary>
     public DafBuilder AddRaw(double start, double end, int[] integers, double[] data)
     {
-        segments.Add((start, end, integers, data));
+        _segments.Add((start, end, integers, data));
         return this;
     }
 
     public byte[] ToArray()
     {
         int integers = idWord == "DAF/PCK" ? 5 : 6;
-        byte[] bytes = new byte[(3 * RecordBytes) + (8 * segments.Sum(segment => segment.Data.Length))];
+        byte[] bytes = new byte[(3 * RecordBytes) + (8 * _segments.Sum(segment => segment.Data.Length))];
         Encoding.ASCII.GetBytes(idWord.PadRight(8)).CopyTo(bytes, 0);
         WriteInt(bytes, 8, 2);
         WriteInt(bytes, 12, integers);
         WriteInt(bytes, 76, 2);
         WriteInt(bytes, 80, 2);
         Encoding.ASCII.GetBytes(bigEndian ? "BIG-IEEE" : "LTL-IEEE").CopyTo(bytes, 88);
-        WriteDouble(bytes, RecordBytes + 16, segments.Count);
+        WriteDouble(bytes, RecordBytes + 16, _segments.Count);
         int address = (3 * RecordBytes / 8) + 1;
         int summary = RecordBytes + 24;
-        foreach ((double start, double end, int[] values, double[] data) in segments)
+        foreach ((double start, double end, int[] values, double[] data) in _segments)
         {
             WriteDouble(bytes, summary, start);
             WriteDouble(bytes, summary + 8, end);

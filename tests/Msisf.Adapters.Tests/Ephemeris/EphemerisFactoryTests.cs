@@ -9,14 +9,14 @@ namespace Msisf.Adapters.Tests.Ephemeris;
 public sealed class EphemerisFactoryTests : IDisposable
 {
     private static readonly string[] Kernels = [Path.Combine(TestParts.Kernels, "msisf.tm")];
-    private readonly TemporaryFolder folder = new();
+    private readonly TemporaryFolder _folder = new();
 
-    public void Dispose() => folder.Dispose();
+    public void Dispose() => _folder.Dispose();
 
     [Fact]
     public void Open_BuiltIn_SaysSo()
     {
-        using OpenedEphemeris opened = EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.BuiltIn, Kernels, folder.Path, CSpicePath: null));
+        using OpenedEphemeris opened = EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.BuiltIn, Kernels, _folder.Path, CSpicePath: null));
 
         Assert.Equal("Ephemeris: built-in kernel reader, as asked for.", opened.Notice);
         Assert.Equal("built-in kernel reader", opened.Engine.EngineName);
@@ -25,9 +25,9 @@ public sealed class EphemerisFactoryTests : IDisposable
     [Fact]
     public void Open_AutoWithoutTheNamedLibrary_FallsBackAndSaysWhy()
     {
-        string missing = Path.Combine(folder.Path, "libcspice.so");
+        string missing = Path.Combine(_folder.Path, "libcspice.so");
 
-        using OpenedEphemeris opened = EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.Auto, Kernels, folder.Path, missing));
+        using OpenedEphemeris opened = EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.Auto, Kernels, _folder.Path, missing));
 
         Assert.Equal(
             $"Ephemeris: built-in kernel reader, because CSPICE's library could not be loaded; looked at {missing} (no such file).",
@@ -38,10 +38,10 @@ public sealed class EphemerisFactoryTests : IDisposable
     public void Open_CSpiceNowhere_ListsThePlaces()
     {
         ExternalPartException failure = Assert.Throws<ExternalPartException>(() =>
-            EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.CSpice, Kernels, folder.Path, CSpicePath: "")));
+            EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.CSpice, Kernels, _folder.Path, CSpicePath: "")));
 
         Assert.Contains(Path.Combine(AppContext.BaseDirectory, "libcspice.so"), failure.Message, StringComparison.Ordinal);
-        Assert.Contains(Path.Combine(folder.Path, "lib", "native", "libcspice.so"), failure.Message, StringComparison.Ordinal);
+        Assert.Contains(Path.Combine(_folder.Path, "lib", "native", "libcspice.so"), failure.Message, StringComparison.Ordinal);
         Assert.Contains("libcspice.so (not installed in the system)", failure.Message, StringComparison.Ordinal);
         Assert.Contains("--ephemeris builtin", failure.Message, StringComparison.Ordinal);
         Assert.Equal(3, failure.ExitCode);
@@ -50,10 +50,10 @@ public sealed class EphemerisFactoryTests : IDisposable
     [Fact]
     public void Open_CSpiceIsNoLibrary_GivesTheLoadersWords()
     {
-        string text = folder.Write("libcspice.so", "not a library");
+        string text = _folder.Write("libcspice.so", "not a library");
 
         ExternalPartException failure = Assert.Throws<ExternalPartException>(() =>
-            EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.CSpice, Kernels, folder.Path, text)));
+            EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.CSpice, Kernels, _folder.Path, text)));
 
         Assert.StartsWith($"CSPICE's library could not be loaded; looked at {text} (file too short). ", failure.Message, StringComparison.Ordinal);
     }
@@ -67,10 +67,10 @@ public sealed class EphemerisFactoryTests : IDisposable
         header[16] = 3;
         header[18] = 183;
         header[20] = 1;
-        string library = folder.Write("libcspice.so", header);
+        string library = _folder.Write("libcspice.so", header);
 
         ExternalPartException failure = Assert.Throws<ExternalPartException>(() =>
-            EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.CSpice, Kernels, folder.Path, library)));
+            EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.CSpice, Kernels, _folder.Path, library)));
 
         Assert.Contains($"{library} (cannot open shared object file", failure.Message, StringComparison.Ordinal);
     }
@@ -79,7 +79,7 @@ public sealed class EphemerisFactoryTests : IDisposable
     public void Open_LibraryThatIsNotCSpice_SaysSo()
     {
         ExternalPartException failure = Assert.Throws<ExternalPartException>(() =>
-            EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.CSpice, Kernels, folder.Path, SystemMathLibrary())));
+            EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.CSpice, Kernels, _folder.Path, SystemMathLibrary())));
 
         Assert.Contains("(a library, but not CSPICE)", failure.Message, StringComparison.Ordinal);
     }
@@ -87,7 +87,7 @@ public sealed class EphemerisFactoryTests : IDisposable
     [Fact]
     public void Open_KernelMissing_IsAnErrorForEachChoice() => Assert.All(
         Enum.GetValues<EphemerisChoice>(),
-        choice => Assert.Throws<BadInputException>(() => EphemerisFactory.Open(new EphemerisRequest(choice, ["none.tm"], folder.Path, CSpicePath: null))));
+        choice => Assert.Throws<BadInputException>(() => EphemerisFactory.Open(new EphemerisRequest(choice, ["none.tm"], _folder.Path, CSpicePath: null))));
 
     /// <summary>The C library's mathematics, which every glibc process has loaded from a file.</summary>
     private static string SystemMathLibrary() => File.ReadLines("/proc/self/maps")

@@ -7,9 +7,9 @@ namespace Msisf.Adapters.Tests.Ephemeris;
 
 public sealed class KernelListTests : IDisposable
 {
-    private readonly TemporaryFolder folder = new();
+    private readonly TemporaryFolder _folder = new();
 
-    public void Dispose() => folder.Dispose();
+    public void Dispose() => _folder.Dispose();
 
     [Fact]
     public void Expand_ShippedMetaKernel_ListsTheShippedKernels() => Assert.Equal(
@@ -19,8 +19,8 @@ public sealed class KernelListTests : IDisposable
     [Fact]
     public void Expand_RelativeNames_StartAtTheMetaKernel()
     {
-        string kernel = folder.Write("sub folder/a.tls", "x");
-        string meta = folder.Write("list.tm", "KPL/MK\n\\begindata\nKERNELS_TO_LOAD = 'sub folder/a.tls'\n");
+        string kernel = _folder.Write("sub folder/a.tls", "x");
+        string meta = _folder.Write("list.tm", "KPL/MK\n\\begindata\nKERNELS_TO_LOAD = 'sub folder/a.tls'\n");
 
         Assert.Equal([kernel], KernelList.Expand([meta]));
     }
@@ -28,8 +28,8 @@ public sealed class KernelListTests : IDisposable
     [Fact]
     public void Expand_SymbolsAndContinuedValues_AreReplaced()
     {
-        string kernel = folder.Write("data/long name/a.tls", "x");
-        string meta = folder.Write("list", "KPL/MK\n\\begindata\nPATH_SYMBOLS = ( 'D' 'DATA' )\nPATH_VALUES = ( 'nowhere' 'da+' 'ta' )\n"
+        string kernel = _folder.Write("data/long name/a.tls", "x");
+        string meta = _folder.Write("list", "KPL/MK\n\\begindata\nPATH_SYMBOLS = ( 'D' 'DATA' )\nPATH_VALUES = ( 'nowhere' 'da+' 'ta' )\n"
             + "KERNELS_TO_LOAD = ( '$DATA/long +' 'name/a.tls' )\n");
 
         Assert.Equal([kernel], KernelList.Expand([meta]));
@@ -38,9 +38,9 @@ public sealed class KernelListTests : IDisposable
     [Fact]
     public void Expand_KernelsAndMetaKernels_KeepTheirOrder()
     {
-        string a = folder.Write("a.tls", "x");
-        string b = folder.Write("b.tf", "x");
-        string meta = folder.Write("list.tm", "\\begindata\nKERNELS_TO_LOAD = 'a.tls'\n");
+        string a = _folder.Write("a.tls", "x");
+        string b = _folder.Write("b.tf", "x");
+        string meta = _folder.Write("list.tm", "\\begindata\nKERNELS_TO_LOAD = 'a.tls'\n");
 
         Assert.Equal([b, a, b], KernelList.Expand([b, meta, b]));
     }
@@ -54,8 +54,8 @@ public sealed class KernelListTests : IDisposable
     [InlineData("KERNELS_TO_LOAD = 'list.tm'", "is a meta-kernel itself")]
     public void Expand_WrongMetaKernel_SaysWhat(string data, string expected)
     {
-        folder.Write("a.tls", "x");
-        string meta = folder.Write("list.tm", "KPL/MK\n\\begindata\n" + data);
+        _folder.Write("a.tls", "x");
+        string meta = _folder.Write("list.tm", "KPL/MK\n\\begindata\n" + data);
 
         BadInputException failure = Assert.Throws<BadInputException>(() => KernelList.Expand([meta]));
 
@@ -65,7 +65,7 @@ public sealed class KernelListTests : IDisposable
     [Fact]
     public void Expand_MissingFile_NamesIt() => Assert.Contains(
         "none.tm: no such kernel.",
-        Assert.Throws<BadInputException>(() => KernelList.Expand([Path.Combine(folder.Path, "none.tm")])).Message,
+        Assert.Throws<BadInputException>(() => KernelList.Expand([Path.Combine(_folder.Path, "none.tm")])).Message,
         StringComparison.Ordinal);
 
     [Fact]

@@ -7,9 +7,9 @@ namespace Msisf.Adapters.Tests.Terrain;
 
 public sealed class LdemCatalogTests : IDisposable
 {
-    private readonly TemporaryFolder folder = new();
+    private readonly TemporaryFolder _folder = new();
 
-    public void Dispose() => folder.Dispose();
+    public void Dispose() => _folder.Dispose();
 
     [Fact]
     public void Find_SeveralLabels_PrefersTheUsualName()
@@ -17,7 +17,7 @@ public sealed class LdemCatalogTests : IDisposable
         Put("A_SYNTHETIC.LBL");
         Put("LDEM_1.LBL");
 
-        Assert.Equal(folder["LDEM_1.LBL"], Find(1).LabelPath);
+        Assert.Equal(_folder["LDEM_1.LBL"], Find(1).LabelPath);
     }
 
     [Fact]
@@ -27,7 +27,7 @@ public sealed class LdemCatalogTests : IDisposable
         Put("SYNTHETIC_B.LBL");
         Put("SYNTHETIC_A.LBL");
 
-        Assert.Equal(folder["SYNTHETIC_A.LBL"], Find(1).LabelPath);
+        Assert.Equal(_folder["SYNTHETIC_A.LBL"], Find(1).LabelPath);
     }
 
     [Fact]
@@ -35,7 +35,7 @@ public sealed class LdemCatalogTests : IDisposable
     {
         Put("ldem_1.lbl");
 
-        Assert.Equal(folder["ldem_1.lbl"], LdemCatalog.Find(1, null, ["/nowhere", folder.Path]).LabelPath);
+        Assert.Equal(_folder["ldem_1.lbl"], LdemCatalog.Find(1, null, ["/nowhere", _folder.Path]).LabelPath);
     }
 
     [Theory]
@@ -45,9 +45,9 @@ public sealed class LdemCatalogTests : IDisposable
     public void Find_ExplicitPath_MayBeLabelImageOrFolder(string name)
     {
         Put("LDEM_1.LBL");
-        File.WriteAllBytes(folder["ldem_1.img"], []);
+        File.WriteAllBytes(_folder["ldem_1.img"], []);
 
-        Assert.Equal(folder["LDEM_1.LBL"], LdemCatalog.Find(1, folder[name], []).LabelPath);
+        Assert.Equal(_folder["LDEM_1.LBL"], LdemCatalog.Find(1, _folder[name], []).LabelPath);
     }
 
     [Fact]
@@ -55,9 +55,9 @@ public sealed class LdemCatalogTests : IDisposable
     {
         Put("LDEM_1.LBL");
 
-        string message = Assert.Throws<BadInputException>(() => LdemCatalog.Find(16, null, ["/nowhere", folder.Path])).Message;
+        string message = Assert.Throws<BadInputException>(() => LdemCatalog.Find(16, null, ["/nowhere", _folder.Path])).Message;
 
-        Assert.Contains($"No elevation model of 16 px/deg in /nowhere, {folder.Path}: put LDEM_16.LBL and .IMG there", message, StringComparison.Ordinal);
+        Assert.Contains($"No elevation model of 16 px/deg in /nowhere, {_folder.Path}: put LDEM_16.LBL and .IMG there", message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -65,7 +65,7 @@ public sealed class LdemCatalogTests : IDisposable
     {
         Put("LDEM_1.LBL");
 
-        string message = Assert.Throws<BadInputException>(() => LdemCatalog.Find(4, folder["LDEM_1.LBL"], [])).Message;
+        string message = Assert.Throws<BadInputException>(() => LdemCatalog.Find(4, _folder["LDEM_1.LBL"], [])).Message;
 
         Assert.Contains("of 1 px/deg, but 4 px/deg are asked for", message, StringComparison.Ordinal);
     }
@@ -80,9 +80,9 @@ public sealed class LdemCatalogTests : IDisposable
 
     [Fact]
     public void Find_ExplicitPathThatIsMissing_NamesIt() =>
-        Assert.Contains("gone.lbl: can't be read", Assert.Throws<BadInputException>(() => LdemCatalog.Find(1, folder["gone.lbl"], [])).Message, StringComparison.Ordinal);
+        Assert.Contains("gone.lbl: can't be read", Assert.Throws<BadInputException>(() => LdemCatalog.Find(1, _folder["gone.lbl"], [])).Message, StringComparison.Ordinal);
 
-    private LdemLabel Find(int resolution) => LdemCatalog.Find(resolution, null, [folder.Path]);
+    private LdemLabel Find(int resolution) => LdemCatalog.Find(resolution, null, [_folder.Path]);
 
-    private void Put(string name, string text = TestModel.Label) => File.WriteAllText(folder[name], text);
+    private void Put(string name, string text = TestModel.Label) => File.WriteAllText(_folder[name], text);
 }

@@ -8,9 +8,9 @@ namespace Msisf.Adapters.Tests.Terrain;
 
 public sealed class LdemImageTests : IDisposable
 {
-    private readonly TemporaryFolder folder = new();
+    private readonly TemporaryFolder _folder = new();
 
-    public void Dispose() => folder.Dispose();
+    public void Dispose() => _folder.Dispose();
 
     [RequiresFact(Part.Ldem4)]
     public void ReadRadii_RealLdem4_HasTheKnownExtremesAtTheirPlaces()
@@ -76,7 +76,7 @@ public sealed class LdemImageTests : IDisposable
     {
         byte[] bytes = TestModel.IntegerImage(bigEndian: false);
         Array.Resize(ref bytes, bytes.Length + change);
-        string label = TestModel.Write(folder.Path, TestModel.Label, bytes);
+        string label = TestModel.Write(_folder.Path, TestModel.Label, bytes);
 
         BadInputException exception = Assert.Throws<BadInputException>(() => LdemImage.Open(LdemLabelReader.ReadFile(label)));
 
@@ -114,7 +114,7 @@ public sealed class LdemImageTests : IDisposable
     [Fact]
     public void Open_NameInSmallLetters_IsFound()
     {
-        string label = TestModel.Write(folder.Path, TestModel.Label, TestModel.IntegerImage(bigEndian: false), "ldem_1.img");
+        string label = TestModel.Write(_folder.Path, TestModel.Label, TestModel.IntegerImage(bigEndian: false), "ldem_1.img");
         using LdemImage image = LdemImage.Open(LdemLabelReader.ReadFile(label));
 
         Assert.Equal((1, "LDEM_1"), (image.PixelsPerDegree, image.ProductId));
@@ -129,8 +129,8 @@ public sealed class LdemImageTests : IDisposable
         byte[] bytes = new byte[187 * 720];
         Encoding.ASCII.GetBytes(text, bytes);
         TestModel.IntegerImage(bigEndian: false).CopyTo(bytes, 7 * 720);
-        File.WriteAllBytes(folder["LDEM_1.IMG"], bytes);
-        using LdemImage image = LdemImage.Open(LdemLabelReader.ReadFile(folder["LDEM_1.IMG"]));
+        File.WriteAllBytes(_folder["LDEM_1.IMG"], bytes);
+        using LdemImage image = LdemImage.Open(LdemLabelReader.ReadFile(_folder["LDEM_1.IMG"]));
         double[] radii = new double[1];
 
         image.ReadRadii(179, 359, radii);
@@ -141,16 +141,16 @@ public sealed class LdemImageTests : IDisposable
     [Fact]
     public void Open_MissingImage_SaysWhereItShouldBe()
     {
-        File.WriteAllText(folder["LDEM_1.LBL"], TestModel.Label);
+        File.WriteAllText(_folder["LDEM_1.LBL"], TestModel.Label);
 
-        Assert.Contains("LDEM_1.IMG: missing;", Assert.Throws<BadInputException>(() => LdemImage.Open(LdemLabelReader.ReadFile(folder["LDEM_1.LBL"]))).Message, StringComparison.Ordinal);
+        Assert.Contains("LDEM_1.IMG: missing;", Assert.Throws<BadInputException>(() => LdemImage.Open(LdemLabelReader.ReadFile(_folder["LDEM_1.LBL"]))).Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void Open_PartOfTheMoon_SaysThatTheWholeIsNeeded()
     {
-        File.WriteAllText(folder["LDEM_1.LBL"], TestModel.Label);
-        LdemLabel part = LdemLabelReader.ReadFile(folder["LDEM_1.LBL"]) with { SouthDegrees = 0.0 };
+        File.WriteAllText(_folder["LDEM_1.LBL"], TestModel.Label);
+        LdemLabel part = LdemLabelReader.ReadFile(_folder["LDEM_1.LBL"]) with { SouthDegrees = 0.0 };
 
         Assert.Contains("covers latitudes 0 to 90 and longitudes 0 to 360 degrees only", Assert.Throws<BadInputException>(() => LdemImage.Open(part)).Message, StringComparison.Ordinal);
     }
@@ -187,6 +187,6 @@ public sealed class LdemImageTests : IDisposable
             LdemSampleType.Float32LittleEndian => (TestModel.FloatLabel("PC_REAL"), TestModel.FloatImage(bigEndian: false)),
             _ => (TestModel.FloatLabel("IEEE_REAL"), TestModel.FloatImage(bigEndian: true)),
         };
-        return LdemImage.Open(LdemLabelReader.ReadFile(TestModel.Write(folder.Path, label, bytes ?? image)));
+        return LdemImage.Open(LdemLabelReader.ReadFile(TestModel.Write(_folder.Path, label, bytes ?? image)));
     }
 }

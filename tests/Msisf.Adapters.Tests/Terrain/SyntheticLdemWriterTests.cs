@@ -10,9 +10,9 @@ namespace Msisf.Adapters.Tests.Terrain;
 
 public sealed partial class SyntheticLdemWriterTests : IDisposable
 {
-    private readonly string folder = Directory.CreateTempSubdirectory("msisf-synthetic-").FullName;
+    private readonly string _folder = Directory.CreateTempSubdirectory("msisf-synthetic-").FullName;
 
-    public void Dispose() => Directory.Delete(folder, recursive: true);
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
 
     [Fact]
     public void Write_AnyNumberOfThreads_GivesTheSameBytes()
@@ -92,17 +92,17 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
     [Fact]
     public void Write_OverFilesThatAreNotSynthetic_LeavesThem()
     {
-        string label = Path.Combine(folder, "LDEM_4_SYNTHETIC.LBL");
+        string label = Path.Combine(_folder, "LDEM_4_SYNTHETIC.LBL");
         File.WriteAllText(label, "DATA_SET_ID = \"LRO-L-LOLA-4-GDR-V1.0\"\n");
         Assert.Throws<BadInputException>(() => SyntheticLdemWriter.Write(Options(4, "."), null, CancellationToken.None));
-        Assert.Equal([label], Directory.GetFiles(folder));
+        Assert.Equal([label], Directory.GetFiles(_folder));
         Assert.StartsWith("DATA_SET_ID", File.ReadAllText(label), StringComparison.Ordinal);
     }
 
     [Fact]
     public void Write_ImageWithoutLabel_LeavesIt()
     {
-        File.WriteAllText(Path.Combine(folder, "LDEM_4_SYNTHETIC.IMG"), "somebody's");
+        File.WriteAllText(Path.Combine(_folder, "LDEM_4_SYNTHETIC.IMG"), "somebody's");
         Assert.Throws<BadInputException>(() => SyntheticLdemWriter.Write(Options(4, "."), null, CancellationToken.None));
     }
 
@@ -112,7 +112,7 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         SyntheticLdemOptions options = Options(4, ".") with { Region = new MoonRegion(0, 1, 0, 1) };
         byte[] first = Image(options);
         Assert.NotEqual(first, Image(options with { Seed = 2 }));
-        Assert.Equal(2, Directory.GetFiles(folder).Length);
+        Assert.Equal(2, Directory.GetFiles(_folder).Length);
     }
 
     [Fact]
@@ -121,7 +121,7 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         using CancellationTokenSource source = new();
         Progress progress = new(_ => source.Cancel());
         Assert.ThrowsAny<OperationCanceledException>(() => SyntheticLdemWriter.Write(Options(8, "."), progress, source.Token));
-        Assert.Empty(Directory.GetFiles(folder));
+        Assert.Empty(Directory.GetFiles(_folder));
     }
 
     [Fact]
@@ -140,7 +140,7 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         SyntheticLdemOptions options = Options(8, ".") with { Base = new FormulaElevationGrid(4, (_, _) => 17_000.0) };
         BadInputException exception = Assert.Throws<BadInputException>(() => SyntheticLdemWriter.Write(options, null, CancellationToken.None));
         Assert.Contains("does not fit 16 bits", exception.Message, StringComparison.Ordinal);
-        Assert.Empty(Directory.GetFiles(folder));
+        Assert.Empty(Directory.GetFiles(_folder));
     }
 
     [Fact]
@@ -166,16 +166,16 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
     [GeneratedRegex(@"^\s*([\^A-Z_]+)\s*=", RegexOptions.Multiline)]
     private static partial Regex KeywordPattern();
 
-    private SyntheticLdemOptions Options(int pixelsPerDegree, string subfolder) => new(pixelsPerDegree, Seed: 1, Path.Combine(folder, subfolder));
+    private SyntheticLdemOptions Options(int pixelsPerDegree, string subfolder) => new(pixelsPerDegree, Seed: 1, Path.Combine(_folder, subfolder));
 
     /// <summary>Reports at once, on the thread that works; System.Progress posts.</summary>
     private sealed class Progress(Action<double> report) : IProgress<double>
     {
-        private readonly Lock gate = new();
+        private readonly Lock _gate = new();
 
         public void Report(double value)
         {
-            lock (gate)
+            lock (_gate)
             {
                 report(value);
             }

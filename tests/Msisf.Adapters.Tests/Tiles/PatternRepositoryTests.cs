@@ -10,17 +10,17 @@ public sealed class PatternRepositoryTests : IDisposable
 {
     private static readonly TileId[] Tiles = [new(85, 0), new(-5, 355), new(-90, 10)];
 
-    private readonly TemporaryFolder folder = new();
-    private readonly PatternRepository repository;
+    private readonly TemporaryFolder _folder = new();
+    private readonly PatternRepository _repository;
 
-    public PatternRepositoryTests() => repository = new PatternRepository(folder["patterns"]);
+    public PatternRepositoryTests() => _repository = new PatternRepository(_folder["patterns"]);
 
-    public void Dispose() => folder.Dispose();
+    public void Dispose() => _folder.Dispose();
 
     [Fact]
     public void PathOf_NegativeLatitude_IsNamedAsInTheThesis() => Assert.Equal(
-        Path.Combine(folder["patterns"], "64", "pattern_LDEM_64_lat_-5_0_lon_355_360.inc"),
-        repository.PathOf(new TileId(-5, 355), 64));
+        Path.Combine(_folder["patterns"], "64", "pattern_LDEM_64_lat_-5_0_lon_355_360.inc"),
+        _repository.PathOf(new TileId(-5, 355), 64));
 
     [Fact]
     public void EnsurePatterns_NewRepository_MakesEachTileOnceInOrder()
@@ -30,7 +30,7 @@ public sealed class PatternRepositoryTests : IDisposable
         Assert.Equal(3, set.Written);
         Assert.Equal([PathOf(2), PathOf(1), PathOf(0)], set.Paths);
         Assert.All(set.Paths, path => Assert.True(File.Exists(path)));
-        Assert.Equal(3, Directory.GetFiles(repository.FolderOf(1)).Length);
+        Assert.Equal(3, Directory.GetFiles(_repository.FolderOf(1)).Length);
     }
 
     [Fact]
@@ -48,7 +48,7 @@ public sealed class PatternRepositoryTests : IDisposable
     public void EnsurePatterns_OtherThreads_MakeTheSameBytes()
     {
         byte[][] first = [.. Ensure(Tiles).Paths.Select(File.ReadAllBytes)];
-        PatternRepository other = new(folder["other"]);
+        PatternRepository other = new(_folder["other"]);
 
         PatternSet set = other.EnsurePatterns(Tiles.Reverse(), FunctionGrid.Rough(1), default, maxParallelism: 3);
 
@@ -88,12 +88,12 @@ public sealed class PatternRepositoryTests : IDisposable
     {
         FunctionGrid rough = FunctionGrid.Rough(1);
         TileId[] around = [.. TileId.All.Where(tile => tile.SouthDegrees is >= -15 and <= 10 && tile.WestDegrees <= 15)];
-        repository.EnsurePatterns(around, rough, default, maxParallelism: 2);
+        _repository.EnsurePatterns(around, rough, default, maxParallelism: 2);
 
         // The north-west sample of a tile is the outer corner of three neighbours' cells too.
         FunctionGrid changed = new(1, (line, sample) => RadiusOf(rough, line, sample) + ((line, sample) == (90, 5) ? 0.5 : 0.0));
 
-        Assert.Equal(4, repository.EnsurePatterns(around, changed, default, maxParallelism: 2).Written);
+        Assert.Equal(4, _repository.EnsurePatterns(around, changed, default, maxParallelism: 2).Written);
     }
 
     [Theory]
@@ -103,7 +103,7 @@ public sealed class PatternRepositoryTests : IDisposable
     {
         Ensure(Tiles);
 
-        Assert.Equal(3, repository.EnsurePatterns(Tiles, FunctionGrid.Rough(1), new PatternOptions(margin, format), maxParallelism: 2).Written);
+        Assert.Equal(3, _repository.EnsurePatterns(Tiles, FunctionGrid.Rough(1), new PatternOptions(margin, format), maxParallelism: 2).Written);
         Assert.Equal(3, Ensure(Tiles).Written);
     }
 
@@ -113,7 +113,7 @@ public sealed class PatternRepositoryTests : IDisposable
     [InlineData("x")]
     public void EnsurePatterns_ForeignFile_IsLeftAloneAndNamed(string content)
     {
-        Directory.CreateDirectory(repository.FolderOf(1));
+        Directory.CreateDirectory(_repository.FolderOf(1));
         File.WriteAllText(PathOf(1), content);
 
         BadInputException exception = Assert.Throws<BadInputException>(() => Ensure(Tiles));
@@ -133,9 +133,9 @@ public sealed class PatternRepositoryTests : IDisposable
     [Fact]
     public void EnsurePatterns_FolderThatCannotBeMade_IsNamed()
     {
-        File.WriteAllText(folder["patterns"], "a file where the repository should be");
+        File.WriteAllText(_folder["patterns"], "a file where the repository should be");
 
-        Assert.StartsWith(repository.FolderOf(1) + ": can't be made", Assert.Throws<ExternalPartException>(() => Ensure(Tiles)).Message, StringComparison.Ordinal);
+        Assert.StartsWith(_repository.FolderOf(1) + ": can't be made", Assert.Throws<ExternalPartException>(() => Ensure(Tiles)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -151,8 +151,8 @@ public sealed class PatternRepositoryTests : IDisposable
     public void EnsurePatterns_LeftoversOfKilledRuns_GoAfterAnHour()
     {
         Ensure(Tiles[..1]);
-        string old = Path.Combine(repository.FolderOf(1), "pattern_LDEM_1_lat_0_5_lon_0_5.99-abc.partial.inc");
-        string young = Path.Combine(repository.FolderOf(1), "pattern_LDEM_1_lat_0_5_lon_0_5.98-abc.partial.inc");
+        string old = Path.Combine(_repository.FolderOf(1), "pattern_LDEM_1_lat_0_5_lon_0_5.99-abc.partial.inc");
+        string young = Path.Combine(_repository.FolderOf(1), "pattern_LDEM_1_lat_0_5_lon_0_5.98-abc.partial.inc");
         File.WriteAllText(old, "half");
         File.WriteAllText(young, "half");
         File.SetLastWriteTimeUtc(old, File.GetLastWriteTimeUtc(young).AddHours(-2));
@@ -167,12 +167,12 @@ public sealed class PatternRepositoryTests : IDisposable
     public async Task EnsurePatterns_SeveralWritersAtOnce_NeverShowAHalfFile()
     {
         TileId[] tiles = [.. TileId.All.Take(80)];
-        byte[][] expected = [.. new PatternRepository(folder["expected"]).EnsurePatterns(tiles, FunctionGrid.Rough(1), default, 2).Paths.Select(File.ReadAllBytes)];
+        byte[][] expected = [.. new PatternRepository(_folder["expected"]).EnsurePatterns(tiles, FunctionGrid.Rough(1), default, 2).Paths.Select(File.ReadAllBytes)];
 
         PatternSet[] sets = await Task.WhenAll(Enumerable.Range(0, 3).Select(_ => Task.Run(() => Ensure(tiles))));
 
         Assert.All(sets, set => Assert.Equal(expected, set.Paths.Select(File.ReadAllBytes)));
-        Assert.Equal(80, Directory.GetFiles(repository.FolderOf(1)).Length);
+        Assert.Equal(80, Directory.GetFiles(_repository.FolderOf(1)).Length);
     }
 
     [Fact]
@@ -181,9 +181,9 @@ public sealed class PatternRepositoryTests : IDisposable
         using CancellationTokenSource source = new();
         Progress progress = new(source.Cancel);
 
-        Assert.Throws<OperationCanceledException>(() => repository.EnsurePatterns(TileId.All, FunctionGrid.Rough(1), default, 1, progress, source.Token));
+        Assert.Throws<OperationCanceledException>(() => _repository.EnsurePatterns(TileId.All, FunctionGrid.Rough(1), default, 1, progress, source.Token));
 
-        string left = Assert.Single(Directory.GetFiles(repository.FolderOf(1)));
+        string left = Assert.Single(Directory.GetFiles(_repository.FolderOf(1)));
         Assert.Equal("pattern_LDEM_1_lat_-90_-85_lon_0_5.inc", Path.GetFileName(left));
     }
 
@@ -192,8 +192,8 @@ public sealed class PatternRepositoryTests : IDisposable
     {
         FunctionGrid damaged = new(1, (_, _) => throw new BadInputException("line 3"));
 
-        Assert.Equal("line 3", Assert.Throws<BadInputException>(() => repository.EnsurePatterns(Tiles, damaged, default, 2)).Message);
-        Assert.False(Directory.Exists(repository.FolderOf(1)));
+        Assert.Equal("line 3", Assert.Throws<BadInputException>(() => _repository.EnsurePatterns(Tiles, damaged, default, 2)).Message);
+        Assert.False(Directory.Exists(_repository.FolderOf(1)));
     }
 
     private static double RadiusOf(FunctionGrid grid, int line, int sample)
@@ -203,9 +203,9 @@ public sealed class PatternRepositoryTests : IDisposable
         return radius[0];
     }
 
-    private PatternSet Ensure(TileId[] tiles) => repository.EnsurePatterns(tiles, FunctionGrid.Rough(1), default, maxParallelism: 2);
+    private PatternSet Ensure(TileId[] tiles) => _repository.EnsurePatterns(tiles, FunctionGrid.Rough(1), default, maxParallelism: 2);
 
-    private string PathOf(int tile) => repository.PathOf(Tiles[tile], 1);
+    private string PathOf(int tile) => _repository.PathOf(Tiles[tile], 1);
 
     private sealed class Progress(Action report) : IProgress<int>
     {

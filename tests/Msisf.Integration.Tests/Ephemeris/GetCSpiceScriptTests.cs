@@ -9,19 +9,19 @@ namespace Msisf.Integration.Tests.Ephemeris;
 [SupportedOSPlatform("linux")]
 public sealed class GetCSpiceScriptTests : IDisposable
 {
-    private readonly DirectoryInfo folder = Directory.CreateTempSubdirectory("msis get cspice ");
-    private readonly string script;
-    private readonly string library;
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("msis get cspice ");
+    private readonly string _script;
+    private readonly string _library;
 
     public GetCSpiceScriptTests()
     {
-        string root = Path.Combine(folder.FullName, "my repository");
+        string root = Path.Combine(_folder.FullName, "my repository");
         string helpers = Path.Combine(root, "scripts", "lib");
         Directory.CreateDirectory(helpers);
-        Directory.CreateDirectory(Path.Combine(folder.FullName, "bin"));
-        script = Path.Combine(root, "scripts", "get-cspice.sh");
-        library = Path.Combine(root, "lib", "native", "libcspice.so");
-        File.Copy(Path.Combine(TestParts.RepositoryRoot, "scripts", "get-cspice.sh"), script);
+        Directory.CreateDirectory(Path.Combine(_folder.FullName, "bin"));
+        _script = Path.Combine(root, "scripts", "get-cspice.sh");
+        _library = Path.Combine(root, "lib", "native", "libcspice.so");
+        File.Copy(Path.Combine(TestParts.RepositoryRoot, "scripts", "get-cspice.sh"), _script);
         foreach (string helper in Directory.EnumerateFiles(Path.Combine(TestParts.RepositoryRoot, "scripts", "lib")))
         {
             File.Copy(helper, Path.Combine(helpers, Path.GetFileName(helper)));
@@ -30,7 +30,7 @@ public sealed class GetCSpiceScriptTests : IDisposable
         WriteCurl("exit 7");
     }
 
-    public void Dispose() => folder.Delete(recursive: true);
+    public void Dispose() => _folder.Delete(recursive: true);
 
     [Fact]
     public void Run_NoSourceAndConnectionRefused_SaysWhatMsisWillUse()
@@ -40,8 +40,8 @@ public sealed class GetCSpiceScriptTests : IDisposable
         Assert.Equal(1, exitCode);
         Assert.Empty(output);
         Assert.EndsWith("does not answer (curl: exit code 7); msis will use its built-in kernel reader.\n", errors, StringComparison.Ordinal);
-        Assert.False(File.Exists(library));
-        Assert.Empty(Directory.GetFileSystemEntries(Path.GetDirectoryName(library)!));
+        Assert.False(File.Exists(_library));
+        Assert.Empty(Directory.GetFileSystemEntries(Path.GetDirectoryName(_library)!));
     }
 
     [Fact]
@@ -53,7 +53,7 @@ public sealed class GetCSpiceScriptTests : IDisposable
 
         Assert.Equal(1, exitCode);
         Assert.Contains("is too small to be CSPICE", errors, StringComparison.Ordinal);
-        Assert.False(File.Exists(library));
+        Assert.False(File.Exists(_library));
     }
 
     [Fact]
@@ -72,13 +72,13 @@ public sealed class GetCSpiceScriptTests : IDisposable
 
         Assert.Equal(0, exitCode);
         Assert.Equal(Path.GetFullPath(TestParts.CSpiceLibrary!) + "\n", output);
-        Assert.False(File.Exists(library));
+        Assert.False(File.Exists(_library));
     }
 
     [RequiresFact(Part.CSpice)]
     public void Run_SharedFolderBesideTheRepository_IsCopiedOnce()
     {
-        string shared = Path.Combine(folder.FullName, "shared", "cspice", "libcspice.so");
+        string shared = Path.Combine(_folder.FullName, "shared", "cspice", "libcspice.so");
         Directory.CreateDirectory(Path.GetDirectoryName(shared)!);
         File.Copy(TestParts.CSpiceLibrary!, shared);
 
@@ -87,15 +87,15 @@ public sealed class GetCSpiceScriptTests : IDisposable
         (int secondExitCode, string secondOutput, _) = Run(namedLibrary: "");
 
         Assert.Equal((0, 0), (exitCode, secondExitCode));
-        Assert.Equal(library + "\n", output);
+        Assert.Equal(_library + "\n", output);
         Assert.Equal(output, secondOutput);
-        Assert.Equal(File.ReadAllBytes(TestParts.CSpiceLibrary!), File.ReadAllBytes(library));
-        Assert.Equal([library], Directory.GetFileSystemEntries(Path.GetDirectoryName(library)!));
+        Assert.Equal(File.ReadAllBytes(TestParts.CSpiceLibrary!), File.ReadAllBytes(_library));
+        Assert.Equal([_library], Directory.GetFileSystemEntries(Path.GetDirectoryName(_library)!));
     }
 
     private void WriteCurl(string body)
     {
-        string curl = Path.Combine(folder.FullName, "bin", "curl");
+        string curl = Path.Combine(_folder.FullName, "bin", "curl");
         File.WriteAllText(curl, "#!/bin/sh\n" + body + "\n");
         File.SetUnixFileMode(curl, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
     }
@@ -103,9 +103,9 @@ public sealed class GetCSpiceScriptTests : IDisposable
     private (int ExitCode, string Output, string Errors) Run(string namedLibrary)
     {
         ProcessStartInfo start = new("bash") { RedirectStandardOutput = true, RedirectStandardError = true };
-        start.ArgumentList.Add(script);
+        start.ArgumentList.Add(_script);
         start.Environment["MSISF_CSPICE"] = namedLibrary;
-        start.Environment["PATH"] = Path.Combine(folder.FullName, "bin") + Path.PathSeparator + start.Environment["PATH"];
+        start.Environment["PATH"] = Path.Combine(_folder.FullName, "bin") + Path.PathSeparator + start.Environment["PATH"];
         using Process process = Process.Start(start)!;
         Task<string> errors = process.StandardError.ReadToEndAsync();
         string output = process.StandardOutput.ReadToEnd();

@@ -10,9 +10,9 @@ namespace Msisf.Integration.Tests.Ephemeris;
 
 public sealed class SpiceEphemerisTests : IDisposable
 {
-    private readonly DirectoryInfo folder = Directory.CreateTempSubdirectory("msis cspice ä ");
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("msis cspice ä ");
 
-    public void Dispose() => folder.Delete(recursive: true);
+    public void Dispose() => _folder.Delete(recursive: true);
 
     [RequiresFact(Part.CSpice)]
     public void SunPositionMoonMe_ExampleOfTheThesis_HasItsDigits()
@@ -81,7 +81,7 @@ public sealed class SpiceEphemerisTests : IDisposable
     [RequiresFact(Part.CSpice)]
     public void Open_DamagedKernel_GivesSpicesTextsAndTheNextOpenWorks()
     {
-        string damaged = Path.Combine(folder.FullName, "damaged.tls");
+        string damaged = Path.Combine(_folder.FullName, "damaged.tls");
         File.WriteAllText(damaged, "KPL/LSK\n\\begindata\nDELTET/EB = five\n\\begintext\n");
 
         SpiceException failure = Assert.Throws<SpiceException>(() => Engines.CSpice(Engines.MetaKernel, damaged));
@@ -96,7 +96,7 @@ public sealed class SpiceEphemerisTests : IDisposable
     [InlineData(256, false)]
     public void Open_LongPath_WorksUpTo255Bytes(int bytes, bool works)
     {
-        string name = Path.Combine(folder.FullName, new string('d', 100));
+        string name = Path.Combine(_folder.FullName, new string('d', 100));
         Directory.CreateDirectory(name);
         int taken = System.Text.Encoding.UTF8.GetByteCount(name) + 1;
         string path = Path.Combine(name, new string('k', bytes - taken - 4) + ".bpc");
@@ -111,7 +111,7 @@ public sealed class SpiceEphemerisTests : IDisposable
     public void SunPositionMoonMe_TwoEnginesWithOtherKernels_DoNotMix()
     {
         // One leap second more at 2010-01-01: the Sun of 2010-04-03 is where it was a second later.
-        string later = Path.Combine(folder.FullName, "later.tls");
+        string later = Path.Combine(_folder.FullName, "later.tls");
         File.WriteAllText(later, "KPL/LSK\n\\begindata\nDELTET/DELTA_AT = ( 35, @2010-JAN-1 )\n\\begintext\n");
         using OpenedEphemeris first = Engines.CSpice();
         using OpenedEphemeris second = Engines.CSpice(Engines.MetaKernel, later);
@@ -130,10 +130,10 @@ public sealed class SpiceEphemerisTests : IDisposable
     {
         foreach (string kernel in KernelList.Expand([Engines.MetaKernel]))
         {
-            File.CreateSymbolicLink(Path.Combine(folder.FullName, Path.GetFileName(kernel)), kernel);
+            File.CreateSymbolicLink(Path.Combine(_folder.FullName, Path.GetFileName(kernel)), kernel);
         }
 
-        string meta = Path.Combine(folder.FullName, "my list.tm");
+        string meta = Path.Combine(_folder.FullName, "my list.tm");
         File.Copy(Engines.MetaKernel, meta);
         using OpenedEphemeris opened = Engines.CSpice(meta);
 

@@ -11,9 +11,9 @@ namespace Msisf.Integration.Tests.Metadata;
 /// <summary>The meta file as libxml2 sees it: in output/, with the DTD found by its DOCTYPE in lib/ beside it.</summary>
 public sealed class MetadataXmlTests : IDisposable
 {
-    private readonly DirectoryInfo root = Directory.CreateTempSubdirectory("msisf-xml-");
+    private readonly DirectoryInfo _root = Directory.CreateTempSubdirectory("msisf-xml-");
 
-    public void Dispose() => root.Delete(recursive: true);
+    public void Dispose() => _root.Delete(recursive: true);
 
     [RequiresFact(Part.Xmllint)]
     public void Write_PublishedExample_IsValid() => AssertValid(ExampleFrame.OfSize(1024, 1024), spacing: 50);
@@ -68,9 +68,9 @@ public sealed class MetadataXmlTests : IDisposable
 
     private string WriteFiles(FrameMetadata frame, int spacing)
     {
-        string lib = root.CreateSubdirectory("lib").FullName;
+        string lib = _root.CreateSubdirectory("lib").FullName;
         File.Copy(Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd"), Path.Combine(lib, "MSISRendering.dtd"));
-        string path = Path.Combine(root.CreateSubdirectory("output").FullName, "MoonSurfIllumSim_step_00001.xml");
+        string path = Path.Combine(_root.CreateSubdirectory("output").FullName, "MoonSurfIllumSim_step_00001.xml");
         using FileStream stream = File.Create(path);
         MetadataXmlWriter.Write(stream, frame, ExampleFrame.Sampler(frame, spacing));
         return path;

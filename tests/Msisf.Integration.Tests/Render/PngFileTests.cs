@@ -8,15 +8,15 @@ namespace Msisf.Integration.Tests.Render;
 
 public sealed class PngFileTests : IDisposable
 {
-    private readonly DirectoryInfo folder = Directory.CreateTempSubdirectory("msisf-png-");
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("msisf-png-");
 
-    public void Dispose() => folder.Delete(recursive: true);
+    public void Dispose() => _folder.Delete(recursive: true);
 
     [RequiresFact(Part.PovRay)]
     public void CopyPicture_FromPovRay_KeepsThePictureAndDropsTheRenderDate()
     {
-        string scene = Path.Combine(folder.FullName, "grey.pov");
-        string picture = Path.Combine(folder.FullName, "grey.png");
+        string scene = Path.Combine(_folder.FullName, "grey.pov");
+        string picture = Path.Combine(_folder.FullName, "grey.png");
         File.WriteAllText(scene, "#version 3.7; global_settings { assumed_gamma 1.0 } background { rgb 0.5 }");
         ProcessStartInfo start = new(TestParts.Program("povray")!, [scene, "+O" + picture, "+W8", "+H4", "-D"]) { RedirectStandardError = true };
         using (Process process = Process.Start(start)!)

@@ -22,9 +22,9 @@ public sealed partial class PatternPovRayTests : IDisposable
     private static readonly FunctionGrid Hills = new(4, (line, sample) =>
         1_737_400.0 + (4000.0 * Math.Sin(0.11 * line)) + (3000.0 * Math.Sin(Math.PI * line / 720.0) * Math.Cos(Math.PI * sample / 12.0)));
 
-    private readonly TemporaryFolder folder = new();
+    private readonly TemporaryFolder _folder = new();
 
-    public void Dispose() => folder.Dispose();
+    public void Dispose() => _folder.Dispose();
 
     // Rays from 10 m to 4e5 km away (the Earth), on slopes of 15 degrees: with lattice steps as the mesh's own units nothing beyond 78 km is hit.
     // A ray at the very corner may pass between the edges of triangles, so it aims some parts of the edges beside it.
@@ -37,7 +37,7 @@ public sealed partial class PatternPovRayTests : IDisposable
     {
         TileId[] tiles = [new(0, 0), new(40, 130), new(-35, 355), new(85, 40), new(-90, 200)];
         TileMeshBuilder builder = new(Hills);
-        PatternSet patterns = new PatternRepository(folder["p"]).EnsurePatterns(tiles, Hills, new PatternOptions(0.0, format), maxParallelism: 2);
+        PatternSet patterns = new PatternRepository(_folder["p"]).EnsurePatterns(tiles, Hills, new PatternOptions(0.0, format), maxParallelism: 2);
         StringBuilder scene = new("#version 3.7;\n#declare moon = texture { pigment { color rgb 1 } }\ncamera { location 0 look_at z }\n#declare All = union {\n");
         foreach (string path in patterns.Paths)
         {
@@ -78,11 +78,11 @@ public sealed partial class PatternPovRayTests : IDisposable
 
     private Vector3D[] Trace(string scene)
     {
-        File.WriteAllText(folder["trace.pov"], scene);
-        ProcessStartInfo start = new(TestParts.Program("povray")!, ["+I" + folder["trace.pov"], "-D", "-F", "+W1", "+H1"])
+        File.WriteAllText(_folder["trace.pov"], scene);
+        ProcessStartInfo start = new(TestParts.Program("povray")!, ["+I" + _folder["trace.pov"], "-D", "-F", "+W1", "+H1"])
         {
             RedirectStandardError = true,
-            WorkingDirectory = folder.Path,
+            WorkingDirectory = _folder.Path,
         };
         using Process process = Process.Start(start)!;
         string log = process.StandardError.ReadToEnd();

@@ -7,15 +7,15 @@ namespace Msisf.Adapters.Terrain.Pds;
 /// <remarks>Planetary Data System Standards Reference 3.8, chapters 5 and 12.</remarks>
 public sealed class PdsLabelParser
 {
-    private readonly PdsTokenizer tokens;
-    private readonly string file;
-    private PdsToken token;
+    private readonly PdsTokenizer _tokens;
+    private readonly string _file;
+    private PdsToken _token;
 
     private PdsLabelParser(string text, string file)
     {
-        this.file = file;
-        tokens = new PdsTokenizer(text, file);
-        token = tokens.Next();
+        _file = file;
+        _tokens = new PdsTokenizer(text, file);
+        _token = _tokens.Next();
     }
 
     /// <summary>Reads a label up to its END.</summary>
@@ -25,7 +25,7 @@ public sealed class PdsLabelParser
     public static PdsObject Parse(string text, string file)
     {
         PdsLabelParser parser = new(text, file);
-        if (parser.token is not { Kind: PdsTokenKind.Word, Text: "PDS_VERSION_ID" or "CCSD3ZF0000100000001NJPL3IF0PDSX00000001" })
+        if (parser._token is not { Kind: PdsTokenKind.Word, Text: "PDS_VERSION_ID" or "CCSD3ZF0000100000001NJPL3IF0PDSX00000001" })
         {
             throw new BadInputException($"{file}: not a PDS3 label (it does not begin with PDS_VERSION_ID). Give the .LBL file that belongs to the elevation model.");
         }
@@ -50,7 +50,7 @@ public sealed class PdsLabelParser
             PdsValue value = ReadValue();
             if (keyword.Text is "OBJECT" or "GROUP")
             {
-                PdsObject child = new(file, value.Text, keyword.Line);
+                PdsObject child = new(_file, value.Text, keyword.Line);
                 ReadStatements(child, "END_" + keyword.Text);
                 target.Add(child);
             }
@@ -68,7 +68,7 @@ public sealed class PdsLabelParser
             throw Wrong(keyword, closing is null ? "no object is open here" : $"{closing} = {target.Name} is needed first (line {target.Line.ToString(CultureInfo.InvariantCulture)} opens it)");
         }
 
-        if (closing is not null && token.IsSign("="))
+        if (closing is not null && _token.IsSign("="))
         {
             Advance();
             PdsToken name = Take(PdsTokenKind.Word, "an object's name");
@@ -81,19 +81,19 @@ public sealed class PdsLabelParser
 
     private PdsValue ReadValue()
     {
-        int line = token.Line;
-        if (token.IsSign("(") || token.IsSign("{"))
+        int line = _token.Line;
+        if (_token.IsSign("(") || _token.IsSign("{"))
         {
-            List<PdsValue> items = ReadItems(token.Text == "(" ? ")" : "}");
+            List<PdsValue> items = ReadItems(_token.Text == "(" ? ")" : "}");
             return new PdsValue(string.Empty, IsQuoted: false, TakeUnit(), items, line);
         }
 
-        if (token.Kind is not (PdsTokenKind.Word or PdsTokenKind.Quoted))
+        if (_token.Kind is not (PdsTokenKind.Word or PdsTokenKind.Quoted))
         {
-            throw Wrong(token, "a value is needed");
+            throw Wrong(_token, "a value is needed");
         }
 
-        PdsToken text = token;
+        PdsToken text = _token;
         Advance();
         return new PdsValue(text.Text.Trim(), text.Kind == PdsTokenKind.Quoted, TakeUnit(), Items: null, line);
     }
@@ -102,7 +102,7 @@ public sealed class PdsLabelParser
     {
         List<PdsValue> items = [];
         Advance();
-        while (!token.IsSign(closing))
+        while (!_token.IsSign(closing))
         {
             if (items.Count > 0)
             {
@@ -118,19 +118,19 @@ public sealed class PdsLabelParser
 
     private string? TakeUnit()
     {
-        if (token.Kind != PdsTokenKind.Unit)
+        if (_token.Kind != PdsTokenKind.Unit)
         {
             return null;
         }
 
-        string unit = token.Text.Trim();
+        string unit = _token.Text.Trim();
         Advance();
         return unit;
     }
 
     private PdsToken Take(PdsTokenKind kind, string need)
     {
-        PdsToken taken = token.Kind == kind ? token : throw Wrong(token, $"{need} is needed");
+        PdsToken taken = _token.Kind == kind ? _token : throw Wrong(_token, $"{need} is needed");
 
         // What follows END is another file's business: an attached image need not be text.
         if (taken is not { Kind: PdsTokenKind.Word, Text: "END" })
@@ -143,17 +143,17 @@ public sealed class PdsLabelParser
 
     private void TakeSign(string sign, string need)
     {
-        if (!token.IsSign(sign))
+        if (!_token.IsSign(sign))
         {
-            throw Wrong(token, $"{need} is needed");
+            throw Wrong(_token, $"{need} is needed");
         }
 
         Advance();
     }
 
-    private void Advance() => token = tokens.Next();
+    private void Advance() => _token = _tokens.Next();
 
     private BadInputException Wrong(PdsToken found, string need) => new(string.Create(
         CultureInfo.InvariantCulture,
-        $"{file}, line {found.Line}: {(found.Kind == PdsTokenKind.End ? "the label ends" : $"'{found.Text}'")}; {need}. Is this a whole PDS3 label?"));
+        $"{_file}, line {found.Line}: {(found.Kind == PdsTokenKind.End ? "the label ends" : $"'{found.Text}'")}; {need}. Is this a whole PDS3 label?"));
 }

@@ -6,9 +6,9 @@ namespace Msisf.Adapters.Terrain.Pds;
 /// <summary>An OBJECT or GROUP of a PDS3 label, or the label itself: keywords with their values, and objects inside it.</summary>
 public sealed class PdsObject
 {
-    private readonly Dictionary<string, PdsValue> values = new(StringComparer.Ordinal);
-    private readonly List<PdsObject> children = [];
-    private readonly string file;
+    private readonly Dictionary<string, PdsValue> _values = new(StringComparer.Ordinal);
+    private readonly List<PdsObject> _children = [];
+    private readonly string _file;
 
     /// <summary>Makes an empty object.</summary>
     /// <param name="file">Name of the label's file for messages.</param>
@@ -16,7 +16,7 @@ public sealed class PdsObject
     /// <param name="line">Line where it begins, from 1.</param>
     internal PdsObject(string file, string name, int line)
     {
-        this.file = file;
+        _file = file;
         Name = name;
         Line = line;
     }
@@ -28,12 +28,12 @@ public sealed class PdsObject
     public int Line { get; }
 
     /// <summary>The value of a keyword of this object itself; null if it has none.</summary>
-    public PdsValue? Find(string keyword) => values.GetValueOrDefault(keyword);
+    public PdsValue? Find(string keyword) => _values.GetValueOrDefault(keyword);
 
     /// <summary>The first object of a name, in the order of the label, however deep; null if there is none.</summary>
     public PdsObject? FindObject(string name)
     {
-        foreach (PdsObject child in children)
+        foreach (PdsObject child in _children)
         {
             if ((child.Name == name ? child : child.FindObject(name)) is { } found)
             {
@@ -47,7 +47,7 @@ public sealed class PdsObject
     /// <summary>The value of a keyword that must be there.</summary>
     /// <exception cref="BadInputException">It is missing.</exception>
     public PdsValue Required(string keyword) => Find(keyword)
-        ?? throw new BadInputException($"{file}: {Name} has no {keyword}. Get the label again from the archive that holds the product.");
+        ?? throw new BadInputException($"{_file}: {Name} has no {keyword}. Get the label again from the archive that holds the product.");
 
     /// <summary>The one-line text of a keyword that must be there.</summary>
     /// <exception cref="BadInputException">It is missing, empty or a sequence.</exception>
@@ -80,21 +80,21 @@ public sealed class PdsObject
     /// <param name="value">Its value.</param>
     /// <param name="need">What is needed instead.</param>
     public BadInputException Unfit(string keyword, PdsValue value, string need) => new(string.Create(
-        CultureInfo.InvariantCulture, $"{file}, line {value.Line}: {keyword} = {value}; {need}."));
+        CultureInfo.InvariantCulture, $"{_file}, line {value.Line}: {keyword} = {value}; {need}."));
 
     /// <summary>Adds a keyword while the label is read.</summary>
     /// <exception cref="BadInputException">The object has the keyword already, with another value.</exception>
     internal void Add(string keyword, PdsValue value)
     {
-        if (!values.TryAdd(keyword, value) && values[keyword].ToString() != value.ToString())
+        if (!_values.TryAdd(keyword, value) && _values[keyword].ToString() != value.ToString())
         {
             throw Unfit(keyword, value, string.Create(
-                CultureInfo.InvariantCulture, $"line {values[keyword].Line} of the same object says {values[keyword]}"));
+                CultureInfo.InvariantCulture, $"line {_values[keyword].Line} of the same object says {_values[keyword]}"));
         }
     }
 
     /// <summary>Adds an object while the label is read.</summary>
-    internal void Add(PdsObject child) => children.Add(child);
+    internal void Add(PdsObject child) => _children.Add(child);
 
     private double Number(string keyword, PdsValue value, string[] units)
     {

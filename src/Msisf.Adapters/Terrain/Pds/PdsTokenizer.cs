@@ -9,18 +9,18 @@ internal sealed class PdsTokenizer
 {
     private const string Signs = "=(){},";
 
-    private readonly string text;
-    private readonly string file;
-    private int position;
-    private int line = 1;
+    private readonly string _text;
+    private readonly string _file;
+    private int _position;
+    private int _line = 1;
 
     /// <summary>Starts at the beginning of a label.</summary>
     /// <param name="text">The label; what follows its END may be anything.</param>
     /// <param name="file">Name for messages.</param>
     public PdsTokenizer(string text, string file)
     {
-        this.text = text;
-        this.file = file;
+        _text = text;
+        _file = file;
     }
 
     /// <summary>The next token.</summary>
@@ -28,33 +28,33 @@ internal sealed class PdsTokenizer
     public PdsToken Next()
     {
         SkipBlanksAndComments();
-        if (position >= text.Length)
+        if (_position >= _text.Length)
         {
-            return new PdsToken(PdsTokenKind.End, string.Empty, line);
+            return new PdsToken(PdsTokenKind.End, string.Empty, _line);
         }
 
-        char first = text[position];
+        char first = _text[_position];
         return first switch
         {
             '"' or '\'' => Enclosed(PdsTokenKind.Quoted, first, "quotation"),
             '<' => Enclosed(PdsTokenKind.Unit, '>', "unit"),
-            _ when Signs.Contains(first, StringComparison.Ordinal) => new PdsToken(PdsTokenKind.Sign, text.Substring(position++, 1), line),
+            _ when Signs.Contains(first, StringComparison.Ordinal) => new PdsToken(PdsTokenKind.Sign, _text.Substring(_position++, 1), _line),
             _ => Word(),
         };
     }
 
     private void SkipBlanksAndComments()
     {
-        while (position < text.Length)
+        while (_position < _text.Length)
         {
-            if (IsBlank(text[position]))
+            if (IsBlank(_text[_position]))
             {
-                CountLine(text[position++]);
+                CountLine(_text[_position++]);
             }
-            else if (IsCommentStart(position))
+            else if (IsCommentStart(_position))
             {
-                int end = text.IndexOf("*/", position + 2, StringComparison.Ordinal);
-                MoveTo(end < 0 ? throw Endless("comment", line) : end + 2);
+                int end = _text.IndexOf("*/", _position + 2, StringComparison.Ordinal);
+                MoveTo(end < 0 ? throw Endless("comment", _line) : end + 2);
             }
             else
             {
@@ -65,38 +65,38 @@ internal sealed class PdsTokenizer
 
     private PdsToken Enclosed(PdsTokenKind kind, char closing, string what)
     {
-        int startLine = line;
-        int start = position + 1;
-        int end = text.IndexOf(closing, start);
+        int startLine = _line;
+        int start = _position + 1;
+        int end = _text.IndexOf(closing, start);
         MoveTo(end < 0 ? throw Endless(what, startLine) : end + 1);
-        return new PdsToken(kind, text[start..end], startLine);
+        return new PdsToken(kind, _text[start..end], startLine);
     }
 
     private PdsToken Word()
     {
-        int start = position;
-        while (position < text.Length && !IsWordEnd(text[position]) && !IsCommentStart(position))
+        int start = _position;
+        while (_position < _text.Length && !IsWordEnd(_text[_position]) && !IsCommentStart(_position))
         {
-            position++;
+            _position++;
         }
 
-        return new PdsToken(PdsTokenKind.Word, text[start..position], line);
+        return new PdsToken(PdsTokenKind.Word, _text[start.._position], _line);
     }
 
     private void MoveTo(int target)
     {
-        while (position < target)
+        while (_position < target)
         {
-            CountLine(text[position++]);
+            CountLine(_text[_position++]);
         }
     }
 
-    private void CountLine(char character) => line += character == '\n' ? 1 : 0;
+    private void CountLine(char character) => _line += character == '\n' ? 1 : 0;
 
-    private bool IsCommentStart(int index) => text.AsSpan(index).StartsWith("/*", StringComparison.Ordinal);
+    private bool IsCommentStart(int index) => _text.AsSpan(index).StartsWith("/*", StringComparison.Ordinal);
 
     private BadInputException Endless(string what, int startLine) => new(string.Create(
-        CultureInfo.InvariantCulture, $"{file}, line {startLine}: the {what} that begins here has no end. Is this a whole PDS3 label?"));
+        CultureInfo.InvariantCulture, $"{_file}, line {startLine}: the {what} that begins here has no end. Is this a whole PDS3 label?"));
 
     private static bool IsBlank(char character) => char.IsWhiteSpace(character) || character == '\0';
 

@@ -12,20 +12,20 @@ internal sealed class BaseHeights
     private const double FullySmoothedDegrees = 80.0;
     private const double CosineOfHonoured = 0.34202014332566873;
 
-    private readonly IElevationGrid model;
-    private readonly int lines;
-    private readonly int around;
+    private readonly IElevationGrid _model;
+    private readonly int _lines;
+    private readonly int _around;
 
     /// <summary>Wraps a model.</summary>
     public BaseHeights(IElevationGrid model)
     {
-        this.model = model;
-        lines = 180 * model.PixelsPerDegree;
-        around = 360 * model.PixelsPerDegree;
+        _model = model;
+        _lines = 180 * model.PixelsPerDegree;
+        _around = 360 * model.PixelsPerDegree;
     }
 
     /// <summary>Samples a degree.</summary>
-    public int PixelsPerDegree => model.PixelsPerDegree;
+    public int PixelsPerDegree => _model.PixelsPerDegree;
 
     /// <summary>Heights of consecutive pixels of one line.</summary>
     /// <param name="line">Also before 0 or after the last: beyond a pole the lines go on along the opposite meridian.</param>
@@ -33,13 +33,13 @@ internal sealed class BaseHeights
     /// <param name="heights">Filled with m over the reference radius; at most once around.</param>
     public void ReadHeights(int line, int pixel, Span<double> heights)
     {
-        if (line < 0 || line >= lines)
+        if (line < 0 || line >= _lines)
         {
-            line = line < 0 ? -1 - line : (2 * lines) - 1 - line;
-            pixel += around / 2;
+            line = line < 0 ? -1 - line : (2 * _lines) - 1 - line;
+            pixel += _around / 2;
         }
 
-        pixel = ((pixel % around) + around) % around;
+        pixel = ((pixel % _around) + _around) % _around;
         int halfWidth = HalfWidth(line);
         if (halfWidth > 1)
         {
@@ -47,7 +47,7 @@ internal sealed class BaseHeights
             return;
         }
 
-        model.ReadRadii(line, pixel, heights);
+        _model.ReadRadii(line, pixel, heights);
         for (int i = 0; i < heights.Length; i++)
         {
             heights[i] -= MoonConstants.ReferenceRadius;
@@ -70,22 +70,22 @@ internal sealed class BaseHeights
         double latitude = Math.Abs(LatitudeDegrees(line));
         double part = Math.Clamp((latitude - HonouredDegrees) / (FullySmoothedDegrees - HonouredDegrees), 0.0, 1.0);
         double width = (CosineOfHonoured + (part * (1.0 - CosineOfHonoured))) / PortableMath.SinCosDegrees(latitude).Cos;
-        return latitude <= HonouredDegrees ? 1 : Math.Clamp((int)width, 1, around / 4);
+        return latitude <= HonouredDegrees ? 1 : Math.Clamp((int)width, 1, _around / 4);
     }
 
     // Triangular weights are two running means in a row. The sums always begin at longitude 0, so that they are the same for every tile.
     private void ReadSmoothed(int line, int pixel, int halfWidth, Span<double> heights)
     {
-        double[] row = new double[around];
-        double[] first = new double[around];
-        model.ReadRadii(line, 0, row);
+        double[] row = new double[_around];
+        double[] first = new double[_around];
+        _model.ReadRadii(line, 0, row);
         RunningMean(row, first, halfWidth);
         RunningMean(first, row, halfWidth);
         for (int i = 0; i < heights.Length; i++)
         {
             // Each of the two means looks ahead by half its width.
             int centred = pixel + i - (halfWidth - 1);
-            heights[i] = row[((centred % around) + around) % around] - MoonConstants.ReferenceRadius;
+            heights[i] = row[((centred % _around) + _around) % _around] - MoonConstants.ReferenceRadius;
         }
     }
 

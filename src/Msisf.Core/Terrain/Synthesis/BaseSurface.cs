@@ -5,16 +5,16 @@ internal sealed class BaseSurface
 {
     private const int Reach = PixelMeanKernel.Reach;
 
-    private readonly SyntheticTerrain terrain;
-    private readonly int firstPixelLine;
-    private readonly int pixelLines;
-    private readonly int firstPixel;
-    private readonly int pixels;
-    private readonly int width;
-    private readonly double[] means;
-    private readonly int coefficientWidth;
-    private readonly double[] coefficients;
-    private readonly double[] lineCoefficients;
+    private readonly SyntheticTerrain _terrain;
+    private readonly int _firstPixelLine;
+    private readonly int _pixelLines;
+    private readonly int _firstPixel;
+    private readonly int _pixels;
+    private readonly int _width;
+    private readonly double[] _means;
+    private readonly int _coefficientWidth;
+    private readonly double[] _coefficients;
+    private readonly double[] _lineCoefficients;
 
     /// <summary>Reads the base's heights over a block of pixels and the margin that interpolation needs.</summary>
     /// <param name="terrain">The model.</param>
@@ -24,19 +24,19 @@ internal sealed class BaseSurface
     /// <param name="pixels">How many.</param>
     public BaseSurface(SyntheticTerrain terrain, int firstPixelLine, int pixelLines, int firstPixel, int pixels)
     {
-        this.terrain = terrain;
-        this.firstPixelLine = firstPixelLine;
-        this.pixelLines = pixelLines;
-        this.firstPixel = firstPixel;
-        this.pixels = pixels;
-        width = pixels + (2 * Reach);
-        means = new double[(pixelLines + (2 * Reach)) * width];
-        coefficientWidth = PixelMeanKernel.CoefficientCount(pixels);
-        coefficients = new double[PixelMeanKernel.CoefficientCount(pixelLines) * coefficientWidth];
-        lineCoefficients = new double[coefficientWidth];
+        _terrain = terrain;
+        _firstPixelLine = firstPixelLine;
+        _pixelLines = pixelLines;
+        _firstPixel = firstPixel;
+        _pixels = pixels;
+        _width = pixels + (2 * Reach);
+        _means = new double[(pixelLines + (2 * Reach)) * _width];
+        _coefficientWidth = PixelMeanKernel.CoefficientCount(pixels);
+        _coefficients = new double[PixelMeanKernel.CoefficientCount(pixelLines) * _coefficientWidth];
+        _lineCoefficients = new double[_coefficientWidth];
         for (int line = 0; line < pixelLines + (2 * Reach); line++)
         {
-            terrain.Base.ReadHeights(firstPixelLine - Reach + line, firstPixel - Reach, means.AsSpan(line * width, width));
+            terrain.Base.ReadHeights(firstPixelLine - Reach + line, firstPixel - Reach, _means.AsSpan(line * _width, _width));
         }
     }
 
@@ -45,16 +45,16 @@ internal sealed class BaseSurface
     /// <param name="detail">m, lines of the frame's stride.</param>
     public void TakeOffMeans(TileFrame frame, ReadOnlySpan<float> detail)
     {
-        int n = terrain.SamplesPerPixel;
-        double[] sums = new double[width];
-        for (int line = 0; line < pixelLines + (2 * Reach); line++)
+        int n = _terrain.SamplesPerPixel;
+        double[] sums = new double[_width];
+        for (int line = 0; line < _pixelLines + (2 * Reach); line++)
         {
-            double part = terrain.Base.HonouredPart(firstPixelLine - Reach + line) / ((double)n * n);
+            double part = _terrain.Base.HonouredPart(_firstPixelLine - Reach + line) / ((double)n * n);
             Array.Clear(sums);
             for (int inside = 0; inside < n; inside++)
             {
-                ReadOnlySpan<float> row = detail.Slice(((line * n) + inside) * frame.Stride, width * n);
-                for (int pixel = 0; pixel < width; pixel++)
+                ReadOnlySpan<float> row = detail.Slice(((line * n) + inside) * frame.Stride, _width * n);
+                for (int pixel = 0; pixel < _width; pixel++)
                 {
                     double sum = 0.0;
                     foreach (float height in row.Slice(pixel * n, n))
@@ -66,9 +66,9 @@ internal sealed class BaseSurface
                 }
             }
 
-            for (int pixel = 0; pixel < width; pixel++)
+            for (int pixel = 0; pixel < _width; pixel++)
             {
-                means[(line * width) + pixel] -= part * sums[pixel];
+                _means[(line * _width) + pixel] -= part * sums[pixel];
             }
         }
     }
@@ -76,19 +76,19 @@ internal sealed class BaseSurface
     /// <summary>Turns means into spline coefficients; before the first <see cref="ReadLine"/>.</summary>
     public void Prepare()
     {
-        double[] halfDone = new double[(pixelLines + (2 * Reach)) * coefficientWidth];
-        for (int line = 0; line < pixelLines + (2 * Reach); line++)
+        double[] halfDone = new double[(_pixelLines + (2 * Reach)) * _coefficientWidth];
+        for (int line = 0; line < _pixelLines + (2 * Reach); line++)
         {
-            terrain.Kernel.Coefficients(
-                means.AsSpan(line * width, width),
-                halfDone.AsSpan(line * coefficientWidth, coefficientWidth),
-                pixels,
+            _terrain.Kernel.Coefficients(
+                _means.AsSpan(line * _width, _width),
+                halfDone.AsSpan(line * _coefficientWidth, _coefficientWidth),
+                _pixels,
                 step: 1);
         }
 
-        for (int column = 0; column < coefficientWidth; column++)
+        for (int column = 0; column < _coefficientWidth; column++)
         {
-            terrain.Kernel.Coefficients(halfDone.AsSpan(column), coefficients.AsSpan(column), pixelLines, coefficientWidth);
+            _terrain.Kernel.Coefficients(halfDone.AsSpan(column), _coefficients.AsSpan(column), _pixelLines, _coefficientWidth);
         }
     }
 
@@ -99,20 +99,20 @@ internal sealed class BaseSurface
     /// <param name="heights">Filled with m over the reference radius.</param>
     public void ReadLine(int line, int firstSample, ReadOnlySpan<float> detail, Span<float> heights)
     {
-        int n = terrain.SamplesPerPixel;
-        (int first, double north, double middle, double south) = terrain.Kernel.At((line / n) - firstPixelLine, line % n);
-        ReadOnlySpan<double> rows = coefficients.AsSpan(first * coefficientWidth, 3 * coefficientWidth);
-        for (int i = 0; i < coefficientWidth; i++)
+        int n = _terrain.SamplesPerPixel;
+        (int first, double north, double middle, double south) = _terrain.Kernel.At((line / n) - _firstPixelLine, line % n);
+        ReadOnlySpan<double> rows = _coefficients.AsSpan(first * _coefficientWidth, 3 * _coefficientWidth);
+        for (int i = 0; i < _coefficientWidth; i++)
         {
-            lineCoefficients[i] = (north * rows[i]) + (middle * rows[i + coefficientWidth]) + (south * rows[i + (2 * coefficientWidth)]);
+            _lineCoefficients[i] = (north * rows[i]) + (middle * rows[i + _coefficientWidth]) + (south * rows[i + (2 * _coefficientWidth)]);
         }
 
-        int pixel = (firstSample / n) - firstPixel;
+        int pixel = (firstSample / n) - _firstPixel;
         int inside = firstSample % n;
         for (int i = 0; i < heights.Length; i++)
         {
-            (int west, double w0, double w1, double w2) = terrain.Kernel.At(pixel, inside);
-            heights[i] = (float)((w0 * lineCoefficients[west]) + (w1 * lineCoefficients[west + 1]) + (w2 * lineCoefficients[west + 2]) + detail[i]);
+            (int west, double w0, double w1, double w2) = _terrain.Kernel.At(pixel, inside);
+            heights[i] = (float)((w0 * _lineCoefficients[west]) + (w1 * _lineCoefficients[west + 1]) + (w2 * _lineCoefficients[west + 2]) + detail[i]);
             if (++inside == n)
             {
                 inside = 0;

@@ -8,14 +8,14 @@ internal sealed class CraterCells
 {
     private const double DiametersPerCell = 4.0;
 
-    private readonly int bands;
+    private readonly int _bands;
 
     /// <summary>The cells of an octave.</summary>
     /// <param name="octave">k.</param>
     public CraterCells(int octave)
     {
         double side = DiametersPerCell * Math.ScaleB(2.0, octave);
-        bands = Math.Max(2, (int)(Math.PI * MoonConstants.ReferenceRadius / side));
+        _bands = Math.Max(2, (int)(Math.PI * MoonConstants.ReferenceRadius / side));
     }
 
     /// <summary>The cells from which something can reach into a block, by band and then by column.</summary>
@@ -68,9 +68,9 @@ internal sealed class CraterCells
         }
     }
 
-    private double BorderDegrees(int border) => (180.0 * border / bands) - 90.0;
+    private double BorderDegrees(int border) => (180.0 * border / _bands) - 90.0;
 
-    private int BandOf(double latitudeDegrees) => Math.Clamp((int)Math.Floor((latitudeDegrees + 90.0) / 180.0 * bands), 0, bands - 1);
+    private int BandOf(double latitudeDegrees) => Math.Clamp((int)Math.Floor((latitudeDegrees + 90.0) / 180.0 * _bands), 0, _bands - 1);
 
     private CraterCell First(int band, double southBorder, double northBorder)
     {
@@ -78,7 +78,7 @@ internal sealed class CraterCells
         return new CraterCell(
             band,
             Column: 0,
-            Math.Max(4, (int)(2.0 * bands * cosMiddle)),
+            Math.Max(4, (int)(2.0 * _bands * cosMiddle)),
             PortableMath.SinCosDegrees(southBorder).Sin,
             PortableMath.SinCosDegrees(northBorder).Sin);
     }

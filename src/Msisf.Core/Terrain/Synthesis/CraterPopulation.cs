@@ -19,10 +19,10 @@ internal sealed class CraterPopulation
     private const double LeastMareDensity = 1.0 / 130.0;
     private const double OldestFreshnessLog2 = -5.0;
 
-    private readonly ulong seed;
-    private readonly MareMask maria;
-    private readonly double smallest;
-    private readonly double largest;
+    private readonly ulong _seed;
+    private readonly MareMask _maria;
+    private readonly double _smallest;
+    private readonly double _largest;
 
     /// <summary>The craters of a range of diameters.</summary>
     /// <param name="seed">The user's seed.</param>
@@ -31,10 +31,10 @@ internal sealed class CraterPopulation
     /// <param name="largest">m, diameter, left out.</param>
     public CraterPopulation(ulong seed, MareMask maria, double smallest, double largest)
     {
-        this.seed = seed;
-        this.maria = maria;
-        this.smallest = smallest;
-        this.largest = largest;
+        _seed = seed;
+        _maria = maria;
+        _smallest = smallest;
+        _largest = largest;
     }
 
     /// <summary>Craters larger than a diameter in m, for each m2 of highlands.</summary>
@@ -53,7 +53,7 @@ internal sealed class CraterPopulation
     /// <param name="widthDegrees">How far the band goes to the east.</param>
     public IEnumerable<Crater> Near(double southDegrees, double northDegrees, double westDegrees, double widthDegrees)
     {
-        for (int octave = (int)Math.Floor(PortableMath.Log2(smallest)); Math.ScaleB(1.0, octave) < largest; octave++)
+        for (int octave = (int)Math.Floor(PortableMath.Log2(_smallest)); Math.ScaleB(1.0, octave) < _largest; octave++)
         {
             double least = Math.ScaleB(1.0, octave);
             double density = HighlandsCountAbove(least) - HighlandsCountAbove(2.0 * least);
@@ -71,7 +71,7 @@ internal sealed class CraterPopulation
     private IEnumerable<Crater> InCell(CraterCell cell, int octave, double density)
     {
         double least = Math.ScaleB(1.0, octave);
-        SplitMix64 random = SplitMix64.For(seed, Purpose + ((ulong)octave << 8), cell.Band, cell.Column);
+        SplitMix64 random = SplitMix64.For(_seed, Purpose + ((ulong)octave << 8), cell.Band, cell.Column);
         double none = PortableMath.Exp2(-density * cell.Area / 0.69314718055994530942);
 
         // Knuth: a Poisson count is how many uniform numbers multiply up to below e^-mean.
@@ -83,12 +83,12 @@ internal sealed class CraterPopulation
             double freshness = PortableMath.Exp2(OldestFreshnessLog2 * random.NextUniform());
             double kept = random.NextUniform();
             Crater crater = new(sinLatitude, longitude, 0.5 * diameter, freshness);
-            if (diameter >= smallest && diameter < largest && kept < 1.0 - (MareFractionAt(crater) * (1.0 - MareDensity(diameter))))
+            if (diameter >= _smallest && diameter < _largest && kept < 1.0 - (MareFractionAt(crater) * (1.0 - MareDensity(diameter))))
             {
                 yield return crater;
             }
         }
     }
 
-    private double MareFractionAt(Crater crater) => maria.At(crater.LatitudeDegrees, crater.LongitudeDegrees);
+    private double MareFractionAt(Crater crater) => _maria.At(crater.LatitudeDegrees, crater.LongitudeDegrees);
 }

@@ -15,7 +15,7 @@ internal sealed class MareMask
     private const double FullNearSide = 0.30; // cosine of the angle from the sub-Earth point
     private const double NoneNearSide = 0.15;
 
-    private readonly float[] cells = new float[Rows * Columns];
+    private readonly float[] _cells = new float[Rows * Columns];
 
     /// <summary>Measures a model.</summary>
     /// <param name="model">Any resolution.</param>
@@ -42,7 +42,7 @@ internal sealed class MareMask
             for (int column = 0; column < Columns; column++)
             {
                 double height = (sums[column] / (lines * resolution)) - MoonConstants.ReferenceRadius;
-                cells[(row * Columns) + column] = (float)FractionOf(height, NearSide(row, column));
+                _cells[(row * Columns) + column] = (float)FractionOf(height, NearSide(row, column));
             }
         }
     }
@@ -119,6 +119,6 @@ internal sealed class MareMask
             column += Columns / 2;
         }
 
-        return cells[(row * Columns) + ((column + Columns) % Columns)];
+        return _cells[(row * Columns) + ((column + Columns) % Columns)];
     }
 }

@@ -8,11 +8,11 @@ internal sealed class NoiseOctave
 {
     private const ulong Purpose = 1;
 
-    private readonly double[,] latticeFromMoon = new double[3, 3];
-    private readonly double[] origin = new double[3];
-    private readonly int latticeSeed;
-    private readonly float highlandsAmplitude;
-    private readonly float mariaExtraAmplitude;
+    private readonly double[,] _latticeFromMoon = new double[3, 3];
+    private readonly double[] _origin = new double[3];
+    private readonly int _latticeSeed;
+    private readonly float _highlandsAmplitude;
+    private readonly float _mariaExtraAmplitude;
 
     /// <summary>Makes an octave.</summary>
     /// <param name="seed">The user's seed.</param>
@@ -22,16 +22,16 @@ internal sealed class NoiseOctave
     public NoiseOctave(ulong seed, double spacing, double highlandsAmplitude, double mariaAmplitude)
     {
         Spacing = spacing;
-        this.highlandsAmplitude = (float)highlandsAmplitude;
-        mariaExtraAmplitude = (float)(mariaAmplitude - highlandsAmplitude);
+        _highlandsAmplitude = (float)highlandsAmplitude;
+        _mariaExtraAmplitude = (float)(mariaAmplitude - highlandsAmplitude);
 
         // Keyed by the spacing in mm, so that an octave is the same one in every product that has it.
         SplitMix64 random = SplitMix64.For(seed, Purpose, (long)Math.Round(1000.0 * spacing), 0);
-        latticeSeed = (int)random.NextBits();
+        _latticeSeed = (int)random.NextBits();
         Turn(ref random, MoonConstants.ReferenceRadius / spacing);
         for (int axis = 0; axis < 3; axis++)
         {
-            origin[axis] = 1024.0 * random.NextUniform();
+            _origin[axis] = 1024.0 * random.NextUniform();
         }
     }
 
@@ -47,7 +47,7 @@ internal sealed class NoiseOctave
             for (int column = 0; column < frame.Stride; column++)
             {
                 tables[(axis * frame.Stride) + column] =
-                    (latticeFromMoon[axis, 0] * frame.CosLongitude[column]) + (latticeFromMoon[axis, 1] * frame.SinLongitude[column]);
+                    (_latticeFromMoon[axis, 0] * frame.CosLongitude[column]) + (_latticeFromMoon[axis, 1] * frame.SinLongitude[column]);
             }
         }
 
@@ -72,11 +72,11 @@ internal sealed class NoiseOctave
         ReadOnlySpan<double> tableY = columnTables.Slice(stride, stride);
         ReadOnlySpan<double> tableZ = columnTables.Slice(2 * stride, stride);
         Vector256<double> cos = Vector256.Create(cosLatitude);
-        Vector256<double> x = Vector256.Create((latticeFromMoon[0, 2] * sinLatitude) + origin[0]);
-        Vector256<double> y = Vector256.Create((latticeFromMoon[1, 2] * sinLatitude) + origin[1]);
-        Vector256<double> z = Vector256.Create((latticeFromMoon[2, 2] * sinLatitude) + origin[2]);
-        Vector256<float> highlands = Vector256.Create(highlandsAmplitude);
-        Vector256<float> mariaExtra = Vector256.Create(mariaExtraAmplitude);
+        Vector256<double> x = Vector256.Create((_latticeFromMoon[0, 2] * sinLatitude) + _origin[0]);
+        Vector256<double> y = Vector256.Create((_latticeFromMoon[1, 2] * sinLatitude) + _origin[1]);
+        Vector256<double> z = Vector256.Create((_latticeFromMoon[2, 2] * sinLatitude) + _origin[2]);
+        Vector256<float> highlands = Vector256.Create(_highlandsAmplitude);
+        Vector256<float> mariaExtra = Vector256.Create(_mariaExtraAmplitude);
         for (int i = 0; i < stride; i += TileFrame.VectorWidth)
         {
             int j = i + 4;
@@ -87,7 +87,7 @@ internal sealed class NoiseOctave
                 (cos * Vector256.Create(tableY[j..])) + y,
                 (cos * Vector256.Create(tableZ[i..])) + z,
                 (cos * Vector256.Create(tableZ[j..])) + z,
-                latticeSeed);
+                _latticeSeed);
             Vector256<float> amplitude = highlands + (mariaExtra * Vector256.Create(mareFraction[i..]));
             (Vector256.Create((ReadOnlySpan<float>)heights[i..]) + (amplitude * noise)).CopyTo(heights[i..]);
         }
@@ -118,7 +118,7 @@ internal sealed class NoiseOctave
         {
             for (int column = 0; column < 3; column++)
             {
-                latticeFromMoon[row, column] = scale * rotation[row, column];
+                _latticeFromMoon[row, column] = scale * rotation[row, column];
             }
         }
     }

@@ -14,26 +14,26 @@ internal sealed class PixelMeanKernel
     /// <summary>Pixels that are needed beside the outermost one.</summary>
     public const int Reach = 3;
 
-    private readonly double[] taps;
-    private readonly int[] firstCoefficient;
-    private readonly double[] weights;
+    private readonly double[] _taps;
+    private readonly int[] _firstCoefficient;
+    private readonly double[] _weights;
 
     /// <summary>Makes the weights for n samples a pixel.</summary>
     /// <param name="samplesPerPixel">n along each axis.</param>
     public PixelMeanKernel(int samplesPerPixel)
     {
-        taps = Taps(samplesPerPixel);
-        firstCoefficient = new int[samplesPerPixel];
-        weights = new double[3 * samplesPerPixel];
+        _taps = Taps(samplesPerPixel);
+        _firstCoefficient = new int[samplesPerPixel];
+        _weights = new double[3 * samplesPerPixel];
         for (int sample = 0; sample < samplesPerPixel; sample++)
         {
             double position = (((2.0 * sample) + 1.0) / samplesPerPixel) - 1.0;
             double nearest = Math.Floor(position + 0.5);
             double f = position - nearest;
-            firstCoefficient[sample] = (int)nearest + 1;
-            weights[3 * sample] = 0.5 * (0.5 - f) * (0.5 - f);
-            weights[(3 * sample) + 1] = 0.75 - (f * f);
-            weights[(3 * sample) + 2] = 0.5 * (0.5 + f) * (0.5 + f);
+            _firstCoefficient[sample] = (int)nearest + 1;
+            _weights[3 * sample] = 0.5 * (0.5 - f) * (0.5 - f);
+            _weights[(3 * sample) + 1] = 0.75 - (f * f);
+            _weights[(3 * sample) + 2] = 0.5 * (0.5 + f) * (0.5 + f);
         }
     }
 
@@ -52,8 +52,8 @@ internal sealed class PixelMeanKernel
             int centre = (k / 2) + 2;
             double M(int offset, ReadOnlySpan<double> values) => values[(centre + offset) * step];
             coefficients[k * step] = k % 2 == 0
-                ? (taps[0] * M(0, means)) + (taps[2] * (M(-1, means) + M(1, means))) + (taps[4] * (M(-2, means) + M(2, means)))
-                : (taps[1] * (M(0, means) + M(1, means))) + (taps[3] * (M(-1, means) + M(2, means))) + (taps[5] * (M(-2, means) + M(3, means)));
+                ? (_taps[0] * M(0, means)) + (_taps[2] * (M(-1, means) + M(1, means))) + (_taps[4] * (M(-2, means) + M(2, means)))
+                : (_taps[1] * (M(0, means) + M(1, means))) + (_taps[3] * (M(-1, means) + M(2, means))) + (_taps[5] * (M(-2, means) + M(3, means)));
         }
     }
 
@@ -61,7 +61,7 @@ internal sealed class PixelMeanKernel
     /// <param name="pixel">Counted from the first one of the run.</param>
     /// <param name="sample">0 to n - 1 inside the pixel.</param>
     public (int First, double Weight0, double Weight1, double Weight2) At(int pixel, int sample) =>
-        ((2 * pixel) + firstCoefficient[sample], weights[3 * sample], weights[(3 * sample) + 1], weights[(3 * sample) + 2]);
+        ((2 * pixel) + _firstCoefficient[sample], _weights[3 * sample], _weights[(3 * sample) + 1], _weights[(3 * sample) + 2]);
 
     // Unknown weights h0..h5 of the splines 0..5 half pixels away. tail: mean over the neighbour pixel of the spline at a pixel's centre;
     // variance: mean of x^2 over a pixel's midpoints. The equations: sums over even and odd splines are 1; parabolas; means 0 two and three pixels away.

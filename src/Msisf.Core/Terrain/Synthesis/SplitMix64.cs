@@ -9,9 +9,9 @@ internal struct SplitMix64
 {
     private const ulong Step = 0x9E37_79B9_7F4A_7C15;
 
-    private ulong state;
+    private ulong _state;
 
-    private SplitMix64(ulong state) => this.state = state;
+    private SplitMix64(ulong state) => _state = state;
 
     /// <summary>The run of one place.</summary>
     /// <param name="seed">The user's seed.</param>
@@ -30,8 +30,8 @@ internal struct SplitMix64
     /// <summary>64 random bits.</summary>
     public ulong NextBits()
     {
-        state += Step;
-        return Mix(state);
+        _state += Step;
+        return Mix(_state);
     }
 
     /// <summary>A number in [0, 1), a multiple of 2^-53.</summary>

@@ -20,7 +20,7 @@ internal sealed class SyntheticShape : IElevationGrid
     private const double LavaLevel = -2000.0; // m
     private const double LimitHeight = 4200.0; // m: smooth limit, so that with craters no seed leaves the Moon's range
 
-    private readonly double[] radii = new double[Lines * Samples];
+    private readonly double[] _radii = new double[Lines * Samples];
 
     /// <summary>Makes the shape of a seed.</summary>
     public SyntheticShape(ulong seed)
@@ -54,7 +54,7 @@ internal sealed class SyntheticShape : IElevationGrid
 
             for (int sample = 0; sample < Samples; sample++)
             {
-                radii[(line * Samples) + sample] = MoonConstants.ReferenceRadius + Limited(Flooded(lows[sample], maria[sample]) + hills[sample]);
+                _radii[(line * Samples) + sample] = MoonConstants.ReferenceRadius + Limited(Flooded(lows[sample], maria[sample]) + hills[sample]);
             }
         }
     }
@@ -70,7 +70,7 @@ internal sealed class SyntheticShape : IElevationGrid
     {
         for (int i = 0; i < radii.Length; i++)
         {
-            radii[i] = this.radii[(line * Samples) + ((firstSample + i) % Samples)];
+            radii[i] = _radii[(line * Samples) + ((firstSample + i) % Samples)];
         }
     }
 
@@ -83,7 +83,7 @@ internal sealed class SyntheticShape : IElevationGrid
         {
             for (int sample = firstSample; sample < firstSample + samples; sample++)
             {
-                double radius = radii[(line * Samples) + (sample % Samples)];
+                double radius = _radii[(line * Samples) + (sample % Samples)];
                 minimum = Math.Min(minimum, radius);
                 maximum = Math.Max(maximum, radius);
             }

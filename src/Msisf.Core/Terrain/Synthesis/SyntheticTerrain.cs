@@ -24,7 +24,7 @@ public sealed class SyntheticTerrain
     // Without a base all craters are ours; larger ones would be basins, which the shape's lows stand for.
     private const double LargestCraterWithoutBase = 120_000.0; // m
 
-    private readonly CraterPopulation craters;
+    private readonly CraterPopulation _craters;
 
     /// <summary>Prepares a model: reads the base once, coarsely, for its maria and its slopes.</summary>
     /// <param name="pixelsPerDegree">1 to <see cref="LargestResolution"/>; with a base, an even multiple of its resolution.</param>
@@ -50,7 +50,7 @@ public sealed class SyntheticTerrain
         double spacing = ModelSlopes.Spacing(pixelsPerDegree);
         double baseSpacing = ModelSlopes.Spacing(model.PixelsPerDegree);
         Octaves = DetailSpectrum.Octaves(seed, baseSpacing, spacing, ModelSlopes.Of(model, Maria));
-        craters = new CraterPopulation(
+        _craters = new CraterPopulation(
             seed,
             Maria,
             SmallestCraterInSamples * spacing,
@@ -79,7 +79,7 @@ public sealed class SyntheticTerrain
     internal IReadOnlyList<NoiseOctave> Octaves { get; }
 
     /// <summary>The craters that may reach into a frame.</summary>
-    internal IEnumerable<Crater> CratersNear(TileFrame frame) => craters.Near(
+    internal IEnumerable<Crater> CratersNear(TileFrame frame) => _craters.Near(
         90.0 - ((double)(frame.FirstLine + frame.Lines) / PixelsPerDegree),
         90.0 - ((double)frame.FirstLine / PixelsPerDegree),
         (double)frame.FirstSample / PixelsPerDegree,
