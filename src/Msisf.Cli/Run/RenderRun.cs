@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Metadata;
@@ -79,9 +80,27 @@ internal sealed class RenderRun : IDisposable
             _settings.Width, _settings.Height, _settings.Annotate, FrameLoop.AtOnce(frames.Length, _settings.Jobs, cores), _settings.OutputFolder);
         ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), model.Grid);
         FrameRenderer renderer = new(_settings, model, patterns, povRay, _host.Identity, _times);
-        using IRunProgress progress = RunProgress.Start("Frames", frames.Length, _settings.Unattended, _host.Log, _host.Clock);
-        FrameLoop loop = new(renderer.RenderAsync, progress, _host.Results, _host.Log);
-        return await loop.RunAsync(frames, _settings.Jobs, cores, cancellation).ConfigureAwait(false);
+
+        // A bar overwrites what is printed on its terminal: errors and paths follow when it is done.
+        bool hasBar = RunProgress.DrawsBar(frames.Length, _settings.Unattended);
+        bool isPrintedLater = hasBar && !Console.IsOutputRedirected;
+        using StringWriter later = new(CultureInfo.InvariantCulture);
+        using StringWriter laterErrors = new(CultureInfo.InvariantCulture);
+        try
+        {
+            using IRunProgress progress = RunProgress.Start("Frames", frames.Length, _settings.Unattended, _host.Log, _host.Clock);
+            FrameLoop loop = new(renderer.RenderAsync, progress, isPrintedLater ? later : _host.Results, hasBar ? new Log(laterErrors) : _host.Log);
+            return await loop.RunAsync(frames, _settings.Jobs, cores, cancellation).ConfigureAwait(false);
+        }
+        finally
+        {
+            if (laterErrors.ToString() is { Length: > 0 } errors)
+            {
+                _host.Log.Raw(errors.TrimEnd());
+            }
+
+            _host.Results.Write(later.ToString());
+        }
     }
 
     private static void CreateFolder(string folder)
