@@ -5,7 +5,7 @@ namespace Msisf.Cli.Tests;
 
 /// <summary>
 /// The table of wrong inputs: each ends with its exit code and with one line that says what is wrong and where, without a
-/// stack trace and without an output. Words are separated by blanks; a word may not hold one, but for "_", which stands for it.
+/// stack trace and without an output.
 /// </summary>
 public sealed class WrongInputTests : IDisposable
 {
@@ -123,9 +123,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("--batch-file .", 2, "is a folder")]
     [InlineData($"{Fixed} --kernels missing.tm", 2, "missing.tm")]
     [InlineData($"{Fixed} --ldem missing.lbl --ephemeris builtin", 2, "missing.lbl")]
-    [InlineData($"{Fixed} --pov-path missing-folder --ephemeris builtin", 3, "missing-folder")]
     [InlineData("--fixed-state {10000,2E6,2E6,0,0,0,0,1} --ephemeris builtin", 3, "cover")]
-    [InlineData("--fixed-state {55289,1.7E6,0,0,0,0,0,1} --ephemeris builtin", 2, "the camera is inside the Moon")]
     [InlineData("patterns --res x", 2, "--res is 'x'")]
     [InlineData("patterns --margin -1", 2, "--margin")]
     [InlineData("patterns --format obj", 2, "--format")]
@@ -139,18 +137,15 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("ldem synthesize --res 0 --seed 1", 2, "--res is '0'")]
     [InlineData("ldem synthesize --res 4 --seed x", 2, "--seed is 'x'")]
     [InlineData("ldem synthesize --res 4 --seed 1 --region 1:2", 2, "error: --region 1:2: ")]
-    public void Run_WrongArguments_EndWithCodeAndOneLine(string words, int exitCode, string message)
-    {
-        string[] arguments = [.. words.Split(' ').Select(word => word.Replace('_', ' '))];
+    public void Run_WrongArguments_EndWithCodeAndOneLine(string words, int exitCode, string message) =>
+        AssertRefused(words.Split(' '), exitCode, message);
 
-        CommandLineRun run = CommandLineRun.Of(WithOutputFolder(arguments));
-
-        Assert.True(exitCode == run.ExitCode, $"exit code {run.ExitCode}, expected {exitCode}: {run.Error}");
-        string error = Assert.Single(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), line => line.StartsWith("msis: error: ", StringComparison.Ordinal));
-        Assert.Contains(message, error, StringComparison.Ordinal);
-        Assert.DoesNotContain("   at ", run.Error, StringComparison.Ordinal);
-        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
-    }
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData($"{Fixed} --pov-path missing-folder", 3, "missing-folder")]
+    [InlineData("--fixed-state {55289,1.7E6,0,0,0,0,0,1}", 2, "the camera is inside the Moon")]
+    [InlineData("--fixed-state {55289,0,0,-1.7E6,0,0,0,1} --list-patterns", 2, "the camera is inside the Moon")]
+    public void Run_WrongArgumentsThatTheModelShows_EndWithCodeAndOneLine(string words, int exitCode, string message) =>
+        AssertRefused([.. words.Split(' '), "--ephemeris", "builtin", "--ldem", TestParts.Ldem4Label!], exitCode, message);
 
     [Theory]
     [InlineData("55289 2E6 2E6 0 0 0 0", 2, "standard input, line 1", "7 numbers, 8 expected")]
@@ -167,6 +162,17 @@ public sealed class WrongInputTests : IDisposable
         Assert.True(exitCode == run.ExitCode, $"exit code {run.ExitCode}: {run.Error}");
         Assert.Contains(place, run.Error, StringComparison.Ordinal);
         Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
+    }
+
+    private void AssertRefused(string[] arguments, int exitCode, string message)
+    {
+        CommandLineRun run = CommandLineRun.Of(WithOutputFolder(arguments));
+
+        Assert.True(exitCode == run.ExitCode, $"exit code {run.ExitCode}, expected {exitCode}: {run.Error}");
+        string error = Assert.Single(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), line => line.StartsWith("msis: error: ", StringComparison.Ordinal));
+        Assert.Contains(message, error, StringComparison.Ordinal);
+        Assert.DoesNotContain("   at ", run.Error, StringComparison.Ordinal);
         Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
     }
 

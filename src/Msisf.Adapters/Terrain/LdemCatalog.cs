@@ -37,7 +37,7 @@ public static class LdemCatalog
 
         throw new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", places)}: put LDEM_{pixelsPerDegree}.LBL and .IMG there, name them with --ldem, or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree}'."));
+            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", places)}: put LDEM_{pixelsPerDegree}.LBL and .IMG there, name them with --ldem, or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree} --seed 1'."));
     }
 
     /// <summary>The label of a named model.</summary>

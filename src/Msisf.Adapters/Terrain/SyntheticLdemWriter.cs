@@ -61,7 +61,11 @@ public static class SyntheticLdemWriter
         }
         finally
         {
-            File.Delete(temporary);
+            // Not of a folder that could not be made: deleting there throws.
+            if (File.Exists(temporary))
+            {
+                File.Delete(temporary);
+            }
         }
     }
 

@@ -33,7 +33,7 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         MoonRegion region = MoonRegion.Parse(text);
         SyntheticLdemOptions options = Options(Resolution, "whole") with
         {
-            Base = baseResolution is { } resolution ? FormulaElevationGrid.Rough(resolution) : null,
+            Base = baseResolution is { } resolution ? FunctionGrid.Hilly(resolution) : null,
         };
         byte[] whole = Image(options);
         byte[] part = Image(options with { Region = region });
@@ -137,7 +137,7 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
     [Fact]
     public void Write_HeightsBeyond16Bits_SaysWhere()
     {
-        SyntheticLdemOptions options = Options(8, ".") with { Base = new FormulaElevationGrid(4, (_, _) => 17_000.0) };
+        SyntheticLdemOptions options = Options(8, ".") with { Base = FunctionGrid.OfHeights(4, (_, _) => 17_000.0) };
         BadInputException exception = Assert.Throws<BadInputException>(() => SyntheticLdemWriter.Write(options, null, CancellationToken.None));
         Assert.Contains("does not fit 16 bits", exception.Message, StringComparison.Ordinal);
         Assert.Empty(Directory.GetFiles(_folder));

@@ -34,6 +34,37 @@ public sealed class TerrainHeightTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4
         Assert.Equal(row.Average(), TerrainHeight.RadiusBelow(ldem4.Grid, new Vector3D(0.0, 0.0, 3.0)), 1e-6);
     }
 
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData(0.0)]
+    [InlineData(1e-300)]
+    [InlineData(1.3e-10)]
+    [InlineData(1e-6)]
+    [InlineData(1e-3)]
+    [InlineData(1.0)]
+    public void RadiusBelow_NextToAPole_IsTheFansRadius(double offset)
+    {
+        foreach (double z in (double[])[-2.2e6, 1.9e6])
+        {
+            double pole = TerrainHeight.RadiusBelow(ldem4.Grid, new Vector3D(0.0, 0.0, z));
+            for (double angle = 0.0; angle < 6.3; angle += 0.1)
+            {
+                Vector3D position = new(offset * Math.Cos(angle), offset * Math.Sin(angle), z);
+                Assert.Equal(pole, TerrainHeight.RadiusBelow(ldem4.Grid, position), 1.0);
+            }
+        }
+    }
+
+    [Fact]
+    public void RadiusBelow_FinestModelBesideThePole_IsOnItsNarrowFacets()
+    {
+        FunctionGrid sphere = new(1024, (_, _) => 1_737_400.0);
+        for (double offset = 0.1; offset < 1000.0; offset *= 1.37)
+        {
+            double radius = TerrainHeight.RadiusBelow(sphere, new Vector3D(-offset, 0.7 * offset, -1.9e6));
+            Assert.InRange(radius, 1_737_399.99, 1_737_400.0 + 1e-6);
+        }
+    }
+
     [RequiresFact(Part.Ldem4)]
     public void RadiusBelow_OnASample_IsTheSample()
     {

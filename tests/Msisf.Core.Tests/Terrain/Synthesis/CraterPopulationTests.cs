@@ -7,7 +7,7 @@ namespace Msisf.Core.Tests.Terrain.Synthesis;
 public sealed class CraterPopulationTests
 {
     private const double PoissonSigmas = 4.0; // one false alarm in 16,000 bins
-    private static readonly MareMask NoMaria = new(new FormulaElevationGrid(1, (_, _) => 0.0), CancellationToken.None);
+    private static readonly MareMask NoMaria = new(FunctionGrid.OfHeights(1, (_, _) => 0.0), CancellationToken.None);
 
     [Fact]
     public void Near_WholeHighlandsMoon_FollowsTraskInEveryBin()
@@ -55,7 +55,7 @@ public sealed class CraterPopulationTests
     [Fact]
     public void Near_Mare_HasTheProductionOfItsAge()
     {
-        MareMask maria = new(FormulaElevationGrid.HighlandsAndMare(1), CancellationToken.None);
+        MareMask maria = new(FunctionGrid.HighlandsAndMare(1), CancellationToken.None);
         Crater[] craters = [.. new CraterPopulation(seed: 8, maria, smallest: 1000.0, largest: 2000.0).Near(-10.0, 10.0, 350.0, 20.0)
             .Where(crater => Math.Abs(crater.LatitudeDegrees) < 10.0 && Math.Abs(Math.IEEERemainder(crater.LongitudeDegrees, 360.0)) < 10.0)];
         double km2 = 1737.4 * 1737.4 * (20.0 * Math.PI / 180.0) * 2.0 * Math.Sin(10.0 * Math.PI / 180.0);

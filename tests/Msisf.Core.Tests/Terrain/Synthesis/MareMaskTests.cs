@@ -6,7 +6,7 @@ namespace Msisf.Core.Tests.Terrain.Synthesis;
 
 public sealed class MareMaskTests
 {
-    private static readonly MareMask Mask = new(FormulaElevationGrid.HighlandsAndMare(2), CancellationToken.None);
+    private static readonly MareMask Mask = new(FunctionGrid.HighlandsAndMare(2), CancellationToken.None);
 
     [Theory]
     [InlineData(-2500.0, 1.0, 1.0)] // Mare Imbrium

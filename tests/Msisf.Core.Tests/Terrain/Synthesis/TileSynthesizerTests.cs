@@ -22,7 +22,7 @@ public sealed class TileSynthesizerTests
     public void Synthesize_WithBase_KeepsTheBasesPixelMeans(int pixelLine, int pixel)
     {
         const int Ratio = 4;
-        FormulaElevationGrid baseModel = FormulaElevationGrid.Rough(4);
+        FunctionGrid baseModel = FunctionGrid.Hilly(4);
         if (pixelLine == 0)
         {
             pixelLine = 81; // 69.6 degrees north: the last lines but one whose means are kept
@@ -54,7 +54,7 @@ public sealed class TileSynthesizerTests
     [InlineData(false, 1400, 5740)]
     public void Synthesize_OtherBlocks_GiveTheSameBits(bool withBase, int firstLine, int firstSample)
     {
-        SyntheticTerrain terrain = new(16, 1, withBase ? FormulaElevationGrid.Rough(4) : null);
+        SyntheticTerrain terrain = new(16, 1, withBase ? FunctionGrid.Hilly(4) : null);
         float[] whole = Block(terrain, firstLine, 60, firstSample, 20);
         float[] part = Block(terrain, firstLine + 13, 40, firstSample + 3, 9);
         for (int line = 0; line < 40; line++)
@@ -69,7 +69,7 @@ public sealed class TileSynthesizerTests
     public void Synthesize_AtPrimeMeridianAndPole_IsAsSmoothAsElsewhere(bool withBase)
     {
         const int Resolution = 16;
-        SyntheticTerrain terrain = new(Resolution, 4, withBase ? new FormulaElevationGrid(4, (_, _) => 0.0) : null);
+        SyntheticTerrain terrain = new(Resolution, 4, withBase ? FunctionGrid.OfHeights(4, (_, _) => 0.0) : null);
         float[] west = Block(terrain, 80 * Resolution, 512, (360 * Resolution) - 32, 32);
         float[] east = Block(terrain, 80 * Resolution, 512, 0, 32);
         double elsewhere = Rms(Enumerable.Range(0, 512).Select(line => east[(line * 32) + 16] - east[(line * 32) + 15]));
@@ -91,7 +91,7 @@ public sealed class TileSynthesizerTests
     {
         const int Resolution = 64;
         const int Side = 3 * Resolution;
-        SyntheticTerrain terrain = new(Resolution, 11, FormulaElevationGrid.HighlandsAndMare(4));
+        SyntheticTerrain terrain = new(Resolution, 11, FunctionGrid.HighlandsAndMare(4));
         float[] heights = Block(terrain, 88 * Resolution, Side, mare ? 10 * Resolution : 170 * Resolution, Side);
         Assert.InRange(MedianSlopeDegrees(heights, Side, Resolution), (1.0 - SlopeLawPart) * expectedDegrees, (1.0 + SlopeLawPart) * expectedDegrees);
     }
@@ -99,7 +99,7 @@ public sealed class TileSynthesizerTests
     [Fact]
     public void Synthesize_OtherSeed_IsOtherTerrain()
     {
-        FormulaElevationGrid baseModel = FormulaElevationGrid.HighlandsAndMare(4);
+        FunctionGrid baseModel = FunctionGrid.HighlandsAndMare(4);
         float[] one = Block(new SyntheticTerrain(32, 1, baseModel), 2880, 64, 5000, 64);
         float[] two = Block(new SyntheticTerrain(32, 2, baseModel), 2880, 64, 5000, 64);
         double correlation = one.Zip(two, (a, b) => (double)a * b).Sum()
