@@ -152,7 +152,8 @@ final class LdemVerifier
                 if ($found[$i][$field] !== $value) {
                     [$is, $should] = $field === 8 ? [bin2hex((string) $found[$i][8]), bin2hex($value)] : [$found[$i][$field], $value];
 
-                    return new BadInputException("$table, row_index $row, col_index $fields[1]: $names[$field] is $is, $should expected by the file. Import it again with --replace.");
+                    return new BadInputException("$table, row_index $row, col_index $fields[1]: $names[$field] is $is, $should expected"
+                        . ' by the file. Import it again with --replace.');
                 }
             }
         }
