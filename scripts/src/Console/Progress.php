@@ -42,7 +42,8 @@ final class Progress
             $this->toldAt = $now;
             $rate = ($done - $this->alreadyDone) / ($now - $this->startedAt);
             $left = $rate > 0.0 ? ', ' . self::duration(($this->total - $done) / $rate) . ' left' : '';
-            $this->tell(sprintf('%d of %d %s (%d %%), %d/s%s', $done, $this->total, $this->what, intdiv(100 * $done, $this->total), (int) $rate, $left));
+            $percent = intdiv(100 * $done, $this->total);
+            $this->tell(sprintf('%d of %d %s (%d %%), %d/s%s', $done, $this->total, $this->what, $percent, (int) $rate, $left));
         }
     }
 

@@ -20,6 +20,7 @@ final class DatabaseFailure
         1044 => 'The user lacks rights; docs/database.md lists those that are needed.',
         1045 => 'Check user and password in the option file or in MSISF_DB_USER and MSISF_DB_PASSWORD.',
         1049 => 'Make it with ldem_mysql_insert.php --create, as a user who may.',
+        1062 => 'Something else has written to the table: drop it, and import its products again.',
         1114 => 'The server\'s disk or tablespace is full. Make room and run this again: it goes on where it stopped.',
         1142 => 'The user lacks rights; docs/database.md lists those that are needed.',
         1146 => 'Import the elevation model first (ldem_mysql_insert.php).',

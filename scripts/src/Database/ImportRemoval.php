@@ -41,9 +41,11 @@ final class ImportRemoval
         $kept = null;
         foreach ($present as $record) {
             $isSameProduct = $record->productId === $wanted->productId;
+            // A complete product is only replaced by itself to mend its table; one that is not goes on, also with --replace.
+            $isToBeMended = $replace && $record->state === ImportState::Complete;
             if ($record->state === ImportState::Removing) {
                 $this->remove($record, $resolution);
-            } elseif ($isSameProduct && $record->isOfSameFiles($wanted)) {
+            } elseif ($isSameProduct && $record->isOfSameFiles($wanted) && !$isToBeMended) {
                 $kept = $record;
             } elseif ($replace && ($isSameProduct || $record->overlaps($wanted))) {
                 $this->remove($record, $resolution);

@@ -4,6 +4,7 @@ declare(strict_types=1);
 
 namespace Msisf\Scripts\Database;
 
+use LogicException;
 use Msisf\Scripts\Console\Output;
 use Msisf\Scripts\Console\Progress;
 use Msisf\Scripts\Exception\BadInputException;
@@ -143,7 +144,7 @@ final class LdemVerifier
         $table = $resolution->table();
         if (count($found) !== count($expected)) {
             return new BadInputException("$table, row_index $row: " . count($found) . " rows of $record->productId, " . count($expected)
-                . ' expected. Something has changed the table: import again with --replace after deleting its row in ' . Schema::IMPORTS . '.');
+                . ' expected. Something has changed the table: import it again with --replace.');
         }
         $names = ['row_index', 'col_index', 'latitude', 'longitude', 'planetary_radius', 'x', 'y', 'z', 'point'];
         foreach ($expected as $i => $fields) {
@@ -151,15 +152,16 @@ final class LdemVerifier
                 if ($found[$i][$field] !== $value) {
                     [$is, $should] = $field === 8 ? [bin2hex((string) $found[$i][8]), bin2hex($value)] : [$found[$i][$field], $value];
 
-                    return new BadInputException("$table, row_index $row, col_index $fields[1]: $names[$field] is $is, $should expected by the file.");
+                    return new BadInputException("$table, row_index $row, col_index $fields[1]: $names[$field] is $is, $should expected"
+                        . ' by the file. Import it again with --replace.');
                 }
             }
         }
 
-        return new BadInputException("$table, row_index $row: the rows differ from the file.");
+        throw new LogicException('The lines do not differ.');
     }
 
-    /** No row belongs to nothing. */
+    /** @throws BadInputException a row belongs to no product */
     private function checkCount(Resolution $resolution): void
     {
         $expected = 0;

@@ -24,7 +24,9 @@ enum LoaderChoice: string
             return new LocalFileLoader($connection);
         }
         if ($this === self::LocalFile) {
-            throw ExternalPartException::database('the server does not allow LOAD DATA LOCAL (local_infile is off). Turn it on, or give --load=auto.');
+            throw ExternalPartException::database(
+                'the server does not allow LOAD DATA LOCAL (local_infile is off). Turn it on, or give --load=auto.'
+            );
         }
 
         return new InsertLoader($connection);

@@ -44,7 +44,11 @@ final class OptionFile
             if (preg_match('/^\[([^\]]+)\]$/', $line, $group) === 1) {
                 $isClient = $group[1] === 'client';
             } elseif ($line[0] === '!' || preg_match('/^([\w-]+)\s*(?:=\s*(.*))?$/s', $line, $option) !== 1) {
-                throw BadInputException::atLine($path, $index + 1, "neither [group] nor name=value. Keep the connection in a file of its own, without !include.");
+                throw BadInputException::atLine(
+                    $path,
+                    $index + 1,
+                    'neither [group] nor name=value. Keep the connection in a file of its own, without !include.'
+                );
             } elseif ($isClient && in_array($option[1], self::KNOWN, true)) {
                 $values[$option[1]] = self::unquoted($option[2] ?? '');
             }

@@ -26,7 +26,8 @@ final class ServerVersion
     {
         // Old MariaDB servers put 5.5.5- before their version for the sake of old MySQL clients.
         if (preg_match('/^(?:5\.5\.5-)?([0-9]+\.[0-9]+\.[0-9]+)([^0-9].*)?$/Ds', $text, $parts) !== 1) {
-            throw ExternalPartException::database("the server says that its version is '" . substr(addcslashes($text, "\0..\37"), 0, 60) . "'; " . self::need());
+            $shown = substr(addcslashes($text, "\0..\37"), 0, 60);
+            throw ExternalPartException::database("the server says that its version is '$shown'; " . self::need());
         }
         $isMariaDb = stripos($parts[2] ?? '', 'mariadb') !== false;
         $least = $isMariaDb ? self::LEAST_MARIADB : self::LEAST_MYSQL;
