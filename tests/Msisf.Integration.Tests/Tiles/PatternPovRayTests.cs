@@ -41,7 +41,7 @@ public sealed partial class PatternPovRayTests : IDisposable
         StringBuilder scene = new("#version 3.7;\n#declare moon = texture { pigment { color rgb 1 } }\ncamera { location 0 look_at z }\n#declare All = union {\n");
         foreach (string path in patterns.Paths)
         {
-            scene.Append(CultureInfo.InvariantCulture, $"#include \"{path}\"\n");
+            scene.Append(CultureInfo.InvariantCulture, $"#include \"{Path.GetRelativePath(_folder.Path, path)}\"\n");
         }
 
         scene.Append("}\n#declare N = <0,0,0>;\n");
@@ -79,7 +79,7 @@ public sealed partial class PatternPovRayTests : IDisposable
     private Vector3D[] Trace(string scene)
     {
         File.WriteAllText(_folder["trace.pov"], scene);
-        ProcessStartInfo start = new(TestParts.Program("povray")!, ["+I" + _folder["trace.pov"], "-D", "-F", "+W1", "+H1"])
+        ProcessStartInfo start = new(TestParts.Program("povray")!, ["+Itrace.pov", "-D", "-F", "+W1", "+H1"])
         {
             RedirectStandardError = true,
             WorkingDirectory = _folder.Path,
