@@ -33,8 +33,8 @@ internal sealed class RenderRun : IDisposable
         if (_ephemeris is null)
         {
             Installation installation = _host.Installation;
-            _ephemeris = _times.Measure(Phase.Sun, () => EphemerisFactory.Open(new EphemerisRequest(
-                _settings.Ephemeris, [_settings.Kernels ?? installation.MetaKernel], installation.Root, _host.Environment("MSISF_CSPICE"))));
+            _ephemeris = EphemerisFactory.Open(new EphemerisRequest(
+                _settings.Ephemeris, [_settings.Kernels ?? installation.MetaKernel], installation.Root, _host.Environment("MSISF_CSPICE")));
             _host.Log.Note(_ephemeris.Notice);
         }
 
@@ -77,7 +77,10 @@ internal sealed class RenderRun : IDisposable
         CreateFolder(_settings.OutputFolder);
         int cores = Environment.ProcessorCount;
         ResourceCheck.Check(
-            _settings.Width, _settings.Height, _settings.Annotate, FrameLoop.AtOnce(frames.Length, _settings.Jobs, cores), _settings.OutputFolder);
+            _settings,
+            FrameLoop.AtOnce(frames.Length, _settings.Jobs, cores),
+            GC.GetGCMemoryInfo().TotalAvailableMemoryBytes,
+            new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
         ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), model.Grid);
         FrameRenderer renderer = new(_settings, model, patterns, povRay, _host.Identity, _times);
 

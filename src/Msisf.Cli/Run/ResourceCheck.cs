@@ -1,4 +1,6 @@
 using System.Globalization;
+using Msisf.Cli.Options;
+using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Run;
@@ -18,34 +20,41 @@ internal static class ResourceCheck
     /// <summary>Bytes of a pixel on disk at worst: POV-Ray's buffer file, its PNG, and our copy.</summary>
     private const long DiskBytesPerPixel = PovRayBytesPerPixel + 3 + 3;
 
-    /// <summary>Checks one picture's size times the pictures made at once.</summary>
-    /// <param name="width">px.</param>
-    /// <param name="height">px.</param>
-    /// <param name="annotate">With a second, annotated picture.</param>
+    /// <summary>Bytes of a grid point in the meta file: the text of one Pixel element.</summary>
+    private const long MetaBytesPerPoint = 240;
+
+    /// <summary>Checks one picture's size times the pictures made at once. The meta file is streamed: it needs disk, but no memory.</summary>
+    /// <param name="settings">Size, grid and annotation of the pictures.</param>
     /// <param name="atOnce">Pictures made side by side.</param>
-    /// <param name="outputFolder">Existing folder that takes the files.</param>
+    /// <param name="memoryThere">Bytes of memory that can be used.</param>
+    /// <param name="diskThere">Bytes that are free in the folder of the outputs.</param>
     /// <exception cref="BadInputException">Memory or disk do not suffice.</exception>
-    public static void Check(int width, int height, bool annotate, int atOnce, string outputFolder)
+    public static void Check(RenderSettings settings, int atOnce, long memoryThere, long diskThere)
     {
-        long pixels = (long)width * height;
-        long memory = atOnce * (Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels) + (annotate ? AnnotationBytesPerPixel * pixels : 0));
-        long memoryThere = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
-        Refuse("memory", width, height, memory, memoryThere);
-        long disk = atOnce * DiskBytesPerPixel * pixels;
-        Refuse($"free disk space in {outputFolder}", width, height, disk, new DriveInfo(Path.GetFullPath(outputFolder)).AvailableFreeSpace);
+        long pixels = (long)settings.Width * settings.Height;
+        long memory = atOnce * (Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels) + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0));
+        Refuse(settings, "memory", "Use a smaller --width and --height, or fewer --jobs.", memory, memoryThere);
+        PixelGrid grid = new(settings.Width, settings.Height, settings.GridHorizontal, settings.GridVertical);
+        long disk = atOnce * ((DiskBytesPerPixel * pixels) + (MetaBytesPerPoint * grid.Columns * grid.Rows));
+        Refuse(
+            settings,
+            $"free disk space in {settings.OutputFolder}",
+            "Use a smaller --width and --height, a wider --grid, or another --output-dir.",
+            disk,
+            diskThere);
     }
 
-    private static string Size(long bytes) => bytes >= 1 << 20
-        ? string.Create(CultureInfo.InvariantCulture, $"{bytes >> 20} MiB")
-        : string.Create(CultureInfo.InvariantCulture, $"{bytes} bytes");
-
-    private static void Refuse(string what, int width, int height, long needed, long there)
+    private static void Refuse(RenderSettings settings, string what, string remedy, long needed, long there)
     {
         if (needed > there)
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"a picture of {width} x {height} px needs {Size(needed)} of {what}, {Size(there)} are there. Use a smaller --width and --height, or fewer --jobs."));
+                $"a picture of {settings.Width} x {settings.Height} px with its meta file needs {Size(needed)} of {what}, {Size(there)} are there. {remedy}"));
         }
     }
+
+    private static string Size(long bytes) => bytes >= 1 << 20
+        ? string.Create(CultureInfo.InvariantCulture, $"{bytes >> 20} MiB")
+        : string.Create(CultureInfo.InvariantCulture, $"{bytes} bytes");
 }
