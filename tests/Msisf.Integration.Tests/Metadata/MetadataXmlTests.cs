@@ -63,7 +63,7 @@ public sealed class MetadataXmlTests : IDisposable
         string path = WriteFiles(frame, spacing);
 
         Assert.Equal((0, string.Empty), Xmllint("--valid", path));
-        Assert.Equal((0, string.Empty), Xmllint("--dtdvalid", Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd"), path));
+        Assert.Equal((0, string.Empty), Xmllint("--dtdvalid", new Uri(Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd")).AbsoluteUri, path));
     }
 
     private string WriteFiles(FrameMetadata frame, int spacing)
