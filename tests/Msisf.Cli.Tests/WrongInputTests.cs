@@ -79,6 +79,8 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --pov-options +W64", 1, "+W64 is set by msis itself")]
     [InlineData($"{Fixed} --pov-options +SC0.5", 1, "+SC0.5 is set by msis itself")]
     [InlineData($"{Fixed} --pov-options +KFF3", 1, "+KFF3 is set by msis itself")]
+    [InlineData($"{Fixed} --pov-options -J --fov 0", 2, "--fov is 0")]
+    [InlineData($"{Fixed} --ldem -b", 1, "'-b' after --ldem")]
     [InlineData($"{Fixed} --pov-options fast", 1, "'fast' is no POV-Ray option")]
     [InlineData($"{Fixed} --output-name sub/name", 2, "without folders")]
     [InlineData($"{Fixed} --output-name {{frame}}", 2, "a field is {step} or {mjd}")]

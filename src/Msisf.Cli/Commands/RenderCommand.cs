@@ -42,7 +42,7 @@ internal static class RenderCommand
         ProgramHost host,
         CancellationToken cancellation)
     {
-        StrayOptions.Refuse(line);
+        StrayOptions.Refuse(line, run.PovOptions);
         if (ModeRules.Check(modeOptions, option => line.GetResult(option) is { Implicit: false }) is not Mode mode)
         {
             new HelpAction().Invoke(line);

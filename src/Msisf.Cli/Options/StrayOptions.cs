@@ -8,8 +8,10 @@ namespace Msisf.Cli.Options;
 internal static class StrayOptions
 {
     /// <summary>Checks a parsed line.</summary>
+    /// <param name="line">The line.</param>
+    /// <param name="takesSwitches">The option, if there is one, whose value is itself made of switches such as -J.</param>
     /// <exception cref="UsageException">An option twice, or one that does not belong to the command.</exception>
-    public static void Refuse(ParseResult line)
+    public static void Refuse(ParseResult line, Option? takesSwitches = null)
     {
         foreach (OptionResult option in OptionsOf(line.CommandResult))
         {
@@ -19,7 +21,7 @@ internal static class StrayOptions
             }
 
             // A value in braces takes all words up to the next option, and so a misspelt option too.
-            if (option.Tokens.Select(token => token.Value).FirstOrDefault(IsNoValue) is string word)
+            if (option.Option != takesSwitches && option.Tokens.Select(token => token.Value).FirstOrDefault(IsNoValue) is string word)
             {
                 throw new UsageException($"Unrecognized option '{word}' after {option.Option.Name}. See msis --help.");
             }
@@ -36,7 +38,12 @@ internal static class StrayOptions
     }
 
     private static bool IsNoValue(string word) =>
-        word.StartsWith("--", StringComparison.Ordinal) || (word.Length > 1 && word[0] == '-' && char.IsAsciiLetter(word[1]) && !word.StartsWith("-Inf", StringComparison.OrdinalIgnoreCase) && !word.StartsWith("-NaN", StringComparison.OrdinalIgnoreCase));
+        word.StartsWith("--", StringComparison.Ordinal)
+        || (word.Length > 1 && word[0] == '-' && char.IsAsciiLetter(word[1]) && !IsNotFiniteByName(word));
+
+    /// <summary>Such a "number" gets the message of the numbers.</summary>
+    private static bool IsNotFiniteByName(string word) =>
+        word.StartsWith("-Inf", StringComparison.OrdinalIgnoreCase) || word.StartsWith("-NaN", StringComparison.OrdinalIgnoreCase);
 
     private static IEnumerable<OptionResult> OptionsOf(CommandResult command) =>
         command.Children.OfType<OptionResult>().Where(option => !option.Implicit);
