@@ -43,9 +43,6 @@ public readonly record struct ModifiedJulianDate
     /// <summary>Seconds since the day began, [0, 86400); exact, as the fraction of a double is.</summary>
     public double SecondsOfDay => (Days - Math.Floor(Days)) * 86400.0;
 
-    /// <summary>The calendar day.</summary>
-    public DateOnly CalendarDay => DateOnly.FromDateTime(DayZero.AddDays(DayNumber));
-
     /// <summary>Seconds from <paramref name="epoch"/> to this time, leap seconds left out (thesis eq. 6.1).</summary>
     public double SecondsSince(ModifiedJulianDate epoch) =>
         (86400.0 * ((double)DayNumber - epoch.DayNumber)) + (SecondsOfDay - epoch.SecondsOfDay);

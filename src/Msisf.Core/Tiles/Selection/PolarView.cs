@@ -41,9 +41,6 @@ internal sealed class PolarView
     /// <summary>Azimuth of a direction, rad in (-pi, pi].</summary>
     public double AzimuthOf(Vector3D direction) => Math.Atan2(Vector3D.Dot(direction, _north), Vector3D.Dot(direction, _east));
 
-    /// <summary>Cosine of a unit vector's angle from the axis.</summary>
-    public double CosOf(Vector3D direction) => Vector3D.Dot(direction, Axis);
-
     /// <summary>Places a point.</summary>
     /// <param name="position">m, MOON_ME.</param>
     public PolarPoint Project(Vector3D position)
