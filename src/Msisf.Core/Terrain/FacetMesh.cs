@@ -16,8 +16,8 @@ internal sealed class FacetMesh
         _grid = grid;
         Lines = 180 * grid.PixelsPerDegree;
         Samples = 360 * grid.PixelsPerDegree;
-        NorthPoleRadius = MeanRadius(0);
-        SouthPoleRadius = MeanRadius(Lines - 1);
+        NorthPoleRadius = MeanRadius(grid, 0);
+        SouthPoleRadius = MeanRadius(grid, Lines - 1);
     }
 
     /// <summary>Lines of samples; vertex lines go from -1 to this number.</summary>
@@ -60,10 +60,19 @@ internal sealed class FacetMesh
         }
     }
 
-    private double MeanRadius(int line)
+    /// <summary>Radius of the pole vertex, m: the sum of its line from west to east, one rounding an addition, divided by the count.</summary>
+    /// <param name="grid">The model.</param>
+    /// <param name="line">The first or the last line.</param>
+    public static double MeanRadius(IElevationGrid grid, int line)
     {
-        double[] radii = new double[Samples];
-        _grid.ReadRadii(line, 0, radii);
-        return radii.Average();
+        double[] radii = new double[360 * grid.PixelsPerDegree];
+        grid.ReadRadii(line, 0, radii);
+        double sum = 0.0;
+        foreach (double radius in radii)
+        {
+            sum += radius;
+        }
+
+        return sum / radii.Length;
     }
 }

@@ -20,8 +20,8 @@ public sealed class TileMeshBuilder
     {
         _grid = grid;
         _directions = new GridDirections(grid.PixelsPerDegree);
-        _northPoleRadius = new Lazy<double>(() => MeanRadius(0));
-        _southPoleRadius = new Lazy<double>(() => MeanRadius((180 * grid.PixelsPerDegree) - 1));
+        _northPoleRadius = new Lazy<double>(() => FacetMesh.MeanRadius(grid, 0));
+        _southPoleRadius = new Lazy<double>(() => FacetMesh.MeanRadius(grid, (180 * grid.PixelsPerDegree) - 1));
     }
 
     /// <summary>The radius of each vertex, in vertex order.</summary>
@@ -122,18 +122,4 @@ public sealed class TileMeshBuilder
     }
 
     private static int SampleOf(TileMeshLayout layout, int column) => (layout.FirstSample + column) % (360 * layout.PixelsPerDegree);
-
-    /// <summary>The sum from west to east, one rounding an addition, divided by the count.</summary>
-    private double MeanRadius(int line)
-    {
-        double[] radii = new double[360 * _grid.PixelsPerDegree];
-        _grid.ReadRadii(line, 0, radii);
-        double sum = 0.0;
-        foreach (double radius in radii)
-        {
-            sum += radius;
-        }
-
-        return sum / radii.Length;
-    }
 }
