@@ -39,4 +39,7 @@ public static class Tolerances
 
     /// <summary>rad: added to the azimuths of a picture for what lies within <see cref="VertexLattice"/> of its border, 20 m and more from the axis.</summary>
     public const double WindowMargin = 1e-3;
+
+    /// <summary>m: a point of the surface in light space, a sum of two of its components, and a line through two such points are rounded by less.</summary>
+    public const double LightPoint = 4e-9;
 }

@@ -56,7 +56,7 @@ internal sealed class CasterBounds
                 greatestU * (greatestU < 0.0 ? leastScale : greatestScale),
                 leastV * (leastV < 0.0 ? greatestScale : leastScale),
                 greatestV * (greatestV < 0.0 ? leastScale : greatestScale)));
-        return !box.IsEmpty && leastW * greatestScale < _grid.GreatestDepth(box);
+        return !box.IsEmpty && leastW * greatestScale < _grid.GreatestDepth(_grid.BinsOf(in box));
     }
 
     /// <summary>Bounds of one component of the points between two spheres in the direction of a cap.</summary>

@@ -1,5 +1,4 @@
 using System.Numerics;
-using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Render.Surface;
@@ -10,165 +9,131 @@ namespace Msisf.Core.Render.Shadows;
 /// Goes through blocks of the terrain and lets each facet that faces away from the Sun hide the receivers behind it. One object for one
 /// thread; several may work on one grid, for the result does not depend on their order.
 /// </summary>
-internal sealed class CasterScan(SurfaceModel surface)
+internal sealed class CasterScan
 {
+    /// <summary>From so many bins under a strip on, each facet is tried alone against vectors of receivers; below, each receiver against vectors of facets.</summary>
+    private const int ManyBins = 64;
+
+    private readonly SurfaceModel _surface;
     private readonly BlockVertices _vertices = new();
-    private ReceiverGrid _grid = null!;
-    private LightBox _receivers;
-    private byte[] _hidden = [];
+    private readonly CellStrip _strip;
 
-    /// <summary>Facets since <see cref="Start"/> that have a receiver behind their box.</summary>
-    public int Casters { get; private set; }
+    public CasterScan(SurfaceModel surface)
+    {
+        _surface = surface;
+        _strip = new CellStrip(_vertices);
+    }
 
-    /// <summary>Receivers since <see cref="Start"/> that were tried, in vectors of eight.</summary>
+    /// <summary>Strips of cells so far that may have a receiver behind them.</summary>
+    public int Strips { get; private set; }
+
+    /// <summary>Vectors of receivers so far that were tried.</summary>
     public long Tries { get; private set; }
 
-    /// <summary>Begins a frame.</summary>
-    /// <param name="grid">The receivers.</param>
-    /// <param name="receivers">They all are in it.</param>
-    /// <param name="hidden">Of each pixel; becomes 1 if terrain hides the Sun.</param>
-    public void Start(ReceiverGrid grid, LightBox receivers, byte[] hidden)
+    /// <summary>Sets the counts to 0.</summary>
+    public void Start()
     {
-        _grid = grid;
-        _receivers = receivers;
-        _hidden = hidden;
-        Casters = 0;
+        Strips = 0;
         Tries = 0;
     }
 
     /// <summary>Goes through a block.</summary>
-    public void Add(CellBlock block, LightFrame frame)
+    /// <param name="block">Which.</param>
+    /// <param name="frame">Light space.</param>
+    /// <param name="grid">The receivers.</param>
+    /// <param name="receivers">They all are in it.</param>
+    /// <param name="hidden">Of each pixel; becomes 1 if terrain hides the Sun.</param>
+    public void Cast(CellBlock block, LightFrame frame, ReceiverGrid grid, in LightBox receivers, byte[] hidden)
     {
-        _vertices.Load(surface, block, default);
+        _vertices.Load(_surface, block, default);
         int length = _vertices.Lines * BlockVertices.Stride;
         frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
-            AddLine(line);
+            for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
+            {
+                if (!_strip.TrySet(line, sample, in receivers))
+                {
+                    continue;
+                }
+
+                GridRange bins = grid.BinsOf(in _strip.Box);
+                if (_strip.LeastDepth < grid.GreatestDepth(bins))
+                {
+                    Strips++;
+                    if (bins.Count < ManyBins)
+                    {
+                        CastStrip(grid, bins, hidden);
+                    }
+                    else
+                    {
+                        CastFacets(grid, hidden);
+                    }
+                }
+            }
         }
     }
 
-    private void AddLine(int line)
+    private void CastStrip(ReceiverGrid grid, GridRange bins, byte[] hidden)
     {
-        ref double u = ref MemoryMarshal.GetArrayDataReference(_vertices.X);
-        ref double v = ref MemoryMarshal.GetArrayDataReference(_vertices.Y);
-        Vector512<double> leastU = Vector512.Create(_receivers.LeastU);
-        Vector512<double> greatestU = Vector512.Create(_receivers.GreatestU);
-        Vector512<double> leastV = Vector512.Create(_receivers.LeastV);
-        Vector512<double> greatestV = Vector512.Create(_receivers.GreatestV);
-        int cells = _vertices.Samples - 1;
-        for (int sample = 0; sample < cells; sample += Vector512<double>.Count)
+        ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);
+        ref double vs = ref MemoryMarshal.GetArrayDataReference(grid.V);
+        ref double ws = ref MemoryMarshal.GetArrayDataReference(grid.W);
+        Vector512<double> leastU = Vector512.Create(_strip.Box.LeastU);
+        Vector512<double> greatestU = Vector512.Create(_strip.Box.GreatestU);
+        Vector512<double> leastV = Vector512.Create(_strip.Box.LeastV);
+        Vector512<double> greatestV = Vector512.Create(_strip.Box.GreatestV);
+        Vector512<double> leastDepth = Vector512.Create(_strip.LeastDepth);
+        LightSlab? slab = null;
+        for (int row = bins.FirstRow; row <= bins.LastRow; row++)
         {
-            nuint northWest = (nuint)((line * BlockVertices.Stride) + sample);
-            nuint southWest = northWest + BlockVertices.Stride;
-            Vector512<double> uNorthWest = Vector512.LoadUnsafe(ref u, northWest);
-            Vector512<double> vNorthWest = Vector512.LoadUnsafe(ref v, northWest);
-            Vector512<double> uNorthEast = Vector512.LoadUnsafe(ref u, northWest + 1);
-            Vector512<double> vNorthEast = Vector512.LoadUnsafe(ref v, northWest + 1);
-            Vector512<double> uSouthWest = Vector512.LoadUnsafe(ref u, southWest);
-            Vector512<double> vSouthWest = Vector512.LoadUnsafe(ref v, southWest);
-            Vector512<double> uSouthEast = Vector512.LoadUnsafe(ref u, southWest + 1);
-            Vector512<double> vSouthEast = Vector512.LoadUnsafe(ref v, southWest + 1);
-            Vector512<double> uDiagonal = uSouthEast - uNorthWest;
-            Vector512<double> vDiagonal = vSouthEast - vNorthWest;
-            Vector512<double> areaSouthWest = ((uSouthWest - uNorthWest) * vDiagonal) - ((vSouthWest - vNorthWest) * uDiagonal);
-            Vector512<double> areaNorthEast = (uDiagonal * (vNorthEast - vNorthWest)) - (vDiagonal * (uNorthEast - uNorthWest));
-            Vector512<double> inBox = Vector512.LessThanOrEqual(leastU, Max(uNorthWest, uNorthEast, uSouthWest, uSouthEast))
-                & Vector512.GreaterThanOrEqual(greatestU, Min(uNorthWest, uNorthEast, uSouthWest, uSouthEast))
-                & Vector512.LessThanOrEqual(leastV, Max(vNorthWest, vNorthEast, vSouthWest, vSouthEast))
-                & Vector512.GreaterThanOrEqual(greatestV, Min(vNorthWest, vNorthEast, vSouthWest, vSouthEast));
-            uint inBlock = (1u << Math.Min(cells - sample, Vector512<double>.Count)) - 1;
-            uint awaySouthWest = (uint)(Vector512.GreaterThan(areaSouthWest, Vector512<double>.Zero) & inBox).ExtractMostSignificantBits() & inBlock;
-            uint awayNorthEast = (uint)(Vector512.GreaterThan(areaNorthEast, Vector512<double>.Zero) & inBox).ExtractMostSignificantBits() & inBlock;
-            for (; awaySouthWest != 0; awaySouthWest &= awaySouthWest - 1)
+            (int first, int end) = grid.Run(row, bins.FirstColumn, bins.LastColumn);
+            for (int i = first; i < end; i += Vector512<double>.Count)
             {
-                int at = (int)northWest + BitOperations.TrailingZeroCount(awaySouthWest);
-                Cast(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1);
-            }
+                Tries++;
+                Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
+                Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
+                uint isInBox = ReceiverGrid.Meant(i, end) & (uint)(Vector512.GreaterThan(Vector512.LoadUnsafe(ref ws, (nuint)i), leastDepth)
+                    & Vector512.GreaterThanOrEqual(u, leastU)
+                    & Vector512.LessThanOrEqual(u, greatestU)
+                    & Vector512.GreaterThanOrEqual(v, leastV)
+                    & Vector512.LessThanOrEqual(v, greatestV)).ExtractMostSignificantBits();
+                if (isInBox == 0)
+                {
+                    continue;
+                }
 
-            for (; awayNorthEast != 0; awayNorthEast &= awayNorthEast - 1)
-            {
-                int at = (int)northWest + BitOperations.TrailingZeroCount(awayNorthEast);
-                Cast(at, at + BlockVertices.Stride + 1, at + 1);
+                slab ??= _strip.FindSlab();
+                for (isInBox &= slab.Value.Holds(u, v); isInBox != 0; isInBox &= isInBox - 1)
+                {
+                    int receiver = i + BitOperations.TrailingZeroCount(isInBox);
+                    if (_strip.IsInFrontOf(grid.U[receiver], grid.V[receiver], grid.W[receiver]))
+                    {
+                        grid.TakeOut(receiver);
+                        hidden[grid.Pixels[receiver]] = 1;
+                    }
+                }
             }
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> Min(Vector512<double> a, Vector512<double> b, Vector512<double> c, Vector512<double> d) =>
-        Vector512.MinNative(Vector512.MinNative(a, b), Vector512.MinNative(c, d));
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> Max(Vector512<double> a, Vector512<double> b, Vector512<double> c, Vector512<double> d) =>
-        Vector512.MaxNative(Vector512.MaxNative(a, b), Vector512.MaxNative(c, d));
-
-    private void Cast(int a, int b, int c)
+    private void CastFacets(ReceiverGrid grid, byte[] hidden)
     {
-        Facet facet = new(
-            _vertices.X[a], _vertices.Y[a], _vertices.Z[a],
-            _vertices.X[b], _vertices.Y[b], _vertices.Z[b],
-            _vertices.X[c], _vertices.Y[c], _vertices.Z[c]);
-        LightAxis axisU = _grid.AxisU;
-        LightAxis axisV = _grid.AxisV;
-        int firstColumn = axisU.BinOf(Math.Min(facet.Ua, Math.Min(facet.Ub, facet.Uc)));
-        int lastColumn = axisU.BinOf(Math.Max(facet.Ua, Math.Max(facet.Ub, facet.Uc)));
-        int firstRow = axisV.BinOf(Math.Min(facet.Va, Math.Min(facet.Vb, facet.Vc)));
-        int lastRow = axisV.BinOf(Math.Max(facet.Va, Math.Max(facet.Vb, facet.Vc)));
-        if (!(Math.Min(facet.Wa, Math.Min(facet.Wb, facet.Wc)) < _grid.GreatestDepth(firstColumn, lastColumn, firstRow, lastRow)))
+        for (uint away = _strip.SouthWestAway; away != 0; away &= away - 1)
         {
-            return;
+            int at = _strip.NorthWest + BitOperations.TrailingZeroCount(away);
+            Tries += FacetCaster.Cast(Facet(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1), grid, hidden);
         }
 
-        Casters++;
-        for (int row = firstRow; row <= lastRow; row++)
+        for (uint away = _strip.NorthEastAway; away != 0; away &= away - 1)
         {
-            (int first, int end) = _grid.Run(row, firstColumn, lastColumn);
-            if (end > first)
-            {
-                Hide(in facet, first, end);
-            }
+            int at = _strip.NorthWest + BitOperations.TrailingZeroCount(away);
+            Tries += FacetCaster.Cast(Facet(at, at + BlockVertices.Stride + 1, at + 1), grid, hidden);
         }
     }
 
-    private void Hide(in Facet facet, int first, int end)
-    {
-        ref double us = ref MemoryMarshal.GetArrayDataReference(_grid.U);
-        ref double vs = ref MemoryMarshal.GetArrayDataReference(_grid.V);
-        ref double ws = ref MemoryMarshal.GetArrayDataReference(_grid.W);
-        Tries += (end - first + 7) / 8;
-        for (int i = first; i < end; i += Vector512<double>.Count)
-        {
-            Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
-            Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
-            Vector512<double> ua = Vector512.Create(facet.Ua) - u;
-            Vector512<double> va = Vector512.Create(facet.Va) - v;
-            Vector512<double> ub = Vector512.Create(facet.Ub) - u;
-            Vector512<double> vb = Vector512.Create(facet.Vb) - v;
-            Vector512<double> uc = Vector512.Create(facet.Uc) - u;
-            Vector512<double> vc = Vector512.Create(facet.Vc) - v;
-            Vector512<double> weightC = (ua * vb) - (ub * va);
-            Vector512<double> weightA = (ub * vc) - (uc * vb);
-            Vector512<double> weightB = (uc * va) - (ua * vc);
-            Vector512<double> isInside = Vector512.GreaterThanOrEqual(
-                Vector512.MinNative(weightA, Vector512.MinNative(weightB, weightC)), Vector512<double>.Zero);
-            if (isInside == Vector512<double>.Zero)
-            {
-                continue;
-            }
-
-            Vector512<double> w = Vector512.LoadUnsafe(ref ws, (nuint)i);
-            Vector512<double> deeper = (weightA * (Vector512.Create(facet.Wa) - w))
-                + (weightB * (Vector512.Create(facet.Wb) - w))
-                + (weightC * (Vector512.Create(facet.Wc) - w));
-            uint isHidden = (uint)(isInside & Vector512.LessThan(deeper, Vector512<double>.Zero)).ExtractMostSignificantBits();
-            isHidden &= (1u << Math.Min(end - i, Vector512<double>.Count)) - 1;
-            for (; isHidden != 0; isHidden &= isHidden - 1)
-            {
-                _hidden[_grid.Pixels[i + BitOperations.TrailingZeroCount(isHidden)]] = 1;
-            }
-        }
-    }
-
-    private readonly record struct Facet(
-        double Ua, double Va, double Wa, double Ub, double Vb, double Wb, double Uc, double Vc, double Wc);
+    private LightFacet Facet(int a, int b, int c) => new(
+        _vertices.X[a], _vertices.Y[a], _vertices.Z[a],
+        _vertices.X[b], _vertices.Y[b], _vertices.Z[b],
+        _vertices.X[c], _vertices.Y[c], _vertices.Z[c]);
 }

@@ -59,11 +59,12 @@ internal sealed class DepthPyramid
     }
 
     /// <summary>No receiver in some bins is deeper; m, minus infinity if there is none. Looks at few squares, so it may say too much.</summary>
-    public float Greatest(int firstColumn, int lastColumn, int firstRow, int lastRow)
+    public float Greatest(GridRange bins)
     {
         int level = 0;
         int edge = _size;
-        while (Math.Max((lastColumn >> level) - (firstColumn >> level), (lastRow >> level) - (firstRow >> level)) >= Window)
+        while (Math.Max(
+            (bins.LastColumn >> level) - (bins.FirstColumn >> level), (bins.LastRow >> level) - (bins.FirstRow >> level)) >= Window)
         {
             level++;
             edge = (edge + 1) / 2;
@@ -71,9 +72,9 @@ internal sealed class DepthPyramid
 
         float[] squares = _levels[level];
         float greatest = float.NegativeInfinity;
-        for (int row = firstRow >> level; row <= lastRow >> level; row++)
+        for (int row = bins.FirstRow >> level; row <= bins.LastRow >> level; row++)
         {
-            for (int column = firstColumn >> level; column <= lastColumn >> level; column++)
+            for (int column = bins.FirstColumn >> level; column <= bins.LastColumn >> level; column++)
             {
                 greatest = MathF.Max(greatest, squares[(row * edge) + column]);
             }

@@ -18,13 +18,13 @@ internal sealed class LightFrame
 {
     /// <summary>Turns MOON_ME into light space.</summary>
     /// <param name="sunMoonMe">The Sun, m.</param>
-    /// <param name="towardsMoonMe">The second axis leans to this direction as far as it can; any vector does.</param>
+    /// <param name="towardsMoonMe">The first axis leans to this direction as far as it can; any vector does.</param>
     public LightFrame(Vector3D sunMoonMe, Vector3D towardsMoonMe)
     {
         SunDistance = sunMoonMe.Length;
         AxisW = -sunMoonMe / SunDistance;
-        AxisV = Across(AxisW, towardsMoonMe);
-        AxisU = Vector3D.Cross(AxisV, AxisW);
+        AxisU = Across(AxisW, towardsMoonMe);
+        AxisV = Vector3D.Cross(AxisW, AxisU);
     }
 
     /// <summary>D, m.</summary>

@@ -11,7 +11,7 @@ namespace Msisf.Core.Render.Shadows;
 /// <remarks>The sort counts first: <see cref="Lay"/>, <see cref="Count"/> for each row, <see cref="Place"/>, <see cref="Sort"/> for each row, <see cref="Finish"/>.</remarks>
 internal sealed class ReceiverGrid
 {
-    private const int Lanes = 8;
+    private const int LaneCount = 8;
     private const int MostBins = 2048;
 
     private readonly DepthPyramid _depths = new();
@@ -92,14 +92,14 @@ internal sealed class ReceiverGrid
     {
         int start = rows.Start(row);
         int count = rows.Count(row);
-        Span<long> lanes = stackalloc long[Lanes];
+        Span<long> lanes = stackalloc long[LaneCount];
         Span<int> counts = _counts[part];
         Vector512<double> leastU = Vector512.Create(double.PositiveInfinity);
         Vector512<double> leastV = leastU;
         Vector512<double> greatestU = -leastU;
         Vector512<double> greatestV = -leastU;
         Vector512<double> size = Vector512.Create((double)Size);
-        for (int i = 0; i < count; i += Lanes)
+        for (int i = 0; i < count; i += LaneCount)
         {
             Vector512<double> u = Vector512.LoadUnsafe(ref rows.U[0], (nuint)(start + i));
             Vector512<double> v = Vector512.LoadUnsafe(ref rows.V[0], (nuint)(start + i));
@@ -107,14 +107,14 @@ internal sealed class ReceiverGrid
             Vector512<double> isNight = Vector512.LessThan((u * u) + (v * v), Vector512.Create(nightLimit))
                 & Vector512.GreaterThan(w, Vector512<double>.Zero);
             Vector512<double> isOut = isNight | Vector512.GreaterThanOrEqual(
-                Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0), Vector512.Create((double)(count - i)));
+                Lanes.Numbers, Vector512.Create((double)(count - i)));
             leastU = Vector512.ConditionalSelect(isOut, leastU, Vector512.MinNative(leastU, u));
             leastV = Vector512.ConditionalSelect(isOut, leastV, Vector512.MinNative(leastV, v));
             greatestU = Vector512.ConditionalSelect(isOut, greatestU, Vector512.MaxNative(greatestU, u));
             greatestV = Vector512.ConditionalSelect(isOut, greatestV, Vector512.MaxNative(greatestV, v));
             Vector512<double> bins = Vector512.ConditionalSelect(isNight, Vector512.Create(-1.0), (_v.BinsOf(v) * size) + _u.BinsOf(u));
             Vector512.ConvertToInt64Native(bins).CopyTo(lanes);
-            for (int lane = 0; lane < Math.Min(Lanes, count - i); lane++)
+            for (int lane = 0; lane < Math.Min(LaneCount, count - i); lane++)
             {
                 int bin = (int)lanes[lane];
                 _bins[start + i + lane] = bin;
@@ -129,7 +129,7 @@ internal sealed class ReceiverGrid
             }
         }
 
-        return new LightBox(Least(leastU), -Least(-greatestU), Least(leastV), -Least(-greatestV));
+        return new LightBox(Lanes.Least(leastU), -Lanes.Least(-greatestU), Lanes.Least(leastV), -Lanes.Least(-greatestV));
     }
 
     /// <summary>Gives each bin its place, and in it each part.</summary>
@@ -147,12 +147,12 @@ internal sealed class ReceiverGrid
 
         _starts[Size * Size] = next;
         Length = next;
-        if (U.Length < next + Lanes)
+        if (U.Length < next + LaneCount)
         {
-            U = new double[next + Lanes];
-            V = new double[next + Lanes];
-            W = new double[next + Lanes];
-            Pixels = new int[next + Lanes];
+            U = new double[next + LaneCount];
+            V = new double[next + LaneCount];
+            W = new double[next + LaneCount];
+            Pixels = new int[next + LaneCount];
         }
     }
 
@@ -198,14 +198,21 @@ internal sealed class ReceiverGrid
     /// <summary>Ends the sort, after <see cref="FindDepths"/> of each row.</summary>
     public void Finish() => _depths.Finish();
 
-    /// <summary>No receiver in a box is deeper; m, minus infinity if there is none. It may say too much.</summary>
-    public float GreatestDepth(LightBox box) =>
-        _depths.Greatest(_u.BinOf(box.LeastU), _u.BinOf(box.GreatestU), _v.BinOf(box.LeastV), _v.BinOf(box.GreatestV));
-
-    /// <summary>The same for some bins.</summary>
+    /// <summary>The bins that a box touches.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public float GreatestDepth(int firstColumn, int lastColumn, int firstRow, int lastRow) =>
-        _depths.Greatest(firstColumn, lastColumn, firstRow, lastRow);
+    public GridRange BinsOf(in LightBox box) =>
+        new(_u.BinOf(box.LeastU), _u.BinOf(box.GreatestU), _v.BinOf(box.LeastV), _v.BinOf(box.GreatestV));
+
+    /// <summary>No receiver in some bins is deeper; m, minus infinity if there is none. It may say too much.</summary>
+    public float GreatestDepth(GridRange bins) => _depths.Greatest(bins);
+
+    /// <summary>A bit for each lane of a vector from one receiver on that comes before another.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static uint Meant(int receiver, int end) => (1u << Math.Min(end - receiver, LaneCount)) - 1;
+
+    /// <summary>Lets no facet try a receiver any more. Any thread may do so.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void TakeOut(int receiver) => W[receiver] = double.NegativeInfinity;
 
     /// <summary>The receivers in neighbouring bins of a row.</summary>
     /// <returns>First receiver and one past the last.</returns>
@@ -214,16 +221,5 @@ internal sealed class ReceiverGrid
     {
         ref int start = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_starts), row * Size);
         return (Unsafe.Add(ref start, firstColumn), Unsafe.Add(ref start, lastColumn + 1));
-    }
-
-    private static double Least(Vector512<double> values)
-    {
-        double least = values[0];
-        for (int lane = 1; lane < Lanes; lane++)
-        {
-            least = Math.Min(least, values[lane]);
-        }
-
-        return least;
     }
 }

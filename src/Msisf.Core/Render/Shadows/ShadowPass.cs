@@ -72,7 +72,7 @@ internal sealed class ShadowPass
 
         int blocks = CastShadows(frame, box, hidden, threads, cancellation);
         Statistics = new ShadowStatistics(
-            _grid.Length, _groups.Count, blocks, _scans.Sum(scan => scan.Casters), _scans.Sum(scan => scan.Tries));
+            _grid.Length, _groups.Count, blocks, _scans.Sum(scan => scan.Strips), _scans.Sum(scan => scan.Tries));
     }
 
     private void Prepare(int rows, int width, int threads)
@@ -166,7 +166,7 @@ internal sealed class ShadowPass
         _tree.FindGroups(bounds, _groups);
         foreach (CasterScan scan in _scans)
         {
-            scan.Start(_grid, box, hidden);
+            scan.Start();
         }
 
         int blocks = 0;
@@ -177,7 +177,7 @@ internal sealed class ShadowPass
             Interlocked.Add(ref blocks, count);
             foreach (CellBlock block in found[..count])
             {
-                _scans[worker].Add(block, frame);
+                _scans[worker].Cast(block, frame, _grid, in box, hidden);
             }
         }, cancellation);
         return blocks;

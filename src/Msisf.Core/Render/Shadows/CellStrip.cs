@@ -1,0 +1,178 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Surface;
+
+namespace Msisf.Core.Render.Shadows;
+
+/// <summary>Eight neighbouring cells of a line in light space, those of their facets that face away from the Sun, and where these lie.</summary>
+/// <param name="vertices">The block's, in light space; the strip is set anew in them again and again.</param>
+internal sealed class CellStrip(BlockVertices vertices)
+{
+    /// <summary>Cells in a strip.</summary>
+    public const int Cells = 8;
+
+    private int _northWest;
+    private Vector512<double> _isSouthWestAway;
+    private Vector512<double> _isNorthEastAway;
+    private LightBox _box;
+
+    /// <summary>Index of the first cell's north-western vertex.</summary>
+    public int NorthWest => _northWest;
+
+    /// <summary>A bit for each cell whose facet (NW, SW, SE) faces away.</summary>
+    public uint SouthWestAway => (uint)_isSouthWestAway.ExtractMostSignificantBits();
+
+    /// <summary>A bit for each cell whose facet (NW, SE, NE) faces away.</summary>
+    public uint NorthEastAway => (uint)_isNorthEastAway.ExtractMostSignificantBits();
+
+    /// <summary>Bounds of the cells with facets that face away.</summary>
+    public ref readonly LightBox Box => ref _box;
+
+    /// <summary>m: none of them is nearer to the Sun.</summary>
+    public double LeastDepth { get; private set; }
+
+    /// <summary>Moves to other cells.</summary>
+    /// <param name="line">Line of the block.</param>
+    /// <param name="sample">The first cell's.</param>
+    /// <param name="receivers">Cells outside are left out.</param>
+    /// <returns>Whether any facet is left.</returns>
+    public bool TrySet(int line, int sample, in LightBox receivers)
+    {
+        _northWest = (line * BlockVertices.Stride) + sample;
+        ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
+        ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
+        Vector512<double> uNorthWest = Vector512.LoadUnsafe(ref us);
+        Vector512<double> vNorthWest = Vector512.LoadUnsafe(ref vs);
+        Vector512<double> uNorthEast = Vector512.LoadUnsafe(ref us, 1);
+        Vector512<double> vNorthEast = Vector512.LoadUnsafe(ref vs, 1);
+        Vector512<double> uSouthWest = Vector512.LoadUnsafe(ref us, BlockVertices.Stride);
+        Vector512<double> vSouthWest = Vector512.LoadUnsafe(ref vs, BlockVertices.Stride);
+        Vector512<double> uSouthEast = Vector512.LoadUnsafe(ref us, BlockVertices.Stride + 1);
+        Vector512<double> vSouthEast = Vector512.LoadUnsafe(ref vs, BlockVertices.Stride + 1);
+        Vector512<double> uDiagonal = uSouthEast - uNorthWest;
+        Vector512<double> vDiagonal = vSouthEast - vNorthWest;
+        Vector512<double> southWest = ((uSouthWest - uNorthWest) * vDiagonal) - ((vSouthWest - vNorthWest) * uDiagonal);
+        Vector512<double> northEast = (uDiagonal * (vNorthEast - vNorthWest)) - (vDiagonal * (uNorthEast - uNorthWest));
+        Vector512<double> leastU = Min(uNorthWest, uNorthEast, uSouthWest, uSouthEast);
+        Vector512<double> greatestU = Max(uNorthWest, uNorthEast, uSouthWest, uSouthEast);
+        Vector512<double> leastV = Min(vNorthWest, vNorthEast, vSouthWest, vSouthEast);
+        Vector512<double> greatestV = Max(vNorthWest, vNorthEast, vSouthWest, vSouthEast);
+        Vector512<double> isHere = Vector512.LessThanOrEqual(Vector512.Create(receivers.LeastU), greatestU)
+            & Vector512.GreaterThanOrEqual(Vector512.Create(receivers.GreatestU), leastU)
+            & Vector512.LessThanOrEqual(Vector512.Create(receivers.LeastV), greatestV)
+            & Vector512.GreaterThanOrEqual(Vector512.Create(receivers.GreatestV), leastV)
+            & Vector512.LessThan(
+                Lanes.Numbers, Vector512.Create((double)(vertices.Samples - 1 - sample)));
+        _isSouthWestAway = isHere & Vector512.GreaterThan(southWest, Vector512<double>.Zero);
+        _isNorthEastAway = isHere & Vector512.GreaterThan(northEast, Vector512<double>.Zero);
+        Vector512<double> isAway = _isSouthWestAway | _isNorthEastAway;
+        if (isAway == Vector512<double>.Zero)
+        {
+            return false;
+        }
+
+        ref double ws = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Z), _northWest);
+        LeastDepth = Least(isAway, Min(
+            Vector512.LoadUnsafe(ref ws),
+            Vector512.LoadUnsafe(ref ws, 1),
+            Vector512.LoadUnsafe(ref ws, BlockVertices.Stride),
+            Vector512.LoadUnsafe(ref ws, BlockVertices.Stride + 1)));
+        _box = new LightBox(Least(isAway, leastU), -Least(isAway, -greatestU), Least(isAway, leastV), -Least(isAway, -greatestV));
+        return true;
+    }
+
+    /// <summary>A slab along the cells that holds all those of <see cref="Box"/>: narrower than the box where cells lie aslant.</summary>
+    public LightSlab FindSlab()
+    {
+        ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
+        ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
+        Vector512<double> isAway = _isSouthWestAway | _isNorthEastAway;
+        uint away = (uint)isAway.ExtractMostSignificantBits();
+        int first = BitOperations.TrailingZeroCount(away);
+        int end = BitOperations.Log2(away) + 1;
+        double u = Unsafe.Add(ref us, first);
+        double v = Unsafe.Add(ref vs, first);
+        double southU = Unsafe.Add(ref us, first + BlockVertices.Stride) - u;
+        double southV = Unsafe.Add(ref vs, first + BlockVertices.Stride) - v;
+        double eastU = Unsafe.Add(ref us, end) - u;
+        double eastV = Unsafe.Add(ref vs, end) - v;
+        bool isEastLonger = (eastU * eastU) + (eastV * eastV) > (southU * southU) + (southV * southV);
+        double acrossU = isEastLonger ? -eastV : -southV;
+        double acrossV = isEastLonger ? eastU : southU;
+        Vector512<double> northWest = Across(ref us, ref vs, 0, acrossU, acrossV);
+        Vector512<double> northEast = Across(ref us, ref vs, 1, acrossU, acrossV);
+        Vector512<double> southWest = Across(ref us, ref vs, BlockVertices.Stride, acrossU, acrossV);
+        Vector512<double> southEast = Across(ref us, ref vs, BlockVertices.Stride + 1, acrossU, acrossV);
+        double margin = Tolerances.LightPoint * (Math.Abs(acrossU) + Math.Abs(acrossV));
+        return new LightSlab(
+            acrossU,
+            acrossV,
+            Least(isAway, Min(northWest, northEast, southWest, southEast)) - margin,
+            margin - Least(isAway, -Max(northWest, northEast, southWest, southEast)));
+    }
+
+    /// <summary>Whether a facet that faces away lies between a point and the Sun.</summary>
+    /// <remarks>
+    /// The edge functions are exactly antisymmetric in an edge's ends, so of two facets that share it at least one holds each point of
+    /// it. A facet's depth at the point is the mean of its corners' with these weights, and only its sign against the point's is
+    /// needed: nothing is divided. <see cref="FacetCaster"/> does the same sums for one facet and eight points.
+    /// </remarks>
+    public bool IsInFrontOf(double u, double v, double w)
+    {
+        ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
+        ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
+        Vector512<double> pu = Vector512.Create(u);
+        Vector512<double> pv = Vector512.Create(v);
+        Vector512<double> uNorthWest = Vector512.LoadUnsafe(ref us) - pu;
+        Vector512<double> vNorthWest = Vector512.LoadUnsafe(ref vs) - pv;
+        Vector512<double> uNorthEast = Vector512.LoadUnsafe(ref us, 1) - pu;
+        Vector512<double> vNorthEast = Vector512.LoadUnsafe(ref vs, 1) - pv;
+        Vector512<double> uSouthWest = Vector512.LoadUnsafe(ref us, BlockVertices.Stride) - pu;
+        Vector512<double> vSouthWest = Vector512.LoadUnsafe(ref vs, BlockVertices.Stride) - pv;
+        Vector512<double> uSouthEast = Vector512.LoadUnsafe(ref us, BlockVertices.Stride + 1) - pu;
+        Vector512<double> vSouthEast = Vector512.LoadUnsafe(ref vs, BlockVertices.Stride + 1) - pv;
+        Vector512<double> diagonal = (uSouthEast * vNorthWest) - (uNorthWest * vSouthEast);
+        Vector512<double> west = (uNorthWest * vSouthWest) - (uSouthWest * vNorthWest);
+        Vector512<double> south = (uSouthWest * vSouthEast) - (uSouthEast * vSouthWest);
+        Vector512<double> east = (uSouthEast * vNorthEast) - (uNorthEast * vSouthEast);
+        Vector512<double> north = (uNorthEast * vNorthWest) - (uNorthWest * vNorthEast);
+        Vector512<double> inSouthWest = _isSouthWestAway & Vector512.GreaterThanOrEqual(
+            Vector512.MinNative(diagonal, Vector512.MinNative(west, south)), Vector512<double>.Zero);
+        Vector512<double> inNorthEast = _isNorthEastAway & Vector512.GreaterThanOrEqual(
+            Vector512.MinNative(-diagonal, Vector512.MinNative(east, north)), Vector512<double>.Zero);
+        if ((inSouthWest | inNorthEast) == Vector512<double>.Zero)
+        {
+            return false;
+        }
+
+        ref double ws = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Z), _northWest);
+        Vector512<double> pw = Vector512.Create(w);
+        Vector512<double> wNorthWest = Vector512.LoadUnsafe(ref ws) - pw;
+        Vector512<double> wNorthEast = Vector512.LoadUnsafe(ref ws, 1) - pw;
+        Vector512<double> wSouthWest = Vector512.LoadUnsafe(ref ws, BlockVertices.Stride) - pw;
+        Vector512<double> wSouthEast = Vector512.LoadUnsafe(ref ws, BlockVertices.Stride + 1) - pw;
+        Vector512<double> southWest = (south * wNorthWest) + (diagonal * wSouthWest) + (west * wSouthEast);
+        Vector512<double> northEast = (east * wNorthWest) + (north * wSouthEast) + (-diagonal * wNorthEast);
+        return ((inSouthWest & Vector512.LessThan(southWest, Vector512<double>.Zero))
+            | (inNorthEast & Vector512.LessThan(northEast, Vector512<double>.Zero))) != Vector512<double>.Zero;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Across(ref double us, ref double vs, nuint corner, double acrossU, double acrossV) =>
+        (Vector512.LoadUnsafe(ref us, corner) * Vector512.Create(acrossU)) + (Vector512.LoadUnsafe(ref vs, corner) * Vector512.Create(acrossV));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Min(Vector512<double> a, Vector512<double> b, Vector512<double> c, Vector512<double> d) =>
+        Vector512.MinNative(Vector512.MinNative(a, b), Vector512.MinNative(c, d));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Max(Vector512<double> a, Vector512<double> b, Vector512<double> c, Vector512<double> d) =>
+        Vector512.MaxNative(Vector512.MaxNative(a, b), Vector512.MaxNative(c, d));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Least(Vector512<double> isMeant, Vector512<double> values) =>
+        Lanes.Least(Vector512.ConditionalSelect(isMeant, values, Vector512.Create(double.PositiveInfinity)));
+}

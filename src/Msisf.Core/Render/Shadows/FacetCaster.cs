@@ -1,0 +1,81 @@
+using System.Numerics;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Render.Shadows;
+
+/// <summary>Lets single facets hide receivers, eight of these at a time: the way for facets that are larger than pixels.</summary>
+internal static class FacetCaster
+{
+    /// <summary>Hides the receivers behind a facet that faces away from the Sun.</summary>
+    /// <param name="facet">The facet.</param>
+    /// <param name="grid">The receivers.</param>
+    /// <param name="hidden">Of each pixel; becomes 1.</param>
+    /// <returns>Vectors of receivers that were tried.</returns>
+    public static int Cast(in LightFacet facet, ReceiverGrid grid, byte[] hidden)
+    {
+        LightBox box = facet.Box;
+        GridRange bins = grid.BinsOf(box);
+        if (!(facet.LeastDepth < grid.GreatestDepth(bins)))
+        {
+            return 0;
+        }
+
+        int tries = 0;
+        for (int row = bins.FirstRow; row <= bins.LastRow; row++)
+        {
+            // The first and the last row may hold receivers beyond the grid, so there the facet is cut on one side only.
+            (double least, double greatest) = facet.Between(
+                row == bins.FirstRow ? double.NegativeInfinity : grid.AxisV.StartOf(row) - Tolerances.LightPoint,
+                row == bins.LastRow ? double.PositiveInfinity : grid.AxisV.StartOf(row + 1) + Tolerances.LightPoint);
+            (int first, int end) = grid.Run(
+                row, grid.AxisU.BinOf(least - Tolerances.LightPoint), grid.AxisU.BinOf(greatest + Tolerances.LightPoint));
+            if (end > first)
+            {
+                Hide(in facet, grid, first, end, hidden);
+                tries += (end - first + Vector512<double>.Count - 1) / Vector512<double>.Count;
+            }
+        }
+
+        return tries;
+    }
+
+    /// <summary>The sums of <see cref="CellStrip.IsInFrontOf"/>, in the same order.</summary>
+    private static void Hide(in LightFacet facet, ReceiverGrid grid, int first, int end, byte[] hidden)
+    {
+        ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);
+        ref double vs = ref MemoryMarshal.GetArrayDataReference(grid.V);
+        ref double ws = ref MemoryMarshal.GetArrayDataReference(grid.W);
+        for (int i = first; i < end; i += Vector512<double>.Count)
+        {
+            Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
+            Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
+            Vector512<double> ua = Vector512.Create(facet.Ua) - u;
+            Vector512<double> va = Vector512.Create(facet.Va) - v;
+            Vector512<double> ub = Vector512.Create(facet.Ub) - u;
+            Vector512<double> vb = Vector512.Create(facet.Vb) - v;
+            Vector512<double> uc = Vector512.Create(facet.Uc) - u;
+            Vector512<double> vc = Vector512.Create(facet.Vc) - v;
+            Vector512<double> weightA = (ub * vc) - (uc * vb);
+            Vector512<double> weightB = (uc * va) - (ua * vc);
+            Vector512<double> weightC = (ua * vb) - (ub * va);
+            Vector512<double> isInside = Vector512.GreaterThanOrEqual(
+                Vector512.MinNative(weightA, Vector512.MinNative(weightB, weightC)), Vector512<double>.Zero);
+            if (isInside == Vector512<double>.Zero)
+            {
+                continue;
+            }
+
+            Vector512<double> w = Vector512.LoadUnsafe(ref ws, (nuint)i);
+            Vector512<double> deeper = (weightA * (Vector512.Create(facet.Wa) - w))
+                + (weightB * (Vector512.Create(facet.Wb) - w))
+                + (weightC * (Vector512.Create(facet.Wc) - w));
+            uint isHidden = (uint)(isInside & Vector512.LessThan(deeper, Vector512<double>.Zero)).ExtractMostSignificantBits();
+            for (isHidden &= ReceiverGrid.Meant(i, end); isHidden != 0; isHidden &= isHidden - 1)
+            {
+                hidden[grid.Pixels[i + BitOperations.TrailingZeroCount(isHidden)]] = 1;
+            }
+        }
+    }
+}

@@ -1,0 +1,24 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace Msisf.Core.Render.Shadows;
+
+/// <summary>The eight numbers of a vector as one.</summary>
+internal static class Lanes
+{
+    /// <summary>0 to 7.</summary>
+    public static Vector512<double> Numbers
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
+    }
+
+    /// <summary>The least of them.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Least(Vector512<double> values)
+    {
+        Vector256<double> four = Vector256.MinNative(values.GetLower(), values.GetUpper());
+        Vector128<double> two = Vector128.MinNative(four.GetLower(), four.GetUpper());
+        return Math.Min(two[0], two[1]);
+    }
+}
