@@ -1,0 +1,8 @@
+namespace Msisf.Cli.Options;
+
+/// <summary>Who draws the pictures.</summary>
+internal enum RendererKind
+{
+    PovRay,
+    Native,
+}
