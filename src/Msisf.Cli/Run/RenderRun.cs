@@ -82,7 +82,8 @@ internal sealed class RenderRun : IDisposable
             GC.GetGCMemoryInfo().TotalAvailableMemoryBytes,
             new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
         ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), model.Grid);
-        FrameRenderer renderer = new(_settings, model, patterns, povRay, _host.Identity, _times);
+        FrameFiles files = new(_settings, model.Grid.PixelsPerDegree, _host.Identity, _times);
+        FrameRenderer renderer = new(_settings, model, patterns, povRay, files, _times);
 
         // A bar overwrites what is printed on its terminal: errors and paths follow when it is done.
         bool hasBar = RunProgress.DrawsBar(frames.Length, _settings.Unattended);

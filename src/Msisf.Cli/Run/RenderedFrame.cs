@@ -1,0 +1,12 @@
+using Msisf.Core.Render;
+
+namespace Msisf.Cli.Run;
+
+/// <summary>What a renderer hands over for a frame's files.</summary>
+/// <param name="Renderer">Which.</param>
+/// <param name="Picture">The picture, PNG; can be read again from its start.</param>
+/// <param name="PictureName">What a message calls it.</param>
+/// <param name="WriteScene">Writes the scene that was rendered; null if the renderer has none.</param>
+/// <param name="Truth">What the pixels show; null if only the reference sphere is asked for.</param>
+internal sealed record RenderedFrame(
+    RendererKind Renderer, Stream Picture, string PictureName, Action<TextWriter>? WriteScene, IFrameTruth? Truth);
