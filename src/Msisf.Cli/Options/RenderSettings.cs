@@ -1,4 +1,5 @@
 using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Render;
 
 namespace Msisf.Cli.Options;
 
@@ -16,6 +17,11 @@ internal sealed record RenderSettings
     public required int GridVertical { get; init; }
 
     public required int PixelsPerDegree { get; init; }
+
+    public required RendererKind Renderer { get; init; }
+
+    /// <summary>For the program's own renderer; defaults otherwise.</summary>
+    public required NativeSettings Native { get; init; }
 
     public required bool IgnoreSun { get; init; }
 

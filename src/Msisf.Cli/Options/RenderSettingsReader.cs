@@ -20,8 +20,9 @@ internal sealed class RenderSettingsReader
 
     public RenderSettingsReader(ParseResult line) => _line = line;
 
-    public RenderSettings Read(PictureOptions picture, SourceOptions source, RunOptions run)
+    public RenderSettings Read(PictureOptions picture, SourceOptions source, RunOptions run, NativeOptions nativeOptions)
     {
+        NativeSettingsReader native = new(_line, nativeOptions);
         int width = WholeNumber(picture.Width, 1024, LargestSide);
         int height = WholeNumber(picture.Height, 1024, LargestSide);
         int grid = WholeNumber(picture.Grid, PixelGrid.DefaultSpacing, int.MaxValue);
@@ -33,6 +34,8 @@ internal sealed class RenderSettingsReader
             GridHorizontal = WholeNumber(picture.GridHorizontal, grid, int.MaxValue),
             GridVertical = WholeNumber(picture.GridVertical, grid, int.MaxValue),
             PixelsPerDegree = SourceSettings.Resolution(_line, source),
+            Renderer = native.Renderer(),
+            Native = native.Read(needsTruth: false),
             IgnoreSun = _line.GetValue(picture.IgnoreSun),
             Annotate = _line.GetValue(picture.Annotation),
             OutputFolder = PathOf(picture.OutputFolder) ?? "output",

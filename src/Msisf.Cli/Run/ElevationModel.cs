@@ -12,12 +12,12 @@ internal sealed class ElevationModel : IDisposable
     private const int FinestSummarisedEachRun = 16;
 
     private readonly LdemImage _image;
-    private readonly ElevationSummary _summary;
+    private readonly Lazy<ElevationSummary> _summary;
 
-    private ElevationModel(LdemImage image, ElevationSummary summary)
+    private ElevationModel(LdemImage image, Func<ElevationSummary> summarise)
     {
         _image = image;
-        _summary = summary;
+        _summary = new Lazy<ElevationSummary>(summarise);
     }
 
     public IElevationGrid Grid => _image;
@@ -33,7 +33,7 @@ internal sealed class ElevationModel : IDisposable
         host.Log.Note(image.Label.IsSynthetic
             ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Label.LabelPath})."
             : $"Elevation: {image.ProductId} ({image.Label.LabelPath}).");
-        return new ElevationModel(image, Summarise(image, host.Log));
+        return new ElevationModel(image, () => Summarise(image, host.Log));
     }
 
     private static ElevationSummary Summarise(LdemImage image, Log log)
@@ -53,13 +53,16 @@ internal sealed class ElevationModel : IDisposable
         return summary;
     }
 
-    /// <summary>The tiles that a frame needs, and why.</summary>
+    /// <summary>The tiles that a frame needs, and why. The first call summarises the model.</summary>
     public TileSelection Select(Frame frame) =>
-        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary);
+        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary.Value);
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>
-        positionMoonMe.Length > _summary.GreatestRadius ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
+        positionMoonMe.Length > HighestRadius ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
+
+    /// <summary>m: no sample is higher, by the label.</summary>
+    private double HighestRadius => _image.Label.Offset + (_image.Label.ScalingFactor * _image.Label.Maximum);
 
     public void Dispose() => _image.Dispose();
 }

@@ -7,8 +7,8 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Run;
 
-/// <summary>Makes one frame: selection, patterns, scene, POV-Ray, meta file. Its files appear when the frame is complete, the picture last. Safe for several threads.</summary>
-internal sealed class FrameRenderer
+/// <summary>POV-Ray's way: selection, patterns, scene, POV-Ray itself, files.</summary>
+internal sealed class PovRayFrameRenderer : IFrameRenderer
 {
     private readonly RenderSettings _settings;
     private readonly ElevationModel _model;
@@ -17,7 +17,7 @@ internal sealed class FrameRenderer
     private readonly FrameFiles _files;
     private readonly RunTimes _times;
 
-    public FrameRenderer(
+    public PovRayFrameRenderer(
         RenderSettings settings,
         ElevationModel model,
         ScenePatterns patterns,
@@ -33,10 +33,7 @@ internal sealed class FrameRenderer
         _times = times;
     }
 
-    /// <summary>Makes the frame's files.</summary>
-    /// <param name="frame">Which.</param>
-    /// <param name="threads">Threads that POV-Ray may use.</param>
-    /// <param name="cancellation">Ends POV-Ray and leaves no file.</param>
+    /// <inheritdoc/>
     public async Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation)
     {
         TileSelection selection = _times.Measure(Phase.Selection, () => _model.Select(frame));
