@@ -39,4 +39,10 @@ public static class Tolerances
 
     /// <summary>rad: added to the azimuths of a picture for what lies within <see cref="VertexLattice"/> of its border, 20 m and more from the axis.</summary>
     public const double WindowMargin = 1e-3;
+
+    /// <summary>
+    /// 1: cosine of an incidence or emission angle below which Hapke's roughness takes this one. Towards 0 its quotients become 0 / 0;
+    /// here 7 digits are left, and the radiance factor is 1e-9 or no longer changes.
+    /// </summary>
+    public const double GrazingCosine = 1e-9;
 }
