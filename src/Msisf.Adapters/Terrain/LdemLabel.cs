@@ -72,6 +72,6 @@ public sealed record LdemLabel
     /// <summary>Bytes of the samples, without what stands before them.</summary>
     public long ImageBytes => LineBytes * Lines;
 
-    /// <summary>It covers latitudes -90 to 90 and longitudes 0 to 360 degrees, as <see cref="LdemImage"/> needs.</summary>
+    /// <summary>It covers latitudes -90 to 90 and longitudes 0 to 360 degrees.</summary>
     public bool CoversWholeMoon => (NorthDegrees, SouthDegrees, WestDegrees, EastDegrees) == (90.0, -90.0, 0.0, 360.0);
 }

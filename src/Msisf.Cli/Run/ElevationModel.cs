@@ -30,9 +30,9 @@ internal sealed class ElevationModel : IDisposable
     {
         string[] folders = [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
         LdemImage image = LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, folders));
-        host.Log.Note(image.Label.IsSynthetic
-            ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Label.LabelPath})."
-            : $"Elevation: {image.ProductId} ({image.Label.LabelPath}).");
+        host.Log.Note(image.Set.IsSynthetic
+            ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
+            : $"Elevation: {image.ProductId} ({image.Set.Description}).");
         return new ElevationModel(image, () => Summarise(image, host.Log));
     }
 
@@ -44,7 +44,7 @@ internal sealed class ElevationModel : IDisposable
         }
 
         (ElevationSummary summary, string? warning) = ElevationSummaryFile.LoadOrBuild(
-            Path.ChangeExtension(image.Label.ImagePath, ".summary"), SummarySource.Of(image.Label), image);
+            image.Set.FileBeside(".summary"), SummarySource.Of(image.Set), image);
         if (warning is not null)
         {
             log.Warning(warning);
@@ -61,8 +61,8 @@ internal sealed class ElevationModel : IDisposable
     public double DepthBelowGround(Vector3D positionMoonMe) =>
         positionMoonMe.Length > HighestRadius ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
 
-    /// <summary>m: no sample is higher, by the label.</summary>
-    private double HighestRadius => _image.Label.Offset + (_image.Label.ScalingFactor * _image.Label.Maximum);
+    /// <summary>m: no sample is higher, by the labels.</summary>
+    private double HighestRadius => _image.Set.Parts.Max(part => part.Offset + (part.ScalingFactor * part.Maximum));
 
     public void Dispose() => _image.Dispose();
 }
