@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Msisf.Core.Errors;
+using Msisf.Core.Render;
 
 namespace Msisf.Cli.Options;
 

@@ -1,8 +1,0 @@
-namespace Msisf.Cli.Options;
-
-/// <summary>Who draws the pictures.</summary>
-internal enum RendererKind
-{
-    PovRay,
-    Native,
-}
