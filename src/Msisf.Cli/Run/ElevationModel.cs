@@ -59,10 +59,7 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>
-        positionMoonMe.Length > HighestRadius ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
-
-    /// <summary>m: no sample is higher, by the labels.</summary>
-    private double HighestRadius => _image.Set.Parts.Max(part => part.Offset + (part.ScalingFactor * part.Maximum));
+        positionMoonMe.Length > _image.RadiusLimits.Greatest ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
 
     public void Dispose() => _image.Dispose();
 }

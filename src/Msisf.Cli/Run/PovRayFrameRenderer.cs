@@ -58,7 +58,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
             picture =>
             {
                 _times.Add(Phase.PovRay, System.Diagnostics.Stopwatch.GetElapsedTime(start).TotalSeconds);
-                RenderedFrame rendered = new(RendererKind.PovRay, picture, "POV-Ray's picture", WriteScene, Truth: null);
+                RenderedFrame rendered = new(RendererKind.PovRay, picture, "POV-Ray's picture", WriteScene, _model.Grid.PixelsPerDegree, Truth: null);
                 outputs = _files.Write(frame, rendered, cancellation);
             },
             cancellation).ConfigureAwait(false);

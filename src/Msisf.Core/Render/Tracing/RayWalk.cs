@@ -63,7 +63,7 @@ internal ref struct RayWalk
     /// <summary>Walks until the hit is sure.</summary>
     public void Run()
     {
-        const double Top = MoonConstants.ReferenceRadius + SurfaceBounds.GreatestRelief + 1.0;
+        const double Top = MoonConstants.ReferenceRadius + MoonConstants.GreatestRelief + 1.0;
         double distance = _start.Length;
         if (distance < Top)
         {
