@@ -46,7 +46,7 @@ public sealed class TerrainTracer : ISurface
         RayWalk walk = new(_mesh, _bounds, ray, double.PositiveInfinity, stopsAtAnyHit: false);
         walk.Run();
         hit = walk.Facet is FacetId facet
-            ? new SurfaceHit(ray.Origin + (walk.Parameter * ray.Direction), walk.Normal.Normalized(), facet, walk.Parameter)
+            ? new SurfaceHit(walk.Point, walk.Normal.Normalized(), facet, walk.Parameter)
             : default;
         return walk.Facet is not null;
     }
