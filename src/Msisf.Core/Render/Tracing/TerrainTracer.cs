@@ -13,7 +13,7 @@ namespace Msisf.Core.Render.Tracing;
 /// The surface is closed, so a ray from outside enters the ground before it leaves it. Only facets that face the ray are
 /// looked at; a ray that starts on the ground and leaves it has no need to skip its own facet, and no distance from which on hits count.
 /// </remarks>
-public sealed class TerrainTracer : ISurface
+public sealed class TerrainTracer : ISurface, ITerrainTracer
 {
     private readonly LatticeMesh _mesh;
     private readonly SurfaceBounds _bounds;
