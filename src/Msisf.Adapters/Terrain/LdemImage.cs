@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.IO.MemoryMappedFiles;
 using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Terrain;
@@ -36,6 +37,16 @@ public sealed unsafe class LdemImage : IElevationGrid, IDisposable
 
     /// <inheritdoc/>
     public int PixelsPerDegree => Label.PixelsPerDegree;
+
+    /// <summary>By the label's MINIMUM and MAXIMUM, which each sample is checked against.</summary>
+    public (double Least, double Greatest) RadiusLimits
+    {
+        get
+        {
+            double slack = Label.HasIntegers ? 0.0 : Tolerances.FloatSampleLimits * (Label.Maximum - Label.Minimum);
+            return (Label.Offset + (Label.ScalingFactor * (Label.Minimum - slack)), Label.Offset + (Label.ScalingFactor * (Label.Maximum + slack)));
+        }
+    }
 
     /// <summary>Opens the image of a label.</summary>
     /// <param name="label">A label that covers the whole Moon.</param>

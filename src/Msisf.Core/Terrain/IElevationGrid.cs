@@ -14,6 +14,12 @@ public interface IElevationGrid
     /// <summary>Samples a degree.</summary>
     int PixelsPerDegree { get; }
 
+    /// <summary>
+    /// m: no radius lies outside; what a renderer need not read is told by it. A grid that does not know better says 20 km about the
+    /// reference sphere, twice the Moon's relief.
+    /// </summary>
+    (double Least, double Greatest) RadiusLimits => (MoonConstants.ReferenceRadius - 20_000.0, MoonConstants.ReferenceRadius + 20_000.0);
+
     /// <summary>Radii of consecutive samples of one line.</summary>
     /// <param name="line">0 to 180 res - 1, northernmost first.</param>
     /// <param name="firstSample">0 to 360 res - 1; the run goes on over the prime meridian.</param>
