@@ -2,7 +2,7 @@ namespace Msisf.Core.Render.Photometry;
 
 /// <summary>The six parameters of Hapke's law. The one without arguments is the Moon.</summary>
 /// <remarks>
-/// The Moon's: mean of the maps at 643 nm of Sato et al., J. Geophys. Res. Planets 119 (2014), p. 1775, as printed to five digits in table 1 of
+/// The Moon's: averages of the maps of Sato et al., J. Geophys. Res. Planets 119 (2014), p. 1775, as printed to five digits in table 1 of
 /// arXiv:2410.04371. Like them, without coherent backscatter (B_C0 = 0) and with the porosity factor K = 1.
 /// </remarks>
 public sealed class HapkeParameters
