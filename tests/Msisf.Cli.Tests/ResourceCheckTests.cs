@@ -33,7 +33,8 @@ public sealed class ResourceCheckTests
         PictureOptions picture = new();
         SourceOptions source = new();
         RunOptions run = new();
-        RootCommand command = [.. picture.All, .. source.All, .. run.All];
-        return new RenderSettingsReader(command.Parse(options)).Read(picture, source, run);
+        NativeOptions native = new();
+        RootCommand command = [.. picture.All, .. source.All, .. run.All, .. native.All];
+        return new RenderSettingsReader(command.Parse(options)).Read(picture, source, run, native);
     }
 }

@@ -35,13 +35,16 @@ internal sealed class ElevationModel : IDisposable
     /// <param name="host">Where the installation is, and where notes go.</param>
     public static ElevationModel Open(string? explicitPath, int pixelsPerDegree, ProgramHost host)
     {
-        string[] folders = [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
-        LdemImage image = LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, folders));
+        LdemImage image = LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)));
         host.Log.Note(image.Set.IsSynthetic
             ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
             : $"Elevation: {image.ProductId} ({image.Set.Description}).");
         return new ElevationModel(image, () => Summarise(image, host.Log));
     }
+
+    /// <summary>Where models are looked for if none is named, first choice first.</summary>
+    public static string[] Folders(ProgramHost host) =>
+        [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
 
     private static ElevationSummary Summarise(LdemImage image, Log log)
     {
