@@ -72,6 +72,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --grid 0", 2, "--grid is '0'")]
     [InlineData($"{Fixed} --gridH -1", 2, "--gridH is '-1'")]
     [InlineData($"{Fixed} --gridV x", 2, "--gridV is 'x'")]
+    [InlineData($"{Fixed} --surface moon", 2, "--surface is 'moon'; one of sphere, terrain is needed")]
     [InlineData($"{Fixed} --res 0", 2, "--res is '0'")]
     [InlineData($"{Fixed} --res 4.0", 2, "--res is '4.0'")]
     [InlineData($"{Fixed} --res 5000", 2, "from 1 to 1024")]

@@ -16,21 +16,14 @@ internal sealed class FunctionTruth(
 
     public Vector3D LightPositionMoonMe => lightPositionMoonMe;
 
-    /// <summary>The reference sphere cut into cells of 4 px/deg; the states take turns from column to column.</summary>
-    public static FunctionTruth OfSphere(PinholeCamera camera, Vector3D lightPositionMoonMe) =>
-        new(camera, lightPositionMoonMe, (x, y) =>
-        {
-            if (!ReferenceSphere.Lola.TryFirstHit(camera.RayThrough(x, y), out Vector3D point))
-            {
-                return null;
-            }
-
-            SelenographicPoint below = SelenographicPoint.Below(point);
-            int line = (int)((90.0 - double.RadiansToDegrees(below.Latitude)) * 4.0);
-            int sample = (int)(double.RadiansToDegrees(below.Longitude) * 4.0);
-            SurfaceHit hit = new(point, point.Normalized(), new FacetId(line, sample, (FacetHalf)(y % 2)), 1.0);
-            return (hit, Lights[x % Lights.Length]);
-        });
+    /// <summary>A <see cref="SphereTruth"/> of 4 px/deg that shows all there is: the states take turns from column to column, the halves from row to row.</summary>
+    public static FunctionTruth OfSphere(PinholeCamera camera, Vector3D lightPositionMoonMe)
+    {
+        SphereTruth sphere = new(camera, lightPositionMoonMe, pixelsPerDegree: 4);
+        return new FunctionTruth(camera, lightPositionMoonMe, (x, y) => sphere.TryGet(x, y, out SurfaceHit hit, out _)
+            ? (hit with { Facet = hit.Facet with { Half = (FacetHalf)(y % 2) } }, Lights[x % Lights.Length])
+            : null);
+    }
 
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light)
     {

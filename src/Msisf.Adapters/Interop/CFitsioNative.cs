@@ -26,7 +26,12 @@ internal static unsafe partial class CFitsioNative
     [LibraryImport(Library)]
     [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
     internal static partial int ffimem(
-        out CFitsioHandle file, void** buffer, nuint* size, nuint step, delegate* unmanaged[Cdecl]<void*, nuint, void*> reallocate, ref int status);
+        out CFitsioHandle file,
+        void** buffer,
+        nuint* size,
+        nuint step,
+        delegate* unmanaged[Cdecl]<void*, nuint, void*> reallocate,
+        ref int status);
 
     [LibraryImport(Library)]
     [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]

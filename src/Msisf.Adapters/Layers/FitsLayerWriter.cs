@@ -1,3 +1,4 @@
+using System.Numerics;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Errors;
 using Msisf.Core.Layers;
@@ -44,9 +45,10 @@ public static class FitsLayerWriter
             ? FitsUnit.Image(BitsPerPixel(layer), sampler.Width, sampler.Height, layer.Planes)
             : FitsUnit.Image(BitsPerPixel(layer), sampler.Width, sampler.Height);
         PutHeader(image, layer);
+        int pixels = sampler.Width * sampler.Height;
         for (int plane = 0; plane < planes.Count; plane++)
         {
-            WritePlane(image, layer, plane * (long)planes[plane].Length, planes[plane]);
+            WritePlane(image, layer, plane * (long)pixels, planes[plane].AsSpan(0, pixels));
         }
 
         image.CopyTo(stream);
@@ -97,7 +99,7 @@ public static class FitsLayerWriter
     }
 
     private static void WriteNumbers<T>(FitsUnit image, long first, ReadOnlySpan<double> values)
-        where T : unmanaged, System.Numerics.INumberBase<T>
+        where T : unmanaged, INumberBase<T>
     {
         T[] block = new T[Math.Min(BlockPixels, values.Length)];
         for (int done = 0; done < values.Length; done += block.Length)

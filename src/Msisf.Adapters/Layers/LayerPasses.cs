@@ -1,3 +1,4 @@
+using System.Buffers;
 using Msisf.Core.Layers;
 
 namespace Msisf.Adapters.Layers;
@@ -11,40 +12,68 @@ internal static class LayerPasses
     /// <summary>Computes layers and hands them on, one after the other.</summary>
     /// <param name="sampler">The frame.</param>
     /// <param name="layers">Which, in their order.</param>
-    /// <param name="use">Gets a layer and its planes, as <see cref="LayerSampler.SampleRow"/> fills them; they are filled anew afterwards.</param>
+    /// <param name="use">
+    /// Gets a layer and its planes, <c>[y * width + x]</c>, as <see cref="LayerSampler.SampleRow"/> fills them; they may be longer
+    /// than that, and are filled anew afterwards.
+    /// </param>
     /// <param name="cancellation">Stops between rows and between layers.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Run(
         LayerSampler sampler, IReadOnlyList<Layer> layers, Action<Layer, IReadOnlyList<double[]>> use, CancellationToken cancellation)
     {
         int pixels = checked(sampler.Width * sampler.Height);
-        long planesAtOnce = Math.Max(1, MemoryOfAPass / sizeof(double) / pixels);
-        List<double[]> pool = [];
-        int next = 0;
-        while (next < layers.Count)
+        int planesAtOnce = (int)Math.Max(1, MemoryOfAPass / sizeof(double) / pixels);
+        List<double[]> planes = [];
+        try
         {
-            List<Layer> pass = [layers[next]];
-            while (next + pass.Count < layers.Count && pass.Sum(layer => layer.Planes) + layers[next + pass.Count].Planes <= planesAtOnce)
+            foreach (Layer[] pass in Passes(layers, planesAtOnce))
             {
-                pass.Add(layers[next + pass.Count]);
-            }
+                while (planes.Count < pass.Sum(layer => layer.Planes))
+                {
+                    planes.Add(ArrayPool<double>.Shared.Rent(pixels));
+                }
 
-            while (pool.Count < pass.Sum(layer => layer.Planes))
-            {
-                pool.Add(new double[pixels]);
+                RunPass(sampler, pass, planes, use, cancellation);
             }
-
-            Parallel.For(
-                0, sampler.Height, new ParallelOptions { CancellationToken = cancellation }, row => sampler.SampleRow(row, pass, pool));
-            int firstPlane = 0;
-            foreach (Layer layer in pass)
-            {
-                cancellation.ThrowIfCancellationRequested();
-                use(layer, pool.GetRange(firstPlane, layer.Planes));
-                firstPlane += layer.Planes;
-            }
-
-            next += pass.Count;
         }
+        finally
+        {
+            planes.ForEach(plane => ArrayPool<double>.Shared.Return(plane));
+        }
+    }
+
+    private static void RunPass(
+        LayerSampler sampler, Layer[] pass, List<double[]> planes, Action<Layer, IReadOnlyList<double[]>> use, CancellationToken cancellation)
+    {
+        Parallel.For(
+            0,
+            sampler.Height,
+            new ParallelOptions { CancellationToken = cancellation },
+            row => sampler.SampleRow(row, pass, planes, row * sampler.Width));
+        int first = 0;
+        foreach (Layer layer in pass)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            use(layer, planes.GetRange(first, layer.Planes));
+            first += layer.Planes;
+        }
+    }
+
+    /// <summary>As many layers at once as fit, one at least.</summary>
+    private static IEnumerable<Layer[]> Passes(IReadOnlyList<Layer> layers, int planesAtOnce)
+    {
+        List<Layer> pass = [];
+        foreach (Layer layer in layers)
+        {
+            if (pass.Count > 0 && pass.Sum(other => other.Planes) + layer.Planes > planesAtOnce)
+            {
+                yield return [.. pass];
+                pass.Clear();
+            }
+
+            pass.Add(layer);
+        }
+
+        yield return [.. pass];
     }
 }

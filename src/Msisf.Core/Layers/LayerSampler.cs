@@ -28,13 +28,13 @@ public sealed class LayerSampler
     /// <param name="row">0 (top) to <see cref="Height"/> - 1.</param>
     /// <param name="layers">Which.</param>
     /// <param name="planes">
-    /// The planes of the first layer, then those of the second, ...; each <c>[y * width + x]</c>, y and x from 0. Values in the
-    /// layer's unit; NaN marks the undefined ones. Whole numbers are exact.
+    /// Filled: the planes of the first layer, then those of the second, ...; values from left to right, in the layer's unit; NaN
+    /// marks the undefined ones. Whole numbers are exact.
     /// </param>
-    public void SampleRow(int row, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes)
+    /// <param name="start">Where the row begins in each plane.</param>
+    public void SampleRow(int row, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int start)
     {
         PinholeCamera camera = _truth.Camera;
-        int start = row * camera.Width;
         for (int column = 0; column < camera.Width; column++)
         {
             if (_truth.TryGet(column + 1, row + 1, out SurfaceHit hit, out PixelLight light))
