@@ -11,7 +11,6 @@ internal static unsafe partial class CFitsioNative
 
     internal const int TypeByte = 11;
     internal const int TypeInt = 31;
-    internal const int TypeLongLong = 81;
     internal const int TypeDouble = 82;
 
     /// <summary>Bytes that <see cref="ffgerr"/> may write.</summary>

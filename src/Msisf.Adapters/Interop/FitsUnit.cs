@@ -118,7 +118,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     }
 
     /// <summary>Writes pixels.</summary>
-    /// <typeparam name="T">The image's own type: byte, int, long or double; in memory order of the machine.</typeparam>
+    /// <typeparam name="T">The image's own type: byte, int or double; in memory order of the machine.</typeparam>
     /// <param name="first">Where they begin in the image, from 0.</param>
     /// <param name="values">Written as they are.</param>
     public void Write<T>(long first, ReadOnlySpan<T> values)
@@ -163,7 +163,6 @@ internal sealed unsafe class FitsUnit : IDisposable
         {
             byte => CFitsioNative.TypeByte,
             int => CFitsioNative.TypeInt,
-            long => CFitsioNative.TypeLongLong,
             double => CFitsioNative.TypeDouble,
             _ => throw new ArgumentException($"No FITS image has pixels of type {typeof(T)}.", nameof(T)),
         };
@@ -187,6 +186,7 @@ internal sealed unsafe class FitsUnit : IDisposable
         const string Unchanged = "&";
         CFitsioNative.ffpkys(_file, "CHECKSUM", "0000000000000000", "HDU checksum", ref status);
         CFitsioNative.ffpkys(_file, "DATASUM", "0", "data unit checksum", ref status);
+        CFitsioNative.ffflus(_file, ref status); // writes the END card behind them, and the fill behind the data
         CFitsioNative.ffgcks(_file, out nuint dataSum, out _, ref status);
         CFitsioNative.ffmkys(_file, "DATASUM", dataSum.ToString(CultureInfo.InvariantCulture), Unchanged, ref status);
         CFitsioNative.ffgcks(_file, out _, out nuint unitSum, ref status);

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Numerics;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Errors;
@@ -41,7 +42,7 @@ public static class FitsLayerWriter
 
     private static void WriteLayer(Stream stream, LayerSampler sampler, Layer layer, IReadOnlyList<double[]> planes)
     {
-        using FitsUnit image = layer.IsVector
+        using FitsUnit image = layer.Planes > 1
             ? FitsUnit.Image(BitsPerPixel(layer), sampler.Width, sampler.Height, layer.Planes)
             : FitsUnit.Image(BitsPerPixel(layer), sampler.Width, sampler.Height);
         PutHeader(image, layer);
@@ -62,14 +63,14 @@ public static class FitsLayerWriter
             image.Put("BUNIT", layer.Unit, "unit of the values");
         }
 
-        if (layer.Type is LayerType.Signed32 or LayerType.Signed64)
+        if (layer.Type == LayerType.Signed32)
         {
             image.Put("BLANK", Layer.UndefinedNumber, "pixels that show no surface");
         }
 
-        if (layer.IsVector)
+        for (int plane = 0; plane < layer.PlaneNames.Count; plane++)
         {
-            image.Put("REFFRAME", "MOON_ME", "planes 1 to 3 are x, y, z in this frame");
+            image.Put(string.Create(CultureInfo.InvariantCulture, $"PLANE{plane + 1}"), layer.PlaneNames[plane], "what NAXIS3 counts");
         }
 
         image.Put("ROWORDER", "TOP-DOWN", "first row of the file is the picture's top");
@@ -89,11 +90,8 @@ public static class FitsLayerWriter
             case LayerType.Unsigned8:
                 WriteNumbers<byte>(image, first, values);
                 break;
-            case LayerType.Signed32:
-                WriteNumbers<int>(image, first, values);
-                break;
             default:
-                WriteNumbers<long>(image, first, values);
+                WriteNumbers<int>(image, first, values);
                 break;
         }
     }
@@ -114,7 +112,6 @@ public static class FitsLayerWriter
     {
         LayerType.Real64 => -64,
         LayerType.Unsigned8 => 8,
-        LayerType.Signed32 => 32,
-        _ => 64,
+        _ => 32,
     };
 }

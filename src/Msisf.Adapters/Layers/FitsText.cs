@@ -9,13 +9,16 @@ internal static class FitsText
     /// <summary>Characters of a COMMENT card.</summary>
     private const int CardText = 72;
 
-    /// <summary>Writes what is not printable ASCII as C# does: \u00e4. Each UTF-16 unit for itself, so that nothing is lost.</summary>
+    /// <summary>
+    /// Writes what is not printable ASCII as JSON does: \u00e4; each UTF-16 unit for itself, and the backslash too, so that nothing is
+    /// lost. Also the apostrophe: FITS has a way to write it, but astropy before 5.3 ends a long text at one.
+    /// </summary>
     public static string Ascii(string text)
     {
         StringBuilder ascii = new(text.Length);
         foreach (char character in text)
         {
-            if (character is >= ' ' and <= '~')
+            if (character is >= ' ' and <= '~' and not '\'' and not '\\')
             {
                 ascii.Append(character);
             }

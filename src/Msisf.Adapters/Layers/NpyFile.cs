@@ -43,8 +43,7 @@ internal static class NpyFile
         {
             LayerType.Real64 => $"{order}f8",
             LayerType.Unsigned8 => "|u1",
-            LayerType.Signed32 => $"{order}i4",
-            _ => $"{order}i8",
+            _ => $"{order}i4",
         };
     }
 }

@@ -50,7 +50,7 @@ public static class NpyLayerWriter
 
     private static void WriteLayer(Stream stream, LayerSampler sampler, Layer layer, IReadOnlyList<double[]> planes)
     {
-        if (layer.IsVector)
+        if (layer.Planes > 1)
         {
             NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width, layer.Planes);
         }
@@ -85,11 +85,8 @@ public static class NpyLayerWriter
             case LayerType.Unsigned8:
                 WriteNumbers<byte>(stream, row);
                 break;
-            case LayerType.Signed32:
-                WriteNumbers<int>(stream, row);
-                break;
             default:
-                WriteNumbers<long>(stream, row);
+                WriteNumbers<int>(stream, row);
                 break;
         }
     }

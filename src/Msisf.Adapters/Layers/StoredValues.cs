@@ -7,7 +7,7 @@ namespace Msisf.Adapters.Layers;
 internal static class StoredValues
 {
     /// <summary>Converts values; what is undefined becomes <see cref="Layer.UndefinedNumber"/>.</summary>
-    /// <typeparam name="T">byte (every value is defined), int or long.</typeparam>
+    /// <typeparam name="T">byte (every value is defined) or int.</typeparam>
     /// <param name="values">Whole numbers or NaN.</param>
     /// <param name="stored">As many.</param>
     public static void Convert<T>(ReadOnlySpan<double> values, Span<T> stored)

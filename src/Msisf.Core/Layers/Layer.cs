@@ -3,17 +3,17 @@ namespace Msisf.Core.Layers;
 /// <summary>One kind of ground truth, a picture of numbers. Immutable; docs/formats.md has the definitions.</summary>
 public sealed class Layer
 {
-    /// <summary>Stands for "undefined" in layers of whole numbers that have such pixels: tile and cell ids start at 0.</summary>
-    public const int UndefinedNumber = -1;
+    /// <summary>Stands for "undefined" in layers of whole numbers that have such pixels; -1 will not do, as it is a line of cells.</summary>
+    public const int UndefinedNumber = int.MinValue;
 
-    internal Layer(string name, LayerType type, string unit, string description, LayerValue value, bool isVector = false)
+    internal Layer(string name, LayerType type, string unit, string description, LayerValue value, params string[] planeNames)
     {
         Name = name;
         Type = type;
         Unit = unit;
         Description = description;
         Value = value;
-        IsVector = isVector;
+        PlaneNames = planeNames;
     }
 
     /// <summary>As in <c>--layers</c>: "pixel-scale".</summary>
@@ -31,11 +31,11 @@ public sealed class Layer
     /// <summary>The definition in one or two sentences, ASCII.</summary>
     public string Description { get; }
 
-    /// <summary>Three planes: x, y and z in MOON_ME.</summary>
-    public bool IsVector { get; }
+    /// <summary>What each plane holds ("x", "y", "z"); empty for a layer of one number a pixel.</summary>
+    public IReadOnlyList<string> PlaneNames { get; }
 
-    /// <summary>1, or 3 for a vector.</summary>
-    public int Planes => IsVector ? 3 : 1;
+    /// <summary>Numbers a pixel: 1, or one for each of <see cref="PlaneNames"/>.</summary>
+    public int Planes => Math.Max(1, PlaneNames.Count);
 
     internal LayerValue Value { get; }
 }

@@ -11,7 +11,4 @@ public enum LayerType
 
     /// <summary>32 bits, signed; <see cref="Layer.UndefinedNumber"/> where undefined.</summary>
     Signed32,
-
-    /// <summary>64 bits, signed; <see cref="Layer.UndefinedNumber"/> where undefined.</summary>
-    Signed64,
 }

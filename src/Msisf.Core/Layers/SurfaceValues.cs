@@ -1,5 +1,6 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Layers;
 
@@ -36,9 +37,15 @@ internal static class SurfaceValues
 
     public static double? Height(in PixelTruth pixel, int plane) => pixel.Hit.PointMoonMe.Length - MoonConstants.ReferenceRadius;
 
-    public static double? Tile(in PixelTruth pixel, int plane) => CellNumber.TileOf(pixel.Hit.Facet, pixel.MeshPixelsPerDegree);
+    public static double? Cell(in PixelTruth pixel, int plane) => plane == 0 ? pixel.Hit.Facet.Line : pixel.Hit.Facet.Sample;
 
-    public static double? Cell(in PixelTruth pixel, int plane) => CellNumber.CellOf(pixel.Hit.Facet, pixel.MeshPixelsPerDegree);
+    /// <summary>Index in <see cref="TileId.All"/> of the tile that the cell belongs to (docs/pattern-format.md).</summary>
+    public static double? Tile(in PixelTruth pixel, int plane)
+    {
+        int linesOfTile = TileId.SizeDegrees * pixel.MeshPixelsPerDegree;
+        int rowFromNorth = Math.Max(pixel.Hit.Facet.Line, 0) / linesOfTile; // the northern fan belongs to the tiles of line 0
+        return ((TileId.Rows - 1 - rowFromNorth) * TileId.Columns) + (pixel.Hit.Facet.Sample / linesOfTile);
+    }
 
     private static double Component(Vector3D vector, int plane) => plane switch
     {

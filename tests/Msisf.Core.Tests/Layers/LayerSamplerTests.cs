@@ -4,6 +4,7 @@ using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -85,7 +86,7 @@ public class LayerSamplerTests
         Assert.Equal([1.0], values["mask"]);
         Assert.Equal([1.0], values["sun-visibility"]);
         Assert.Equal([(18 * 72) + 71.0], values["tile"]); // samples lie half a step off (0, 0): its cell begins north-west of it
-        Assert.Equal([(1440.0 * (359 + 1)) + 1439.0], values["cell"]);
+        Assert.Equal([359.0, 1439.0], values["cell"]);
         Assert.Equal((4e6 - radius) * 2.0 * Math.Tan(0.5) / 3.0, Assert.Single(values["pixel-scale"]), 1e-6);
     }
 
@@ -96,9 +97,9 @@ public class LayerSamplerTests
 
         double[][] planes = Sample(new SphereTruth(away, Sun, 4), [.. LayerCatalogue.All.Select(layer => layer.Name)]);
 
-        Assert.Equal(21, planes.Length);
+        Assert.Equal(22, planes.Length);
         Assert.Single(planes, plane => plane.All(value => value == 0.0));
-        Assert.Equal(20, planes.Count(plane => plane.All(double.IsNaN)));
+        Assert.Equal(21, planes.Count(plane => plane.All(double.IsNaN)));
     }
 
     [Fact]
@@ -133,6 +134,24 @@ public class LayerSamplerTests
 
         Assert.InRange(values[0], 179.999, 180.0);
         Assert.Equal([(double)SunState.Night, 0.0], values[1..]);
+    }
+
+    [Theory]
+    [InlineData(90.0, 0.3, 85, 0)] // the northern fan
+    [InlineData(89.9, 359.99, 85, 355)]
+    [InlineData(84.87, 4.87, 80, 0)] // the last samples before both borders are half a step away
+    [InlineData(84.88, 5.13, 85, 5)]
+    [InlineData(-90.0, 0.3, -90, 0)]
+    public void SampleRow_PointOnATile_HasItsIndexAmongAllTiles(double latitude, double longitude, int south, int west)
+    {
+        Vector3D below = new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
+        Vector3D axis = Vector3D.Cross(-Vector3D.UnitX, -below);
+        UnitQuaternion down = UnitQuaternion.FromAxisAngle(axis, Vector3D.AngleBetween(-Vector3D.UnitX, -below));
+        SphereTruth truth = new(new PinholeCamera(2e6 * below, down, 1e-6, 1, 1), Sun, 4);
+
+        int tile = (int)Assert.Single(PixelOf(truth, 1, 1, "tile"));
+
+        Assert.Equal(new TileId(south, west), TileId.All.ElementAt(tile));
     }
 
     /// <summary>Looks along -x: y is right (east at the centre), z is up.</summary>
