@@ -68,39 +68,47 @@ internal sealed unsafe class Float32SampleCodec : SampleCodec
     /// <summary>As <see cref="Int16SampleCodec"/>: the last eight may overlap those before.</summary>
     private bool TryReadEights(byte* samples, Span<double> radii)
     {
+        Vector256<float> lowest = Vector256.Create(_lowest);
+        Vector256<float> highest = Vector256.Create(_highest);
         Vector256<float> allowed = Vector256<float>.AllBitsSet;
+        Vector512<double> scale = Vector512.Create(_scale);
+        Vector512<double> offset = Vector512.Create(_offset);
         int last = radii.Length - Vector256<float>.Count;
         fixed (double* target = radii)
         {
-            for (int i = 0; i < last; i += Vector256<float>.Count)
+            for (int i = 0, next; ; i = next)
             {
-                allowed &= StoreEight(samples, target, i);
-            }
+                Vector256<float> values = Eight(samples, i);
+                allowed &= Avx.Compare(values, lowest, FloatComparisonMode.OrderedGreaterThanOrEqualNonSignaling)
+                    & Avx.Compare(values, highest, FloatComparisonMode.OrderedLessThanOrEqualNonSignaling); // NaN is neither
+                Store(values, scale, offset, target + i);
+                if (i == last)
+                {
+                    break;
+                }
 
-            allowed &= StoreEight(samples, target, last);
+                next = Math.Min(i + Vector256<float>.Count, last);
+            }
         }
 
         return allowed.AsUInt32() == Vector256<uint>.AllBitsSet;
     }
 
-    /// <returns>All bits set where a value is allowed, which NaN is not.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector256<float> StoreEight(byte* samples, double* radii, int index)
+    private static void Store(Vector256<float> values, Vector512<double> scale, Vector512<double> offset, double* radii)
     {
-        Vector256<float> values = Eight(samples, index);
         if (Avx512F.IsSupported && Vector512.IsHardwareAccelerated)
         {
-            (Vector512.Create(_offset) + (Vector512.Create(_scale) * Avx512F.ConvertToVector512Double(values))).Store(radii + index);
+            (offset + (scale * Avx512F.ConvertToVector512Double(values))).Store(radii);
         }
         else
         {
-            (Vector256.Create(_offset) + (Vector256.Create(_scale) * Avx.ConvertToVector256Double(values.GetLower()))).Store(radii + index);
-            (Vector256.Create(_offset) + (Vector256.Create(_scale) * Avx.ConvertToVector256Double(values.GetUpper()))).Store(radii + index + 4);
+            (offset.GetLower() + (scale.GetLower() * Avx.ConvertToVector256Double(values.GetLower()))).Store(radii);
+            (offset.GetLower() + (scale.GetLower() * Avx.ConvertToVector256Double(values.GetUpper()))).Store(radii + 4);
         }
-
-        return Vector256.GreaterThanOrEqual(values, Vector256.Create(_lowest)) & Vector256.LessThanOrEqual(values, Vector256.Create(_highest));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector256<float> Eight(byte* samples, int index)
     {
         Vector256<float> values = Vector256.Load((float*)samples + index);

@@ -76,44 +76,52 @@ internal sealed unsafe class Int16SampleCodec : SampleCodec
         return areAllowed;
     }
 
-    /// <summary>Eight at a time; the last eight may overlap those before, which is cheaper than up to seven single ones.</summary>
+    /// <summary>
+    /// Eight at a time; the last eight may overlap those before, which is cheaper than up to seven single ones. No fused
+    /// multiplication: the radii have the same bits on each machine.
+    /// </summary>
     private bool TryReadEights(byte* samples, Span<double> radii)
     {
+        Vector128<short> lowest = Vector128.Create(_lowest);
+        Vector128<short> highest = Vector128.Create(_highest);
         Vector128<short> outside = Vector128<short>.Zero;
+        Vector512<double> scale = Vector512.Create(_scale);
+        Vector512<double> offset = Vector512.Create(_offset);
         int last = radii.Length - Vector128<short>.Count;
         fixed (double* target = radii)
         {
-            for (int i = 0; i < last; i += Vector128<short>.Count)
+            for (int i = 0, next; ; i = next)
             {
-                outside |= StoreEight(samples, target, i);
-            }
+                Vector128<short> values = Eight(samples, i);
+                outside |= Vector128.LessThan(values, lowest) | Vector128.GreaterThan(values, highest);
+                Store(Avx2.ConvertToVector256Int32(values), scale, offset, target + i);
+                if (i == last)
+                {
+                    break;
+                }
 
-            outside |= StoreEight(samples, target, last);
+                next = Math.Min(i + Vector128<short>.Count, last);
+            }
         }
 
         return outside == Vector128<short>.Zero;
     }
 
-    /// <summary>No fused multiplication: the radii have the same bits on each machine.</summary>
-    /// <returns>Not zero where a value is not allowed.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector128<short> StoreEight(byte* samples, double* radii, int index)
+    private static void Store(Vector256<int> values, Vector512<double> scale, Vector512<double> offset, double* radii)
     {
-        Vector128<short> values = Eight(samples, index);
-        Vector256<int> integers = Avx2.ConvertToVector256Int32(values);
         if (Avx512F.IsSupported && Vector512.IsHardwareAccelerated)
         {
-            (Vector512.Create(_offset) + (Vector512.Create(_scale) * Avx512F.ConvertToVector512Double(integers))).Store(radii + index);
+            (offset + (scale * Avx512F.ConvertToVector512Double(values))).Store(radii);
         }
         else
         {
-            (Vector256.Create(_offset) + (Vector256.Create(_scale) * Avx.ConvertToVector256Double(integers.GetLower()))).Store(radii + index);
-            (Vector256.Create(_offset) + (Vector256.Create(_scale) * Avx.ConvertToVector256Double(integers.GetUpper()))).Store(radii + index + 4);
+            (offset.GetLower() + (scale.GetLower() * Avx.ConvertToVector256Double(values.GetLower()))).Store(radii);
+            (offset.GetLower() + (scale.GetLower() * Avx.ConvertToVector256Double(values.GetUpper()))).Store(radii + 4);
         }
-
-        return Vector128.LessThan(values, Vector128.Create(_lowest)) | Vector128.GreaterThan(values, Vector128.Create(_highest));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector128<short> Eight(byte* samples, int index)
     {
         Vector128<short> values = Vector128.Load((short*)samples + index);

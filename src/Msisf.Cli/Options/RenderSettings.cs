@@ -1,4 +1,5 @@
 using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 
 namespace Msisf.Cli.Options;
@@ -15,6 +16,8 @@ internal sealed record RenderSettings
     public required int GridHorizontal { get; init; }
 
     public required int GridVertical { get; init; }
+
+    public required PixelSurface Surface { get; init; }
 
     public required int PixelsPerDegree { get; init; }
 

@@ -4,6 +4,7 @@ using Msisf.Adapters.Render;
 using Msisf.Cli.Run;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
 
 namespace Msisf.Cli.Options;
 
@@ -33,6 +34,9 @@ internal sealed class RenderSettingsReader
             Height = height,
             GridHorizontal = WholeNumber(picture.GridHorizontal, grid, int.MaxValue),
             GridVertical = WholeNumber(picture.GridVertical, grid, int.MaxValue),
+            Surface = _line.GetValue(picture.Surface) is string surface
+                ? OptionText.Choice(picture.Surface, surface, [("sphere", PixelSurface.Sphere), ("terrain", PixelSurface.Terrain)])
+                : PixelSurface.Sphere,
             PixelsPerDegree = SourceSettings.Resolution(_line, source),
             Renderer = native.Renderer(),
             Native = native.Read(needsTruth: false),

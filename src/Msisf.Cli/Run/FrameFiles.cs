@@ -4,6 +4,7 @@ using Msisf.Adapters.Render;
 using Msisf.Cli.Options;
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
+using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Cli.Run;
@@ -32,8 +33,8 @@ internal sealed class FrameFiles
     public IReadOnlyList<string> Write(Frame frame, RenderedFrame rendered, CancellationToken cancellation)
     {
         string stem = Path.Combine(_settings.OutputFolder, frame.Name);
-        FrameMetadata metadata = Describe(frame);
-        PixelSampler pixels = Sampler(frame);
+        FrameMetadata metadata = Describe(frame, rendered.Renderer);
+        PixelSampler pixels = Sampler(frame, rendered.Truth);
         string? annotated = _settings.Annotate ? $"{stem}.annotated.png" : null;
         List<string> paths = annotated is null ? [$"{stem}.png"] : [$"{stem}.png", annotated];
         using AtomicFileSet files = new();
@@ -60,18 +61,25 @@ internal sealed class FrameFiles
         return paths;
     }
 
-    private FrameMetadata Describe(Frame frame) => new(
+    private FrameMetadata Describe(Frame frame, RendererKind renderer) => new(
         frame.Time,
         frame.Camera,
         _settings.FieldOfViewDegrees,
         frame.Light.PositionMoonMe,
         _pixelsPerDegree,
         _identity.Version,
-        _identity.CommandLine);
+        _identity.CommandLine,
+        renderer);
 
-    private PixelSampler Sampler(Frame frame)
+    private PixelSampler Sampler(Frame frame, IFrameTruth? truth)
     {
         PixelGrid grid = new(frame.Camera.Width, frame.Camera.Height, _settings.GridHorizontal, _settings.GridVertical);
-        return new PixelSampler(frame.Camera, grid, ReferenceSphere.Lola, frame.Light.PositionMoonMe);
+        if (_settings.Surface == PixelSurface.Sphere)
+        {
+            return new PixelSampler(frame.Camera, grid, ReferenceSphere.Lola, frame.Light.PositionMoonMe);
+        }
+
+        ArgumentNullException.ThrowIfNull(truth);
+        return new PixelSampler(grid, truth, _pixelsPerDegree);
     }
 }

@@ -8,7 +8,9 @@ using Msisf.Cli.Options;
 using Msisf.Cli.Progress;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
+using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Cli.Run;
 
@@ -73,7 +75,8 @@ internal sealed class RenderRun : IDisposable
             AnnotationRenderer.RequireCairo();
         }
 
-        PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+        FrameFiles files = new(_settings, model.Grid.PixelsPerDegree, _host.Identity, _times);
+        IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, files) : PovRay(model, files);
         CreateFolder(_settings.OutputFolder);
         int cores = Environment.ProcessorCount;
         ResourceCheck.Check(
@@ -81,9 +84,6 @@ internal sealed class RenderRun : IDisposable
             FrameLoop.AtOnce(frames.Length, _settings.Jobs, cores),
             GC.GetGCMemoryInfo().TotalAvailableMemoryBytes,
             new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
-        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), model.Grid);
-        FrameFiles files = new(_settings, model.Grid.PixelsPerDegree, _host.Identity, _times);
-        FrameRenderer renderer = new(_settings, model, patterns, povRay, files, _times);
 
         // A bar overwrites what is printed on its terminal: errors and paths follow when it is done.
         bool hasBar = RunProgress.DrawsBar(frames.Length, _settings.Unattended);
@@ -105,6 +105,19 @@ internal sealed class RenderRun : IDisposable
 
             _host.Results.Write(later.ToString());
         }
+    }
+
+    private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files)
+    {
+        PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), model.Grid);
+        return new PovRayFrameRenderer(_settings, model, patterns, povRay, files, _times);
+    }
+
+    private NativeFrameRenderer Native(ElevationModel model, FrameFiles files)
+    {
+        NativeLevels levels = new(model.Grid, _settings.Native.UsesLevelsOfDetail ? LodLevels.Open(model.Grid) : null);
+        return new NativeFrameRenderer(_settings.Native, levels, files, _times);
     }
 
     private static void CreateFolder(string folder)

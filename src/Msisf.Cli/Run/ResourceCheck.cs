@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Cli.Options;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
 
 namespace Msisf.Cli.Run;
 
@@ -20,8 +21,11 @@ internal static class ResourceCheck
     /// <summary>Bytes of a pixel on disk at worst: POV-Ray's buffer file, its PNG, and our copy.</summary>
     private const long DiskBytesPerPixel = PovRayBytesPerPixel + 3 + 3;
 
-    /// <summary>Bytes of a grid point in the meta file: the text of one Pixel element.</summary>
+    /// <summary>Bytes of a grid point in the meta file: the text of one Pixel element on the reference sphere.</summary>
     private const long MetaBytesPerPoint = 240;
+
+    /// <summary>The same on the terrain.</summary>
+    private const long TerrainMetaBytesPerPoint = 1060;
 
     /// <summary>Checks one picture's size times the pictures made at once. The meta file is streamed: it needs disk, but no memory.</summary>
     /// <param name="settings">Size, grid and annotation of the pictures.</param>
@@ -35,7 +39,8 @@ internal static class ResourceCheck
         long memory = atOnce * (Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels) + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0));
         Refuse(settings, "memory", "Use a smaller --width and --height, or fewer --jobs.", memory, memoryThere);
         PixelGrid grid = new(settings.Width, settings.Height, settings.GridHorizontal, settings.GridVertical);
-        long disk = atOnce * ((DiskBytesPerPixel * pixels) + (MetaBytesPerPoint * grid.Columns * grid.Rows));
+        long metaBytesPerPoint = settings.Surface == PixelSurface.Terrain ? TerrainMetaBytesPerPoint : MetaBytesPerPoint;
+        long disk = atOnce * ((DiskBytesPerPixel * pixels) + (metaBytesPerPoint * grid.Columns * grid.Rows));
         Refuse(
             settings,
             $"free disk space in {settings.OutputFolder}",

@@ -85,5 +85,7 @@ public sealed class GreyTable
         return radianceFactor >= _least[level + 1] ? level + 1 : level;
     }
 
-    private int StepOf(double radianceFactor) => (int)Math.Clamp(radianceFactor * _stepsPerRadianceFactor, 0.0, _lastStep);
+    // The native forms are one instruction each, and differ from the others only for NaN and out of the range that is cut off before.
+    private int StepOf(double radianceFactor) =>
+        double.ConvertToIntegerNative<int>(double.MinNative(double.MaxNative(radianceFactor * _stepsPerRadianceFactor, 0.0), _lastStep));
 }

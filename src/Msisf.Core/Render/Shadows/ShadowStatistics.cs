@@ -1,0 +1,10 @@
+namespace Msisf.Core.Render.Shadows;
+
+/// <summary>What the shadows of a frame took; the same for the same frame, whatever the number of threads.</summary>
+/// <param name="Receivers">Points that were looked at; those deep in the night are not counted.</param>
+/// <param name="Groups">Groups of blocks that bounds could not rule out.</param>
+/// <param name="Blocks">Blocks that were read cell by cell.</param>
+/// <param name="Facets">Facets that were kept.</param>
+/// <param name="Bins">Bins of the grid.</param>
+/// <param name="Entries">Facets in the lists of all bins.</param>
+internal readonly record struct ShadowStatistics(int Receivers, int Groups, int Blocks, int Facets, int Bins, int Entries);

@@ -1,0 +1,24 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Shadows;
+
+namespace Msisf.Core.Tests.Render.Shadows;
+
+/// <summary>Given points as a picture of so many columns.</summary>
+internal sealed class PointReceivers(IReadOnlyList<Vector3D> points, int width) : IReceiverRows
+{
+    public int Rows => (points.Count + width - 1) / width;
+
+    public int Width => width;
+
+    public int Read(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns)
+    {
+        int count = Math.Min(width, points.Count - (row * width));
+        for (int column = 0; column < count; column++)
+        {
+            (x[column], y[column], z[column]) = points[(row * width) + column];
+            columns[column] = column;
+        }
+
+        return count;
+    }
+}
