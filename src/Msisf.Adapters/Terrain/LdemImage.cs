@@ -36,6 +36,11 @@ public sealed class LdemImage : IElevationGrid, IDisposable
     /// <inheritdoc/>
     public int PixelsPerDegree => _pixelsPerDegree;
 
+    /// <inheritdoc/>
+    public (double Least, double Greatest) RadiusLimits => (
+        Set.Parts.Min(part => part.Offset + (part.ScalingFactor * part.Minimum)),
+        Set.Parts.Max(part => part.Offset + (part.ScalingFactor * part.Maximum)));
+
     /// <summary>Opens the image of a label.</summary>
     /// <param name="label">A label that covers the whole Moon.</param>
     /// <exception cref="BadInputException">The label covers a part of the Moon; the image is missing, unreadable, or not as long as the label says.</exception>

@@ -24,6 +24,9 @@ internal sealed class RenderSettingsReader
     public RenderSettings Read(PictureOptions picture, SourceOptions source, RunOptions run, NativeOptions nativeOptions)
     {
         NativeSettingsReader native = new(_line, nativeOptions);
+        PixelSurface surface = _line.GetValue(picture.Surface) is string words
+            ? OptionText.Choice(picture.Surface, words, [("sphere", PixelSurface.Sphere), ("terrain", PixelSurface.Terrain)])
+            : PixelSurface.Sphere;
         int width = WholeNumber(picture.Width, 1024, LargestSide);
         int height = WholeNumber(picture.Height, 1024, LargestSide);
         int grid = WholeNumber(picture.Grid, PixelGrid.DefaultSpacing, int.MaxValue);
@@ -34,12 +37,10 @@ internal sealed class RenderSettingsReader
             Height = height,
             GridHorizontal = WholeNumber(picture.GridHorizontal, grid, int.MaxValue),
             GridVertical = WholeNumber(picture.GridVertical, grid, int.MaxValue),
-            Surface = _line.GetValue(picture.Surface) is string surface
-                ? OptionText.Choice(picture.Surface, surface, [("sphere", PixelSurface.Sphere), ("terrain", PixelSurface.Terrain)])
-                : PixelSurface.Sphere,
+            Surface = surface,
             PixelsPerDegree = SourceSettings.Resolution(_line, source),
             Renderer = native.Renderer(),
-            Native = native.Read(needsTruth: false),
+            Native = native.Read(needsTruth: surface == PixelSurface.Terrain),
             IgnoreSun = _line.GetValue(picture.IgnoreSun),
             Annotate = _line.GetValue(picture.Annotation),
             OutputFolder = PathOf(picture.OutputFolder) ?? "output",

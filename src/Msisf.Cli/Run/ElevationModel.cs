@@ -1,5 +1,7 @@
 using Msisf.Adapters.Terrain;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Tracing;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 
@@ -13,14 +15,19 @@ internal sealed class ElevationModel : IDisposable
 
     private readonly LdemImage _image;
     private readonly Lazy<ElevationSummary> _summary;
+    private readonly Lazy<TerrainTracer> _tracer;
 
     private ElevationModel(LdemImage image, Func<ElevationSummary> summarise)
     {
         _image = image;
         _summary = new Lazy<ElevationSummary>(summarise);
+        _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(image));
     }
 
     public IElevationGrid Grid => _image;
+
+    /// <summary>Traces single rays; made when it is first needed.</summary>
+    public ITerrainTracer Tracer => _tracer.Value;
 
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
@@ -59,10 +66,7 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>
-        positionMoonMe.Length > HighestRadius ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
-
-    /// <summary>m: no sample is higher, by the labels.</summary>
-    private double HighestRadius => _image.Set.Parts.Max(part => part.Offset + (part.ScalingFactor * part.Maximum));
+        positionMoonMe.Length > _image.RadiusLimits.Greatest ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
 
     public void Dispose() => _image.Dispose();
 }

@@ -1,8 +1,10 @@
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Layers;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
 using Msisf.Cli.Options;
 using Msisf.Core.Camera;
+using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
@@ -13,14 +15,16 @@ namespace Msisf.Cli.Run;
 internal sealed class FrameFiles
 {
     private readonly RenderSettings _settings;
+    private readonly string _product;
     private readonly int _pixelsPerDegree;
     private readonly ProgramIdentity _identity;
     private readonly RunTimes _times;
 
-    public FrameFiles(RenderSettings settings, int pixelsPerDegree, ProgramIdentity identity, RunTimes times)
+    public FrameFiles(RenderSettings settings, IElevationGrid model, ProgramIdentity identity, RunTimes times)
     {
         _settings = settings;
-        _pixelsPerDegree = pixelsPerDegree;
+        _product = model.ProductId;
+        _pixelsPerDegree = model.PixelsPerDegree;
         _identity = identity;
         _times = times;
     }
@@ -33,8 +37,8 @@ internal sealed class FrameFiles
     public IReadOnlyList<string> Write(Frame frame, RenderedFrame rendered, CancellationToken cancellation)
     {
         string stem = Path.Combine(_settings.OutputFolder, frame.Name);
-        FrameMetadata metadata = Describe(frame, rendered.Renderer);
-        PixelSampler pixels = Sampler(frame, rendered.Truth);
+        FrameMetadata metadata = Describe(frame, rendered);
+        PixelSampler pixels = Sampler(frame, rendered);
         string? annotated = _settings.Annotate ? $"{stem}.annotated.png" : null;
         List<string> paths = annotated is null ? [$"{stem}.png"] : [$"{stem}.png", annotated];
         using AtomicFileSet files = new();
@@ -46,6 +50,11 @@ internal sealed class FrameFiles
 
         _times.Measure(Phase.Xml, () => files.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation)));
         paths.Add($"{stem}.xml");
+        if (_settings.Native.Layers is LayerSet layers)
+        {
+            paths.AddRange(_times.Measure(Phase.Layers, () => WriteLayers(files, stem, metadata, rendered, layers, cancellation)));
+        }
+
         _times.Measure(Phase.Output, () =>
         {
             if (annotated is not null)
@@ -61,17 +70,32 @@ internal sealed class FrameFiles
         return paths;
     }
 
-    private FrameMetadata Describe(Frame frame, RendererKind renderer) => new(
+    private IReadOnlyList<string> WriteLayers(
+        AtomicFileSet files, string stem, FrameMetadata metadata, RenderedFrame rendered, LayerSet layers, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(rendered.Truth);
+        int level = int.Log2(_pixelsPerDegree / rendered.PixelsPerDegree);
+        LayerProvenance provenance = new(_product, rendered.PixelsPerDegree, level, "native");
+        if (_settings.Native.LayersFormat == LayersFormat.Npy)
+        {
+            return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, cancellation);
+        }
+
+        files.Write($"{stem}.fits", stream => FitsLayerWriter.Write(stream, metadata, provenance, rendered.Truth, layers, cancellation));
+        return [$"{stem}.fits"];
+    }
+
+    private FrameMetadata Describe(Frame frame, RenderedFrame rendered) => new(
         frame.Time,
         frame.Camera,
         _settings.FieldOfViewDegrees,
         frame.Light.PositionMoonMe,
-        _pixelsPerDegree,
+        rendered.PixelsPerDegree,
         _identity.Version,
         _identity.CommandLine,
-        renderer);
+        rendered.Renderer);
 
-    private PixelSampler Sampler(Frame frame, IFrameTruth? truth)
+    private PixelSampler Sampler(Frame frame, RenderedFrame rendered)
     {
         PixelGrid grid = new(frame.Camera.Width, frame.Camera.Height, _settings.GridHorizontal, _settings.GridVertical);
         if (_settings.Surface == PixelSurface.Sphere)
@@ -79,7 +103,7 @@ internal sealed class FrameFiles
             return new PixelSampler(frame.Camera, grid, ReferenceSphere.Lola, frame.Light.PositionMoonMe);
         }
 
-        ArgumentNullException.ThrowIfNull(truth);
-        return new PixelSampler(grid, truth, _pixelsPerDegree);
+        ArgumentNullException.ThrowIfNull(rendered.Truth);
+        return new PixelSampler(grid, rendered.Truth, rendered.PixelsPerDegree);
     }
 }

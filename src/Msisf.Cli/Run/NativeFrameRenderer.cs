@@ -35,7 +35,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         using MemoryStream picture = new();
         _times.Measure(Phase.Output, () => Encode(drawn, picture));
         RenderedFrame rendered = new(
-            RendererKind.Native, picture, "the picture", WriteScene: null, _settings.Render.KeepTruth ? drawn : null, renderer.PixelsPerDegree);
+            RendererKind.Native, picture, "the picture", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepTruth ? drawn : null);
         return new FrameOutputs(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
     }
 

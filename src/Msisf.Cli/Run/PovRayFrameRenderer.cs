@@ -1,6 +1,7 @@
 using Msisf.Adapters.Render;
 using Msisf.Adapters.Scene;
 using Msisf.Cli.Options;
+using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
 using Msisf.Core.Tiles;
@@ -58,7 +59,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
             picture =>
             {
                 _times.Add(Phase.PovRay, System.Diagnostics.Stopwatch.GetElapsedTime(start).TotalSeconds);
-                RenderedFrame rendered = new(RendererKind.PovRay, picture, "POV-Ray's picture", WriteScene, Truth: null);
+                RenderedFrame rendered = new(RendererKind.PovRay, picture, "POV-Ray's picture", WriteScene, _model.Grid.PixelsPerDegree, TruthOf(frame));
                 outputs = _files.Write(frame, rendered, cancellation);
             },
             cancellation).ConfigureAwait(false);
@@ -66,4 +67,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _times.Add(Phase.Trace, povRayTimes.TraceSeconds ?? 0.0);
         return new FrameOutputs(outputs, tiles.Length, made);
     }
+
+    private TracedFrameTruth? TruthOf(Frame frame) =>
+        _settings.Surface == PixelSurface.Terrain ? new TracedFrameTruth(frame.Camera, frame.Light, _model.Tracer) : null;
 }

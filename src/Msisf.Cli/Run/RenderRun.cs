@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Layers;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
 using Msisf.Adapters.Tiles;
@@ -75,7 +76,12 @@ internal sealed class RenderRun : IDisposable
             AnnotationRenderer.RequireCairo();
         }
 
-        FrameFiles files = new(_settings, model.Grid.PixelsPerDegree, _host.Identity, _times);
+        if (_settings.Native is { Layers: not null, LayersFormat: LayersFormat.Fits })
+        {
+            FitsLayerWriter.RequireCFitsio();
+        }
+
+        FrameFiles files = new(_settings, model.Grid, _host.Identity, _times);
         IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, files) : PovRay(model, files);
         CreateFolder(_settings.OutputFolder);
         int cores = Environment.ProcessorCount;

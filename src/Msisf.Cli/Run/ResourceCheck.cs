@@ -25,7 +25,7 @@ internal static class ResourceCheck
     private const long MetaBytesPerPoint = 240;
 
     /// <summary>The same on the terrain.</summary>
-    private const long TerrainMetaBytesPerPoint = 1060;
+    private const long TerrainMetaBytesPerPoint = 1000;
 
     /// <summary>Checks one picture's size times the pictures made at once. The meta file is streamed: it needs disk, but no memory.</summary>
     /// <param name="settings">Size, grid and annotation of the pictures.</param>

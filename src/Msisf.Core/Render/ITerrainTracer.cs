@@ -7,15 +7,15 @@ namespace Msisf.Core.Render;
 /// <summary>Traces single rays through the closed surface that the pattern files draw, exactly. Safe for several threads.</summary>
 public interface ITerrainTracer
 {
-    /// <summary>The first facet in front of a ray's origin.</summary>
-    /// <param name="ray">MOON_ME, m; the origin lies above the surface.</param>
-    /// <param name="hit">What is met, with the facet's normal; <c>default</c> if nothing is.</param>
-    /// <returns>Whether the ray meets the surface.</returns>
+    /// <summary>The first facet through which a ray enters the ground.</summary>
+    /// <param name="ray">MOON_ME, from a point that is not inside the Moon.</param>
+    /// <param name="hit">The point, with the facet's normal; <c>default</c> if there is none.</param>
+    /// <returns>Whether there is one.</returns>
     bool TryTrace(Ray ray, out SurfaceHit hit);
 
-    /// <summary>Whether other terrain lies between a point of a facet and the light.</summary>
-    /// <param name="pointMoonMe">m, on the facet.</param>
-    /// <param name="facet">The facet; it does not hide its own points.</param>
-    /// <param name="lightMoonMe">The Sun, or the lamp that stands for it, m.</param>
+    /// <summary>Whether a point of the ground gets no light: its facet faces away, or other terrain is in between.</summary>
+    /// <param name="pointMoonMe">m, MOON_ME, on the facet.</param>
+    /// <param name="facet">The facet on which the point lies.</param>
+    /// <param name="lightMoonMe">The Sun or another point of light outside the Moon, m, MOON_ME.</param>
     bool IsHidden(Vector3D pointMoonMe, FacetId facet, Vector3D lightMoonMe);
 }

@@ -38,14 +38,12 @@ public sealed class TracedFrameTruth : IFrameTruth
     private PixelLight LightAt(SurfaceHit hit)
     {
         // A lamp at the camera lights what the camera sees; traced back, rounding could hide the edges of facets.
-        Vector3D toLight = _light.PositionMoonMe - hit.PointMoonMe;
-        if (!_light.IsSun
-            || (Vector3D.Dot(hit.NormalMoonMe, toLight) > 0.0 && !_tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light.PositionMoonMe)))
+        if (!_light.IsSun || !_tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light.PositionMoonMe))
         {
             return new PixelLight(SunState.Lit, 1.0);
         }
 
-        bool isAboveHorizon = Vector3D.Dot(hit.PointMoonMe, toLight) > 0.0;
+        bool isAboveHorizon = Vector3D.Dot(hit.PointMoonMe, _light.PositionMoonMe - hit.PointMoonMe) > 0.0;
         return new PixelLight(isAboveHorizon ? SunState.Shadow : SunState.Night, 0.0);
     }
 }

@@ -91,7 +91,7 @@ public class TracedFrameTruthTests
         public bool IsHidden(Vector3D pointMoonMe, FacetId facet, Vector3D lightMoonMe)
         {
             Asked = (pointMoonMe, facet, lightMoonMe);
-            return isHidden;
+            return isHidden || Vector3D.Dot(seen!.Value.NormalMoonMe, lightMoonMe - pointMoonMe) <= 0.0;
         }
     }
 }

@@ -31,7 +31,7 @@ public sealed class GreyTable
         _lastStep = (1 << bitDepth) * StepsPerLevel;
         _stepsPerRadianceFactor = scale.Exposure * _lastStep;
         _least = new double[_greatestLevel + 2];
-        _least[_greatestLevel + 1] = double.PositiveInfinity;
+        _least[_greatestLevel + 1] = double.NaN; // nothing passes it, not even infinity
         for (int level = 1; level <= _greatestLevel; level++)
         {
             _least[level] = scale.LeastRadianceFactor(level, _greatestLevel);

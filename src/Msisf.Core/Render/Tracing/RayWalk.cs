@@ -6,14 +6,19 @@ namespace Msisf.Core.Render.Tracing;
 
 /// <summary>
 /// One ray on its way through the surface: down a tree of blocks of cells, nearest first, to the facets through which it enters the
-/// ground. Pieces of the ray, in m from <see cref="_start"/>, only say where to look; what is hit is decided on the ray itself.
+/// ground. Pieces of the ray, in m from its nearest approach to the Moon's centre, only say where to look; what is hit is decided on
+/// <see cref="_near"/>.
 /// </summary>
 internal ref struct RayWalk
 {
+    /// <summary>m: all of the surface is nearer to the Moon's centre.</summary>
+    private const double Top = MoonConstants.ReferenceRadius + MoonConstants.GreatestRelief + 1.0;
+
     private readonly LatticeMesh _mesh;
     private readonly SurfaceBounds _bounds;
-    private readonly Ray _ray;
     private readonly bool _stopsAtAnyHit;
+    private readonly Ray _near;
+    private readonly double _offset;
     private readonly EdgeFunction _edge;
     private readonly BlockBorders _borders;
     private readonly double _length;
@@ -22,6 +27,7 @@ internal ref struct RayWalk
     private readonly double _startSquared;
     private readonly double _startRise;
     private readonly double _sagitta;
+    private double _parameter;
     private double _farthest;
 
     /// <summary>Prepares a walk.</summary>
@@ -34,23 +40,26 @@ internal ref struct RayWalk
     {
         _mesh = mesh;
         _bounds = bounds;
-        _ray = ray;
         _stopsAtAnyHit = stopsAtAnyHit;
-        _edge = new EdgeFunction(ray.Origin, ray.Direction);
+        (_near, _offset) = ShiftedRay.From(ray, Top);
         _length = ray.Direction.Length;
         Vector3D direction = ray.Direction / _length;
-        _startParameter = -Vector3D.Dot(ray.Origin, direction);
-        _start = ray.Origin + (_startParameter * direction);
+        _startParameter = -Vector3D.Dot(_near.Origin, direction);
+        _start = _near.Origin + (_startParameter * direction);
         _startSquared = _start.LengthSquared;
         _startRise = Vector3D.Dot(_start, direction);
+        _edge = new EdgeFunction(_near.Origin, ray.Direction);
         _borders = new BlockBorders(mesh, _start, direction);
         _sagitta = MeshBounds.SagittaFactor(mesh.PixelsPerDegree);
-        Parameter = endParameter;
-        _farthest = FarthestFor(endParameter);
+        _parameter = endParameter - _offset;
+        _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
     }
 
-    /// <summary>Parameter of the hit on the ray; before one is found, where the search ends.</summary>
-    public double Parameter { get; private set; }
+    /// <summary>Parameter of the hit on the ray.</summary>
+    public readonly double Parameter => _offset + _parameter;
+
+    /// <summary>The point that is hit, m, MOON_ME.</summary>
+    public readonly Vector3D Point => _near.Origin + (_parameter * _near.Direction);
 
     /// <summary>The facet that is hit; null before.</summary>
     public FacetId? Facet { get; private set; }
@@ -63,17 +72,17 @@ internal ref struct RayWalk
     /// <summary>Walks until the hit is sure.</summary>
     public void Run()
     {
-        const double Top = MoonConstants.ReferenceRadius + SurfaceBounds.GreatestRelief + 1.0;
         double distance = _start.Length;
         if (distance < Top)
         {
             double halfChord = Math.Sqrt((Top - distance) * (Top + distance));
-            RayPiece piece = new(Math.Max(-halfChord, -_startParameter - Tolerances.VertexLattice), Math.Min(halfChord, _farthest));
+            RayPiece piece = new(Math.Max(-halfChord, PlaceOf(-_offset) - Tolerances.VertexLattice), Math.Min(halfChord, _farthest));
             VisitIfMet(new CellBlock(0, 0, _mesh.Lines + 1, _mesh.Samples), piece, kind: 0);
         }
     }
 
-    private readonly double FarthestFor(double parameter) => (parameter * _length) - _startParameter + Tolerances.VertexLattice;
+    /// <summary>Where a parameter of the shifted ray lies on the scale of the pieces.</summary>
+    private readonly double PlaceOf(double parameter) => (parameter * _length) - _startParameter;
 
     private void VisitIfMet(CellBlock block, RayPiece piece, int kind)
     {
@@ -167,12 +176,12 @@ internal ref struct RayWalk
 
         Vector3D normal = corners.NormalOf(facet.Half);
         double parameter = ParameterOn(normal, a, b, c);
-        if (parameter > 0.0 && parameter < Parameter)
+        if (parameter > -_offset && parameter < _parameter)
         {
-            Parameter = parameter;
+            _parameter = parameter;
+            _farthest = PlaceOf(parameter) + Tolerances.VertexLattice;
             Facet = facet;
             Normal = normal;
-            _farthest = FarthestFor(parameter);
         }
     }
 
@@ -182,12 +191,12 @@ internal ref struct RayWalk
         double alongA = AlongRay(a);
         double alongB = AlongRay(b);
         double alongC = AlongRay(c);
-        double parameter = Vector3D.Dot(normal, a - _ray.Origin) / Vector3D.Dot(normal, _ray.Direction);
+        double parameter = Vector3D.Dot(normal, a - _near.Origin) / Vector3D.Dot(normal, _near.Direction);
         double first = Math.Min(alongA, Math.Min(alongB, alongC));
         double last = Math.Max(alongA, Math.Max(alongB, alongC));
         return parameter >= first ? Math.Min(parameter, last) : first;
     }
 
     private readonly double AlongRay(Vector3D vertex) =>
-        Vector3D.Dot(vertex - _ray.Origin, _ray.Direction) / (_length * _length);
+        Vector3D.Dot(vertex - _near.Origin, _near.Direction) / (_length * _length);
 }

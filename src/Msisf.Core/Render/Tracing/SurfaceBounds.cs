@@ -10,9 +10,6 @@ namespace Msisf.Core.Render.Tracing;
 /// </summary>
 internal sealed class SurfaceBounds
 {
-    /// <summary>m: how far the surface may be from the reference radius. The Moon keeps within -9.2 and +10.8 km; the pattern files (docs/pattern-format.md, section 4) hold no more than this either.</summary>
-    public const double GreatestRelief = 20_000.0;
-
     private const int PageShift = 8;
     private const int BlockShift = 5;
     private const int PatchShift = 3;
@@ -80,11 +77,11 @@ internal sealed class SurfaceBounds
         int west = pageColumn << PageShift;
         int samples = Math.Min(1 << PageShift, _mesh.Samples - west) + 1;
         (double least, double greatest) = _grid.RadiusBounds(first, last - first + 1, west, Math.Min(samples, _mesh.Samples));
-        if (!(Math.Abs(least - MoonConstants.ReferenceRadius) <= GreatestRelief && Math.Abs(greatest - MoonConstants.ReferenceRadius) <= GreatestRelief))
+        if (!(Math.Abs(least - MoonConstants.ReferenceRadius) <= MoonConstants.GreatestRelief && Math.Abs(greatest - MoonConstants.ReferenceRadius) <= MoonConstants.GreatestRelief))
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{_grid.ProductId} has radii from {least:R} to {greatest:R} m between its lines {first + 1} and {last + 1}, samples {west + 1} and {Math.Min(west + samples, _mesh.Samples)}; a surface within {GreatestRelief:R} m of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
+                $"{_grid.ProductId} has radii from {least:R} to {greatest:R} m between its lines {first + 1} and {last + 1}, samples {west + 1} and {Math.Min(west + samples, _mesh.Samples)}; a surface within {MoonConstants.GreatestRelief:R} m of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
         }
 
         RadiusRange range = RadiusRange.Around(least, greatest);

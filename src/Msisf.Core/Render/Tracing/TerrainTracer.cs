@@ -13,7 +13,7 @@ namespace Msisf.Core.Render.Tracing;
 /// The surface is closed, so a ray from outside enters the ground before it leaves it. Only facets that face the ray are
 /// looked at; a ray that starts on the ground and leaves it has no need to skip its own facet, and no distance from which on hits count.
 /// </remarks>
-public sealed class TerrainTracer : ISurface
+public sealed class TerrainTracer : ISurface, ITerrainTracer
 {
     private readonly LatticeMesh _mesh;
     private readonly SurfaceBounds _bounds;
@@ -46,7 +46,7 @@ public sealed class TerrainTracer : ISurface
         RayWalk walk = new(_mesh, _bounds, ray, double.PositiveInfinity, stopsAtAnyHit: false);
         walk.Run();
         hit = walk.Facet is FacetId facet
-            ? new SurfaceHit(ray.Origin + (walk.Parameter * ray.Direction), walk.Normal.Normalized(), facet, walk.Parameter)
+            ? new SurfaceHit(walk.Point, walk.Normal.Normalized(), facet, walk.Parameter)
             : default;
         return walk.Facet is not null;
     }

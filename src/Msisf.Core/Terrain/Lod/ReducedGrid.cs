@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
+using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Terrain.Lod;
 
@@ -27,6 +28,10 @@ public sealed class ReducedGrid : IElevationGrid
     internal ReducedGrid(IElevationGrid source, int halvings, ReducedGrid? below, LodCache cache)
     {
         ProductId = source.ProductId;
+
+        // Means lie between the samples, but for the rounding of their heights.
+        (double least, double greatest) = source.RadiusLimits;
+        RadiusLimits = (least - Tolerances.VertexLattice, greatest + Tolerances.VertexLattice);
         _layout = new LodLayout(source.PixelsPerDegree >> halvings);
         _cache = cache;
         _below = below;
@@ -37,6 +42,9 @@ public sealed class ReducedGrid : IElevationGrid
 
     /// <inheritdoc/>
     public string ProductId { get; }
+
+    /// <inheritdoc/>
+    public (double Least, double Greatest) RadiusLimits { get; }
 
     /// <inheritdoc/>
     public int PixelsPerDegree => _layout.PixelsPerDegree;
