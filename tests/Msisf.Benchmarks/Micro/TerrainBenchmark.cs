@@ -36,7 +36,9 @@ public class TerrainBenchmark
         _summary = ElevationSummary.Build(_model);
         _surface = new SurfaceModel(_model);
         _tracer = new TerrainTracer(_model);
-        _mesh = new TileMeshBuilder(_model).Build(new TileId(0, 45));
+        TileMeshBuilder builder = new(_model);
+        TileMeshLayout layout = TileMeshLayout.For(new TileId(0, 45), _model.PixelsPerDegree);
+        _mesh = builder.Build(layout, builder.ReadRadii(layout));
         using Sun sun = Sun.Open(Environment.CurrentDirectory);
         _sun = sun.Ephemeris.SunPositionMoonMe(_scene.State.Time);
     }
