@@ -37,9 +37,8 @@ public sealed class LdemImage : IElevationGrid, IDisposable
     public int PixelsPerDegree => _pixelsPerDegree;
 
     /// <inheritdoc/>
-    public (double Least, double Greatest) RadiusLimits => (
-        Set.Parts.Min(part => part.Offset + (part.ScalingFactor * part.Minimum)),
-        Set.Parts.Max(part => part.Offset + (part.ScalingFactor * part.Maximum)));
+    public (double Least, double Greatest) RadiusLimits =>
+        (Set.Parts.Min(part => part.RadiusLimits.Least), Set.Parts.Max(part => part.RadiusLimits.Greatest));
 
     /// <summary>Opens the image of a label.</summary>
     /// <param name="label">A label that covers the whole Moon.</param>

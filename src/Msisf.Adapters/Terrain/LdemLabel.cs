@@ -1,3 +1,5 @@
+using Msisf.Core.Numerics;
+
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>What the label of a cylindrical lunar elevation model says, checked for consistency. It may cover a part of the Moon only.</summary>
@@ -62,6 +64,16 @@ public sealed record LdemLabel
 
     /// <summary>The samples are 16-bit integers.</summary>
     public bool HasIntegers => SampleType is LdemSampleType.Int16LittleEndian or LdemSampleType.Int16BigEndian;
+
+    /// <summary>m: no sample is outside. Floats may pass the printed MINIMUM and MAXIMUM a little.</summary>
+    public (double Least, double Greatest) RadiusLimits
+    {
+        get
+        {
+            double slack = HasIntegers ? 0.0 : Tolerances.FloatSampleLimits * (Maximum - Minimum);
+            return (Offset + (ScalingFactor * (Minimum - slack)), Offset + (ScalingFactor * (Maximum + slack)));
+        }
+    }
 
     /// <summary>Bytes of a sample.</summary>
     public int SampleBytes => HasIntegers ? sizeof(short) : sizeof(float);

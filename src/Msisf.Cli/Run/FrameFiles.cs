@@ -6,7 +6,6 @@ using Msisf.Cli.Options;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
-using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Cli.Run;

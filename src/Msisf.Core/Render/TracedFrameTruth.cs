@@ -31,19 +31,15 @@ public sealed class TracedFrameTruth : IFrameTruth
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light)
     {
         bool isSurface = _tracer.TryTrace(Camera.RayThrough(x, y), out hit);
-        light = isSurface ? LightAt(hit) : default;
-        return isSurface;
-    }
-
-    private PixelLight LightAt(SurfaceHit hit)
-    {
-        // A lamp at the camera lights what the camera sees; traced back, rounding could hide the edges of facets.
-        if (!_light.IsSun || !_tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light.PositionMoonMe))
+        if (!isSurface)
         {
-            return new PixelLight(SunState.Lit, 1.0);
+            light = default;
+            return false;
         }
 
-        bool isAboveHorizon = Vector3D.Dot(hit.PointMoonMe, _light.PositionMoonMe - hit.PointMoonMe) > 0.0;
-        return new PixelLight(isAboveHorizon ? SunState.Shadow : SunState.Night, 0.0);
+        // A lamp at the camera lights what the camera sees; traced back, rounding could hide the edges of facets.
+        bool isDark = _light.IsSun && _tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light.PositionMoonMe);
+        light = PointSun.At(hit.PointMoonMe, isDark, _light);
+        return true;
     }
 }

@@ -45,6 +45,9 @@ public sealed class HapkeReflectance : IReflectance
     }
 
     /// <inheritdoc/>
+    public bool DependsOnViewer => true;
+
+    /// <inheritdoc/>
     public double RadianceFactor(double cosIncidence, double cosEmission, double phaseHaversine)
     {
         RoughSurface surface = _roughness.At(cosIncidence, cosEmission, phaseHaversine);

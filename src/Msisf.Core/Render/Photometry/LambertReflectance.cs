@@ -14,5 +14,8 @@ public sealed class LambertReflectance : IReflectance
     public double Albedo { get; }
 
     /// <inheritdoc/>
+    public bool DependsOnViewer => false;
+
+    /// <inheritdoc/>
     public double RadianceFactor(double cosIncidence, double cosEmission, double phaseHaversine) => Albedo * cosIncidence;
 }

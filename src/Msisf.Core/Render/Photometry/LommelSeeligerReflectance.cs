@@ -16,6 +16,9 @@ public sealed class LommelSeeligerReflectance : IReflectance
     }
 
     /// <inheritdoc/>
+    public bool DependsOnViewer => true;
+
+    /// <inheritdoc/>
     public double RadianceFactor(double cosIncidence, double cosEmission, double phaseHaversine) =>
         _twiceAlbedo * cosIncidence / (cosIncidence + cosEmission);
 }

@@ -24,6 +24,9 @@ public sealed class LunarLambertReflectance : IReflectance
     }
 
     /// <inheritdoc/>
+    public bool DependsOnViewer => true;
+
+    /// <inheritdoc/>
     public double RadianceFactor(double cosIncidence, double cosEmission, double phaseHaversine)
     {
         double weight = _weight ?? MoonWeight(phaseHaversine);

@@ -1,0 +1,115 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>
+/// Computes the points that pixels show: camera + t direction, the direction being that of <see cref="Camera.PinholeCamera.RayThrough"/> to
+/// the last bit. One pixel at a time is the reference; a row at a time gives the same bits.
+/// </summary>
+internal sealed class RowResolver
+{
+    private readonly PictureView _view;
+    private readonly double[] _right;
+
+    public RowResolver(PictureView view)
+    {
+        _view = view;
+        _right = new double[view.Camera.Width];
+        double width = view.Camera.Width;
+        for (int column = 0; column < _right.Length; column++)
+        {
+            double x = column + 1 + view.OffsetX;
+            _right[column] = ((2.0 * x) - 1.0 - width) / (2.0 * width);
+        }
+    }
+
+    /// <summary>One pixel, counted from 0.</summary>
+    public SurfaceHit Resolve(int column, int row, double inverseParameter, in FacetRecord record)
+    {
+        Vector3D direction = _view.Camera.RayThrough(column + 1 + _view.OffsetX, row + 1 + _view.OffsetY).Direction;
+        double parameter = 1.0 / inverseParameter;
+        Vector3D point = _view.Camera.PositionMoonMe + (parameter * direction);
+        double length = Math.Sqrt(record.Normal.LengthSquared); // sides of 0.01 m to 1e6 m: no overflow
+        return new SurfaceHit(point, record.Normal / length, record.Facet, parameter);
+    }
+
+    /// <summary>The pixels of a row that show the surface.</summary>
+    /// <param name="band">The band of the row.</param>
+    /// <param name="row">The row, from 0.</param>
+    /// <param name="pixels">Filled.</param>
+    public void Resolve(Band band, int row, SurfaceRow pixels)
+    {
+        pixels.EnsureWidth(band.Width);
+        Gather(band, row, pixels);
+
+        Vector3D position = _view.Camera.PositionMoonMe;
+        Vector3D right = _view.Camera.Right;
+        double height = _view.Camera.Height;
+        double up = (1.0 + height - (2.0 * (row + 1 + _view.OffsetY))) / (2.0 * height);
+        Vector3D middle = _view.Camera.Direction + (up * _view.Camera.Up);
+        ref double parameters = ref MemoryMarshal.GetArrayDataReference(pixels.Parameters);
+        ref double x = ref MemoryMarshal.GetArrayDataReference(pixels.X);
+        ref double y = ref MemoryMarshal.GetArrayDataReference(pixels.Y);
+        ref double z = ref MemoryMarshal.GetArrayDataReference(pixels.Z);
+        ref double normalX = ref MemoryMarshal.GetArrayDataReference(pixels.NormalX);
+        ref double normalY = ref MemoryMarshal.GetArrayDataReference(pixels.NormalY);
+        ref double normalZ = ref MemoryMarshal.GetArrayDataReference(pixels.NormalZ);
+        for (nuint i = 0; i < (nuint)pixels.Count; i += (nuint)Vector512<double>.Count)
+        {
+            Vector512<double> parameter = Vector512<double>.One / Vector512.LoadUnsafe(ref parameters, i);
+            Vector512<double> toRight = Vector512.LoadUnsafe(ref x, i);
+            parameter.StoreUnsafe(ref parameters, i);
+            At(position.X, middle.X, right.X, toRight, parameter).StoreUnsafe(ref x, i);
+            At(position.Y, middle.Y, right.Y, toRight, parameter).StoreUnsafe(ref y, i);
+            At(position.Z, middle.Z, right.Z, toRight, parameter).StoreUnsafe(ref z, i);
+
+            Vector512<double> nx = Vector512.LoadUnsafe(ref normalX, i);
+            Vector512<double> ny = Vector512.LoadUnsafe(ref normalY, i);
+            Vector512<double> nz = Vector512.LoadUnsafe(ref normalZ, i);
+            Vector512<double> length = Vector512.Sqrt((nx * nx) + (ny * ny) + (nz * nz));
+            (nx / length).StoreUnsafe(ref normalX, i);
+            (ny / length).StoreUnsafe(ref normalY, i);
+            (nz / length).StoreUnsafe(ref normalZ, i);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> At(double position, double middle, double right, Vector512<double> toRight, Vector512<double> parameter) =>
+        Vector512.Create(position) + (parameter * (Vector512.Create(middle) + (toRight * Vector512.Create(right))));
+
+    /// <summary>Puts the row's pixels one after the other; x holds their part of the way to the right for now.</summary>
+    private void Gather(Band band, int row, SurfaceRow pixels)
+    {
+        int start = (row - band.FirstRow) * band.Stride;
+        ReadOnlySpan<double> inverses = band.InverseParameters.AsSpan(start, band.Width);
+        ReadOnlySpan<int> facets = band.Facets.AsSpan(start, band.Width);
+        ReadOnlySpan<FacetRecord> records = band.Records;
+        int count = 0;
+        for (int column = 0; column < inverses.Length; column++)
+        {
+            if (inverses[column] > 0.0)
+            {
+                int facet = facets[column];
+                ref readonly FacetRecord record = ref records[facet];
+                pixels.Columns[count] = column;
+                pixels.Facets[count] = facet;
+                pixels.Parameters[count] = inverses[column];
+                pixels.X[count] = _right[column];
+                pixels.NormalX[count] = record.Normal.X;
+                pixels.NormalY[count] = record.Normal.Y;
+                pixels.NormalZ[count] = record.Normal.Z;
+                count++;
+            }
+        }
+
+        pixels.Count = count;
+        for (int behind = count; behind < count + SurfaceRow.Padding; behind++)
+        {
+            (pixels.Parameters[behind], pixels.X[behind]) = (1.0, 0.0);
+            (pixels.NormalX[behind], pixels.NormalY[behind], pixels.NormalZ[behind]) = (1.0, 0.0, 0.0);
+        }
+    }
+}
