@@ -10,19 +10,19 @@ internal sealed class CasterBounds
     private const double Rounding = 1e-12;
 
     private readonly LightFrame _frame;
-    private readonly ReceiverMap _map;
+    private readonly ReceiverGrid _grid;
     private readonly LightBox _receivers;
     private readonly double _parallaxCosine;
     private readonly double _parallaxSine;
 
     /// <param name="frame">Light space.</param>
-    /// <param name="map">The receivers.</param>
+    /// <param name="grid">The receivers.</param>
     /// <param name="receivers">They all are in it.</param>
     /// <param name="greatestRadius">m; below the Sun's distance.</param>
-    public CasterBounds(LightFrame frame, ReceiverMap map, LightBox receivers, double greatestRadius)
+    public CasterBounds(LightFrame frame, ReceiverGrid grid, LightBox receivers, double greatestRadius)
     {
         _frame = frame;
-        _map = map;
+        _grid = grid;
         _receivers = receivers;
 
         // The Sun's direction from a point differs from that from the centre by an angle with at most this sine.
@@ -56,7 +56,7 @@ internal sealed class CasterBounds
                 greatestU * (greatestU < 0.0 ? leastScale : greatestScale),
                 leastV * (leastV < 0.0 ? greatestScale : leastScale),
                 greatestV * (greatestV < 0.0 ? leastScale : greatestScale)));
-        return !box.IsEmpty && leastW * greatestScale < _map.GreatestDepth(box);
+        return !box.IsEmpty && leastW * greatestScale < _grid.GreatestDepth(box);
     }
 
     /// <summary>Bounds of one component of the points between two spheres in the direction of a cap.</summary>

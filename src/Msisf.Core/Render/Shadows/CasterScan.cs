@@ -7,53 +7,45 @@ using Msisf.Core.Render.Surface;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// Goes through blocks of the terrain and keeps the facets that may cast a shadow on a receiver: they face away from the Sun, and a
-/// receiver may lie behind them. One object for one thread.
+/// Goes through blocks of the terrain and lets each facet that faces away from the Sun hide the receivers behind it. One object for one
+/// thread; several may work on one grid, for the result does not depend on their order.
 /// </summary>
-internal sealed class CasterScan(SurfaceModel surface, CasterStore store)
+internal sealed class CasterScan(SurfaceModel surface)
 {
     private readonly BlockVertices _vertices = new();
-    private readonly List<CasterRun> _runs = [];
-    private ReceiverMap? _map;
+    private ReceiverGrid _grid = null!;
     private LightBox _receivers;
-    private int _next;
-    private int _end;
-    private int _runStart;
-    private double _leastV;
-    private double _greatestV;
+    private byte[] _hidden = [];
 
-    /// <summary>What was kept since <see cref="Start"/>.</summary>
-    public List<CasterRun> Runs => _runs;
+    /// <summary>Facets since <see cref="Start"/> that have a receiver behind their box.</summary>
+    public int Casters { get; private set; }
 
-    /// <summary>Facets kept since <see cref="Start"/>.</summary>
-    public int Kept { get; private set; }
+    /// <summary>Receivers since <see cref="Start"/> that were tried, in vectors of eight.</summary>
+    public long Tries { get; private set; }
 
     /// <summary>Begins a frame.</summary>
-    /// <param name="map">The receivers.</param>
+    /// <param name="grid">The receivers.</param>
     /// <param name="receivers">They all are in it.</param>
-    public void Start(ReceiverMap map, LightBox receivers)
+    /// <param name="hidden">Of each pixel; becomes 1 if terrain hides the Sun.</param>
+    public void Start(ReceiverGrid grid, LightBox receivers, byte[] hidden)
     {
-        _map = map;
+        _grid = grid;
         _receivers = receivers;
-        _runs.Clear();
-        _next = 0;
-        _end = 0;
-        Kept = 0;
+        _hidden = hidden;
+        Casters = 0;
+        Tries = 0;
     }
 
-    /// <summary>Adds what is to be kept of a block.</summary>
+    /// <summary>Goes through a block.</summary>
     public void Add(CellBlock block, LightFrame frame)
     {
         _vertices.Load(surface, block, default);
         int length = _vertices.Lines * BlockVertices.Stride;
         frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
-        BeginRun();
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
             AddLine(line);
         }
-
-        EndRun();
     }
 
     private void AddLine(int line)
@@ -91,13 +83,13 @@ internal sealed class CasterScan(SurfaceModel surface, CasterStore store)
             for (; awaySouthWest != 0; awaySouthWest &= awaySouthWest - 1)
             {
                 int at = (int)northWest + BitOperations.TrailingZeroCount(awaySouthWest);
-                Keep(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1);
+                Cast(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1);
             }
 
             for (; awayNorthEast != 0; awayNorthEast &= awayNorthEast - 1)
             {
                 int at = (int)northWest + BitOperations.TrailingZeroCount(awayNorthEast);
-                Keep(at, at + BlockVertices.Stride + 1, at + 1);
+                Cast(at, at + BlockVertices.Stride + 1, at + 1);
             }
         }
     }
@@ -110,56 +102,73 @@ internal sealed class CasterScan(SurfaceModel surface, CasterStore store)
     private static Vector512<double> Max(Vector512<double> a, Vector512<double> b, Vector512<double> c, Vector512<double> d) =>
         Vector512.MaxNative(Vector512.MaxNative(a, b), Vector512.MaxNative(c, d));
 
-    private void Keep(int a, int b, int c)
+    private void Cast(int a, int b, int c)
     {
-        double[] u = _vertices.X;
-        double[] v = _vertices.Y;
-        double[] w = _vertices.Z;
-        LightBox box = new(
-            Math.Min(u[a], Math.Min(u[b], u[c])),
-            Math.Max(u[a], Math.Max(u[b], u[c])),
-            Math.Min(v[a], Math.Min(v[b], v[c])),
-            Math.Max(v[a], Math.Max(v[b], v[c])));
-        if (!(Math.Min(w[a], Math.Min(w[b], w[c])) < _map!.GreatestDepth(box)))
+        Facet facet = new(
+            _vertices.X[a], _vertices.Y[a], _vertices.Z[a],
+            _vertices.X[b], _vertices.Y[b], _vertices.Z[b],
+            _vertices.X[c], _vertices.Y[c], _vertices.Z[c]);
+        LightAxis axisU = _grid.AxisU;
+        LightAxis axisV = _grid.AxisV;
+        int firstColumn = axisU.BinOf(Math.Min(facet.Ua, Math.Min(facet.Ub, facet.Uc)));
+        int lastColumn = axisU.BinOf(Math.Max(facet.Ua, Math.Max(facet.Ub, facet.Uc)));
+        int firstRow = axisV.BinOf(Math.Min(facet.Va, Math.Min(facet.Vb, facet.Vc)));
+        int lastRow = axisV.BinOf(Math.Max(facet.Va, Math.Max(facet.Vb, facet.Vc)));
+        if (!(Math.Min(facet.Wa, Math.Min(facet.Wb, facet.Wc)) < _grid.GreatestDepth(firstColumn, lastColumn, firstRow, lastRow)))
         {
             return;
         }
 
-        if (_next == _end)
+        Casters++;
+        for (int row = firstRow; row <= lastRow; row++)
         {
-            EndRun();
-            _next = store.TakeChunk();
-            _end = _next + CasterStore.ChunkSize;
-            BeginRun();
-        }
-
-        ref double facet = ref store[_next++];
-        facet = u[a];
-        Unsafe.Add(ref facet, 1) = u[b];
-        Unsafe.Add(ref facet, 2) = u[c];
-        Unsafe.Add(ref facet, 4) = v[a];
-        Unsafe.Add(ref facet, 5) = v[b];
-        Unsafe.Add(ref facet, 6) = v[c];
-        Unsafe.Add(ref facet, 8) = w[c];
-        Unsafe.Add(ref facet, 9) = w[a];
-        Unsafe.Add(ref facet, 10) = w[b];
-        _leastV = Math.Min(_leastV, box.LeastV);
-        _greatestV = Math.Max(_greatestV, box.GreatestV);
-    }
-
-    private void BeginRun()
-    {
-        _runStart = _next;
-        _leastV = double.PositiveInfinity;
-        _greatestV = double.NegativeInfinity;
-    }
-
-    private void EndRun()
-    {
-        if (_next > _runStart)
-        {
-            _runs.Add(new CasterRun(_runStart, _next - _runStart, _leastV, _greatestV));
-            Kept += _next - _runStart;
+            (int first, int end) = _grid.Run(row, firstColumn, lastColumn);
+            if (end > first)
+            {
+                Hide(in facet, first, end);
+            }
         }
     }
+
+    private void Hide(in Facet facet, int first, int end)
+    {
+        ref double us = ref MemoryMarshal.GetArrayDataReference(_grid.U);
+        ref double vs = ref MemoryMarshal.GetArrayDataReference(_grid.V);
+        ref double ws = ref MemoryMarshal.GetArrayDataReference(_grid.W);
+        Tries += (end - first + 7) / 8;
+        for (int i = first; i < end; i += Vector512<double>.Count)
+        {
+            Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
+            Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
+            Vector512<double> ua = Vector512.Create(facet.Ua) - u;
+            Vector512<double> va = Vector512.Create(facet.Va) - v;
+            Vector512<double> ub = Vector512.Create(facet.Ub) - u;
+            Vector512<double> vb = Vector512.Create(facet.Vb) - v;
+            Vector512<double> uc = Vector512.Create(facet.Uc) - u;
+            Vector512<double> vc = Vector512.Create(facet.Vc) - v;
+            Vector512<double> weightC = (ua * vb) - (ub * va);
+            Vector512<double> weightA = (ub * vc) - (uc * vb);
+            Vector512<double> weightB = (uc * va) - (ua * vc);
+            Vector512<double> isInside = Vector512.GreaterThanOrEqual(
+                Vector512.MinNative(weightA, Vector512.MinNative(weightB, weightC)), Vector512<double>.Zero);
+            if (isInside == Vector512<double>.Zero)
+            {
+                continue;
+            }
+
+            Vector512<double> w = Vector512.LoadUnsafe(ref ws, (nuint)i);
+            Vector512<double> deeper = (weightA * (Vector512.Create(facet.Wa) - w))
+                + (weightB * (Vector512.Create(facet.Wb) - w))
+                + (weightC * (Vector512.Create(facet.Wc) - w));
+            uint isHidden = (uint)(isInside & Vector512.LessThan(deeper, Vector512<double>.Zero)).ExtractMostSignificantBits();
+            isHidden &= (1u << Math.Min(end - i, Vector512<double>.Count)) - 1;
+            for (; isHidden != 0; isHidden &= isHidden - 1)
+            {
+                _hidden[_grid.Pixels[i + BitOperations.TrailingZeroCount(isHidden)]] = 1;
+            }
+        }
+    }
+
+    private readonly record struct Facet(
+        double Ua, double Va, double Wa, double Ub, double Vb, double Wb, double Uc, double Vc, double Wc);
 }

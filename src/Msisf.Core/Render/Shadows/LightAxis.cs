@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
@@ -26,4 +27,13 @@ internal readonly struct LightAxis
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int BinOf(double coordinate) =>
         (int)Math.Min(Math.Max((coordinate - _least) * _binsPerMetre, 0.0), _last);
+
+    /// <summary>The same bins, as whole numbers in doubles.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector512<double> BinsOf(Vector512<double> coordinates) => Vector512.Floor(Vector512.MinNative(
+        Vector512.MaxNative((coordinates - Vector512.Create(_least)) * Vector512.Create(_binsPerMetre), Vector512<double>.Zero),
+        Vector512.Create(_last)));
+
+    /// <summary>m: where a bin begins, but for rounding.</summary>
+    public double StartOf(int bin) => _least + (bin / _binsPerMetre);
 }

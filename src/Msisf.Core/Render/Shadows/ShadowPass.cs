@@ -15,19 +15,18 @@ internal sealed class ShadowPass
     /// <summary>Every so many rows of the picture are read first, to lay out light space.</summary>
     private const int ScoutSpacing = 16;
 
+    /// <summary>The sort keeps a count of every bin for each part that it does at the same time.</summary>
+    private const int MostParts = 8;
+
     private readonly SurfaceModel _surface;
     private readonly BlockTree _tree;
     private readonly double _greatestRadius;
     private readonly double _solidRadius;
-    private readonly ReceiverStore _receivers = new();
-    private readonly ReceiverMap _map = new();
-    private readonly CasterStore _casters = new();
-    private readonly CasterGrid _grid;
+    private readonly ReceiverRows _receivers = new();
+    private readonly ReceiverGrid _grid = new();
     private readonly List<CellBlock> _groups = [];
-    private readonly List<CasterRun> _runs = [];
     private readonly List<CasterScan> _scans = [];
     private LightBox[] _boxes = [];
-    private int[] _counts = [];
 
     /// <summary>Takes the model.</summary>
     /// <param name="surface">The model.</param>
@@ -39,7 +38,6 @@ internal sealed class ShadowPass
         _tree = new BlockTree(surface, leastRadius, greatestRadius);
         _greatestRadius = greatestRadius + Tolerances.VertexLattice;
         _solidRadius = (leastRadius * MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree)) - Tolerances.VertexLattice;
-        _grid = new CasterGrid(_casters);
     }
 
     /// <summary>What the last frame took.</summary>
@@ -61,127 +59,114 @@ internal sealed class ShadowPass
 
         int rows = receivers.Rows;
         int width = receivers.Width;
+        int parts = Math.Min(threads, MostParts);
         Array.Clear(hidden, 0, rows * width);
         Prepare(rows, width, threads);
-        LightFrame frame = Scout(receivers, sunMoonMe, threads, cancellation);
-        WorkerTeam.Run(threads, rows, (_, row) =>
-        {
-            if (row % ScoutSpacing != 0)
-            {
-                _receivers.Read(receivers, row);
-                _receivers.ToLight(frame, row);
-            }
-
-            DropNight(frame, row, hidden.AsSpan(row * width, width));
-            ReceiverRow points = _receivers[row];
-            _counts[row] = points.Count;
-            _boxes[row] = points.Box();
-            _map.Add(points.U, points.V, points.W);
-        }, cancellation);
-        _map.Finish();
-        LightBox box = LightBox.Empty;
-        int count = 0;
-        for (int row = 0; row < rows; row++)
-        {
-            box = LightBox.Union(box, _boxes[row]);
-            count += _counts[row];
-        }
-
+        LightFrame frame = Scout(receivers, sunMoonMe, threads, parts, cancellation);
+        LightBox box = SortReceivers(receivers, frame, hidden, threads, parts, cancellation);
         if (box.IsEmpty)
         {
             Statistics = default;
             return;
         }
 
-        int blocks = FindCasters(frame, box, threads, cancellation);
-        int kept = _scans.Sum(scan => scan.Kept);
-        int size = (int)Math.Clamp(Math.Sqrt(Math.Min(0.25 * count, 4.0 * kept)), 16.0, 2048.0);
-        _grid.Build(_runs, box, size, threads, cancellation);
-        WorkerTeam.Run(threads, rows, (_, row) => Test(row, hidden.AsSpan(row * width, width)), cancellation);
-        Statistics = new ShadowStatistics(count, _groups.Count, blocks, kept, size * size, _grid.Entries);
+        int blocks = CastShadows(frame, box, hidden, threads, cancellation);
+        Statistics = new ShadowStatistics(
+            _grid.Length, _groups.Count, blocks, _scans.Sum(scan => scan.Casters), _scans.Sum(scan => scan.Tries));
     }
 
     private void Prepare(int rows, int width, int threads)
     {
         _receivers.Prepare(rows, width);
+        _grid.Prepare(_receivers.Start(rows));
         if (_boxes.Length < rows)
         {
             _boxes = new LightBox[rows];
-            _counts = new int[rows];
         }
 
         while (_scans.Count < threads)
         {
-            _scans.Add(new CasterScan(_surface, _casters));
+            _scans.Add(new CasterScan(_surface));
         }
     }
 
     /// <summary>Lays out light space by a part of the rows; a bad choice costs time only.</summary>
-    private LightFrame Scout(IReceiverRows receivers, Vector3D sunMoonMe, int threads, CancellationToken cancellation)
+    private LightFrame Scout(IReceiverRows receivers, Vector3D sunMoonMe, int threads, int parts, CancellationToken cancellation)
     {
-        int rows = receivers.Rows;
-        int scouts = (rows + ScoutSpacing - 1) / ScoutSpacing;
-        Vector3D[] sums = new Vector3D[scouts];
-        WorkerTeam.Run(threads, scouts, (_, scout) =>
-        {
-            _receivers.Read(receivers, scout * ScoutSpacing);
-            sums[scout] = _receivers.Sum(scout * ScoutSpacing);
-        }, cancellation);
+        int scouts = (receivers.Rows + ScoutSpacing - 1) / ScoutSpacing;
+        WorkerTeam.Run(threads, scouts, (_, scout) => _receivers.Read(receivers, scout * ScoutSpacing), cancellation);
         Vector3D sum = default;
-        foreach (Vector3D part in sums)
+        int count = 0;
+        for (int row = 0; row < receivers.Rows; row += ScoutSpacing)
         {
-            sum += part;
+            sum += _receivers.Sum(row);
+            count += _receivers.Count(row);
         }
 
         LightFrame frame = new(sunMoonMe, sum);
         LightBox box = LightBox.Empty;
-        for (int scout = 0; scout < scouts; scout++)
+        for (int row = 0; row < receivers.Rows; row += ScoutSpacing)
         {
-            _receivers.ToLight(frame, scout * ScoutSpacing);
-            box = LightBox.Union(box, _receivers[scout * ScoutSpacing].Box());
+            _receivers.ToLight(frame, row);
+            box = LightBox.Union(box, _receivers.BoxOf(row));
         }
 
-        _map.Clear(box.IsEmpty ? default : box);
+        _grid.Lay(box.IsEmpty ? default : box, count * ScoutSpacing, parts);
         return frame;
     }
 
-    /// <summary>Hides the receivers whose ray to the Sun passes below the lowest terrain, and takes them out.</summary>
-    private void DropNight(LightFrame frame, int row, Span<byte> hidden)
+    /// <summary>Reads the other rows and sorts all receivers into the grid.</summary>
+    private LightBox SortReceivers(
+        IReceiverRows receivers, LightFrame frame, byte[] hidden, int threads, int parts, CancellationToken cancellation)
     {
         // In light space a ray keeps its distance from the axis; in space it passes the centre a little nearer.
         double ratio = _solidRadius / frame.SunDistance;
-        double limit = _solidRadius * _solidRadius / ((1.0 - ratio) * (1.0 + ratio));
-        ReceiverRow points = _receivers[row];
-        int kept = 0;
-        for (int i = 0; i < points.Count; i++)
+        double nightLimit = _solidRadius * _solidRadius / ((1.0 - ratio) * (1.0 + ratio));
+        int rows = receivers.Rows;
+        int width = receivers.Width;
+        WorkerTeam.Run(threads, parts, (_, part) =>
         {
-            double u = points.U[i];
-            double v = points.V[i];
-            double w = points.W[i];
-            if (w > 0.0 && (u * u) + (v * v) < limit)
+            for (int row = part; row < rows; row = NextRow(row, parts))
             {
-                hidden[points.Columns[i]] = 1;
-                continue;
-            }
+                cancellation.ThrowIfCancellationRequested();
+                if (row % ScoutSpacing != 0)
+                {
+                    _receivers.Read(receivers, row);
+                    _receivers.ToLight(frame, row);
+                }
 
-            points.U[kept] = u;
-            points.V[kept] = v;
-            points.W[kept] = w;
-            points.Columns[kept++] = points.Columns[i];
+                _boxes[row] = _grid.Count(_receivers, row, part, nightLimit, hidden.AsSpan(row * width, width));
+            }
+        }, cancellation);
+        _grid.Place();
+        WorkerTeam.Run(threads, parts, (_, part) =>
+        {
+            for (int row = part; row < rows; row = NextRow(row, parts))
+            {
+                _grid.Sort(_receivers, row, part, row * width);
+            }
+        }, cancellation);
+        WorkerTeam.Run(threads, _grid.Size, (_, row) => _grid.FindDepths(row), cancellation);
+        _grid.Finish();
+        LightBox box = LightBox.Empty;
+        for (int row = 0; row < rows; row++)
+        {
+            box = LightBox.Union(box, _boxes[row]);
         }
 
-        _receivers.Truncate(row, kept);
+        return box;
     }
 
-    private int FindCasters(LightFrame frame, LightBox box, int threads, CancellationToken cancellation)
+    private static int NextRow(int row, int parts) => row + parts;
+
+    private int CastShadows(LightFrame frame, LightBox box, byte[] hidden, int threads, CancellationToken cancellation)
     {
-        CasterBounds bounds = new(frame, _map, box, _greatestRadius);
+        CasterBounds bounds = new(frame, _grid, box, _greatestRadius);
         _groups.Clear();
         _tree.FindGroups(bounds, _groups);
-        _casters.Clear();
         foreach (CasterScan scan in _scans)
         {
-            scan.Start(_map, box);
+            scan.Start(_grid, box, hidden);
         }
 
         int blocks = 0;
@@ -195,24 +180,6 @@ internal sealed class ShadowPass
                 _scans[worker].Add(block, frame);
             }
         }, cancellation);
-        _runs.Clear();
-        foreach (CasterScan scan in _scans)
-        {
-            _runs.AddRange(scan.Runs);
-        }
-
         return blocks;
-    }
-
-    private void Test(int row, Span<byte> hidden)
-    {
-        ReceiverRow points = _receivers[row];
-        for (int i = 0; i < points.Count; i++)
-        {
-            if (_grid.IsHidden(points.U[i], points.V[i], points.W[i]))
-            {
-                hidden[points.Columns[i]] = 1;
-            }
-        }
     }
 }

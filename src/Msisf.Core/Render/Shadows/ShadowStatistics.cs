@@ -4,7 +4,6 @@ namespace Msisf.Core.Render.Shadows;
 /// <param name="Receivers">Points that were looked at; those deep in the night are not counted.</param>
 /// <param name="Groups">Groups of blocks that bounds could not rule out.</param>
 /// <param name="Blocks">Blocks that were read cell by cell.</param>
-/// <param name="Facets">Facets that were kept.</param>
-/// <param name="Bins">Bins of the grid.</param>
-/// <param name="Entries">Facets in the lists of all bins.</param>
-internal readonly record struct ShadowStatistics(int Receivers, int Groups, int Blocks, int Facets, int Bins, int Entries);
+/// <param name="Facets">Facets that face away from the Sun and may have a receiver behind them.</param>
+/// <param name="Tries">Vectors of eight receivers that facets were tried against.</param>
+internal readonly record struct ShadowStatistics(int Receivers, int Groups, int Blocks, int Facets, long Tries);

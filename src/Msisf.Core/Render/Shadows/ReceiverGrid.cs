@@ -1,0 +1,229 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+
+namespace Msisf.Core.Render.Shadows;
+
+/// <summary>
+/// The receivers of a frame, sorted into a grid of bins across the Sun's rays: those of neighbouring bins of a row lie one behind the
+/// other, so that a facet goes through the ones that it may hide eight at a time.
+/// </summary>
+/// <remarks>The sort counts first: <see cref="Lay"/>, <see cref="Count"/> for each row, <see cref="Place"/>, <see cref="Sort"/> for each row, <see cref="Finish"/>.</remarks>
+internal sealed class ReceiverGrid
+{
+    private const int Lanes = 8;
+    private const int MostBins = 2048;
+
+    private readonly DepthPyramid _depths = new();
+    private LightAxis _u;
+    private LightAxis _v;
+    private int[] _bins = [];
+    private int[][] _counts = [];
+    private int[] _starts = [];
+
+    /// <summary>Bins to an edge.</summary>
+    public int Size { get; private set; }
+
+    /// <summary>Receivers.</summary>
+    public int Length { get; private set; }
+
+    /// <summary>Light space, m; the last ones are followed by a vector that means nothing, as in the other arrays.</summary>
+    public double[] U { get; private set; } = [];
+
+    /// <inheritdoc cref="U"/>
+    public double[] V { get; private set; } = [];
+
+    /// <inheritdoc cref="U"/>
+    public double[] W { get; private set; } = [];
+
+    /// <summary>Pixels: row of the picture times its width plus column.</summary>
+    public int[] Pixels { get; private set; } = [];
+
+    /// <summary>Across the rays.</summary>
+    public LightAxis AxisU => _u;
+
+    /// <summary>Across the rays.</summary>
+    public LightAxis AxisV => _v;
+
+    /// <summary>Begins a frame.</summary>
+    /// <param name="box">Where most receivers will be; a bad guess costs time only.</param>
+    /// <param name="receivers">How many there will be, about.</param>
+    /// <param name="parts">Groups of rows that are counted and sorted at the same time.</param>
+    public void Lay(LightBox box, int receivers, int parts)
+    {
+        // A bin of about 2 x 2 pixels: larger ones give facets more receivers to try in vain, smaller ones more bins to visit.
+        Size = Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MostBins);
+        _u = new LightAxis(box.LeastU, box.GreatestU, Size);
+        _v = new LightAxis(box.LeastV, box.GreatestV, Size);
+        _depths.Prepare(Size);
+        if (_starts.Length < (Size * Size) + 1)
+        {
+            _starts = new int[(Size * Size) + 1];
+        }
+
+        if (_counts.Length < parts || _counts[0].Length < Size * Size)
+        {
+            _counts = [.. Enumerable.Range(0, Math.Max(parts, _counts.Length)).Select(_ => new int[Size * Size])];
+        }
+
+        foreach (int[] counts in _counts)
+        {
+            Array.Clear(counts);
+        }
+    }
+
+    /// <summary>Makes room for the rows' bins.</summary>
+    public void Prepare(int length)
+    {
+        if (_bins.Length < length)
+        {
+            _bins = new int[length];
+        }
+    }
+
+    /// <summary>Finds the bins of a row's receivers and hides those whose ray passes below the lowest terrain.</summary>
+    /// <param name="rows">The receivers.</param>
+    /// <param name="row">Which row.</param>
+    /// <param name="part">One thread counts and sorts the rows of a part.</param>
+    /// <param name="nightLimit">m2: square of the light space distance from the axis within which points with w above 0 are dark.</param>
+    /// <param name="hidden">Of the row's pixels.</param>
+    /// <returns>Bounds of the receivers that are left.</returns>
+    public LightBox Count(ReceiverRows rows, int row, int part, double nightLimit, Span<byte> hidden)
+    {
+        int start = rows.Start(row);
+        int count = rows.Count(row);
+        Span<long> lanes = stackalloc long[Lanes];
+        Span<int> counts = _counts[part];
+        Vector512<double> leastU = Vector512.Create(double.PositiveInfinity);
+        Vector512<double> leastV = leastU;
+        Vector512<double> greatestU = -leastU;
+        Vector512<double> greatestV = -leastU;
+        Vector512<double> size = Vector512.Create((double)Size);
+        for (int i = 0; i < count; i += Lanes)
+        {
+            Vector512<double> u = Vector512.LoadUnsafe(ref rows.U[0], (nuint)(start + i));
+            Vector512<double> v = Vector512.LoadUnsafe(ref rows.V[0], (nuint)(start + i));
+            Vector512<double> w = Vector512.LoadUnsafe(ref rows.W[0], (nuint)(start + i));
+            Vector512<double> isNight = Vector512.LessThan((u * u) + (v * v), Vector512.Create(nightLimit))
+                & Vector512.GreaterThan(w, Vector512<double>.Zero);
+            Vector512<double> isOut = isNight | Vector512.GreaterThanOrEqual(
+                Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0), Vector512.Create((double)(count - i)));
+            leastU = Vector512.ConditionalSelect(isOut, leastU, Vector512.MinNative(leastU, u));
+            leastV = Vector512.ConditionalSelect(isOut, leastV, Vector512.MinNative(leastV, v));
+            greatestU = Vector512.ConditionalSelect(isOut, greatestU, Vector512.MaxNative(greatestU, u));
+            greatestV = Vector512.ConditionalSelect(isOut, greatestV, Vector512.MaxNative(greatestV, v));
+            Vector512<double> bins = Vector512.ConditionalSelect(isNight, Vector512.Create(-1.0), (_v.BinsOf(v) * size) + _u.BinsOf(u));
+            Vector512.ConvertToInt64Native(bins).CopyTo(lanes);
+            for (int lane = 0; lane < Math.Min(Lanes, count - i); lane++)
+            {
+                int bin = (int)lanes[lane];
+                _bins[start + i + lane] = bin;
+                if (bin >= 0)
+                {
+                    counts[bin]++;
+                }
+                else
+                {
+                    hidden[rows.Columns[start + i + lane]] = 1;
+                }
+            }
+        }
+
+        return new LightBox(Least(leastU), -Least(-greatestU), Least(leastV), -Least(-greatestV));
+    }
+
+    /// <summary>Gives each bin its place, and in it each part.</summary>
+    public void Place()
+    {
+        int next = 0;
+        for (int bin = 0; bin < Size * Size; bin++)
+        {
+            _starts[bin] = next;
+            foreach (int[] counts in _counts)
+            {
+                (counts[bin], next) = (next, next + counts[bin]);
+            }
+        }
+
+        _starts[Size * Size] = next;
+        Length = next;
+        if (U.Length < next + Lanes)
+        {
+            U = new double[next + Lanes];
+            V = new double[next + Lanes];
+            W = new double[next + Lanes];
+            Pixels = new int[next + Lanes];
+        }
+    }
+
+    /// <summary>Puts a row's receivers into their bins.</summary>
+    /// <param name="rows">The receivers.</param>
+    /// <param name="row">Which row.</param>
+    /// <param name="part">As it was counted.</param>
+    /// <param name="firstPixel">The row's first.</param>
+    public void Sort(ReceiverRows rows, int row, int part, int firstPixel)
+    {
+        int[] next = _counts[part];
+        int start = rows.Start(row);
+        for (int i = start; i < start + rows.Count(row); i++)
+        {
+            int bin = _bins[i];
+            if (bin >= 0)
+            {
+                int place = next[bin]++;
+                U[place] = rows.U[i];
+                V[place] = rows.V[i];
+                W[place] = rows.W[i];
+                Pixels[place] = firstPixel + rows.Columns[i];
+            }
+        }
+    }
+
+    /// <summary>Finds the greatest depth of the bins of a row of the grid.</summary>
+    public void FindDepths(int row)
+    {
+        float[] depths = _depths.Bins;
+        for (int bin = row * Size; bin < (row + 1) * Size; bin++)
+        {
+            double greatest = double.NegativeInfinity;
+            for (int i = _starts[bin]; i < _starts[bin + 1]; i++)
+            {
+                greatest = Math.Max(greatest, W[i]);
+            }
+
+            depths[bin] = MathF.BitIncrement((float)greatest);
+        }
+    }
+
+    /// <summary>Ends the sort, after <see cref="FindDepths"/> of each row.</summary>
+    public void Finish() => _depths.Finish();
+
+    /// <summary>No receiver in a box is deeper; m, minus infinity if there is none. It may say too much.</summary>
+    public float GreatestDepth(LightBox box) =>
+        _depths.Greatest(_u.BinOf(box.LeastU), _u.BinOf(box.GreatestU), _v.BinOf(box.LeastV), _v.BinOf(box.GreatestV));
+
+    /// <summary>The same for some bins.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public float GreatestDepth(int firstColumn, int lastColumn, int firstRow, int lastRow) =>
+        _depths.Greatest(firstColumn, lastColumn, firstRow, lastRow);
+
+    /// <summary>The receivers in neighbouring bins of a row.</summary>
+    /// <returns>First receiver and one past the last.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public (int First, int End) Run(int row, int firstColumn, int lastColumn)
+    {
+        ref int start = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_starts), row * Size);
+        return (Unsafe.Add(ref start, firstColumn), Unsafe.Add(ref start, lastColumn + 1));
+    }
+
+    private static double Least(Vector512<double> values)
+    {
+        double least = values[0];
+        for (int lane = 1; lane < Lanes; lane++)
+        {
+            least = Math.Min(least, values[lane]);
+        }
+
+        return least;
+    }
+}

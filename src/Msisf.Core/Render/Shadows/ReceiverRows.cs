@@ -1,0 +1,97 @@
+using System.Runtime.Intrinsics;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Render.Shadows;
+
+/// <summary>The receivers of a frame in the order of the picture; the arrays serve all frames of a size.</summary>
+internal sealed class ReceiverRows
+{
+    private static readonly int Lanes = Vector512<double>.Count;
+
+    private int[] _counts = [];
+    private int _stride;
+
+    /// <summary>Light space, m (MOON_ME before <see cref="ToLight"/>); a row begins at <see cref="Start"/>.</summary>
+    public double[] U { get; private set; } = [];
+
+    /// <inheritdoc cref="U"/>
+    public double[] V { get; private set; } = [];
+
+    /// <inheritdoc cref="U"/>
+    public double[] W { get; private set; } = [];
+
+    /// <summary>Columns of the picture.</summary>
+    public int[] Columns { get; private set; } = [];
+
+    /// <summary>Makes room for a picture.</summary>
+    public void Prepare(int rows, int width)
+    {
+        _stride = (width + Lanes - 1) / Lanes * Lanes;
+        int needed = rows * _stride;
+        if (U.Length < needed)
+        {
+            U = new double[needed];
+            V = new double[needed];
+            W = new double[needed];
+            Columns = new int[needed];
+        }
+
+        if (_counts.Length < rows)
+        {
+            _counts = new int[rows];
+        }
+    }
+
+    /// <summary>Index of a row's first receiver.</summary>
+    public int Start(int row) => row * _stride;
+
+    /// <summary>Receivers of a row.</summary>
+    public int Count(int row) => _counts[row];
+
+    /// <summary>Reads a row.</summary>
+    public void Read(IReceiverRows receivers, int row)
+    {
+        int start = Start(row);
+        int width = receivers.Width;
+        int count = receivers.Read(row, U.AsSpan(start, width), V.AsSpan(start, width), W.AsSpan(start, width), Columns.AsSpan(start, width));
+        int padding = PaddedCount(count) - count;
+        U.AsSpan(start + count, padding).Clear();
+        V.AsSpan(start + count, padding).Clear();
+        W.AsSpan(start + count, padding).Clear();
+        _counts[row] = count;
+    }
+
+    /// <summary>Sum of a row's points, m, before <see cref="ToLight"/>.</summary>
+    public Vector3D Sum(int row)
+    {
+        Vector3D sum = default;
+        for (int i = Start(row); i < Start(row) + _counts[row]; i++)
+        {
+            sum += new Vector3D(U[i], V[i], W[i]);
+        }
+
+        return sum;
+    }
+
+    /// <summary>Turns a row's points from MOON_ME to light space.</summary>
+    public void ToLight(LightFrame frame, int row)
+    {
+        int start = Start(row);
+        int padded = PaddedCount(_counts[row]);
+        frame.FromMoonMe(U.AsSpan(start, padded), V.AsSpan(start, padded), W.AsSpan(start, padded));
+    }
+
+    /// <summary>Bounds of a row's points, after <see cref="ToLight"/>.</summary>
+    public LightBox BoxOf(int row)
+    {
+        LightBox box = LightBox.Empty;
+        for (int i = Start(row); i < Start(row) + _counts[row]; i++)
+        {
+            box = LightBox.Union(box, new LightBox(U[i], U[i], V[i], V[i]));
+        }
+
+        return box;
+    }
+
+    private static int PaddedCount(int count) => (count + Lanes - 1) / Lanes * Lanes;
+}
