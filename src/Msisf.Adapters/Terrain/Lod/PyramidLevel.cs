@@ -1,4 +1,5 @@
 using Msisf.Core.Errors;
+using Msisf.Core.Terrain;
 using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Adapters.Terrain.Lod;
