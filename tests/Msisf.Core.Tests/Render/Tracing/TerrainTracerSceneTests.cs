@@ -21,7 +21,7 @@ public sealed class TerrainTracerSceneTests
     [Theory]
     [InlineData(16, 60)]
     [InlineData(64, 20)]
-    [InlineData(512, 4)]
+    [InlineData(512, 2)]
     public void Trace_RuggedModel_IsAsBruteForce(int pixelsPerDegree, int pixels) =>
         Compare(FunctionGrid.Rugged(pixelsPerDegree), FunctionGrid.RuggedRelief, pixels);
 
