@@ -27,6 +27,7 @@ internal ref struct RayWalk
     private readonly double _startSquared;
     private readonly double _startRise;
     private readonly double _sagitta;
+    private readonly double _bottom;
     private double _parameter;
     private double _farthest;
 
@@ -51,6 +52,7 @@ internal ref struct RayWalk
         _edge = new EdgeFunction(_near.Origin, ray.Direction);
         _borders = new BlockBorders(mesh, _start, direction);
         _sagitta = MeshBounds.SagittaFactor(mesh.PixelsPerDegree);
+        _bottom = _sagitta * (MoonConstants.ReferenceRadius - SurfaceBounds.GreatestRelief - 1.0);
         _parameter = endParameter - _offset;
         _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
     }
@@ -75,11 +77,21 @@ internal ref struct RayWalk
         double distance = _start.Length;
         if (distance < Top)
         {
-            double halfChord = Math.Sqrt((Top - distance) * (Top + distance));
-            RayPiece piece = new(Math.Max(-halfChord, PlaceOf(-_offset) - Tolerances.VertexLattice), Math.Min(halfChord, _farthest));
+            double origin = PlaceOf(-_offset);
+            double halfChord = HalfChord(Top, distance);
+            RayPiece piece = new(Math.Max(-halfChord, origin - Tolerances.VertexLattice), Math.Min(halfChord, _farthest));
+            if (origin < 0.0 && distance < _bottom)
+            {
+                // Deeper than all of the surface the ray has entered the ground; around the Moon's centre all wedges would meet.
+                piece = piece with { Far = Math.Min(piece.Far, -HalfChord(_bottom, distance)) };
+            }
+
             VisitIfMet(new CellBlock(0, 0, _mesh.Lines + 1, _mesh.Samples), piece, kind: 0);
         }
     }
+
+    /// <summary>Half the chord of a sphere that has such a distance from the centre.</summary>
+    private static double HalfChord(double radius, double distance) => Math.Sqrt((radius - distance) * (radius + distance));
 
     /// <summary>Where a parameter of the shifted ray lies on the scale of the pieces.</summary>
     private readonly double PlaceOf(double parameter) => (parameter * _length) - _startParameter;

@@ -16,12 +16,12 @@ public sealed class TerrainTracerSceneTests
     private const double Ldem4Relief = 11_000.0;
 
     [RequiresFact(Part.Ldem4)]
-    public void Trace_RealModel_IsAsBruteForce() => Compare(MemoryElevationGrid.Ldem4(), Ldem4Relief, 200);
+    public void Trace_RealModel_IsAsBruteForce() => Compare(MemoryElevationGrid.Ldem4(), Ldem4Relief, 150);
 
     [Theory]
-    [InlineData(16, 100)]
-    [InlineData(64, 40)]
-    [InlineData(512, 5)]
+    [InlineData(16, 60)]
+    [InlineData(64, 20)]
+    [InlineData(512, 2)]
     public void Trace_RuggedModel_IsAsBruteForce(int pixelsPerDegree, int pixels) =>
         Compare(FunctionGrid.Rugged(pixelsPerDegree), FunctionGrid.RuggedRelief, pixels);
 
