@@ -49,6 +49,28 @@ public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTes
     }
 
     [Fact]
+    public void Levels_OddNumberOfBlockRows_HaveTheLastOne()
+    {
+        // At 24 px/deg the first stored level has 17 rows of blocks; the last one alone makes the last row of the next level.
+        string text = TestModel.Label
+            .Replace("= 180\n", "= 4320\n", StringComparison.Ordinal)
+            .Replace("= 360\n", "= 8640\n", StringComparison.Ordinal)
+            .Replace("= 720\n", "= 17280\n", StringComparison.Ordinal)
+            .Replace("= 1 <pix/deg>", "= 24 <pix/deg>", StringComparison.Ordinal)
+            .Replace("= 89.5", "= 2159.5", StringComparison.Ordinal)
+            .Replace("= 179.5", "= 4319.5", StringComparison.Ordinal);
+        byte[] samples = new byte[4320 * 8640 * sizeof(short)];
+        samples.AsSpan(4300 * 8640 * sizeof(short)).Fill(0x11); // 4369 units of 0.5 m
+        using LdemImage image = LdemImage.Open(LdemLabelReader.ReadFile(TestModel.Write(_folder.Path, text, samples)));
+        PyramidWriter.Write(image, _folder["odd"], 2, null, CancellationToken.None);
+        using PyramidFile file = PyramidFile.TryOpen(_folder["odd"], image, out _)!;
+        double[] radii = new double[1080];
+        file.Levels[1].ReadRadii(539, 0, radii);
+
+        Assert.All(radii, radius => Assert.Equal(1737400.0 + 2184.5, radius));
+    }
+
+    [Fact]
     public void Write_AnyNumberOfThreads_GivesTheSameBytes()
     {
         using LdemImage image = Open();
