@@ -52,7 +52,7 @@ internal ref struct RayWalk
         _edge = new EdgeFunction(_near.Origin, ray.Direction);
         _borders = new BlockBorders(mesh, _start, direction);
         _sagitta = MeshBounds.SagittaFactor(mesh.PixelsPerDegree);
-        _bottom = _sagitta * (MoonConstants.ReferenceRadius - SurfaceBounds.GreatestRelief - 1.0);
+        _bottom = _sagitta * (MoonConstants.ReferenceRadius - MoonConstants.GreatestRelief - 1.0);
         _parameter = endParameter - _offset;
         _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
     }
