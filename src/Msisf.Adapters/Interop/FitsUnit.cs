@@ -20,11 +20,16 @@ internal sealed unsafe class FitsUnit : IDisposable
     {
         CFitsio.RequireLibrary(CFitsioNative.Library);
         _memory = new FitsMemory(checked((nuint)dataBytes + UsualHeaders));
+        int status = 0;
         lock (CFitsio.Gate)
         {
-            int status = 0;
             _memory.Open(out _file, ref status);
-            CFitsio.ThrowIfFailed(status, "ffimem");
+            if (status != 0)
+            {
+                _memory.Dispose();
+            }
+
+            CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffimem));
         }
     }
 
@@ -33,7 +38,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     public static FitsUnit Primary()
     {
         FitsUnit unit = new(0);
-        unit.Create(8, []);
+        unit.CreateOrDispose(8, []);
         return unit;
     }
 
@@ -50,8 +55,8 @@ internal sealed unsafe class FitsUnit : IDisposable
         }
 
         FitsUnit unit = new(bytes);
-        unit.Create(8, []); // an extension needs a primary unit before it, which is not copied
-        unit.Create(bitsPerPixel, lengths);
+        unit.CreateOrDispose(8, []); // an extension needs a primary unit before it, which is not copied
+        unit.CreateOrDispose(bitsPerPixel, lengths);
         return unit;
     }
 
@@ -167,16 +172,22 @@ internal sealed unsafe class FitsUnit : IDisposable
             _ => throw new ArgumentException($"No FITS image has pixels of type {typeof(T)}.", nameof(T)),
         };
 
-    private void Create(int bitsPerPixel, ReadOnlySpan<long> lengths)
+    private void CreateOrDispose(int bitsPerPixel, ReadOnlySpan<long> lengths)
     {
-        fixed (long* pointer = lengths)
+        int status = 0;
+        lock (CFitsio.Gate)
         {
-            lock (CFitsio.Gate)
+            fixed (long* pointer = lengths)
             {
-                int status = 0;
                 CFitsioNative.ffcrimll(_file, bitsPerPixel, lengths.Length, pointer, ref status);
-                CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffcrimll));
             }
+
+            if (status != 0)
+            {
+                Dispose();
+            }
+
+            CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffcrimll));
         }
     }
 

@@ -1,8 +1,10 @@
 using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Terrain.Lod;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Tracing;
 using Msisf.Core.Terrain;
+using Msisf.Core.Terrain.Lod;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Run;
@@ -16,18 +18,23 @@ internal sealed class ElevationModel : IDisposable
     private readonly LdemImage _image;
     private readonly Lazy<ElevationSummary> _summary;
     private readonly Lazy<TerrainTracer> _tracer;
+    private readonly Lazy<ModelLevels> _levels;
 
-    private ElevationModel(LdemImage image, Func<ElevationSummary> summarise)
+    private ElevationModel(LdemImage image, Func<ElevationSummary> summarise, Func<ModelLevels> openLevels)
     {
         _image = image;
         _summary = new Lazy<ElevationSummary>(summarise);
         _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(image));
+        _levels = new Lazy<ModelLevels>(openLevels);
     }
 
     public IElevationGrid Grid => _image;
 
     /// <summary>Traces single rays; made when it is first needed.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
+
+    /// <summary>The model and its coarser levels; opened when they are first needed.</summary>
+    public LodLevels Levels => _levels.Value.Levels;
 
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
@@ -39,7 +46,7 @@ internal sealed class ElevationModel : IDisposable
         host.Log.Note(image.Set.IsSynthetic
             ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
             : $"Elevation: {image.ProductId} ({image.Set.Description}).");
-        return new ElevationModel(image, () => Summarise(image, host.Log));
+        return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, host));
     }
 
     /// <summary>Where models are looked for if none is named, first choice first.</summary>
@@ -63,6 +70,17 @@ internal sealed class ElevationModel : IDisposable
         return summary;
     }
 
+    private static ModelLevels OpenLevels(LdemImage image, ProgramHost host)
+    {
+        ModelLevels levels = ModelLevels.Open(image, CacheFolder.Of(host));
+        if (levels.Warning is not null)
+        {
+            host.Log.Warning(levels.Warning);
+        }
+
+        return levels;
+    }
+
     /// <summary>The tiles that a frame needs, and why. The first call summarises the model.</summary>
     public TileSelection Select(Frame frame) =>
         Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary.Value);
@@ -71,5 +89,13 @@ internal sealed class ElevationModel : IDisposable
     public double DepthBelowGround(Vector3D positionMoonMe) =>
         positionMoonMe.Length > _image.RadiusLimits.Greatest ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
 
-    public void Dispose() => _image.Dispose();
+    public void Dispose()
+    {
+        if (_levels.IsValueCreated)
+        {
+            _levels.Value.Dispose();
+        }
+
+        _image.Dispose();
+    }
 }

@@ -11,7 +11,6 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
-using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Cli.Run;
 
@@ -122,7 +121,7 @@ internal sealed class RenderRun : IDisposable
 
     private NativeFrameRenderer Native(ElevationModel model, FrameFiles files)
     {
-        NativeLevels levels = new(model.Grid, _settings.Native.UsesLevelsOfDetail ? LodLevels.Open(model.Grid) : null);
+        NativeLevels levels = new(model.Grid, _settings.Native.UsesLevelsOfDetail ? model.Levels : null);
         return new NativeFrameRenderer(_settings.Native, levels, files, _times);
     }
 

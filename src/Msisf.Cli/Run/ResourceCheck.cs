@@ -3,6 +3,7 @@ using Msisf.Cli.Options;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
+using Msisf.Core.Render;
 
 namespace Msisf.Cli.Run;
 
@@ -14,6 +15,15 @@ internal static class ResourceCheck
 
     /// <summary>Bytes that POV-Ray 3.7 keeps for a pixel: five floats.</summary>
     private const long PovRayBytesPerPixel = 20;
+
+    /// <summary>Bytes that the native renderer keeps for a pixel: what it shows, its light and radiance, receivers of shadows, facets at worst.</summary>
+    private const long NativeBytesPerPixel = 200;
+
+    /// <summary>Bytes of a pixel that a layer's planes hold while it is written: three numbers.</summary>
+    private const long LayerBytesPerPixel = 24;
+
+    /// <summary>Bytes of a pixel of all layers on disk.</summary>
+    private const long LayersBytesPerPixel = 160;
 
     /// <summary>Bytes of a pixel of the annotated picture: cairo's ARGB32, and the PNG beside it at worst.</summary>
     private const long AnnotationBytesPerPixel = 8;
@@ -36,11 +46,15 @@ internal static class ResourceCheck
     public static void Check(RenderSettings settings, int atOnce, long memoryThere, long diskThere)
     {
         long pixels = (long)settings.Width * settings.Height;
-        long memory = atOnce * (Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels) + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0));
+        bool hasLayers = settings.Native.Layers is not null;
+        long drawing = settings.Renderer == RendererKind.Native
+            ? (NativeBytesPerPixel + (hasLayers ? LayerBytesPerPixel : 0)) * pixels
+            : Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels);
+        long memory = atOnce * (drawing + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0));
         Refuse(settings, "memory", "Use a smaller --width and --height, or fewer --jobs.", memory, memoryThere);
         PixelGrid grid = new(settings.Width, settings.Height, settings.GridHorizontal, settings.GridVertical);
         long metaBytesPerPoint = settings.Surface == PixelSurface.Terrain ? TerrainMetaBytesPerPoint : MetaBytesPerPoint;
-        long disk = atOnce * ((DiskBytesPerPixel * pixels) + (metaBytesPerPoint * grid.Columns * grid.Rows));
+        long disk = atOnce * (((DiskBytesPerPixel + (hasLayers ? LayersBytesPerPixel : 0)) * pixels) + (metaBytesPerPoint * grid.Columns * grid.Rows));
         Refuse(
             settings,
             $"free disk space in {settings.OutputFolder}",
