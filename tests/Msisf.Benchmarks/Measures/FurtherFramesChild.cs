@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Runtime.Intrinsics;
 using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Terrain.Lod;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
@@ -27,7 +28,8 @@ internal static class FurtherFramesChild
         SceneLight light = new(ephemeris.SunPositionMoonMe(scene.State.Time), IsSun: true);
         NativeRenderOptions options = new() { Reflectance = new LambertReflectance(Albedo) };
         using LdemImage model = LdemImage.Open(LdemCatalog.Read(job.Label));
-        IElevationGrid grid = LevelFor(scene, model);
+        using ModelLevels levels = ModelLevels.Open(model, cacheFolder: null);
+        IElevationGrid grid = LevelFor(scene, levels.Levels);
         NativeRenderer renderer = new(grid);
         List<double> seconds = [];
         for (int frame = 0; frame < job.WarmUpFrames + job.Frames; frame++)
@@ -59,14 +61,7 @@ internal static class FurtherFramesChild
             check.LargestDistance);
     }
 
-    private static IElevationGrid LevelFor(Scene scene, LdemImage model)
-    {
-        if (scene.IsExact)
-        {
-            return model;
-        }
-
-        LodLevels levels = LodLevels.Open(model);
-        return levels.Level(LevelOfDetail.For(scene.Camera, samplesAcross: 1, model.PixelsPerDegree, levels.Count));
-    }
+    private static IElevationGrid LevelFor(Scene scene, LodLevels levels) => levels.Level(scene.IsExact
+        ? 0
+        : LevelOfDetail.For(scene.Camera, samplesAcross: 1, scene.PixelsPerDegree, levels.Count));
 }
