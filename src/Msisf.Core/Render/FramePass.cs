@@ -19,6 +19,7 @@ internal sealed class FramePass
     private readonly RowShader _shader;
     private VisibleSurface? _visible;
     private byte[] _hidden = [];
+    private double[] _cosIncidence = [];
     private double[] _radianceFactors = [];
     private NativeRenderOptions? _options;
 
@@ -47,6 +48,7 @@ internal sealed class FramePass
         if (_hidden.Length < pixels)
         {
             _hidden = new byte[pixels];
+            _cosIncidence = new double[pixels];
             _radianceFactors = new double[pixels];
         }
 
@@ -104,18 +106,20 @@ internal sealed class FramePass
     private void DrawSample(double offsetX, double offsetY, double weight, int threads, CancellationToken cancellation)
     {
         _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
+        SunwardPoints points = new(_visible, Light.PositionMoonMe, _cosIncidence);
         if (Light.IsSun)
         {
-            _shadows.Run(new SunwardPoints(_visible, Light.PositionMoonMe), Light.PositionMoonMe, _hidden, threads, cancellation);
+            _shadows.Run(points, Light.PositionMoonMe, _hidden, threads, cancellation);
         }
         else
         {
             _hidden.AsSpan(0, Camera.Width * Camera.Height).Clear();
+            WorkerTeam.Run(threads, points.Rows, (_, row) => points.ReadCosines(row), cancellation);
         }
 
         if (weight > 0.0)
         {
-            _shader.Shade(_visible, Light, _hidden, _options!, weight, _radianceFactors, threads, cancellation);
+            _shader.Shade(_visible, Light, new PixelSunlight(_cosIncidence, _hidden), _options!, weight, _radianceFactors, threads, cancellation);
         }
     }
 }

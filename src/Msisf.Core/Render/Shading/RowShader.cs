@@ -18,7 +18,7 @@ internal sealed class RowShader
     /// <summary>Adds a sample's share to the radiance factors of a frame.</summary>
     /// <param name="visible">What the pixels show.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
-    /// <param name="hidden">Of each pixel, row by row: not 0 if other terrain hides the light.</param>
+    /// <param name="sunlight">Where it shines.</param>
     /// <param name="options">Law and normals.</param>
     /// <param name="weight">The sample's part of a pixel.</param>
     /// <param name="radianceFactors">I/F of each pixel so far, row by row.</param>
@@ -27,29 +27,35 @@ internal sealed class RowShader
     public void Shade(
         VisibleSurface visible,
         SceneLight light,
-        byte[] hidden,
+        PixelSunlight sunlight,
         NativeRenderOptions options,
         double weight,
         double[] radianceFactors,
         int threads,
         CancellationToken cancellation) => WorkerTeam.Run(threads, visible.Height, (_, row) =>
         {
-            Scratch scratch = _idle.TryTake(out Scratch? idle) ? idle : new Scratch(_surface);
             int start = row * visible.Width;
-            visible.Read(row + 1, scratch.Row);
-            if (options.Normals == NormalModel.Smooth)
+            ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(start, visible.Width);
+            ReadOnlySpan<byte> hidden = sunlight.Hidden.AsSpan(start, visible.Width);
+            Span<double> factors = radianceFactors.AsSpan(start, visible.Width);
+            if (options.Normals == NormalModel.Facet && !options.Reflectance.DependsOnViewer)
             {
-                Smooth(visible, row + 1, light.PositionMoonMe, scratch);
+                AddFlat(cosines, hidden, options.Reflectance, weight, factors);
+                return;
             }
 
-            AddRow(
-                scratch.Row,
-                visible.View.Camera.PositionMoonMe,
-                light.PositionMoonMe,
-                options.Reflectance,
-                weight,
-                hidden.AsSpan(start, visible.Width),
-                radianceFactors.AsSpan(start, visible.Width));
+            Scratch scratch = _idle.TryTake(out Scratch? idle) ? idle : new Scratch(_surface);
+            visible.Read(row + 1, scratch.Row);
+            SmoothNormals? normals = options.Normals == NormalModel.Smooth ? scratch.Normals : null;
+            for (int i = 0; i < scratch.Row.Count; i++)
+            {
+                int column = scratch.Row.Columns[i];
+                if (cosines[column] > 0.0 && hidden[column] == 0)
+                {
+                    factors[column] += weight * RadianceFactor(visible, row + 1, scratch.Row, i, normals, light, options.Reflectance);
+                }
+            }
+
             _idle.Add(scratch);
         }, cancellation);
 
@@ -63,62 +69,36 @@ internal sealed class RowShader
         return normal;
     }
 
-    private static void AddRow(
-        SurfaceRow row, Vector3D camera, Vector3D light, IReflectance law, double weight, ReadOnlySpan<byte> hidden, Span<double> radianceFactors)
+    private static void AddFlat(ReadOnlySpan<double> cosines, ReadOnlySpan<byte> hidden, IReflectance law, double weight, Span<double> factors)
     {
-        bool dependsOnViewer = law.DependsOnViewer;
-        for (int i = 0; i < row.Count; i++)
+        for (int column = 0; column < cosines.Length; column++)
         {
-            int column = row.Columns[i];
-            if (hidden[column] != 0)
+            if (cosines[column] > 0.0 && hidden[column] == 0)
             {
-                continue;
+                factors[column] += weight * law.RadianceFactor(cosines[column], cosEmission: 1.0, phaseHaversine: 0.0);
             }
-
-            Vector3D normal = new(row.NormalX[i], row.NormalY[i], row.NormalZ[i]);
-            Vector3D toLight = new(light.X - row.X[i], light.Y - row.Y[i], light.Z - row.Z[i]);
-
-            // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
-            double lightDistance = Math.Sqrt(toLight.LengthSquared);
-            double cosIncidence = Math.Min(Vector3D.Dot(normal, toLight) / lightDistance, 1.0);
-            if (!(cosIncidence > 0.0))
-            {
-                continue;
-            }
-
-            double cosEmission = 1.0;
-            double phaseHaversine = 0.0;
-            if (dependsOnViewer)
-            {
-                Vector3D toCamera = new(camera.X - row.X[i], camera.Y - row.Y[i], camera.Z - row.Z[i]);
-                double cameraDistance = Math.Sqrt(toCamera.LengthSquared);
-                cosEmission = Math.Min(Vector3D.Dot(normal, toCamera) / cameraDistance, 1.0);
-                if (!(cosEmission > 0.0))
-                {
-                    continue; // a smooth normal that looks away from the camera, or a facet seen end on
-                }
-
-                phaseHaversine = PhaseAngle.Haversine(toLight / lightDistance, toCamera / cameraDistance);
-            }
-
-            radianceFactors[column] += weight * law.RadianceFactor(cosIncidence, cosEmission, phaseHaversine);
         }
     }
 
-    /// <summary>Replaces the normals of the facets that face the light; the others stay dark by their own.</summary>
-    private static void Smooth(VisibleSurface visible, int y, Vector3D light, Scratch scratch)
+    private static double RadianceFactor(
+        VisibleSurface visible, int y, SurfaceRow row, int i, SmoothNormals? normals, SceneLight light, IReflectance law)
     {
-        SurfaceRow row = scratch.Row;
-        for (int i = 0; i < row.Count; i++)
-        {
-            Vector3D point = new(row.X[i], row.Y[i], row.Z[i]);
-            Vector3D normal = new(row.NormalX[i], row.NormalY[i], row.NormalZ[i]);
-            if (Vector3D.Dot(normal, light - point) > 0.0)
-            {
-                (row.NormalX[i], row.NormalY[i], row.NormalZ[i]) =
-                    scratch.Normals.At(visible.FacetOf(y, row.Facets[i]), normal, point);
-            }
-        }
+        Vector3D point = new(row.X[i], row.Y[i], row.Z[i]);
+        Vector3D normal = new(row.NormalX[i], row.NormalY[i], row.NormalZ[i]);
+        normal = normals?.At(visible.FacetOf(y, row.Facets[i]), normal, point) ?? normal;
+
+        // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
+        Vector3D toLight = light.PositionMoonMe - point;
+        toLight /= Math.Sqrt(toLight.LengthSquared);
+        Vector3D toCamera = visible.View.Camera.PositionMoonMe - point;
+        toCamera /= Math.Sqrt(toCamera.LengthSquared);
+        double cosIncidence = Math.Min(Vector3D.Dot(normal, toLight), 1.0);
+        double cosEmission = Math.Min(Vector3D.Dot(normal, toCamera), 1.0);
+
+        // A smooth normal can look away from the light or the camera where the facet does not.
+        return cosIncidence > 0.0 && cosEmission > 0.0
+            ? law.RadianceFactor(cosIncidence, cosEmission, PhaseAngle.Haversine(toLight, toCamera))
+            : 0.0;
     }
 
     /// <summary>What one thread works with.</summary>
