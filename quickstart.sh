@@ -45,7 +45,7 @@ render() {
     pictures+=("$root/output/$name.png" "$root/output/$name.annotated.png")
 }
 
-install_parts povray cairo downloader certificates
+install_parts povray cairo cfitsio downloader certificates
 scripts/build.sh
 get_model
 if library=$(scripts/get-cspice.sh); then

@@ -7,6 +7,9 @@ part_is_here() {
         downloader) have curl || have wget ;;
         compiler) have cc || have gcc ;;
         cairo) library_is_here libcairo ;;
+        cfitsio) library_is_here libcfitsio ;;
+        astropy) python_package_is_here astropy ;;
+        gdal) python_package_is_here osgeo ;;
         icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
         certificates) certificates_are_here ;;
         php) have php && php -r 'exit(PHP_VERSION_ID >= 80200 && extension_loaded("pdo_mysql") ? 0 : 1);' ;;
@@ -25,6 +28,11 @@ library_is_here() {
     esac
 }
 
+# Of the system's Python: another one on the PATH has packages of its own.
+python_package_is_here() {
+    [ -x /usr/bin/python3 ] && /usr/bin/python3 -c "import $1" 2>/dev/null
+}
+
 # Without them every download fails, NuGet's too. Only a minimal Linux lacks them.
 certificates_are_here() {
     [ "$(uname -s)" = Darwin ] || [ -s /etc/ssl/certs/ca-certificates.crt ] || [ -s /etc/pki/tls/certs/ca-bundle.crt ]
@@ -38,6 +46,12 @@ package_of() {
         apt-compiler) echo gcc libc6-dev ;;
         *-compiler) echo gcc ;;
         apt-cairo) echo libcairo2 ;;
+        apt-cfitsio) echo libcfitsio10 ;;
+        apt-astropy) echo python3-astropy python3-numpy ;;
+        apt-gdal) echo python3-gdal ;;
+        dnf-astropy | dnf-gdal) echo "python3-$2" ;;
+        pacman-astropy) echo python-astropy ;;
+        brew-astropy) echo astropy ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
         apt-xmllint) echo libxml2-utils ;;
         apt-php) echo php-cli php-mysql ;;

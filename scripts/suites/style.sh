@@ -6,7 +6,7 @@ set -euo pipefail
 
 check style 'dotnet format' dotnet format MSISF.sln --verify-no-changes --no-restore
 
-scripts=(msis quickstart.sh test.sh .ci/run scripts/*.sh scripts/*/*.sh tests/scripts/*.sh)
+scripts=(msis quickstart.sh test.sh benchmark.sh .ci/run scripts/*.sh scripts/*/*.sh tests/scripts/*.sh)
 if have shellcheck; then
     check style shellcheck shellcheck -x "${scripts[@]}"
 else

@@ -13,6 +13,7 @@ public sealed class ResourceCheckTests
     [Theory]
     [InlineData("--width 16384 --height 16384", 1, Gibibyte, 8 * Gibibyte)]
     [InlineData("--width 1024 --height 1024 --rendering-annotation", 2, Gibibyte, Gibibyte)]
+    [InlineData("--width 16384 --height 16384 --grid 1", 1, Gibibyte, 72 * Gibibyte)]
     public void Check_Enough_Passes(string options, int atOnce, long memory, long disk) =>
         ResourceCheck.Check(Settings(options), atOnce, memory, disk);
 
@@ -21,6 +22,7 @@ public sealed class ResourceCheckTests
     [InlineData("--width 16384 --height 16384", 20, 2 * Gibibyte, 1000 * Gibibyte, "of memory")]
     [InlineData("--width 16384 --height 16384", 1, Gibibyte, 6 * Gibibyte, "of free disk space in output")]
     [InlineData("--width 16384 --height 16384 --grid 1", 1, Gibibyte, 60 * Gibibyte, "a wider --grid")]
+    [InlineData("--width 16384 --height 16384 --grid 1 --surface terrain", 1, Gibibyte, 250 * Gibibyte, "a wider --grid")]
     public void Check_TooLittle_IsRefusedWithWhatIsThere(string options, int atOnce, long memory, long disk, string message)
     {
         BadInputException exception = Assert.Throws<BadInputException>(() => ResourceCheck.Check(Settings(options), atOnce, memory, disk));
@@ -33,7 +35,8 @@ public sealed class ResourceCheckTests
         PictureOptions picture = new();
         SourceOptions source = new();
         RunOptions run = new();
-        RootCommand command = [.. picture.All, .. source.All, .. run.All];
-        return new RenderSettingsReader(command.Parse(options)).Read(picture, source, run);
+        NativeOptions native = new();
+        RootCommand command = [.. picture.All, .. source.All, .. run.All, .. native.All];
+        return new RenderSettingsReader(command.Parse(options)).Read(picture, source, run, native);
     }
 }

@@ -32,6 +32,10 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --widht 5", 1, "'--widht' after --fixed-state")]
     [InlineData($"{Kepler} -x 5", 1, "'-x' after --kepler-set")]
     [InlineData("ldem", 1, "msis ldem --help")]
+    [InlineData("ldem pyramid", 1, "pyramid needs a model: give its label, or --res")]
+    [InlineData("ldem pyramid .", 1, "pyramid needs a model: give its label, or --res")]
+    [InlineData("ldem pyramid missing.lbl", 2, "missing.lbl")]
+    [InlineData("ldem pyramid --res 1025", 2, "--res is '1025'")]
 
     // Table 6.1: which argument goes with which mode.
     [InlineData($"{Fixed} {Kepler}", 1, "exclude each other")]
@@ -68,6 +72,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --grid 0", 2, "--grid is '0'")]
     [InlineData($"{Fixed} --gridH -1", 2, "--gridH is '-1'")]
     [InlineData($"{Fixed} --gridV x", 2, "--gridV is 'x'")]
+    [InlineData($"{Fixed} --surface moon", 2, "--surface is 'moon'; one of sphere, terrain is needed")]
     [InlineData($"{Fixed} --res 0", 2, "--res is '0'")]
     [InlineData($"{Fixed} --res 4.0", 2, "--res is '4.0'")]
     [InlineData($"{Fixed} --res 5000", 2, "from 1 to 1024")]

@@ -24,6 +24,37 @@ internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> r
         pixelsPerDegree,
         (_, sample) => Math.Cos((sample + 0.5) / pixelsPerDegree * Math.PI / 180.0) > 0.5 ? -2500.0 : 0.0);
 
+    /// <summary>
+    /// Mountains and valleys of all sizes down to single samples, within <see cref="RuggedRelief"/>; on the far side a bowl 5 km deep
+    /// at <see cref="RuggedBowlDegrees"/>. Slopes up to some 40 degrees at any resolution.
+    /// </summary>
+    public static FunctionGrid Rugged(int pixelsPerDegree)
+    {
+        int octaves = 1 + (int)Math.Log(pixelsPerDegree * 60.0, 4.0);
+        double[][] alongMeridian = [.. Enumerable.Range(0, octaves).Select(k => Wave(180 * pixelsPerDegree, pixelsPerDegree, 3 << (2 * k), 0.7 * k))];
+        double[][] alongParallel = [.. Enumerable.Range(0, octaves).Select(k => Wave(360 * pixelsPerDegree, pixelsPerDegree, 4 << (2 * k), 1.9 * k))];
+        double[] amplitudes = [.. Enumerable.Range(0, octaves).Select(k => 1200.0 * Math.Pow(0.36, k))];
+        double[] ofLine = Bowl(180 * pixelsPerDegree, pixelsPerDegree, 90.0 - RuggedBowlDegrees.Latitude, 1.5);
+        double[] ofSample = Bowl(360 * pixelsPerDegree, pixelsPerDegree, RuggedBowlDegrees.Longitude, 4.5);
+        double roughness = 6000.0 / pixelsPerDegree;
+        return OfHeights(pixelsPerDegree, (line, sample) =>
+        {
+            double height = (((((line * 7919) ^ (sample * 104729)) * 40503 >> 8) & 1023) / 1024.0 - 0.5) * roughness;
+            for (int k = 0; k < octaves; k++)
+            {
+                height += amplitudes[k] * alongMeridian[k][line] * alongParallel[k][sample];
+            }
+
+            return Math.Clamp(height, -3000.0, 3000.0) - (5000.0 * ofLine[line] * ofSample[sample]);
+        });
+    }
+
+    /// <summary>m: how far <see cref="Rugged"/> is from the reference radius at most.</summary>
+    public static double RuggedRelief => 8000.0;
+
+    /// <summary>Degrees: the middle of the bowl of <see cref="Rugged"/>, near the Moon's deepest place.</summary>
+    public static (double Latitude, double Longitude) RuggedBowlDegrees => (-70.4, 187.4);
+
     /// <summary>Heights in m over the reference radius.</summary>
     public static FunctionGrid OfHeights(int pixelsPerDegree, Func<int, int, double> heightOf) =>
         new(pixelsPerDegree, (line, sample) => MoonConstants.ReferenceRadius + heightOf(line, sample));
@@ -36,6 +67,27 @@ internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> r
         }
     }
 
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples) =>
-        throw new NotSupportedException("Not needed by what is tested with functions.");
+    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
+    {
+        double[] radii = new double[samples];
+        (double minimum, double maximum) = (double.PositiveInfinity, double.NegativeInfinity);
+        for (int line = firstLine; line < firstLine + lines; line++)
+        {
+            ReadRadii(line, firstSample, radii);
+            minimum = Math.Min(minimum, radii.Min());
+            maximum = Math.Max(maximum, radii.Max());
+        }
+
+        return (minimum, maximum);
+    }
+
+    /// <summary>A sine with so many periods a turn, at each sample of a line or each line of a meridian.</summary>
+    private static double[] Wave(int count, int pixelsPerDegree, int periods, double phase) =>
+        [.. Enumerable.Range(0, count).Select(i => Math.Sin((periods * (i + 0.5) / pixelsPerDegree * Math.PI / 180.0) + phase))];
+
+    /// <summary>1 at the centre, 0 from a distance on, smooth between; degrees.</summary>
+    private static double[] Bowl(int count, int pixelsPerDegree, double centre, double radius) =>
+        [.. Enumerable.Range(0, count)
+            .Select(i => Math.Abs(((i + 0.5) / pixelsPerDegree) - centre) / radius)
+            .Select(distance => distance < 1.0 ? 0.5 + (0.5 * Math.Cos(Math.PI * distance)) : 0.0)];
 }

@@ -10,6 +10,10 @@ internal enum Part
     PovRay,
     Xmllint,
     Cairo,
+    CFitsio,
+    Fitsverify,
+    Astropy,
+    Gdal,
 }
 
 /// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
@@ -45,6 +49,10 @@ internal static class MissingParts
         Part.CSpice => TestParts.CSpiceLibrary is not null,
         Part.PovRay => TestParts.Program("povray") is not null,
         Part.Xmllint => TestParts.Program("xmllint") is not null,
+        Part.CFitsio => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcfitsio.so.10", out _),
+        Part.Fitsverify => TestParts.Program("fitsverify") is not null,
+        Part.Astropy => TestParts.PythonPackage("astropy") is not null,
+        Part.Gdal => TestParts.PythonPackage("osgeo") is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

@@ -20,6 +20,13 @@ internal static class TestParts
     /// <summary>The folder of the kernels that the project ships.</summary>
     public static string Kernels => Path.Combine(RepositoryRoot, "kernels");
 
+    /// <summary>The system's Python: its packages come from the system too, another Python on the PATH does not know them.</summary>
+    public static string? Python => FirstFile("/usr/bin/python3", Program("python3"));
+
+    /// <summary>Where a package of the system's Python 3 is.</summary>
+    public static string? PythonPackage(string name) => FirstFile(
+        Path.Combine("/usr/lib/python3/dist-packages", name, "__init__.py"));
+
     /// <summary>A program on the PATH.</summary>
     public static string? Program(string name) => FirstFile(
         (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)

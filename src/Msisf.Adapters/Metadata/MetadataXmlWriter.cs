@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
 
 namespace Msisf.Adapters.Metadata;
 
@@ -11,15 +12,18 @@ public static class MetadataXmlWriter
     /// <summary>Below this many grid points, starting threads costs more than it gains.</summary>
     private const int LeastPixelsInParallel = 4096;
 
+    /// <summary>Of the files with terrain points. Those on the reference sphere have the format of the thesis and name no version.</summary>
+    private const int TerrainFormatVersion = 2;
+
     /// <summary>Writes one file. The bytes depend on the arguments alone, not on the number of cores.</summary>
     /// <param name="stream">Receives the file; stays open.</param>
     /// <param name="frame">What holds for the whole frame.</param>
-    /// <param name="pixels">Gives the pixels, by rows from the top.</param>
+    /// <param name="pixels">Gives the pixels, by rows from the top; its surface decides what the file tells of them.</param>
     /// <param name="cancellation">Stops between rows.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Write(Stream stream, FrameMetadata frame, PixelSampler pixels, CancellationToken cancellation = default)
     {
-        stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame)));
+        stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame, pixels.Surface)));
         WritePixels(stream, pixels, cancellation);
         stream.Write("  </PixelInformation>\n</MSISRendering>\n"u8);
     }
@@ -41,7 +45,7 @@ public static class MetadataXmlWriter
         }
     }
 
-    private static string GeneralInformation(FrameMetadata frame)
+    private static string GeneralInformation(FrameMetadata frame, PixelSurface surface)
     {
         UnitQuaternion orientation = frame.Camera.MoonFromCamera;
         return string.Create(CultureInfo.InvariantCulture, $"""
@@ -66,11 +70,26 @@ public static class MetadataXmlWriter
                 <SurfaceResolution unit="px/deg">{frame.PixelsPerDegree}</SurfaceResolution>
                 <FOV unit="deg">{frame.FieldOfViewDegrees:R}</FOV>
                 <MSISVersion>{XmlText.Escape(frame.Version)}</MSISVersion>
-                <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>
+                <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>{SurfaceLine(surface, frame.Renderer)}
               </GeneralInformation>
               <PixelInformation>
 
             """);
+    }
+
+    private static string SurfaceLine(PixelSurface surface, RendererKind renderer)
+    {
+        string name = renderer switch
+        {
+            RendererKind.PovRay => "povray",
+            RendererKind.Native => "native",
+            _ => throw new ArgumentOutOfRangeException(nameof(renderer), renderer, "Not a renderer."),
+        };
+        return surface == PixelSurface.Terrain
+            ? string.Create(
+                CultureInfo.InvariantCulture,
+                $"\n    <PixelSurface type=\"terrain\" renderer=\"{name}\" formatVersion=\"{TerrainFormatVersion}\" />")
+            : string.Empty;
     }
 
     private static string Vector3DElement(Vector3D v) =>
@@ -80,7 +99,7 @@ public static class MetadataXmlWriter
     private sealed class RowBuffer(PixelSampler pixels)
     {
         private readonly PixelRecord[] _records = new PixelRecord[pixels.Grid.Columns];
-        private readonly byte[] _text = new byte[pixels.Grid.Columns * PixelXml.MaximumLength];
+        private readonly byte[] _text = new byte[pixels.Grid.Columns * PixelXml.MaximumLength(pixels.Surface)];
         private int _length;
 
         public ReadOnlySpan<byte> Bytes => _text.AsSpan(0, _length);

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>Archives write names in capitals, downloads often don't keep them.</summary>
@@ -17,5 +19,15 @@ internal static class FileNames
         return Directory.Exists(folder)
             ? Directory.EnumerateFiles(folder, Path.GetFileName(path), IgnoringCase).Order(StringComparer.Ordinal).FirstOrDefault()
             : null;
+    }
+
+    /// <summary>Names for a message: all of a few, the first of many.</summary>
+    public static string Listed(IEnumerable<string?> names)
+    {
+        const int Most = 16;
+        string?[] all = [.. names];
+        return all.Length <= Most
+            ? string.Join(", ", all)
+            : string.Create(CultureInfo.InvariantCulture, $"{string.Join(", ", all.Take(Most))} and {all.Length - Most} more");
     }
 }

@@ -9,59 +9,101 @@ public static class LdemCatalog
     private static readonly EnumerationOptions Labels = new() { MatchCasing = MatchCasing.CaseInsensitive, IgnoreInaccessible = true };
 
     /// <summary>
-    /// The label to use. With an explicit path: that label, the label of that image, or what that folder has; else the first
-    /// of the folders that has one. In a folder LDEM_[res].LBL comes first, then any whole-Moon label of that resolution, by name.
+    /// The model to use. With an explicit path: that of this label or image, or what that folder has; else the first
+    /// of the folders that has one. In a folder LDEM_[res].LBL comes first, then any whole-Moon label of that resolution, by name,
+    /// then the first complete set of a split product.
     /// </summary>
     /// <param name="pixelsPerDegree">The resolution.</param>
     /// <param name="explicitPath">A label, an image, or a folder (--ldem); null to search the folders.</param>
     /// <param name="folders">Where to look otherwise, first choice first; they need not exist.</param>
-    /// <exception cref="BadInputException">There is none (the message says where it looked), or the explicit one has another resolution.</exception>
-    public static LdemLabel Find(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
+    /// <exception cref="BadInputException">There is none (the message says where it looked), its parts don't make up a whole Moon, or the explicit one has another resolution.</exception>
+    public static LdemSet Find(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
     {
         if (explicitPath is not null && !Directory.Exists(explicitPath))
         {
-            LdemLabel label = Read(explicitPath);
-            return label.PixelsPerDegree == pixelsPerDegree ? label : throw new BadInputException(string.Create(
+            LdemLabel label = LdemLabelReader.ReadFile(LabelOf(explicitPath));
+            return label.PixelsPerDegree == pixelsPerDegree ? WithSiblings(label) : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{label.LabelPath}: an elevation model of {label.PixelsPerDegree} px/deg, but {pixelsPerDegree} px/deg are asked for. Give --res {label.PixelsPerDegree}, or another model."));
         }
 
         IReadOnlyList<string> places = explicitPath is null ? folders : [explicitPath];
+        BadInputException? incomplete = null;
         foreach (string folder in places.Where(Directory.Exists))
         {
-            if (FindIn(folder, pixelsPerDegree) is { } found)
+            if (FindIn(folder, pixelsPerDegree, ref incomplete) is { } found)
             {
                 return found;
             }
         }
 
-        throw new BadInputException(string.Create(
+        throw incomplete ?? new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
             $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", places)}: put LDEM_{pixelsPerDegree}.LBL and .IMG there, name them with --ldem, or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree} --seed 1'."));
     }
 
-    /// <summary>The label of a named model.</summary>
-    /// <param name="labelOrImage">Path of the label, or of the image beside it.</param>
-    /// <exception cref="BadInputException">It is missing, or no label of a cylindrical lunar model.</exception>
-    public static LdemLabel Read(string labelOrImage) => LdemLabelReader.ReadFile(LabelOf(labelOrImage));
+    /// <summary>A named model.</summary>
+    /// <param name="labelOrImage">Path of the label, or of the image beside it; of a split product that of any part, the others lie beside it.</param>
+    /// <exception cref="BadInputException">It is missing, no label of a cylindrical lunar model, or its parts don't make up a whole Moon.</exception>
+    public static LdemSet Read(string labelOrImage) => WithSiblings(LdemLabelReader.ReadFile(LabelOf(labelOrImage)));
 
-    private static LdemLabel? FindIn(string folder, int pixelsPerDegree)
+    private static LdemSet? FindIn(string folder, int pixelsPerDegree, ref BadInputException? incomplete)
     {
         string usual = Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"LDEM_{pixelsPerDegree}.LBL"));
         if (FileNames.FindIgnoringCase(usual) is { } label)
         {
             LdemLabel found = LdemLabelReader.ReadFile(label);
-            return found.PixelsPerDegree == pixelsPerDegree ? found : throw new BadInputException(string.Create(
+            return found.PixelsPerDegree == pixelsPerDegree ? WithSiblings(found) : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture, $"{label}: by its name a model of {pixelsPerDegree} px/deg, but MAP_RESOLUTION is {found.PixelsPerDegree}. Rename it."));
         }
 
-        return Directory.EnumerateFiles(folder, "*.LBL", Labels)
-            .Order(StringComparer.Ordinal)
-            .Select(TryRead)
-            .FirstOrDefault(other => other is { CoversWholeMoon: true } && other.PixelsPerDegree == pixelsPerDegree);
+        LdemLabel[] others = [.. LabelsIn(folder, ".LBL").Where(other => other.PixelsPerDegree == pixelsPerDegree)];
+        if (others.FirstOrDefault(other => other.CoversWholeMoon) is { } whole)
+        {
+            return LdemSet.Join([whole]);
+        }
+
+        foreach (IGrouping<string, LdemLabel> parts in others.GroupBy(ModelOf).OrderBy(parts => parts.Key, StringComparer.Ordinal))
+        {
+            try
+            {
+                return LdemSet.Join([.. parts]);
+            }
+            catch (BadInputException exception)
+            {
+                incomplete ??= exception; // another set, or another folder, may have a whole model
+            }
+        }
+
+        return null;
     }
 
+    private static LdemSet WithSiblings(LdemLabel label)
+    {
+        if (label.CoversWholeMoon)
+        {
+            return LdemSet.Join([label]);
+        }
+
+        string folder = Path.GetDirectoryName(label.LabelPath) is { Length: > 0 } given ? given : ".";
+        IEnumerable<LdemLabel> siblings = LabelsIn(folder, Path.GetExtension(label.LabelPath)).Where(other =>
+            other.PixelsPerDegree == label.PixelsPerDegree
+            && !other.CoversWholeMoon
+            && ModelOf(other) == ModelOf(label)
+            && Path.GetFileName(other.LabelPath) != Path.GetFileName(label.LabelPath));
+        return LdemSet.Join([label, .. siblings]);
+    }
+
+    /// <summary>What the parts of one model have in common; parts whose names have no borders are taken for those of one model.</summary>
+    private static string ModelOf(LdemLabel label) => LdemPartName.Of(label) is { HasBorders: true } name ? name.Model.ToUpperInvariant() : string.Empty;
+
     /// <summary>A folder may hold labels of anything: one that is no cylindrical lunar model is no candidate.</summary>
+    private static IEnumerable<LdemLabel> LabelsIn(string folder, string extension) =>
+        Directory.EnumerateFiles(folder, "*" + extension, Labels)
+            .Order(StringComparer.Ordinal)
+            .Select(TryRead)
+            .OfType<LdemLabel>();
+
     private static LdemLabel? TryRead(string labelPath)
     {
         try

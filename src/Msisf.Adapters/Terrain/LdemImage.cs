@@ -1,73 +1,69 @@
-using System.Globalization;
-using System.IO.MemoryMappedFiles;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// A whole-Moon LDEM product, mapped into memory: it opens at once whatever its size, and only what is asked for is read.
-/// The radius of a sample is OFFSET + SCALING_FACTOR * value in doubles, in m.
+/// A LDEM model of the whole Moon, in one file or in the parts of a split product, mapped into memory: it opens at once whatever its
+/// size, and only what is asked for is read. The radius of a sample is OFFSET + SCALING_FACTOR * value in doubles, in m.
 /// </summary>
 /// <remarks>Don't use it after or while it is disposed. A file that is made shorter while it is open ends the process.</remarks>
-public sealed unsafe class LdemImage : IElevationGrid, IDisposable
+public sealed class LdemImage : IElevationGrid, IDisposable
 {
-    private readonly MemoryMappedFile _file;
-    private readonly MemoryMappedViewAccessor _view;
-    private readonly byte* _samples;
-    private readonly SampleCodec _codec;
+    private readonly LdemPart[] _parts;
+    private readonly ushort[] _partOfDegree;
+    private readonly int _pixelsPerDegree;
+    private readonly int _lines;
+    private readonly int _samples;
+    private bool _isDisposed;
 
-    private LdemImage(LdemLabel label, FileStream stream)
+    private LdemImage(LdemSet set, LdemPart[] parts)
     {
-        Label = label;
-        _codec = SampleCodec.For(label);
-        _file = MemoryMappedFile.CreateFromFile(stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
-        _view = _file.CreateViewAccessor(0, 0, MemoryMappedFileAccess.Read);
-        byte* start = null;
-        _view.SafeMemoryMappedViewHandle.AcquirePointer(ref start);
-        _samples = start + _view.PointerOffset + label.ImageOffset;
+        Set = set;
+        _parts = parts;
+        _partOfDegree = set.PartOfDegree;
+        _pixelsPerDegree = set.PixelsPerDegree;
+        _lines = 180 * _pixelsPerDegree;
+        _samples = 360 * _pixelsPerDegree;
     }
 
-    /// <summary>What the label says.</summary>
-    public LdemLabel Label { get; }
+    /// <summary>The labels that it is made of.</summary>
+    public LdemSet Set { get; }
 
     /// <inheritdoc/>
-    public string ProductId => Label.ProductId;
+    public string ProductId => Set.ProductId;
 
     /// <inheritdoc/>
-    public int PixelsPerDegree => Label.PixelsPerDegree;
+    public int PixelsPerDegree => _pixelsPerDegree;
+
+    /// <inheritdoc/>
+    public (double Least, double Greatest) RadiusLimits =>
+        (Set.Parts.Min(part => part.RadiusLimits.Least), Set.Parts.Max(part => part.RadiusLimits.Greatest));
 
     /// <summary>Opens the image of a label.</summary>
     /// <param name="label">A label that covers the whole Moon.</param>
     /// <exception cref="BadInputException">The label covers a part of the Moon; the image is missing, unreadable, or not as long as the label says.</exception>
-    public static LdemImage Open(LdemLabel label)
-    {
-        if (!label.CoversWholeMoon)
-        {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{label.LabelPath}: covers latitudes {label.SouthDegrees:R} to {label.NorthDegrees:R} and longitudes {label.WestDegrees:R} to {label.EastDegrees:R} degrees only; one product of the whole Moon is needed (LDEM_4 to LDEM_128)."));
-        }
+    public static LdemImage Open(LdemLabel label) => Open(LdemSet.Join([label]));
 
-        string path = FileNames.FindIgnoringCase(label.ImagePath)
-            ?? throw new BadInputException($"{label.ImagePath}: missing; {label.LabelPath} says that the samples are there. Put the file beside its label.");
+    /// <summary>Opens all images of a model.</summary>
+    /// <exception cref="BadInputException">An image is missing (all that miss are named), unreadable, or not as long as its label says.</exception>
+    public static LdemImage Open(LdemSet set)
+    {
+        RequireImages(set);
+        List<LdemPart> parts = [];
         try
         {
-            FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read);
-            try
+            foreach (LdemLabel label in set.Parts)
             {
-                CheckLength(label, path, stream.Length);
-                return new LdemImage(label, stream);
+                parts.Add(LdemPart.Open(label));
             }
-            catch
-            {
-                stream.Dispose();
-                throw;
-            }
+
+            return new LdemImage(set, [.. parts]);
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch
         {
-            throw new BadInputException($"{path}: can't be read: {exception.Message}", exception);
+            parts.ForEach(part => part.Dispose());
+            throw;
         }
     }
 
@@ -75,96 +71,87 @@ public sealed unsafe class LdemImage : IElevationGrid, IDisposable
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         CheckBlock(line, 1, firstSample, radii.Length);
-        int beforeMeridian = Math.Min(radii.Length, Label.LineSamples - firstSample);
-        ReadRun(line, firstSample, radii[..beforeMeridian]);
-        ReadRun(line, 0, radii[beforeMeridian..]);
+        while (true)
+        {
+            LdemPart part = PartAt(line, firstSample);
+            int count = Math.Min(radii.Length, part.EndSample - firstSample);
+            part.ReadRadii(line, firstSample, radii[..count]);
+            if (count == radii.Length)
+            {
+                return;
+            }
+
+            radii = radii[count..];
+            firstSample = part.EndSample == _samples ? 0 : part.EndSample;
+        }
     }
 
     /// <inheritdoc/>
     public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
     {
         CheckBlock(firstLine, lines, firstSample, samples);
-        int beforeMeridian = Math.Min(samples, Label.LineSamples - firstSample);
-        (double minimum, double maximum) = BoundsOfRun(firstLine, lines, firstSample, beforeMeridian);
-        if (beforeMeridian < samples)
+        double minimum = double.PositiveInfinity;
+        double maximum = double.NegativeInfinity;
+        int end = firstLine + lines;
+        for (int line = firstLine, next; line < end; line = next)
         {
-            (double eastMinimum, double eastMaximum) = BoundsOfRun(firstLine, lines, 0, samples - beforeMeridian);
-            minimum = Math.Min(minimum, eastMinimum);
-            maximum = Math.Max(maximum, eastMaximum);
-        }
-
-        return (Label.Offset + (Label.ScalingFactor * minimum), Label.Offset + (Label.ScalingFactor * maximum));
-    }
-
-    /// <summary>Unmaps the file.</summary>
-    public void Dispose()
-    {
-        if (!_view.SafeMemoryMappedViewHandle.IsClosed)
-        {
-            _view.SafeMemoryMappedViewHandle.ReleasePointer();
-            _view.Dispose();
-            _file.Dispose();
-        }
-    }
-
-    private static void CheckLength(LdemLabel label, string path, long found)
-    {
-        long needed = label.ImageOffset + label.ImageBytes;
-        long expected = label.FileBytes ?? needed;
-        if (found != expected)
-        {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{path}: {found} bytes, {expected} expected ({label.Lines} lines of {label.LineBytes} bytes by {label.LabelPath}). Get the file again."));
-        }
-    }
-
-    private void CheckBlock(int firstLine, int lines, int firstSample, int sampleCount)
-    {
-        ObjectDisposedException.ThrowIf(_view.SafeMemoryMappedViewHandle.IsClosed, this);
-        ArgumentOutOfRangeException.ThrowIfNegative(firstLine);
-        ArgumentOutOfRangeException.ThrowIfLessThan(lines, 1);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan((long)firstLine + lines, Label.Lines, nameof(lines));
-        ArgumentOutOfRangeException.ThrowIfNegative(firstSample);
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(firstSample, Label.LineSamples);
-        ArgumentOutOfRangeException.ThrowIfLessThan(sampleCount, 1);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan(sampleCount, Label.LineSamples);
-    }
-
-    private byte* Address(int line, int sample) => _samples + (line * Label.LineBytes) + ((long)sample * Label.SampleBytes);
-
-    private void ReadRun(int line, int firstSample, Span<double> radii)
-    {
-        if (!_codec.TryReadRadii(Address(line, firstSample), radii))
-        {
-            throw NotAllowed(line, 1, firstSample, radii.Length);
-        }
-    }
-
-    private (double Minimum, double Maximum) BoundsOfRun(int firstLine, int lines, int firstSample, int sampleCount)
-    {
-        (double minimum, double maximum) = _codec.Bounds(Address(firstLine, firstSample), Label.LineBytes, lines, sampleCount);
-        return _codec.IsAllowed(minimum) && _codec.IsAllowed(maximum)
-            ? (minimum, maximum)
-            : throw NotAllowed(firstLine, lines, firstSample, sampleCount);
-    }
-
-    /// <summary>The error for the first bad sample of a block that has one.</summary>
-    private BadInputException NotAllowed(int firstLine, int lines, int firstSample, int sampleCount)
-    {
-        for (int i = 0; i < lines * (long)sampleCount; i++)
-        {
-            int line = firstLine + (i / sampleCount);
-            int sample = firstSample + (i % sampleCount);
-            double value = _codec.ValueAt(Address(line, sample));
-            if (!_codec.IsAllowed(value))
+            // No file's border runs through a degree.
+            next = _parts.Length == 1 ? end : Math.Min(end, ((line / _pixelsPerDegree) + 1) * _pixelsPerDegree);
+            for (int done = 0; done < samples;)
             {
-                return new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture,
-                    $"{Label.ImagePath}, line {line + 1}, sample {sample + 1}: the value {value:R} is outside the label's MINIMUM and MAXIMUM ({Label.Minimum:R} to {Label.Maximum:R}). The file is damaged, or the label belongs to another one: get both again."));
+                int sample = firstSample + done < _samples ? firstSample + done : firstSample + done - _samples;
+                LdemPart part = PartAt(line, sample);
+                int count = Math.Min(samples - done, part.EndSample - sample);
+                (double least, double greatest) = part.RadiusBounds(line, next - line, sample, count);
+                minimum = Math.Min(minimum, least);
+                maximum = Math.Max(maximum, greatest);
+                done += count;
             }
         }
 
-        throw new InvalidOperationException("No sample of the block is outside the limits.");
+        return (minimum, maximum);
+    }
+
+    /// <summary>Unmaps the files.</summary>
+    public void Dispose()
+    {
+        _isDisposed = true;
+        foreach (LdemPart part in _parts)
+        {
+            part.Dispose();
+        }
+    }
+
+    /// <summary>The mapped files, in the order of <see cref="LdemSet.Parts"/>.</summary>
+    internal IReadOnlyList<LdemPart> Parts => _parts;
+
+    private static void RequireImages(LdemSet set)
+    {
+        string[] missing = [.. set.Parts.Select(part => part.ImagePath).Where(path => FileNames.FindIgnoringCase(path) is null)];
+        if (missing.Length > 1)
+        {
+            throw new BadInputException(
+                $"{set.Location}: {missing.Length} images are missing: {FileNames.Listed(missing.Select(Path.GetFileName))}. Put them beside their labels.");
+        }
+    }
+
+    private LdemPart PartAt(int line, int sample) =>
+        _parts.Length == 1
+            ? _parts[0]
+            : _parts[_partOfDegree[((uint)line / (uint)_pixelsPerDegree * 360u) + ((uint)sample / (uint)_pixelsPerDegree)]];
+
+    private void CheckBlock(int firstLine, int lines, int firstSample, int samples)
+    {
+        if (_isDisposed || firstLine < 0 || lines < 1 || lines > _lines - firstLine || (uint)firstSample >= (uint)_samples || (uint)(samples - 1) >= (uint)_samples)
+        {
+            RefuseBlock(firstLine, lines, firstSample, samples);
+        }
+    }
+
+    private void RefuseBlock(int firstLine, int lines, int firstSample, int samples)
+    {
+        ObjectDisposedException.ThrowIf(_isDisposed, this);
+        throw new ArgumentOutOfRangeException(
+            nameof(firstLine), $"No block of {_lines} x {_samples} samples: {lines} lines from {firstLine}, {samples} samples from {firstSample}.");
     }
 }

@@ -1,3 +1,5 @@
+using Msisf.Core.Numerics;
+
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>What the label of a cylindrical lunar elevation model says, checked for consistency. It may cover a part of the Moon only.</summary>
@@ -63,6 +65,16 @@ public sealed record LdemLabel
     /// <summary>The samples are 16-bit integers.</summary>
     public bool HasIntegers => SampleType is LdemSampleType.Int16LittleEndian or LdemSampleType.Int16BigEndian;
 
+    /// <summary>m: no sample is outside. Floats may pass the printed MINIMUM and MAXIMUM a little.</summary>
+    public (double Least, double Greatest) RadiusLimits
+    {
+        get
+        {
+            double slack = HasIntegers ? 0.0 : Tolerances.FloatSampleLimits * (Maximum - Minimum);
+            return (Offset + (ScalingFactor * (Minimum - slack)), Offset + (ScalingFactor * (Maximum + slack)));
+        }
+    }
+
     /// <summary>Bytes of a sample.</summary>
     public int SampleBytes => HasIntegers ? sizeof(short) : sizeof(float);
 
@@ -72,6 +84,6 @@ public sealed record LdemLabel
     /// <summary>Bytes of the samples, without what stands before them.</summary>
     public long ImageBytes => LineBytes * Lines;
 
-    /// <summary>It covers latitudes -90 to 90 and longitudes 0 to 360 degrees, as <see cref="LdemImage"/> needs.</summary>
+    /// <summary>It covers latitudes -90 to 90 and longitudes 0 to 360 degrees.</summary>
     public bool CoversWholeMoon => (NorthDegrees, SouthDegrees, WestDegrees, EastDegrees) == (90.0, -90.0, 0.0, 360.0);
 }

@@ -35,7 +35,7 @@ public static class LdemLabelReader
     /// <exception cref="BadInputException">As <see cref="ReadFile"/>.</exception>
     public static LdemLabel Read(Stream stream, string labelPath)
     {
-        byte[] bytes = new byte[LabelLimit];
+        byte[] bytes = new byte[stream.CanSeek ? Math.Min(LabelLimit, stream.Length - stream.Position) : LabelLimit];
         int length = stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
         PdsObject root = PdsLabelParser.Parse(Encoding.Latin1.GetString(bytes, 0, length), labelPath);
         PdsObject map = root.FindObject("IMAGE_MAP_PROJECTION") ?? throw Missing(labelPath, "IMAGE_MAP_PROJECTION");

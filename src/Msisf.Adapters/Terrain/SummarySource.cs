@@ -8,13 +8,26 @@ namespace Msisf.Adapters.Terrain;
 /// <summary>What tells one elevation model from another and from an older one under the same name.</summary>
 /// <param name="ProductId">From the label.</param>
 /// <param name="PixelsPerDegree">From the label.</param>
-/// <param name="ImageBytes">Size of the image file.</param>
-/// <param name="ImageWritten">When the image file was last written.</param>
-/// <param name="LabelText">The whole label.</param>
+/// <param name="ImageBytes">Size of the image file; of a split product all of them.</param>
+/// <param name="ImageWritten">When the image file was last written; of a split product the last of them.</param>
+/// <param name="LabelText">The whole label; of a split product name, size, time and label of each part.</param>
 public sealed record SummarySource(string ProductId, int PixelsPerDegree, long ImageBytes, DateTimeOffset ImageWritten, string LabelText)
 {
     /// <summary>A label is a few kB; of an image with an attached one, more need not be read.</summary>
     private const int LongestLabel = 65536;
+
+    /// <summary>The source that a model's labels describe, as its files are now.</summary>
+    /// <exception cref="ExternalPartException">They can't be read.</exception>
+    public static SummarySource Of(LdemSet set)
+    {
+        SummarySource[] parts = [.. set.Parts.Select(Of)];
+        return parts.Length == 1 ? parts[0] : new SummarySource(
+            set.ProductId,
+            set.PixelsPerDegree,
+            parts.Sum(part => part.ImageBytes),
+            parts.Max(part => part.ImageWritten),
+            string.Concat(parts.Select(part => part.Text())));
+    }
 
     /// <summary>The source that a label describes, as its files are now.</summary>
     /// <exception cref="ExternalPartException">They can't be read.</exception>
@@ -22,7 +35,7 @@ public sealed record SummarySource(string ProductId, int PixelsPerDegree, long I
     {
         try
         {
-            FileInfo image = new(label.ImagePath);
+            FileInfo image = new(FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath);
             using FileStream stream = File.OpenRead(label.LabelPath);
             byte[] text = new byte[Math.Min(LongestLabel, stream.Length)];
             stream.ReadExactly(text);
@@ -36,7 +49,9 @@ public sealed record SummarySource(string ProductId, int PixelsPerDegree, long I
     }
 
     /// <summary>32 bytes that differ when any of it differs.</summary>
-    internal byte[] Fingerprint() => SHA256.HashData(Encoding.UTF8.GetBytes(string.Create(
+    internal byte[] Fingerprint() => SHA256.HashData(Encoding.UTF8.GetBytes(Text()));
+
+    private string Text() => string.Create(
         CultureInfo.InvariantCulture,
-        $"{ProductId}\n{PixelsPerDegree}\n{ImageBytes}\n{ImageWritten.UtcTicks}\n{LabelText}")));
+        $"{ProductId}\n{PixelsPerDegree}\n{ImageBytes}\n{ImageWritten.UtcTicks}\n{LabelText}");
 }

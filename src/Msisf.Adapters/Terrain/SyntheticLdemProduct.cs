@@ -17,11 +17,7 @@ public sealed record SyntheticLdemProduct(int PixelsPerDegree, MoonRegion Region
         get
         {
             string whole = string.Create(CultureInfo.InvariantCulture, $"LDEM_{PixelsPerDegree}_{Mark}");
-            return Region == MoonRegion.WholeMoon
-                ? whole
-                : string.Create(
-                    CultureInfo.InvariantCulture,
-                    $"{whole}_{Latitude(Region.SouthDegrees)}_{Latitude(Region.NorthDegrees)}_{Region.WestDegrees:000}_{Region.EastDegrees:000}");
+            return Region == MoonRegion.WholeMoon ? whole : $"{whole}_{LdemPartName.BordersOf(Region)}";
         }
     }
 
@@ -33,11 +29,4 @@ public sealed record SyntheticLdemProduct(int PixelsPerDegree, MoonRegion Region
 
     /// <summary>Bytes of the image: two a sample.</summary>
     public long Bytes => 2L * Lines * LineSamples;
-
-    // The equator is 00N, except as the northern border of a southern region.
-    private string Latitude(int degrees)
-    {
-        bool south = degrees < 0 || (degrees == 0 && Region.NorthDegrees == 0);
-        return string.Create(CultureInfo.InvariantCulture, $"{Math.Abs(degrees):00}{(south ? 'S' : 'N')}");
-    }
 }

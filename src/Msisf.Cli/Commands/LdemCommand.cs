@@ -9,17 +9,15 @@ using Msisf.Core.Terrain.Synthesis;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary>Work on elevation models: <c>msis ldem synthesize</c>.</summary>
+/// <summary>Work on elevation models: <c>msis ldem synthesize</c>, <c>msis ldem pyramid</c>.</summary>
 internal static class LdemCommand
 {
-    /// <summary>Steps in which progress is shown.</summary>
-    private const int ProgressSteps = 100;
-
-    /// <summary>Declares the command, its subcommand and their options.</summary>
+    /// <summary>Declares the command, its subcommands and their options.</summary>
     public static Command Create(ProgramHost host)
     {
         Command command = new("ldem", "Works on elevation models.");
         command.Subcommands.Add(CreateSynthesize(host));
+        command.Subcommands.Add(PyramidCommand.Create(host));
         return command;
     }
 
@@ -54,8 +52,8 @@ internal static class LdemCommand
                     Base = continued,
                     Region = line.GetValue(region) is string text ? Region(text) : MoonRegion.WholeMoon,
                 };
-                using IRunProgress progress = RunProgress.Start("Synthesis", ProgressSteps, line.GetValue(batch), host.Log, host.Clock);
-                string label = SyntheticLdemWriter.Write(options, new FractionProgress(progress), cancellation);
+                using IRunProgress progress = RunProgress.Start("Synthesis", FractionProgress.Steps, line.GetValue(batch), host.Log, host.Clock);
+                string label = SyntheticLdemWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation);
                 host.Results.WriteLine(label);
                 return 0;
             },
@@ -77,24 +75,6 @@ internal static class LdemCommand
         catch (UsageException exception)
         {
             throw new BadInputException(exception.Message, exception); // it names the option
-        }
-    }
-
-    /// <summary>Turns a fraction into whole steps, from any thread.</summary>
-    private sealed class FractionProgress(IRunProgress progress) : IProgress<double>
-    {
-        private readonly Lock _gate = new();
-        private int _steps;
-
-        public void Report(double value)
-        {
-            lock (_gate)
-            {
-                for (; _steps < (int)(value * ProgressSteps); _steps++)
-                {
-                    progress.Advance("synthesis");
-                }
-            }
         }
     }
 }

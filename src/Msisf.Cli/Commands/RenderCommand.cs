@@ -19,8 +19,9 @@ internal static class RenderCommand
         PictureOptions picture = new();
         SourceOptions source = new();
         RunOptions run = new();
+        NativeOptions native = new();
         RootCommand command = new(About);
-        foreach (Option option in (Option[])[.. mode.All, .. picture.All, .. source.All, .. run.All])
+        foreach (Option option in (Option[])[.. mode.All, .. picture.All, .. source.All, .. native.All, .. run.All])
         {
             command.Options.Add(option);
         }
@@ -29,7 +30,7 @@ internal static class RenderCommand
         HelpOption help = command.Options.OfType<HelpOption>().Single();
         help.Aliases.Remove("-h");
         help.Aliases.Remove("/h");
-        command.SetAction((line, cancellation) => RunAsync(line, mode, picture, source, run, host, cancellation));
+        command.SetAction((line, cancellation) => RunAsync(line, mode, picture, source, run, native, host, cancellation));
         return command;
     }
 
@@ -39,11 +40,13 @@ internal static class RenderCommand
         PictureOptions picture,
         SourceOptions source,
         RunOptions run,
+        NativeOptions native,
         ProgramHost host,
         CancellationToken cancellation)
     {
         StrayOptions.Refuse(line, run.PovOptions);
-        if (ModeRules.Check(modeOptions, option => line.GetResult(option) is { Implicit: false }) is not Mode mode)
+        bool IsGiven(Option option) => line.GetResult(option) is { Implicit: false };
+        if (ModeRules.Check(modeOptions, IsGiven) is not Mode mode)
         {
             new HelpAction().Invoke(line);
             return line.Tokens.Count == 0
@@ -51,7 +54,8 @@ internal static class RenderCommand
                 : throw new UsageException($"nothing says where the camera is. Give exactly one of {ModeRules.ModeNames(modeOptions)}.");
         }
 
-        RenderSettings settings = new RenderSettingsReader(line).Read(picture, source, run);
+        RenderSettings settings = new RenderSettingsReader(line).Read(picture, source, run, native);
+        RendererRules.Check(settings.Renderer, native, source, run, IsGiven);
         using RenderRun rendering = new(settings, host);
         StateSource states = new(modeOptions, line, rendering.Ephemeris, host.StandardInput, host.Log);
         await rendering.RunAsync(() => states.Read(mode, cancellation), cancellation).ConfigureAwait(false);

@@ -19,6 +19,9 @@ internal sealed class PictureOptions
 
     public Option<string?> GridVertical { get; } = OptionFactory.Value("--gridV", ["-gV"], "PX", "The same, vertically");
 
+    public Option<string?> Surface { get; } = OptionFactory.Value(
+        "--surface", [], "sphere|terrain", "Where the meta file's pixels lie: on the reference sphere (default), or on the terrain that the picture shows");
+
     public Option<bool> IgnoreSun { get; } = OptionFactory.Flag("--ignore-sun", [], "Light the scene from the camera instead of the Sun");
 
     public Option<bool> Annotation { get; } = OptionFactory.Flag(
@@ -31,6 +34,6 @@ internal sealed class PictureOptions
 
     public IEnumerable<Option> All =>
     [
-        FieldOfView, Width, Height, Grid, GridHorizontal, GridVertical, IgnoreSun, Annotation, OutputFolder, OutputName,
+        FieldOfView, Width, Height, Grid, GridHorizontal, GridVertical, Surface, IgnoreSun, Annotation, OutputFolder, OutputName,
     ];
 }

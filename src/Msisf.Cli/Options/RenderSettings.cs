@@ -1,4 +1,6 @@
 using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Metadata;
+using Msisf.Core.Render;
 
 namespace Msisf.Cli.Options;
 
@@ -15,7 +17,14 @@ internal sealed record RenderSettings
 
     public required int GridVertical { get; init; }
 
+    public required PixelSurface Surface { get; init; }
+
     public required int PixelsPerDegree { get; init; }
+
+    public required RendererKind Renderer { get; init; }
+
+    /// <summary>For the program's own renderer; defaults otherwise.</summary>
+    public required NativeSettings Native { get; init; }
 
     public required bool IgnoreSun { get; init; }
 

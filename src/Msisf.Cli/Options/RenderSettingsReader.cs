@@ -4,6 +4,7 @@ using Msisf.Adapters.Render;
 using Msisf.Cli.Run;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
 
 namespace Msisf.Cli.Options;
 
@@ -20,8 +21,12 @@ internal sealed class RenderSettingsReader
 
     public RenderSettingsReader(ParseResult line) => _line = line;
 
-    public RenderSettings Read(PictureOptions picture, SourceOptions source, RunOptions run)
+    public RenderSettings Read(PictureOptions picture, SourceOptions source, RunOptions run, NativeOptions nativeOptions)
     {
+        NativeSettingsReader native = new(_line, nativeOptions);
+        PixelSurface surface = _line.GetValue(picture.Surface) is string words
+            ? OptionText.Choice(picture.Surface, words, [("sphere", PixelSurface.Sphere), ("terrain", PixelSurface.Terrain)])
+            : PixelSurface.Sphere;
         int width = WholeNumber(picture.Width, 1024, LargestSide);
         int height = WholeNumber(picture.Height, 1024, LargestSide);
         int grid = WholeNumber(picture.Grid, PixelGrid.DefaultSpacing, int.MaxValue);
@@ -32,7 +37,10 @@ internal sealed class RenderSettingsReader
             Height = height,
             GridHorizontal = WholeNumber(picture.GridHorizontal, grid, int.MaxValue),
             GridVertical = WholeNumber(picture.GridVertical, grid, int.MaxValue),
+            Surface = surface,
             PixelsPerDegree = SourceSettings.Resolution(_line, source),
+            Renderer = native.Renderer(),
+            Native = native.Read(needsTruth: surface == PixelSurface.Terrain),
             IgnoreSun = _line.GetValue(picture.IgnoreSun),
             Annotate = _line.GetValue(picture.Annotation),
             OutputFolder = PathOf(picture.OutputFolder) ?? "output",

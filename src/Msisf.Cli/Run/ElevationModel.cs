@@ -1,6 +1,10 @@
 using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Terrain.Lod;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Tracing;
 using Msisf.Core.Terrain;
+using Msisf.Core.Terrain.Lod;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Run;
@@ -12,15 +16,25 @@ internal sealed class ElevationModel : IDisposable
     private const int FinestSummarisedEachRun = 16;
 
     private readonly LdemImage _image;
-    private readonly ElevationSummary _summary;
+    private readonly Lazy<ElevationSummary> _summary;
+    private readonly Lazy<TerrainTracer> _tracer;
+    private readonly Lazy<ModelLevels> _levels;
 
-    private ElevationModel(LdemImage image, ElevationSummary summary)
+    private ElevationModel(LdemImage image, Func<ElevationSummary> summarise, Func<ModelLevels> openLevels)
     {
         _image = image;
-        _summary = summary;
+        _summary = new Lazy<ElevationSummary>(summarise);
+        _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(image));
+        _levels = new Lazy<ModelLevels>(openLevels);
     }
 
     public IElevationGrid Grid => _image;
+
+    /// <summary>Traces single rays; made when it is first needed.</summary>
+    public ITerrainTracer Tracer => _tracer.Value;
+
+    /// <summary>The model and its coarser levels; opened when they are first needed.</summary>
+    public LodLevels Levels => _levels.Value.Levels;
 
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
@@ -28,13 +42,16 @@ internal sealed class ElevationModel : IDisposable
     /// <param name="host">Where the installation is, and where notes go.</param>
     public static ElevationModel Open(string? explicitPath, int pixelsPerDegree, ProgramHost host)
     {
-        string[] folders = [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
-        LdemImage image = LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, folders));
-        host.Log.Note(image.Label.IsSynthetic
-            ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Label.LabelPath})."
-            : $"Elevation: {image.ProductId} ({image.Label.LabelPath}).");
-        return new ElevationModel(image, Summarise(image, host.Log));
+        LdemImage image = LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)));
+        host.Log.Note(image.Set.IsSynthetic
+            ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
+            : $"Elevation: {image.ProductId} ({image.Set.Description}).");
+        return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, host));
     }
+
+    /// <summary>Where models are looked for if none is named, first choice first.</summary>
+    public static string[] Folders(ProgramHost host) =>
+        [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
 
     private static ElevationSummary Summarise(LdemImage image, Log log)
     {
@@ -44,7 +61,7 @@ internal sealed class ElevationModel : IDisposable
         }
 
         (ElevationSummary summary, string? warning) = ElevationSummaryFile.LoadOrBuild(
-            Path.ChangeExtension(image.Label.ImagePath, ".summary"), SummarySource.Of(image.Label), image);
+            image.Set.FileBeside(".summary"), SummarySource.Of(image.Set), image);
         if (warning is not null)
         {
             log.Warning(warning);
@@ -53,13 +70,32 @@ internal sealed class ElevationModel : IDisposable
         return summary;
     }
 
-    /// <summary>The tiles that a frame needs, and why.</summary>
+    private static ModelLevels OpenLevels(LdemImage image, ProgramHost host)
+    {
+        ModelLevels levels = ModelLevels.Open(image, CacheFolder.Of(host));
+        if (levels.Warning is not null)
+        {
+            host.Log.Warning(levels.Warning);
+        }
+
+        return levels;
+    }
+
+    /// <summary>The tiles that a frame needs, and why. The first call summarises the model.</summary>
     public TileSelection Select(Frame frame) =>
-        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary);
+        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary.Value);
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>
-        positionMoonMe.Length > _summary.GreatestRadius ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
+        positionMoonMe.Length > _image.RadiusLimits.Greatest ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
 
-    public void Dispose() => _image.Dispose();
+    public void Dispose()
+    {
+        if (_levels.IsValueCreated)
+        {
+            _levels.Value.Dispose();
+        }
+
+        _image.Dispose();
+    }
 }

@@ -5,6 +5,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
 using Msisf.Core.Scene;
 
 namespace Msisf.Cli.Run;
@@ -31,7 +32,7 @@ internal static class FramePlanner
         {
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = states[index];
-            RefuseUndrawable(index + 1, state);
+            RefuseUndrawable(index + 1, state, settings.Renderer);
             PinholeCamera camera = new(state.PositionMoonMe, state.MoonFromCamera, fieldOfView, settings.Width, settings.Height);
             SceneLight light = ephemeris is null
                 ? new SceneLight(state.PositionMoonMe, IsSun: false)
@@ -42,7 +43,7 @@ internal static class FramePlanner
         return frames;
     }
 
-    private static void RefuseUndrawable(int step, SpacecraftState state)
+    private static void RefuseUndrawable(int step, SpacecraftState state, RendererKind renderer)
     {
         double distance = state.PositionMoonMe.Length;
         if (distance == 0.0)
@@ -50,11 +51,11 @@ internal static class FramePlanner
             throw new BadInputException($"the camera of step {step} is at the Moon's centre. Choose a position above the terrain.");
         }
 
-        if (distance > PovSceneWriter.GreatestDistance)
+        if (renderer == RendererKind.PovRay && distance > PovSceneWriter.GreatestDistance)
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"the camera of step {step} is {distance:E3} m from the Moon's centre; POV-Ray draws nothing beyond {PovSceneWriter.GreatestDistance:E0} m. Move it closer on the same line, with a field of view that is larger by as much."));
+                $"the camera of step {step} is {distance:E3} m from the Moon's centre; POV-Ray draws nothing beyond {PovSceneWriter.GreatestDistance:E0} m. Use --renderer native, or move it closer on the same line, with a field of view that is larger by as much."));
         }
     }
 

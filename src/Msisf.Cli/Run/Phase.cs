@@ -30,9 +30,15 @@ internal enum Phase
     /// <summary>What POV-Ray says of its tracing.</summary>
     Trace,
 
+    /// <summary>Drawing by the program's own renderer.</summary>
+    Draw,
+
     /// <summary>Picture, scene and annotation files.</summary>
     Output,
 
     /// <summary>The meta file with its pixels.</summary>
     Xml,
+
+    /// <summary>The ground truth of every pixel.</summary>
+    Layers,
 }

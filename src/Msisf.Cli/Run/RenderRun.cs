@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Layers;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
 using Msisf.Adapters.Tiles;
@@ -8,6 +9,7 @@ using Msisf.Cli.Options;
 using Msisf.Cli.Progress;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
+using Msisf.Core.Render;
 using Msisf.Core.Scene;
 
 namespace Msisf.Cli.Run;
@@ -73,7 +75,13 @@ internal sealed class RenderRun : IDisposable
             AnnotationRenderer.RequireCairo();
         }
 
-        PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+        if (_settings.Native is { Layers: not null, LayersFormat: LayersFormat.Fits })
+        {
+            FitsLayerWriter.RequireCFitsio();
+        }
+
+        FrameFiles files = new(_settings, model.Grid, _host.Identity, _times);
+        IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, files) : PovRay(model, files);
         CreateFolder(_settings.OutputFolder);
         int cores = Environment.ProcessorCount;
         ResourceCheck.Check(
@@ -81,8 +89,6 @@ internal sealed class RenderRun : IDisposable
             FrameLoop.AtOnce(frames.Length, _settings.Jobs, cores),
             GC.GetGCMemoryInfo().TotalAvailableMemoryBytes,
             new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
-        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), model.Grid);
-        FrameRenderer renderer = new(_settings, model, patterns, povRay, _host.Identity, _times);
 
         // A bar overwrites what is printed on its terminal: errors and paths follow when it is done.
         bool hasBar = RunProgress.DrawsBar(frames.Length, _settings.Unattended);
@@ -104,6 +110,19 @@ internal sealed class RenderRun : IDisposable
 
             _host.Results.Write(later.ToString());
         }
+    }
+
+    private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files)
+    {
+        PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), model.Grid);
+        return new PovRayFrameRenderer(_settings, model, patterns, povRay, files, _times);
+    }
+
+    private NativeFrameRenderer Native(ElevationModel model, FrameFiles files)
+    {
+        NativeLevels levels = new(model.Grid, _settings.Native.UsesLevelsOfDetail ? model.Levels : null);
+        return new NativeFrameRenderer(_settings.Native, levels, files, _times);
     }
 
     private static void CreateFolder(string folder)

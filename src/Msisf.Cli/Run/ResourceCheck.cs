@@ -2,6 +2,8 @@ using System.Globalization;
 using Msisf.Cli.Options;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
+using Msisf.Core.Render;
 
 namespace Msisf.Cli.Run;
 
@@ -14,14 +16,26 @@ internal static class ResourceCheck
     /// <summary>Bytes that POV-Ray 3.7 keeps for a pixel: five floats.</summary>
     private const long PovRayBytesPerPixel = 20;
 
+    /// <summary>Bytes that the native renderer keeps for a pixel: what it shows, its light and radiance, receivers of shadows, facets at worst.</summary>
+    private const long NativeBytesPerPixel = 200;
+
+    /// <summary>Bytes of a pixel that a layer's planes hold while it is written: three numbers.</summary>
+    private const long LayerBytesPerPixel = 24;
+
+    /// <summary>Bytes of a pixel of all layers on disk.</summary>
+    private const long LayersBytesPerPixel = 160;
+
     /// <summary>Bytes of a pixel of the annotated picture: cairo's ARGB32, and the PNG beside it at worst.</summary>
     private const long AnnotationBytesPerPixel = 8;
 
     /// <summary>Bytes of a pixel on disk at worst: POV-Ray's buffer file, its PNG, and our copy.</summary>
     private const long DiskBytesPerPixel = PovRayBytesPerPixel + 3 + 3;
 
-    /// <summary>Bytes of a grid point in the meta file: the text of one Pixel element.</summary>
+    /// <summary>Bytes of a grid point in the meta file: the text of one Pixel element on the reference sphere.</summary>
     private const long MetaBytesPerPoint = 240;
+
+    /// <summary>The same on the terrain.</summary>
+    private const long TerrainMetaBytesPerPoint = 1000;
 
     /// <summary>Checks one picture's size times the pictures made at once. The meta file is streamed: it needs disk, but no memory.</summary>
     /// <param name="settings">Size, grid and annotation of the pictures.</param>
@@ -32,10 +46,15 @@ internal static class ResourceCheck
     public static void Check(RenderSettings settings, int atOnce, long memoryThere, long diskThere)
     {
         long pixels = (long)settings.Width * settings.Height;
-        long memory = atOnce * (Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels) + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0));
+        bool hasLayers = settings.Native.Layers is not null;
+        long drawing = settings.Renderer == RendererKind.Native
+            ? (NativeBytesPerPixel + (hasLayers ? LayerBytesPerPixel : 0)) * pixels
+            : Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels);
+        long memory = atOnce * (drawing + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0));
         Refuse(settings, "memory", "Use a smaller --width and --height, or fewer --jobs.", memory, memoryThere);
         PixelGrid grid = new(settings.Width, settings.Height, settings.GridHorizontal, settings.GridVertical);
-        long disk = atOnce * ((DiskBytesPerPixel * pixels) + (MetaBytesPerPoint * grid.Columns * grid.Rows));
+        long metaBytesPerPoint = settings.Surface == PixelSurface.Terrain ? TerrainMetaBytesPerPoint : MetaBytesPerPoint;
+        long disk = atOnce * (((DiskBytesPerPixel + (hasLayers ? LayersBytesPerPixel : 0)) * pixels) + (metaBytesPerPoint * grid.Columns * grid.Rows));
         Refuse(
             settings,
             $"free disk space in {settings.OutputFolder}",

@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
@@ -13,6 +14,7 @@ namespace Msisf.Core.Metadata;
 /// <param name="PixelsPerDegree">Resolution of the elevation model, px/deg.</param>
 /// <param name="Version">Version of the program.</param>
 /// <param name="CommandLine">The arguments of the call.</param>
+/// <param name="Renderer">Who made the picture.</param>
 public sealed record FrameMetadata(
     ModifiedJulianDate SimulationTime,
     PinholeCamera Camera,
@@ -20,7 +22,8 @@ public sealed record FrameMetadata(
     Vector3D SunPositionMoonMe,
     int PixelsPerDegree,
     string Version,
-    string CommandLine)
+    string CommandLine,
+    RendererKind Renderer = RendererKind.PovRay)
 {
     /// <summary>Height of the camera over the Moon's mean radius, m (thesis section 9.2).</summary>
     public double FlightAltitude => Camera.PositionMoonMe.Length - MoonConstants.MeanRadius;

@@ -5,6 +5,8 @@ namespace Msisf.Core.Metadata;
 /// <summary>What one pixel of the grid shows (thesis section 9.3).</summary>
 /// <param name="H">The pixel's x, from 1, to the right.</param>
 /// <param name="V">The pixel's y, from 1, down.</param>
-/// <param name="Point">The ground point on the pixel's ray.</param>
+/// <param name="Point">The ground point on the pixel's ray: of the reference sphere, or below the terrain point.</param>
 /// <param name="IlluminationDirection">rad, [0, 2 pi), see <see cref="Metadata.IlluminationDirection"/>; null where it is undefined.</param>
-public readonly record struct PixelRecord(int H, int V, SelenographicPoint Point, double? IlluminationDirection);
+/// <param name="Terrain">The terrain point; null on the reference sphere.</param>
+public readonly record struct PixelRecord(
+    int H, int V, SelenographicPoint Point, double? IlluminationDirection, TerrainRecord? Terrain = null);

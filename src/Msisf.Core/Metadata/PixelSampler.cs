@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Metadata;
@@ -8,11 +9,9 @@ namespace Msisf.Core.Metadata;
 /// <summary>Computes the records of a frame's grid, row by row; nothing is kept, so any picture size streams. Safe for several threads.</summary>
 public sealed class PixelSampler
 {
-    private readonly PinholeCamera _camera;
-    private readonly ISurface _surface;
-    private readonly Vector3D _sunPositionMoonMe;
+    private readonly IPixelView _view;
 
-    /// <summary>Prepares a frame.</summary>
+    /// <summary>Prepares a frame on the reference sphere.</summary>
     /// <param name="camera">The frame's camera.</param>
     /// <param name="grid">Laid over the camera's picture.</param>
     /// <param name="surface">What the pixels show.</param>
@@ -20,16 +19,22 @@ public sealed class PixelSampler
     /// <exception cref="BadInputException">The Sun's position is not finite.</exception>
     public PixelSampler(PinholeCamera camera, PixelGrid grid, ISurface surface, Vector3D sunPositionMoonMe)
     {
-        if (!sunPositionMoonMe.IsFinite)
-        {
-            throw new BadInputException($"The Sun's position {sunPositionMoonMe} is not finite.");
-        }
-
-        _camera = camera;
-        _surface = surface;
-        _sunPositionMoonMe = sunPositionMoonMe;
+        _view = new SpherePixels(camera, surface, sunPositionMoonMe);
         Grid = grid;
     }
+
+    /// <summary>Prepares a frame on the terrain.</summary>
+    /// <param name="grid">Laid over the picture of the truth's camera.</param>
+    /// <param name="truth">What the pixels show.</param>
+    /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg, at least 1.</param>
+    public PixelSampler(PixelGrid grid, IFrameTruth truth, int pixelsPerDegree)
+    {
+        _view = new TerrainPixels(truth, pixelsPerDegree);
+        Grid = grid;
+    }
+
+    /// <summary>The surface on which the records' points lie; on the terrain each has a <see cref="PixelRecord.Terrain"/>.</summary>
+    public PixelSurface Surface => _view.Surface;
 
     /// <summary>The grid that is sampled.</summary>
     public PixelGrid Grid { get; }
@@ -44,12 +49,9 @@ public sealed class PixelSampler
         int v = Grid.PixelY(row);
         for (int column = 0; column < Grid.Columns; column++)
         {
-            int h = Grid.PixelX(column);
-            Ray ray = _camera.RayThrough(h, v);
-            if (_surface.TryFirstHit(ray, out Vector3D point))
+            if (_view.TryGet(Grid.PixelX(column), v, out PixelRecord record))
             {
-                double? direction = IlluminationDirection.At(_camera, ray.Direction, point, _sunPositionMoonMe);
-                records[count++] = new PixelRecord(h, v, SelenographicPoint.Below(point), direction);
+                records[count++] = record;
             }
         }
 

@@ -42,4 +42,10 @@ public static class Tolerances
 
     /// <summary>m: a point of the surface in light space, a sum of two of its components, and a line through two such points are rounded by less.</summary>
     public const double LightPoint = 4e-9;
+
+    /// <summary>
+    /// 1: cosine of an incidence or emission angle below which Hapke's roughness takes this one. Towards 0 its quotients become 0 / 0;
+    /// here 7 digits are left, and the radiance factor is 1e-9 or no longer changes.
+    /// </summary>
+    public const double GrazingCosine = 1e-9;
 }

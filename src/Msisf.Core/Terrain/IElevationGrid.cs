@@ -14,6 +14,10 @@ public interface IElevationGrid
     /// <summary>Samples a degree.</summary>
     int PixelsPerDegree { get; }
 
+    /// <summary>No sample is outside, m; known without reading one. A model that knows nothing better may use all the relief there is.</summary>
+    (double Least, double Greatest) RadiusLimits =>
+        (MoonConstants.ReferenceRadius - MoonConstants.GreatestRelief, MoonConstants.ReferenceRadius + MoonConstants.GreatestRelief);
+
     /// <summary>Radii of consecutive samples of one line.</summary>
     /// <param name="line">0 to 180 res - 1, northernmost first.</param>
     /// <param name="firstSample">0 to 360 res - 1; the run goes on over the prime meridian.</param>

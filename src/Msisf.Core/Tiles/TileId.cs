@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles;
 
@@ -29,6 +30,16 @@ public readonly record struct TileId(int SouthDegrees, int WestDegrees) : ICompa
     public string RangeText => string.Create(
         CultureInfo.InvariantCulture,
         $"lat_{SouthDegrees}_{SouthDegrees + SizeDegrees}_lon_{WestDegrees}_{WestDegrees + SizeDegrees}");
+
+    /// <summary>The tile whose pattern draws a facet: the one that holds the cell's north-west sample; the northern fan belongs to the tiles of line 0.</summary>
+    /// <param name="facet">A facet of the surface.</param>
+    /// <param name="pixelsPerDegree">Resolution of the grid, px/deg, at least 1.</param>
+    public static TileId Holding(FacetId facet, int pixelsPerDegree)
+    {
+        int size = SizeDegrees * pixelsPerDegree;
+        int row = Math.Max(facet.Line, 0) / size;
+        return new TileId(90 - (SizeDegrees * (row + 1)), SizeDegrees * (facet.Sample / size));
+    }
 
     /// <summary>Northernmost grid line of the tile's samples at a resolution in px/deg (line 0 is northernmost).</summary>
     public int FirstLine(int pixelsPerDegree) => (90 - SouthDegrees - SizeDegrees) * pixelsPerDegree;

@@ -6,6 +6,7 @@ using Msisf.Adapters.Metadata;
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 using Msisf.TestSupport;
@@ -114,6 +115,52 @@ public class MetadataXmlWriterTests
     }
 
     [Theory]
+    [InlineData(RendererKind.PovRay, "povray")]
+    [InlineData(RendererKind.Native, "native")]
+    public void Write_Terrain_NamesSurfaceRendererAndVersionAndIsValid(RendererKind renderer, string name)
+    {
+        FrameMetadata frame = Frame() with { Renderer = renderer };
+
+        XDocument document = Parse(TerrainText(frame, spacing: 50));
+
+        XElement surface = document.Root!.Element("GeneralInformation")!.Elements().Last();
+        Assert.Equal("PixelSurface", surface.Name.LocalName);
+        Assert.Equal(
+            [("type", "terrain"), ("renderer", name), ("formatVersion", "2")],
+            surface.Attributes().Select(attribute => (attribute.Name.LocalName, attribute.Value)));
+        XElement[] pixels = [.. document.Descendants("Pixel")];
+        Assert.InRange(pixels.Length, 100, 400);
+        Assert.All(pixels, pixel => Assert.Equal(
+            ["Height", "Position", "Range", "Normal", "IncidenceAngle", "EmissionAngle", "PhaseAngle", "Illumination", "Facet"],
+            pixel.Elements().Skip(2).Select(element => element.Name.LocalName)));
+    }
+
+    [Fact]
+    public void Write_TerrainWithoutItsElements_DiffersFromTheSphereOnlyInTheVersion()
+    {
+        // The same points: all that is added is added in lines of its own.
+        FrameMetadata frame = Frame() with { Renderer = RendererKind.Native };
+        string[] added = ["PixelSurface", "Height", "Position", "Range", "Normal", "IncidenceAngle", "EmissionAngle", "PhaseAngle", "Illumination ", "Facet"];
+
+        IEnumerable<string> terrain = TerrainText(frame, spacing: 50).Split('\n')
+            .Where(line => !added.Any(name => line.TrimStart().StartsWith($"<{name}", StringComparison.Ordinal)));
+
+        Assert.Equal(Text(frame, spacing: 50).Split('\n'), terrain);
+    }
+
+    [Fact]
+    public void Write_TerrainLargeEnoughForThreads_KeepsRecordsAndOrder()
+    {
+        FrameMetadata frame = Frame();
+        XElement[] pixels = [.. Parse(TerrainText(frame, spacing: 14)).Descendants("Pixel")];
+
+        PixelRecord[] records = [.. TerrainSampler(frame, spacing: 14).Sample()];
+
+        Assert.Equal(records.Select(record => (record.H, record.V)), pixels.Select(pixel => ((int)pixel.Attribute("h")!, (int)pixel.Attribute("v")!)));
+        Assert.Equal(records.Select(record => LongE.ToText(record.Terrain!.Value.Range)), pixels.Select(pixel => pixel.Element("Range")!.Value));
+    }
+
+    [Theory]
     [InlineData("-o \"a & b\" <in> ]]>", "-o \"a & b\" <in> ]]>")]
     [InlineData("Mond\u00FCberflug \U0001F311", "Mond\u00FCberflug \U0001F311")]
     [InlineData("tab\tline\nreturn\r", "tab\tline\nreturn\r")]
@@ -161,6 +208,18 @@ public class MetadataXmlWriterTests
 
     private static PixelSampler Sampler(FrameMetadata frame, int spacing) =>
         new(frame.Camera, new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing), ReferenceSphere.Lola, frame.SunPositionMoonMe);
+
+    private static PixelSampler TerrainSampler(FrameMetadata frame, int spacing) => new(
+        new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
+        FunctionTruth.OfSphere(frame.Camera, frame.SunPositionMoonMe),
+        4);
+
+    private static string TerrainText(FrameMetadata frame, int spacing)
+    {
+        using MemoryStream stream = new();
+        MetadataXmlWriter.Write(stream, frame, TerrainSampler(frame, spacing));
+        return Encoding.UTF8.GetString(stream.ToArray());
+    }
 
     private static byte[] Bytes(FrameMetadata frame, int spacing)
     {

@@ -17,7 +17,7 @@ public sealed class LdemCatalogTests : IDisposable
         Put("A_SYNTHETIC.LBL");
         Put("LDEM_1.LBL");
 
-        Assert.Equal(_folder["LDEM_1.LBL"], Find(1).LabelPath);
+        Assert.Equal(_folder["LDEM_1.LBL"], Find(1).Location);
     }
 
     [Fact]
@@ -27,7 +27,7 @@ public sealed class LdemCatalogTests : IDisposable
         Put("SYNTHETIC_B.LBL");
         Put("SYNTHETIC_A.LBL");
 
-        Assert.Equal(_folder["SYNTHETIC_A.LBL"], Find(1).LabelPath);
+        Assert.Equal(_folder["SYNTHETIC_A.LBL"], Find(1).Location);
     }
 
     [Fact]
@@ -35,7 +35,7 @@ public sealed class LdemCatalogTests : IDisposable
     {
         Put("ldem_1.lbl");
 
-        Assert.Equal(_folder["ldem_1.lbl"], LdemCatalog.Find(1, null, ["/nowhere", _folder.Path]).LabelPath);
+        Assert.Equal(_folder["ldem_1.lbl"], LdemCatalog.Find(1, null, ["/nowhere", _folder.Path]).Location);
     }
 
     [Theory]
@@ -47,7 +47,7 @@ public sealed class LdemCatalogTests : IDisposable
         Put("LDEM_1.LBL");
         File.WriteAllBytes(_folder["ldem_1.img"], []);
 
-        Assert.Equal(_folder["LDEM_1.LBL"], LdemCatalog.Find(1, _folder[name], []).LabelPath);
+        Assert.Equal(_folder["LDEM_1.LBL"], LdemCatalog.Find(1, _folder[name], []).Location);
     }
 
     [Fact]
@@ -82,7 +82,54 @@ public sealed class LdemCatalogTests : IDisposable
     public void Find_ExplicitPathThatIsMissing_NamesIt() =>
         Assert.Contains("gone.lbl: can't be read", Assert.Throws<BadInputException>(() => LdemCatalog.Find(1, _folder["gone.lbl"], [])).Message, StringComparison.Ordinal);
 
-    private LdemLabel Find(int resolution) => LdemCatalog.Find(resolution, null, [_folder.Path]);
+    [Theory]
+    [InlineData("LDEM_1_45S_00S_090_180.LBL")]
+    [InlineData("LDEM_1_45N_90N_000_090.IMG")]
+    [InlineData("")]
+    public void Find_ExplicitPathToASplitProduct_TakesTheOtherParts(string name)
+    {
+        SplitModel.Write(_folder.Path, 45, 90);
+
+        LdemSet set = LdemCatalog.Find(1, _folder[name], []);
+
+        Assert.Equal(("LDEM_1", 16), (set.ProductId, set.Parts.Count));
+        Assert.Equal($"{_folder.Path.TrimEnd('/')}, 16 files", set.Description.Replace("/,", ",", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Find_WholeAndSplitProduct_TakesTheWhole()
+    {
+        SplitModel.Write(_folder.Path, 90, 180);
+        Put("WHOLE.LBL");
+
+        Assert.Equal(_folder["WHOLE.LBL"], Find(1).Location);
+    }
+
+    [Fact]
+    public void Find_TwoSplitProducts_KeepsThemApart()
+    {
+        foreach (string name in SplitModel.Write(_folder.Path, 90, 180))
+        {
+            string text = File.ReadAllText(_folder[name + ".LBL"]);
+            Put($"{name}_FLOAT.LBL", text.Replace($"\"{name}\"", $"\"{name}_FLOAT\"", StringComparison.Ordinal));
+        }
+
+        File.Delete(_folder["LDEM_1_90S_00S_000_180.LBL"]);
+
+        Assert.Equal(("LDEM_1_FLOAT", 4), (Find(1).ProductId, Find(1).Parts.Count));
+    }
+
+    [Fact]
+    public void Find_IncompleteSetInTheFirstFolder_TakesTheNext()
+    {
+        SplitModel.WritePart(_folder.Path, 90, 0, 0, 180);
+        using TemporaryFolder second = new();
+        SplitModel.Write(second.Path, 90, 180);
+
+        Assert.Equal(4, LdemCatalog.Find(1, null, [_folder.Path, second.Path]).Parts.Count);
+    }
+
+    private LdemSet Find(int resolution) => LdemCatalog.Find(resolution, null, [_folder.Path]);
 
     private void Put(string name, string text = TestModel.Label) => File.WriteAllText(_folder[name], text);
 }

@@ -49,6 +49,29 @@ public sealed class LdemImageTests : IDisposable
     [Theory]
     [InlineData(LdemSampleType.Int16LittleEndian)]
     [InlineData(LdemSampleType.Int16BigEndian)]
+    [InlineData(LdemSampleType.Float32LittleEndian)]
+    [InlineData(LdemSampleType.Float32BigEndian)]
+    public void ReadRadii_AnyLength_HasTheBitsOfSingleReads(LdemSampleType type)
+    {
+        using LdemImage image = Open(type);
+        double[] single = new double[70];
+        double[] run = new double[70];
+        for (int i = 0; i < single.Length; i++)
+        {
+            image.ReadRadii(91, 100 + i, single.AsSpan(i, 1));
+        }
+
+        for (int length = 1; length <= run.Length; length++)
+        {
+            Array.Fill(run, double.NaN);
+            image.ReadRadii(91, 100, run.AsSpan(0, length));
+            Assert.Equal(single.Take(length), run.Take(length));
+        }
+    }
+
+    [Theory]
+    [InlineData(LdemSampleType.Int16LittleEndian)]
+    [InlineData(LdemSampleType.Int16BigEndian)]
     [InlineData(LdemSampleType.Float32BigEndian)]
     public void RadiusBounds_AnyBlock_AreThoseOfItsSamples(LdemSampleType type)
     {
@@ -147,12 +170,12 @@ public sealed class LdemImageTests : IDisposable
     }
 
     [Fact]
-    public void Open_PartOfTheMoon_SaysThatTheWholeIsNeeded()
+    public void Open_PartOfTheMoon_SaysWhatIsMissing()
     {
         File.WriteAllText(_folder["LDEM_1.LBL"], TestModel.Label);
         LdemLabel part = LdemLabelReader.ReadFile(_folder["LDEM_1.LBL"]) with { SouthDegrees = 0.0 };
 
-        Assert.Contains("covers latitudes 0 to 90 and longitudes 0 to 360 degrees only", Assert.Throws<BadInputException>(() => LdemImage.Open(part)).Message, StringComparison.Ordinal);
+        Assert.Contains("1 are missing: latitudes -90 to 0, longitudes 0 to 360. Put their .LBL and .IMG files beside LDEM_1.LBL", Assert.Throws<BadInputException>(() => LdemImage.Open(part)).Message, StringComparison.Ordinal);
     }
 
     [Fact]

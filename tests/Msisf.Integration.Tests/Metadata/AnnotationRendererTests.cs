@@ -4,6 +4,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -31,6 +32,24 @@ public class AnnotationRendererTests
                 Assert.Equal(shown.Contains((h, v)), IsRed(picture, h, v));
             }
         }
+    }
+
+    [RequiresFact(Part.Cairo)]
+    public void Write_TerrainPixels_HaveTheirDotsAndDirections()
+    {
+        // A sphere would fill the picture: terrain in the left half only, and its point lies west of the lamp, not below it.
+        PinholeCamera nadir = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 200, 200);
+        FrameMetadata frame = ExampleFrame.OfSize(200, 200) with { Camera = nadir };
+        SurfaceHit west = new(new Vector3D(1.7e6, -1e5, 0.0), Vector3D.UnitX, default, 1.0);
+        FunctionTruth truth = new(nadir, 1e7 * Vector3D.UnitX, (x, _) => x <= 100 ? (west, new PixelLight(SunState.Lit, 1.0)) : null);
+
+        PngPixels picture = Annotate(frame, new PixelSampler(new PixelGrid(200, 200, 60, 60), truth, pixelsPerDegree: 4));
+
+        Assert.True(IsRed(picture, 60, 60));
+        Assert.True(IsRed(picture, 80, 60));
+        Assert.False(IsRed(picture, 40, 60));
+        Assert.False(IsRed(picture, 120, 60));
+        Assert.False(IsRed(picture, 180, 120));
     }
 
     [RequiresTheory(Part.Cairo)]

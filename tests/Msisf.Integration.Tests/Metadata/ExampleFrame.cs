@@ -3,6 +3,7 @@ using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 
 namespace Msisf.Integration.Tests.Metadata;
 
@@ -25,4 +26,10 @@ internal static class ExampleFrame
 
     public static PixelSampler Sampler(FrameMetadata frame, int spacing) =>
         new(frame.Camera, new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing), ReferenceSphere.Lola, frame.SunPositionMoonMe);
+
+    /// <summary>Terrain that happens to be the sphere, with each state of light.</summary>
+    public static PixelSampler TerrainSampler(FrameMetadata frame, int spacing) => new(
+        new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
+        FunctionTruth.OfSphere(frame.Camera, frame.SunPositionMoonMe),
+        pixelsPerDegree: 4);
 }

@@ -3,6 +3,7 @@ using Msisf.Adapters.Metadata;
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -36,11 +37,40 @@ public sealed class MetadataXmlTests : IDisposable
         AssertValid(frame with { Camera = nadir, SunPositionMoonMe = new Vector3D(1e11, 0.0, 0.0) }, spacing: 1);
     }
 
+    [RequiresTheory(Part.Xmllint)]
+    [InlineData(RendererKind.PovRay)]
+    [InlineData(RendererKind.Native)]
+    public void Write_Terrain_IsValid(RendererKind renderer)
+    {
+        FrameMetadata frame = ExampleFrame.OfSize(1024, 1024) with { Renderer = renderer };
+
+        AssertValid(frame, ExampleFrame.TerrainSampler(frame, spacing: 50));
+    }
+
+    [RequiresTheory(Part.Xmllint)]
+    [InlineData("<Range unit=\"m\">", "<!-- ", "</Range>", " -->")] // all of the terrain's elements, or none
+    [InlineData("state=\"shadow\"", "state=\"dark\"", "", "")]
+    [InlineData("type=\"terrain\"", "type=\"sphere\"", "", "")]
+    [InlineData("half=\"SW\"", "half=\"SE\"", "", "")]
+    public void Xmllint_TerrainWithAnErrorInIt_IsInvalid(string text, string wrong, string end, string wrongEnd)
+    {
+        FrameMetadata frame = ExampleFrame.OfSize(1024, 1024);
+        string path = WriteFiles(frame, ExampleFrame.TerrainSampler(frame, spacing: 50));
+        string xml = File.ReadAllText(path);
+        Assert.Contains(text, xml, StringComparison.Ordinal);
+        xml = xml.Replace(text, wrong, StringComparison.Ordinal);
+        File.WriteAllText(path, end.Length > 0 ? xml.Replace(end, wrongEnd, StringComparison.Ordinal) : xml);
+
+        (int exitCode, _) = Xmllint("--valid", path);
+
+        Assert.NotEqual(0, exitCode);
+    }
+
     [RequiresFact(Part.Xmllint)]
     public void Xmllint_PixelAttributesAsInAppendixB2_AreInvalid()
     {
         // docs/deviations.md, row 16: the check above can fail.
-        string path = WriteFiles(ExampleFrame.OfSize(1024, 1024), spacing: 500);
+        string path = WriteFiles(ExampleFrame.OfSize(1024, 1024), ExampleFrame.Sampler(ExampleFrame.OfSize(1024, 1024), spacing: 500));
         File.WriteAllText(path, File.ReadAllText(path).Replace("<Pixel h=", "<Pixel x=", StringComparison.Ordinal));
 
         (int exitCode, string errors) = Xmllint("--valid", path);
@@ -58,21 +88,23 @@ public sealed class MetadataXmlTests : IDisposable
         return (process.ExitCode, errors);
     }
 
-    private void AssertValid(FrameMetadata frame, int spacing)
+    private void AssertValid(FrameMetadata frame, int spacing) => AssertValid(frame, ExampleFrame.Sampler(frame, spacing));
+
+    private void AssertValid(FrameMetadata frame, PixelSampler pixels)
     {
-        string path = WriteFiles(frame, spacing);
+        string path = WriteFiles(frame, pixels);
 
         Assert.Equal((0, string.Empty), Xmllint("--valid", path));
         Assert.Equal((0, string.Empty), Xmllint("--dtdvalid", new Uri(Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd")).AbsoluteUri, path));
     }
 
-    private string WriteFiles(FrameMetadata frame, int spacing)
+    private string WriteFiles(FrameMetadata frame, PixelSampler pixels)
     {
         string lib = _root.CreateSubdirectory("lib").FullName;
         File.Copy(Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd"), Path.Combine(lib, "MSISRendering.dtd"));
         string path = Path.Combine(_root.CreateSubdirectory("output").FullName, "MoonSurfIllumSim_step_00001.xml");
         using FileStream stream = File.Create(path);
-        MetadataXmlWriter.Write(stream, frame, ExampleFrame.Sampler(frame, spacing));
+        MetadataXmlWriter.Write(stream, frame, pixels);
         return path;
     }
 }

@@ -1,3 +1,5 @@
+using System.Globalization;
+using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -81,6 +83,13 @@ internal sealed class BlockBoundsTable
             }
 
             line.CopyTo(north);
+        }
+
+        if (!(Math.Max(MoonConstants.ReferenceRadius - least, greatest - MoonConstants.ReferenceRadius) <= MoonConstants.GreatestRelief))
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{_surface.Grid.ProductId} has radii from {least:R} to {greatest:R} m around line {cells.FirstLine + 2}, sample {cells.FirstSample + 1}; a surface within {MoonConstants.GreatestRelief:R} m of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
         }
 
         return new BlockBounds(

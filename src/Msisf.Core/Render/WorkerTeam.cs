@@ -1,6 +1,6 @@
 using System.Runtime.ExceptionServices;
 
-namespace Msisf.Core.Render.Shadows;
+namespace Msisf.Core.Render;
 
 /// <summary>Shares items of work among threads; who does which is open, so items must not depend on each other.</summary>
 internal static class WorkerTeam

@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# Measures the native renderer, and POV-Ray's way beside it in the same run; writes the tables into docs/performance.md
+# and all figures into docs/benchmark/. As root, or as a user with sudo. Under 20 minutes, and some minutes and 4 GB more
+# in benchmark/ at the first run. Leave the machine alone meanwhile.
+#     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro]
+# --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., sequence).
+# With one of the two the results stay in benchmark/, and docs/ is left alone.
+# --micro: micro-benchmarks of single parts instead, into benchmark/micro/.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
+. "$root/scripts/lib/common.sh"
+. "$root/scripts/lib/packages.sh"
+. "$root/scripts/lib/dotnet.sh"
+. "$root/scripts/lib/download.sh"
+. "$root/scripts/lib/ldem.sh"
+. "$root/scripts/lib/benchmark.sh"
+
+choice=()
+is_partial=''
+is_micro=''
+while [ $# -gt 0 ]; do
+    case $1 in
+        --quick) choice+=(--quick) is_partial=yes ;;
+        --scenes) [ -n "${2:-}" ] || die '--scenes needs names, separated by commas'
+            choice+=(--scenes "$2") is_partial=yes
+            shift ;;
+        --micro) is_micro=yes ;;
+        *) die "unknown argument $1. Usage: ./benchmark.sh [--quick] [--scenes NAME,...] [--micro]" ;;
+    esac
+    shift
+done
+
+cd "$root"
+require_own_folders
+folder=benchmark
+# latitudes and longitudes that the scenes of the finest model show, and from where shadows may fall into them
+finest_region=-16:18:14:62
+finest_name=LDEM_512_SYNTHETIC_16S_18N_014_062
+program=tests/Msisf.Benchmarks/bin/Release/net10.0/Msisf.Benchmarks
+
+# The label of LDEM_4, the real one or what stands in for it, into $base.
+get_base() {
+    local code=0
+    scripts/get-ldem.sh || code=$?
+    case $code in
+        0) base=input/ldem/LDEM_4.LBL ;;
+        10) base=input/ldem/LDEM_4_SYNTHETIC.LBL ;;
+        *) exit "$code" ;;
+    esac
+}
+
+# get_model RESOLUTION: adds the model to the arguments of the run, and makes it before if it is not there.
+get_model() {
+    local ldem=$folder/ldem name=LDEM_$1_SYNTHETIC
+    case $1 in
+        4) models+=(--model "$base") ;;
+        512)
+            name=$finest_name
+            make_model "$ldem" "$name" "$base" --res 512 "--region=$finest_region"
+            "$program" fill "$ldem/$name.LBL"
+            models+=(--model "$ldem/$name.LBL")
+            ;;
+        *)
+            make_model "$ldem" "$name" "$base" --res "$1"
+            models+=(--model "$ldem/$name.LBL")
+            ;;
+    esac
+}
+
+install_parts povray downloader certificates
+scripts/build.sh
+ensure_dotnet
+dotnet build tests/Msisf.Benchmarks -c Release -v quiet -nologo ||
+    die 'the build of the benchmarks failed; the messages above say why'
+get_base
+scripts/get-cspice.sh >/dev/null || say 'Going on without CSPICE, with the built-in kernel reader.'
+if [ -n "$is_micro" ]; then
+    exec "$program" micro --artifacts "$folder/micro"
+fi
+
+models=()
+resolutions=$("$program" resolutions "${choice[@]}")
+for resolution in $resolutions; do
+    get_model "$resolution"
+done
+"$program" measure --root . --folder "$folder" "${models[@]}" "${choice[@]}"
+
+if [ -n "$is_partial" ]; then
+    cat "$folder/tables.md"
+    say "The tables are in $folder/tables.md; docs/ is as it was."
+else
+    mkdir -p docs/benchmark
+    cp "$folder/figures.csv" "$folder/targets.csv" docs/benchmark/
+    replace_block docs/performance.md "$folder/tables.md"
+    say 'The tables are in docs/performance.md, all figures in docs/benchmark/.'
+fi

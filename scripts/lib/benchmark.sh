@@ -1,0 +1,31 @@
+# shellcheck shell=bash
+# Sourced by benchmark.sh after common.sh and ldem.sh: the models that it measures on, and where its tables go.
+
+begin_mark='<!-- benchmark.sh: begin -->'
+end_mark='<!-- benchmark.sh: end -->'
+
+# make_model FOLDER NAME BASE SYNTHESIZE-OPTIONS...: once; a synthetic model that continues BASE downwards.
+make_model() {
+    local folder=$1 name=$2 base=$3
+    shift 3
+    [ -n "$(fault_of_model "$folder" "$name")" ] || return 0
+    say "Making the synthetic model $name ..."
+    ./msis ldem synthesize "$@" --base "$base" --seed 1 --output-dir "$folder" --batch
+    [ -z "$(fault_of_model "$folder" "$name")" ] ||
+        die "msis ldem synthesize ended well, but: $(fault_of_model "$folder" "$name"): please report this"
+}
+
+# replace_block FILE BLOCK: puts the text of BLOCK between the two marks of FILE, which stay.
+replace_block() {
+    local file=$1 fresh=$1.partial
+    [ "$(grep -Fx -e "$begin_mark" -e "$end_mark" "$file")" = "$begin_mark"$'\n'"$end_mark" ] ||
+        die "$file has not the lines $begin_mark and $end_mark, each once and in this order: the tables stay in $2"
+    {
+        sed "/^$begin_mark\$/q" "$file"
+        printf '\n'
+        cat "$2"
+        printf '\n'
+        sed -n "/^$end_mark\$/,\$p" "$file"
+    } >"$fresh"
+    mv "$fresh" "$file"
+}

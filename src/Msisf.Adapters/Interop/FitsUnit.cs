@@ -1,0 +1,208 @@
+using System.Globalization;
+using System.Text;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Interop;
+
+/// <summary>
+/// One header and data unit of a FITS file, made by CFITSIO in memory and then copied to a stream, so that a file is as good as
+/// any other output and never more than one unit is in memory. Texts are ASCII. Every result is checked.
+/// </summary>
+internal sealed unsafe class FitsUnit : IDisposable
+{
+    /// <summary>bytes: the header of an empty primary unit, and one of some 70 keywords; CFITSIO takes more if it needs it.</summary>
+    private const int UsualHeaders = 4 * 2880;
+
+    private readonly FitsMemory _memory;
+    private readonly CFitsioHandle _file;
+
+    private FitsUnit(long dataBytes)
+    {
+        CFitsio.RequireLibrary(CFitsioNative.Library);
+        _memory = new FitsMemory(checked((nuint)dataBytes + UsualHeaders));
+        int status = 0;
+        lock (CFitsio.Gate)
+        {
+            _memory.Open(out _file, ref status);
+            if (status != 0)
+            {
+                _memory.Dispose();
+            }
+
+            CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffimem));
+        }
+    }
+
+    /// <summary>Starts a primary unit without data.</summary>
+    /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
+    public static FitsUnit Primary()
+    {
+        FitsUnit unit = new(0);
+        unit.CreateOrDispose(8, []);
+        return unit;
+    }
+
+    /// <summary>Starts an IMAGE extension.</summary>
+    /// <param name="bitsPerPixel">BITPIX.</param>
+    /// <param name="lengths">NAXIS1 (fastest), NAXIS2, ...</param>
+    /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
+    public static FitsUnit Image(int bitsPerPixel, params ReadOnlySpan<long> lengths)
+    {
+        long bytes = Math.Abs(bitsPerPixel) / 8;
+        foreach (long length in lengths)
+        {
+            bytes *= length;
+        }
+
+        FitsUnit unit = new(bytes);
+        unit.CreateOrDispose(8, []); // an extension needs a primary unit before it, which is not copied
+        unit.CreateOrDispose(bitsPerPixel, lengths);
+        return unit;
+    }
+
+    /// <summary>Adds a keyword; a text of more than 68 characters goes on in CONTINUE cards.</summary>
+    public void Put(string key, string value, string comment)
+    {
+        lock (CFitsio.Gate)
+        {
+            int status = 0;
+            CFitsioNative.ffpkls(_file, key, value, comment, ref status);
+            CFitsio.ThrowIfFailed(status, key);
+        }
+    }
+
+    /// <summary>Adds a keyword with a whole number.</summary>
+    public void Put(string key, long value, string comment)
+    {
+        lock (CFitsio.Gate)
+        {
+            int status = 0;
+            CFitsioNative.ffpkyj(_file, key, value, comment, ref status);
+            CFitsio.ThrowIfFailed(status, key);
+        }
+    }
+
+    /// <summary>Adds a keyword with a number that reads back to the bit.</summary>
+    public void Put(string key, double value, string comment)
+    {
+        int digits = 15;
+        while (digits < 17 && double.Parse(value.ToString($"G{digits}", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture) != value)
+        {
+            digits++;
+        }
+
+        lock (CFitsio.Gate)
+        {
+            int status = 0;
+            CFitsioNative.ffpkyd(_file, key, value, -digits, comment, ref status);
+            CFitsio.ThrowIfFailed(status, key);
+        }
+    }
+
+    /// <summary>Adds the cards that tell readers of CONTINUE cards.</summary>
+    public void AnnounceLongTexts()
+    {
+        lock (CFitsio.Gate)
+        {
+            int status = 0;
+            CFitsioNative.ffplsw(_file, ref status);
+            CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffplsw));
+        }
+    }
+
+    /// <summary>Adds a COMMENT card.</summary>
+    /// <param name="text">Up to 72 characters; a longer one is cut into several cards.</param>
+    public void PutComment(string text)
+    {
+        lock (CFitsio.Gate)
+        {
+            int status = 0;
+            CFitsioNative.ffpcom(_file, text, ref status);
+            CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffpcom));
+        }
+    }
+
+    /// <summary>Writes pixels.</summary>
+    /// <typeparam name="T">The image's own type: byte, int or double; in memory order of the machine.</typeparam>
+    /// <param name="first">Where they begin in the image, from 0.</param>
+    /// <param name="values">Written as they are.</param>
+    public void Write<T>(long first, ReadOnlySpan<T> values)
+        where T : unmanaged
+    {
+        fixed (T* pointer = values)
+        {
+            lock (CFitsio.Gate)
+            {
+                int status = 0;
+                CFitsioNative.ffppr(_file, TypeCode<T>(), first + 1, values.Length, pointer, ref status);
+                CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffppr));
+            }
+        }
+    }
+
+    /// <summary>Sets the checksums and copies the unit; nothing can be added any more.</summary>
+    public void CopyTo(Stream destination)
+    {
+        long start;
+        long end;
+        lock (CFitsio.Gate)
+        {
+            int status = 0;
+            PutChecksums(ref status);
+            CFitsioNative.ffflus(_file, ref status);
+            CFitsioNative.ffghadll(_file, out start, out _, out end, ref status);
+            CFitsio.ThrowIfFailed(status, "checksums");
+        }
+
+        _memory.CopyTo(destination, start, end);
+    }
+
+    public void Dispose()
+    {
+        _file.Dispose();
+        _memory.Dispose();
+    }
+
+    private static int TypeCode<T>()
+        where T : unmanaged => default(T) switch
+        {
+            byte => CFitsioNative.TypeByte,
+            int => CFitsioNative.TypeInt,
+            double => CFitsioNative.TypeDouble,
+            _ => throw new ArgumentException($"No FITS image has pixels of type {typeof(T)}.", nameof(T)),
+        };
+
+    private void CreateOrDispose(int bitsPerPixel, ReadOnlySpan<long> lengths)
+    {
+        int status = 0;
+        lock (CFitsio.Gate)
+        {
+            fixed (long* pointer = lengths)
+            {
+                CFitsioNative.ffcrimll(_file, bitsPerPixel, lengths.Length, pointer, ref status);
+            }
+
+            if (status != 0)
+            {
+                Dispose();
+            }
+
+            CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffcrimll));
+        }
+    }
+
+    /// <summary>As ffpcks does, whose comments have the time of day in them.</summary>
+    private void PutChecksums(ref int status)
+    {
+        const string Unchanged = "&";
+        CFitsioNative.ffpkys(_file, "CHECKSUM", "0000000000000000", "HDU checksum", ref status);
+        CFitsioNative.ffpkys(_file, "DATASUM", "0", "data unit checksum", ref status);
+        CFitsioNative.ffflus(_file, ref status); // writes the END card behind them, and the fill behind the data
+        CFitsioNative.ffgcks(_file, out nuint dataSum, out _, ref status);
+        CFitsioNative.ffmkys(_file, "DATASUM", dataSum.ToString(CultureInfo.InvariantCulture), Unchanged, ref status);
+        CFitsioNative.ffgcks(_file, out _, out nuint unitSum, ref status);
+        byte* text = stackalloc byte[CFitsioNative.ChecksumLength];
+        CFitsioNative.ffesum(unitSum, complement: 1, text);
+        CFitsioNative.ffmkys(_file, "CHECKSUM", Encoding.ASCII.GetString(text, CFitsioNative.ChecksumLength - 1), Unchanged, ref status);
+    }
+}

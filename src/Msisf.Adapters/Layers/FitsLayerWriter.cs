@@ -1,0 +1,117 @@
+using System.Globalization;
+using System.Numerics;
+using Msisf.Adapters.Interop;
+using Msisf.Core.Errors;
+using Msisf.Core.Layers;
+using Msisf.Core.Metadata;
+using Msisf.Core.Render;
+
+namespace Msisf.Adapters.Layers;
+
+/// <summary>Writes a frame's layers as one FITS file: a primary unit with the provenance, an IMAGE extension a layer (docs/formats.md).</summary>
+public static class FitsLayerWriter
+{
+    /// <summary>Pixels that are converted at a time, so that they stay in the processor's cache.</summary>
+    private const int BlockPixels = 16384;
+
+    /// <summary>Checks that CFITSIO is there, before work is done in vain.</summary>
+    /// <exception cref="ExternalPartException">It can't be loaded.</exception>
+    public static void RequireCFitsio() => CFitsio.RequireLibrary(CFitsioNative.Library);
+
+    /// <summary>Writes one file. The bytes depend on the arguments alone, not on the clock or the number of cores.</summary>
+    /// <param name="stream">Receives the file; stays open.</param>
+    /// <param name="frame">Goes into the primary header.</param>
+    /// <param name="provenance">Goes there too.</param>
+    /// <param name="truth">What the pixels show; its camera is the frame's.</param>
+    /// <param name="layers">Which.</param>
+    /// <param name="cancellation">Stops between rows and between layers.</param>
+    /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
+    /// <exception cref="OperationCanceledException">It was stopped.</exception>
+    public static void Write(
+        Stream stream, FrameMetadata frame, LayerProvenance provenance, IFrameTruth truth, LayerSet layers, CancellationToken cancellation = default)
+    {
+        using (FitsUnit primary = FitsUnit.Primary())
+        {
+            FitsProvenance.Put(primary, frame, provenance);
+            primary.CopyTo(stream);
+        }
+
+        LayerSampler sampler = new(truth, provenance.MeshPixelsPerDegree);
+        LayerPasses.Run(sampler, layers.Layers, (layer, planes) => WriteLayer(stream, sampler, layer, planes), cancellation);
+    }
+
+    private static void WriteLayer(Stream stream, LayerSampler sampler, Layer layer, IReadOnlyList<double[]> planes)
+    {
+        using FitsUnit image = layer.Planes > 1
+            ? FitsUnit.Image(BitsPerPixel(layer), sampler.Width, sampler.Height, layer.Planes)
+            : FitsUnit.Image(BitsPerPixel(layer), sampler.Width, sampler.Height);
+        PutHeader(image, layer);
+        int pixels = sampler.Width * sampler.Height;
+        for (int plane = 0; plane < planes.Count; plane++)
+        {
+            WritePlane(image, layer, plane * (long)pixels, planes[plane].AsSpan(0, pixels));
+        }
+
+        image.CopyTo(stream);
+    }
+
+    private static void PutHeader(FitsUnit image, Layer layer)
+    {
+        image.Put("EXTNAME", layer.ExtensionName, "layer");
+        if (layer.Unit.Length > 0)
+        {
+            image.Put("BUNIT", layer.Unit, "unit of the values");
+        }
+
+        if (layer.Type == LayerType.Signed32)
+        {
+            image.Put("BLANK", Layer.UndefinedNumber, "pixels that show no surface");
+        }
+
+        for (int plane = 0; plane < layer.PlaneNames.Count; plane++)
+        {
+            image.Put(string.Create(CultureInfo.InvariantCulture, $"PLANE{plane + 1}"), layer.PlaneNames[plane], "what NAXIS3 counts");
+        }
+
+        image.Put("ROWORDER", "TOP-DOWN", "first row of the file is the picture's top");
+        foreach (string line in FitsText.Wrap(layer.Description))
+        {
+            image.PutComment(line);
+        }
+    }
+
+    private static void WritePlane(FitsUnit image, Layer layer, long first, ReadOnlySpan<double> values)
+    {
+        switch (layer.Type)
+        {
+            case LayerType.Real64:
+                image.Write(first, values);
+                break;
+            case LayerType.Unsigned8:
+                WriteNumbers<byte>(image, first, values);
+                break;
+            default:
+                WriteNumbers<int>(image, first, values);
+                break;
+        }
+    }
+
+    private static void WriteNumbers<T>(FitsUnit image, long first, ReadOnlySpan<double> values)
+        where T : unmanaged, INumberBase<T>
+    {
+        T[] block = new T[Math.Min(BlockPixels, values.Length)];
+        for (int done = 0; done < values.Length; done += block.Length)
+        {
+            int count = Math.Min(block.Length, values.Length - done);
+            StoredValues.Convert(values.Slice(done, count), block.AsSpan(0, count));
+            image.Write<T>(first + done, block.AsSpan(0, count));
+        }
+    }
+
+    private static int BitsPerPixel(Layer layer) => layer.Type switch
+    {
+        LayerType.Real64 => -64,
+        LayerType.Unsigned8 => 8,
+        _ => 32,
+    };
+}

@@ -1,0 +1,57 @@
+using Msisf.Adapters.Interop;
+using Msisf.Core.Layers;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Adapters.Layers;
+
+/// <summary>The keywords of the primary unit: all that the picture depends on, and no creation date (same input, same bytes).</summary>
+internal static class FitsProvenance
+{
+    private static readonly string[] Remarks =
+    [
+        "Ground truth of each pixel of a synthetic picture of the Moon, one layer an extension. Positions and directions are in MOON_ME (mean Earth/polar axis), from the Moon's centre, in m.",
+        "Pixel (x, y) of the picture, from 1, x right and y DOWN, is FITS pixel (x, y): the first row of the data is the picture's top row, in numpy data[y - 1, x - 1]. Programs that draw the first row at the bottom show the picture upside down.",
+        "Pixels that show no surface are NaN in layers of real numbers (FITS standard 4.0, section 5.3), BLANK in layers of whole numbers, and 0 in MASK.",
+    ];
+
+    public static void Put(FitsUnit unit, FrameMetadata frame, LayerProvenance provenance)
+    {
+        UnitQuaternion orientation = frame.Camera.MoonFromCamera;
+        unit.AnnounceLongTexts();
+        unit.Put("CREATOR", FitsText.Ascii($"MSISF {frame.Version}"), "program and version");
+        unit.Put("CMDLINE", FitsText.Ascii(frame.CommandLine), "arguments of the call");
+        unit.Put("RENDERER", FitsText.Ascii(provenance.Renderer), "what found the surface of each pixel");
+        unit.Put("TIMESYS", "UTC", "time system");
+        unit.Put("DATE-OBS", frame.SimulationTime.ToIsoUtc().TrimEnd('Z'), "simulation time");
+        unit.Put("MJD-OBS", frame.SimulationTime.Days, "[d] simulation time");
+        unit.Put("OBJECT", "Moon", string.Empty);
+        unit.Put("REFFRAME", "MOON_ME", "of positions, directions, orientation");
+        PutVector(unit, "CAMPOS", frame.Camera.PositionMoonMe, "camera");
+        unit.Put("CAMQX", orientation.X, "camera axes to MOON_ME: looks along -x,");
+        unit.Put("CAMQY", orientation.Y, "y right, z up");
+        unit.Put("CAMQZ", orientation.Z, string.Empty);
+        unit.Put("CAMQ0", orientation.W, "real part");
+        unit.Put("CAMFOV", frame.FieldOfViewDegrees, "[deg] horizontal field of view");
+        unit.Put("CAMALT", frame.FlightAltitude, "[m] camera over the mean radius");
+        PutVector(unit, "SUNPOS", frame.SunPositionMoonMe, "Sun, or lamp");
+        unit.Put("MEANRAD", MoonConstants.MeanRadius, "[m] mean radius, for CAMALT");
+        unit.Put("REFRAD", MoonConstants.ReferenceRadius, "[m] reference radius, for HEIGHT");
+        unit.Put("ELEVMODL", FitsText.Ascii(provenance.ElevationProduct), "elevation model");
+        unit.Put("ELEVRES", frame.PixelsPerDegree, "[px/deg] of the elevation model");
+        unit.Put("LOD", provenance.LevelOfDetail, "level of detail, 0 is the model itself");
+        unit.Put("MESHRES", provenance.MeshPixelsPerDegree, "[px/deg] of the mesh that CELL counts in");
+        foreach (string line in Remarks.SelectMany(FitsText.Wrap))
+        {
+            unit.PutComment(line);
+        }
+    }
+
+    private static void PutVector(FitsUnit unit, string key, Vector3D vector, string what)
+    {
+        unit.Put($"{key}X", vector.X, $"[m] {what}, MOON_ME x");
+        unit.Put($"{key}Y", vector.Y, $"[m] {what}, MOON_ME y");
+        unit.Put($"{key}Z", vector.Z, $"[m] {what}, MOON_ME z");
+    }
+}

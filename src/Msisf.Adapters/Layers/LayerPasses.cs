@@ -1,0 +1,79 @@
+using System.Buffers;
+using Msisf.Core.Layers;
+
+namespace Msisf.Adapters.Layers;
+
+/// <summary>Computes a frame's layers, all rows in parallel, a few layers at a time so that memory does not grow with their number.</summary>
+internal static class LayerPasses
+{
+    /// <summary>bytes of planes in a pass: at 1024 x 1024 px all layers take three passes, so a pixel is looked up three times, not seventeen.</summary>
+    private const long MemoryOfAPass = 64L << 20;
+
+    /// <summary>Computes layers and hands them on, one after the other.</summary>
+    /// <param name="sampler">The frame.</param>
+    /// <param name="layers">Which, in their order.</param>
+    /// <param name="use">
+    /// Gets a layer and its planes, <c>[y * width + x]</c>, as <see cref="LayerSampler.SampleRow"/> fills them; they may be longer
+    /// than that, and are filled anew afterwards.
+    /// </param>
+    /// <param name="cancellation">Stops between rows and between layers.</param>
+    /// <exception cref="OperationCanceledException">It was stopped.</exception>
+    public static void Run(
+        LayerSampler sampler, IReadOnlyList<Layer> layers, Action<Layer, IReadOnlyList<double[]>> use, CancellationToken cancellation)
+    {
+        int pixels = checked(sampler.Width * sampler.Height);
+        int planesAtOnce = (int)Math.Max(1, MemoryOfAPass / sizeof(double) / pixels);
+        List<double[]> planes = [];
+        try
+        {
+            foreach (Layer[] pass in Passes(layers, planesAtOnce))
+            {
+                while (planes.Count < pass.Sum(layer => layer.Planes))
+                {
+                    planes.Add(ArrayPool<double>.Shared.Rent(pixels));
+                }
+
+                RunPass(sampler, pass, planes, use, cancellation);
+            }
+        }
+        finally
+        {
+            planes.ForEach(plane => ArrayPool<double>.Shared.Return(plane));
+        }
+    }
+
+    private static void RunPass(
+        LayerSampler sampler, Layer[] pass, List<double[]> planes, Action<Layer, IReadOnlyList<double[]>> use, CancellationToken cancellation)
+    {
+        Parallel.For(
+            0,
+            sampler.Height,
+            new ParallelOptions { CancellationToken = cancellation },
+            row => sampler.SampleRow(row, pass, planes, row * sampler.Width));
+        int first = 0;
+        foreach (Layer layer in pass)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            use(layer, planes.GetRange(first, layer.Planes));
+            first += layer.Planes;
+        }
+    }
+
+    /// <summary>As many layers at once as fit, one at least.</summary>
+    private static IEnumerable<Layer[]> Passes(IReadOnlyList<Layer> layers, int planesAtOnce)
+    {
+        List<Layer> pass = [];
+        foreach (Layer layer in layers)
+        {
+            if (pass.Count > 0 && pass.Sum(other => other.Planes) + layer.Planes > planesAtOnce)
+            {
+                yield return [.. pass];
+                pass.Clear();
+            }
+
+            pass.Add(layer);
+        }
+
+        yield return [.. pass];
+    }
+}

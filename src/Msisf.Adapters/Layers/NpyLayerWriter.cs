@@ -1,0 +1,101 @@
+using System.Numerics;
+using System.Runtime.InteropServices;
+using Msisf.Adapters.IO;
+using Msisf.Core.Errors;
+using Msisf.Core.Layers;
+using Msisf.Core.Metadata;
+using Msisf.Core.Render;
+
+namespace Msisf.Adapters.Layers;
+
+/// <summary>Writes a frame's layers as array files of NumPy, one a layer, and their provenance as JSON (docs/formats.md). Needs no library.</summary>
+public static class NpyLayerWriter
+{
+    /// <summary>Writes the files; they appear when the set is committed. The bytes depend on the arguments alone.</summary>
+    /// <param name="files">Takes the files.</param>
+    /// <param name="stem">Path that the files' names begin with: "stem.layer.npy" and "stem.layers.json".</param>
+    /// <param name="frame">Goes into the JSON file.</param>
+    /// <param name="provenance">Goes there too.</param>
+    /// <param name="truth">What the pixels show; its camera is the frame's.</param>
+    /// <param name="layers">Which.</param>
+    /// <param name="cancellation">Stops between rows and between layers.</param>
+    /// <returns>The paths, the JSON file last.</returns>
+    /// <exception cref="ExternalPartException">The file system refuses.</exception>
+    /// <exception cref="OperationCanceledException">It was stopped.</exception>
+    public static IReadOnlyList<string> Write(
+        AtomicFileSet files,
+        string stem,
+        FrameMetadata frame,
+        LayerProvenance provenance,
+        IFrameTruth truth,
+        LayerSet layers,
+        CancellationToken cancellation = default)
+    {
+        List<string> paths = [];
+        LayerSampler sampler = new(truth, provenance.MeshPixelsPerDegree);
+        LayerPasses.Run(
+            sampler,
+            layers.Layers,
+            (layer, planes) =>
+            {
+                string path = $"{stem}.{layer.Name}.npy";
+                files.Write(path, stream => WriteLayer(stream, sampler, layer, planes));
+                paths.Add(path);
+            },
+            cancellation);
+        files.Write($"{stem}.layers.json", stream => LayersJson.Write(stream, frame, provenance, layers));
+        paths.Add($"{stem}.layers.json");
+        return paths;
+    }
+
+    private static void WriteLayer(Stream stream, LayerSampler sampler, Layer layer, IReadOnlyList<double[]> planes)
+    {
+        if (layer.Planes > 1)
+        {
+            NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width, layer.Planes);
+        }
+        else
+        {
+            NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width);
+        }
+
+        double[] row = new double[sampler.Width * layer.Planes];
+        for (int y = 0; y < sampler.Height; y++)
+        {
+            for (int plane = 0; plane < layer.Planes; plane++)
+            {
+                ReadOnlySpan<double> values = planes[plane].AsSpan(y * sampler.Width, sampler.Width);
+                for (int x = 0; x < values.Length; x++)
+                {
+                    row[(x * layer.Planes) + plane] = values[x];
+                }
+            }
+
+            WriteRow(stream, layer.Type, row);
+        }
+    }
+
+    private static void WriteRow(Stream stream, LayerType type, double[] row)
+    {
+        switch (type)
+        {
+            case LayerType.Real64:
+                stream.Write(MemoryMarshal.AsBytes<double>(row));
+                break;
+            case LayerType.Unsigned8:
+                WriteNumbers<byte>(stream, row);
+                break;
+            default:
+                WriteNumbers<int>(stream, row);
+                break;
+        }
+    }
+
+    private static void WriteNumbers<T>(Stream stream, double[] row)
+        where T : unmanaged, INumberBase<T>
+    {
+        T[] numbers = new T[row.Length];
+        StoredValues.Convert<T>(row, numbers);
+        stream.Write(MemoryMarshal.AsBytes<T>(numbers));
+    }
+}

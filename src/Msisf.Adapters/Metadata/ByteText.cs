@@ -1,0 +1,40 @@
+using System.Buffers.Text;
+using System.Text;
+
+namespace Msisf.Adapters.Metadata;
+
+/// <summary>Text written straight into bytes, piece after piece.</summary>
+internal ref struct ByteText
+{
+    private readonly Span<byte> _destination;
+
+    /// <summary>Begins at the destination's first byte.</summary>
+    public ByteText(Span<byte> destination) => _destination = destination;
+
+    /// <summary>Bytes written.</summary>
+    public int Length { get; private set; }
+
+    /// <summary>Appends bytes as they are.</summary>
+    public void Append(scoped ReadOnlySpan<byte> text)
+    {
+        text.CopyTo(_destination[Length..]);
+        Length += text.Length;
+    }
+
+    /// <summary>Appends ASCII characters.</summary>
+    public void Append(string ascii) => Length += Encoding.ASCII.GetBytes(ascii, _destination[Length..]);
+
+    /// <summary>Appends a whole number.</summary>
+    public void Append(int value)
+    {
+        Utf8Formatter.TryFormat(value, _destination[Length..], out int written);
+        Length += written;
+    }
+
+    /// <summary>Appends a number in the longE format.</summary>
+    public void Append(double value)
+    {
+        LongE.Write(value, _destination[Length..]);
+        Length += LongE.Length;
+    }
+}

@@ -1,0 +1,57 @@
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Terrain;
+
+/// <summary>The labels of one elevation model of the whole Moon: one label, or those of the parts that it is split into. Immutable.</summary>
+public sealed class LdemSet
+{
+    private LdemSet(LdemLabel[] parts, string productId, ushort[] partOfDegree)
+    {
+        Parts = parts;
+        ProductId = productId;
+        PartOfDegree = partOfDegree;
+    }
+
+    /// <summary>The labels, from the north, then from the west.</summary>
+    public IReadOnlyList<LdemLabel> Parts { get; }
+
+    /// <summary>PRODUCT_ID; of a split product without the part's borders, e.g. "LDEM_512".</summary>
+    public string ProductId { get; }
+
+    /// <summary>Samples a degree.</summary>
+    public int PixelsPerDegree => Parts[0].PixelsPerDegree;
+
+    /// <summary>The product says of itself that it is synthetic (docs/synthetic-ldem.md).</summary>
+    public bool IsSynthetic => Parts.Any(part => part.IsSynthetic);
+
+    /// <summary>The label's path; of a split product the folder of the first label.</summary>
+    public string Location => Parts.Count == 1 ? Parts[0].LabelPath : FolderOf(Parts[0]);
+
+    /// <summary>For messages: where it is, and of how many files.</summary>
+    public string Description => Parts.Count == 1 ? Location : $"{Location}, {Parts.Count} files";
+
+    /// <summary>Index of the part that holds each square degree: [90 - northern latitude, western longitude], row by row.</summary>
+    internal ushort[] PartOfDegree { get; }
+
+    /// <summary>Takes the labels of one model.</summary>
+    /// <param name="labels">At least one, in any order.</param>
+    /// <exception cref="BadInputException">They differ in what must be the same, overlap, or leave a part of the Moon uncovered; the message names the files.</exception>
+    public static LdemSet Join(IReadOnlyList<LdemLabel> labels)
+    {
+        LdemLabel[] parts = [.. labels
+            .OrderByDescending(label => label.NorthDegrees)
+            .ThenBy(label => label.WestDegrees)
+            .ThenBy(label => label.LabelPath, StringComparer.Ordinal)];
+        LdemSetChecks.CheckAlike(parts);
+        ushort[] partOfDegree = LdemSetChecks.Cover(parts);
+        return new LdemSet(parts, parts.Length == 1 ? parts[0].ProductId : LdemPartName.Of(parts[0]).Model, partOfDegree);
+    }
+
+    /// <summary>Path of a file beside the images that is derived from the model, e.g. "LDEM_64.summary".</summary>
+    /// <param name="extension">With its dot.</param>
+    public string FileBeside(string extension) => Parts.Count == 1
+        ? Path.ChangeExtension(Parts[0].ImagePath, extension)
+        : Path.Combine(FolderOf(Parts[0]), ProductId + extension);
+
+    private static string FolderOf(LdemLabel label) => Path.GetDirectoryName(label.ImagePath) is { Length: > 0 } folder ? folder : ".";
+}

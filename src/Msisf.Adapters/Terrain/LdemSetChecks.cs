@@ -1,0 +1,100 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain.Synthesis;
+
+namespace Msisf.Adapters.Terrain;
+
+/// <summary>Whether labels make up one model: alike, without overlap, without a gap.</summary>
+internal static class LdemSetChecks
+{
+    private const ushort Nothing = ushort.MaxValue;
+
+    /// <summary>All parts mean the same by a sample value.</summary>
+    /// <exception cref="BadInputException">Two differ.</exception>
+    public static void CheckAlike(IReadOnlyList<LdemLabel> parts)
+    {
+        LdemLabel first = parts[0];
+        foreach (LdemLabel other in parts.Skip(1))
+        {
+            RequireSame("MAP_RESOLUTION", first, other, label => label.PixelsPerDegree);
+            RequireSame("SAMPLE_TYPE", first, other, label => label.SampleType);
+            RequireSame("SCALING_FACTOR (in m)", first, other, label => label.ScalingFactor);
+            RequireSame("OFFSET (in m)", first, other, label => label.Offset);
+            RequireSame("COORDINATE_SYSTEM_NAME", first, other, label => label.CoordinateSystem);
+        }
+    }
+
+    /// <summary>Index of the part for each square degree, row by row from the north.</summary>
+    /// <exception cref="BadInputException">Borders between degrees, two parts for one place, or none.</exception>
+    public static ushort[] Cover(IReadOnlyList<LdemLabel> parts)
+    {
+        ushort[] cover = new ushort[180 * 360];
+        Array.Fill(cover, Nothing);
+        for (int index = 0; index < parts.Count; index++)
+        {
+            MoonRegion region = RegionOf(parts[index]);
+            for (int row = 90 - region.NorthDegrees; row < 90 - region.SouthDegrees; row++)
+            {
+                Span<ushort> degrees = cover.AsSpan((row * 360) + region.WestDegrees, region.EastDegrees - region.WestDegrees);
+                if (degrees.IndexOfAnyExcept(Nothing) is int taken and >= 0)
+                {
+                    throw new BadInputException(string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"{parts[degrees[taken]].LabelPath} and {parts[index].LabelPath}: both cover latitude {89 - row} to {90 - row}, longitude {region.WestDegrees + taken} to {region.WestDegrees + taken + 1}. Take one of them away."));
+                }
+
+                degrees.Fill((ushort)index);
+            }
+        }
+
+        return cover.Contains(Nothing) ? throw Incomplete(parts, cover) : cover;
+    }
+
+    private static void RequireSame<T>(string what, LdemLabel first, LdemLabel other, Func<LdemLabel, T> of)
+        where T : notnull
+    {
+        if (!of(first).Equals(of(other)))
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{other.LabelPath}: {what} is {of(other)}, but {of(first)} in {first.LabelPath}, another part of the same model. Get all parts of one release."));
+        }
+    }
+
+    private static MoonRegion RegionOf(LdemLabel label)
+    {
+        MoonRegion region = new((int)label.SouthDegrees, (int)label.NorthDegrees, (int)label.WestDegrees, (int)label.EastDegrees);
+        bool isWhole = (region.SouthDegrees, region.NorthDegrees, region.WestDegrees, region.EastDegrees)
+            == (label.SouthDegrees, label.NorthDegrees, label.WestDegrees, label.EastDegrees);
+        return isWhole && region.IsValid ? region : throw new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{label.LabelPath}: covers latitudes {label.SouthDegrees:R} to {label.NorthDegrees:R} and longitudes {label.WestDegrees:R} to {label.EastDegrees:R} degrees; parts of a model have borders of whole degrees in -90 to 90 and 0 to 360."));
+    }
+
+    /// <summary>Names the parts that miss, on the raster of which the known borders are lines.</summary>
+    private static BadInputException Incomplete(IReadOnlyList<LdemLabel> parts, ushort[] cover)
+    {
+        int height = 180;
+        int width = 360;
+        foreach (MoonRegion region in parts.Select(RegionOf))
+        {
+            height = GreatestDivisor(GreatestDivisor(height, region.NorthDegrees + 90), region.SouthDegrees + 90);
+            width = GreatestDivisor(GreatestDivisor(width, region.WestDegrees), region.EastDegrees);
+        }
+
+        LdemPartName name = LdemPartName.Of(parts[0]);
+        string[] missing =
+        [
+            .. from north in Enumerable.Range(0, 180 / height).Select(row => 90 - (row * height))
+               from west in Enumerable.Range(0, 360 / width).Select(column => column * width)
+               where cover[((90 - north) * 360) + west] == Nothing
+               select name.ForRegion(new MoonRegion(north - height, north, west, west + width)),
+        ];
+        string folder = Path.GetDirectoryName(parts[0].LabelPath) is { Length: > 0 } given ? given : ".";
+        return new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{folder}: of the {name.Before} product in several files {missing.Length} are missing: {FileNames.Listed(missing)}. Put their .LBL and .IMG files beside {Path.GetFileName(parts[0].LabelPath)}; the whole Moon is needed."));
+    }
+
+    private static int GreatestDivisor(int a, int b) => b == 0 ? a : GreatestDivisor(b, a % b);
+}

@@ -1,0 +1,11 @@
+namespace Msisf.Cli.Run;
+
+/// <summary>Makes the pictures of a run and writes their files. Safe for several threads.</summary>
+internal interface IFrameRenderer
+{
+    /// <summary>Makes one frame. Its files appear when all are complete, the picture last.</summary>
+    /// <param name="frame">Which.</param>
+    /// <param name="threads">Threads that it may use.</param>
+    /// <param name="cancellation">Ends it and leaves no file.</param>
+    Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation);
+}

@@ -1,0 +1,60 @@
+using Msisf.Adapters.Render;
+using Msisf.Cli.Options;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
+
+namespace Msisf.Cli.Run;
+
+/// <summary>The program's own way: draws from the elevation model, writes the files. Frames side by side write while others are drawn.</summary>
+internal sealed class NativeFrameRenderer : IFrameRenderer
+{
+    private readonly NativeSettings _settings;
+    private readonly NativeLevels _levels;
+    private readonly GreyTable _grey;
+    private readonly FrameFiles _files;
+    private readonly RunTimes _times;
+
+    public NativeFrameRenderer(NativeSettings settings, NativeLevels levels, FrameFiles files, RunTimes times)
+    {
+        _settings = settings;
+        _levels = levels;
+        _grey = new GreyTable(settings.Grey, settings.BitDepth);
+        _files = files;
+        _times = times;
+    }
+
+    /// <inheritdoc/>
+    public Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation) =>
+        Task.Run(() => Render(frame, threads, cancellation), cancellation);
+
+    private FrameOutputs Render(Frame frame, int threads, CancellationToken cancellation)
+    {
+        NativeRenderer renderer = _levels.For(frame.Camera, _settings.Render.SamplesAcross);
+        using NativeFrame drawn = _times.Measure(
+            Phase.Draw, () => renderer.Render(frame.Camera, frame.Light, _settings.Render, threads, cancellation));
+        using MemoryStream picture = new();
+        _times.Measure(Phase.Output, () => Encode(drawn, picture));
+        RenderedFrame rendered = new(
+            RendererKind.Native, picture, "the picture", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepTruth ? drawn : null);
+        return new FrameOutputs(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
+    }
+
+    private void Encode(NativeFrame drawn, MemoryStream picture)
+    {
+        int width = drawn.Camera.Width;
+        if (_settings.BitDepth == 8)
+        {
+            byte[] levels = new byte[drawn.RadianceFactors.Length];
+            _grey.Convert(drawn.RadianceFactors, levels);
+            PngWriter.Write(picture, levels, width, _settings.Grey.Transfer);
+        }
+        else
+        {
+            ushort[] levels = new ushort[drawn.RadianceFactors.Length];
+            _grey.Convert(drawn.RadianceFactors, levels);
+            PngWriter.Write(picture, levels, width, _settings.Grey.Transfer);
+        }
+
+        picture.Position = 0;
+    }
+}

@@ -1,0 +1,33 @@
+using System.Collections.Concurrent;
+using Msisf.Core.Camera;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+using Msisf.Core.Terrain.Lod;
+
+namespace Msisf.Cli.Run;
+
+/// <summary>The renderers of a run: one for the model, and one for each coarser level that a frame is drawn with. Safe for several threads.</summary>
+internal sealed class NativeLevels
+{
+    private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();
+    private readonly IElevationGrid _grid;
+    private readonly LodLevels? _levels;
+
+    /// <summary>Takes the model.</summary>
+    /// <param name="grid">The model.</param>
+    /// <param name="levels">Its coarser levels; null to draw with the model itself, always.</param>
+    public NativeLevels(IElevationGrid grid, LodLevels? levels)
+    {
+        _grid = grid;
+        _levels = levels;
+    }
+
+    /// <summary>The renderer for a frame.</summary>
+    public NativeRenderer For(PinholeCamera camera, int samplesAcross)
+    {
+        int level = _levels is null ? 0 : LevelOfDetail.For(camera, samplesAcross, _grid.PixelsPerDegree, _levels.Count);
+        return _renderers.GetOrAdd(level, Create).Value;
+    }
+
+    private Lazy<NativeRenderer> Create(int level) => new(() => new NativeRenderer(level == 0 ? _grid : _levels!.Level(level)));
+}

@@ -1,0 +1,41 @@
+namespace Msisf.Core.Layers;
+
+/// <summary>One kind of ground truth, a picture of numbers. Immutable; docs/formats.md has the definitions.</summary>
+public sealed class Layer
+{
+    /// <summary>Stands for "undefined" in layers of whole numbers that have such pixels; -1 will not do, as it is a line of cells.</summary>
+    public const int UndefinedNumber = int.MinValue;
+
+    internal Layer(string name, LayerType type, string unit, string description, LayerValue value, params string[] planeNames)
+    {
+        Name = name;
+        Type = type;
+        Unit = unit;
+        Description = description;
+        Value = value;
+        PlaneNames = planeNames;
+    }
+
+    /// <summary>As in <c>--layers</c>: "pixel-scale".</summary>
+    public string Name { get; }
+
+    /// <summary>EXTNAME in FITS: the name in capitals, with underscores: "PIXEL_SCALE".</summary>
+    public string ExtensionName => Name.ToUpperInvariant().Replace('-', '_');
+
+    /// <summary>How the values are stored.</summary>
+    public LayerType Type { get; }
+
+    /// <summary>"m", "deg", or empty for a pure number.</summary>
+    public string Unit { get; }
+
+    /// <summary>The definition in one or two sentences, ASCII.</summary>
+    public string Description { get; }
+
+    /// <summary>What each plane holds ("x", "y", "z"); empty for a layer of one number a pixel.</summary>
+    public IReadOnlyList<string> PlaneNames { get; }
+
+    /// <summary>Numbers a pixel: 1, or one for each of <see cref="PlaneNames"/>.</summary>
+    public int Planes => Math.Max(1, PlaneNames.Count);
+
+    internal LayerValue Value { get; }
+}

@@ -1,0 +1,63 @@
+namespace Msisf.Core.Layers;
+
+/// <summary>All layers that there are, in the order in which files hold them.</summary>
+public static class LayerCatalogue
+{
+    /// <summary>All layers.</summary>
+    public static IReadOnlyList<Layer> All { get; } =
+    [
+        new(
+            "depth", LayerType.Real64, "m",
+            "Distance from the camera's focal point to the surface point along the pixel's ray. NOT the depth along the optical axis: that is Z_DEPTH.",
+            SurfaceValues.Range),
+        new(
+            "range", LayerType.Real64, "m",
+            "Slant range from the camera's focal point to the surface point: the same number as DEPTH, under the name that remote sensing has for it.",
+            SurfaceValues.Range),
+        new(
+            "z-depth", LayerType.Real64, "m",
+            "Depth along the optical axis: the part of DEPTH along the viewing direction. What computer vision calls a depth map.",
+            SurfaceValues.AxialDepth),
+        new(
+            "position", LayerType.Real64, "m",
+            "Surface point from the Moon's centre, in MOON_ME.",
+            SurfaceValues.Position,
+            "x", "y", "z"),
+        new("latitude", LayerType.Real64, "deg", "Planetocentric latitude, -90 to 90.", SurfaceValues.Latitude),
+        new("longitude", LayerType.Real64, "deg", "East longitude, 0 to below 360; 0 on the polar axis.", SurfaceValues.Longitude),
+        new("height", LayerType.Real64, "m", "Height over the sphere of 1 737 400 m.", SurfaceValues.Height),
+        new(
+            "normal", LayerType.Real64, string.Empty,
+            "Outward surface normal that shades the point, length 1, in MOON_ME.",
+            SurfaceValues.Normal,
+            "x", "y", "z"),
+        new("incidence", LayerType.Real64, "deg", "Angle between NORMAL and the direction to the Sun's centre, 0 to 180.", LightValues.Incidence),
+        new("emission", LayerType.Real64, "deg", "Angle between NORMAL and the direction to the camera, 0 to 180.", LightValues.Emission),
+        new("phase", LayerType.Real64, "deg", "Angle at the surface point between Sun and camera, 0 to 180.", LightValues.Phase),
+        new(
+            "illumination-direction", LayerType.Real64, "deg",
+            "Direction in the picture in which the Sun lies along the ground: 0 down, 90 right, 180 up, 270 left. Undefined where the Sun is in the zenith.",
+            LightValues.Direction),
+        new(
+            "mask", LayerType.Unsigned8, string.Empty,
+            "0 no surface, 1 lit, 2 penumbra, 3 shadow (Sun's centre above the point's horizontal plane, but hidden or behind the facet), 4 night.",
+            LightValues.State),
+        new(
+            "sun-visibility", LayerType.Real64, string.Empty,
+            "Part of the Sun's disc that shines on the point, 0 to 1.",
+            LightValues.VisibleFraction),
+        new(
+            "tile", LayerType.Signed32, string.Empty,
+            "5 x 5 degree tile: 72 row + column; southern border -90 + 5 row, western border 5 column degrees.",
+            SurfaceValues.Tile),
+        new(
+            "cell", LayerType.Signed32, string.Empty,
+            "Cell of the mesh of MESHRES px/deg: line (0 northernmost) and sample of its north-western vertex; line -1 is the fan round the north pole.",
+            SurfaceValues.Cell,
+            "line", "sample"),
+        new(
+            "pixel-scale", LayerType.Real64, "m",
+            "Side of the square with the area of the pixel's beam at the point, across the line of sight.",
+            SurfaceValues.PixelScale),
+    ];
+}

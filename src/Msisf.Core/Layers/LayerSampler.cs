@@ -1,0 +1,76 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Render;
+
+namespace Msisf.Core.Layers;
+
+/// <summary>Computes the layers of a frame, row by row; nothing is kept. Safe for several threads.</summary>
+public sealed class LayerSampler
+{
+    private readonly IFrameTruth _truth;
+    private readonly int _meshPixelsPerDegree;
+
+    /// <summary>Prepares a frame.</summary>
+    /// <param name="truth">What the pixels show.</param>
+    /// <param name="meshPixelsPerDegree">See <see cref="LayerProvenance"/>.</param>
+    public LayerSampler(IFrameTruth truth, int meshPixelsPerDegree)
+    {
+        _truth = truth;
+        _meshPixelsPerDegree = meshPixelsPerDegree;
+    }
+
+    /// <summary>px.</summary>
+    public int Width => _truth.Camera.Width;
+
+    /// <summary>px.</summary>
+    public int Height => _truth.Camera.Height;
+
+    /// <summary>Computes one row of some layers; each pixel is looked up once for all of them.</summary>
+    /// <param name="row">0 (top) to <see cref="Height"/> - 1.</param>
+    /// <param name="layers">Which.</param>
+    /// <param name="planes">
+    /// Filled: the planes of the first layer, then those of the second, ...; values from left to right, in the layer's unit; NaN
+    /// marks the undefined ones. Whole numbers are exact.
+    /// </param>
+    /// <param name="start">Where the row begins in each plane.</param>
+    public void SampleRow(int row, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int start)
+    {
+        PinholeCamera camera = _truth.Camera;
+        for (int column = 0; column < camera.Width; column++)
+        {
+            if (_truth.TryGet(column + 1, row + 1, out SurfaceHit hit, out PixelLight light))
+            {
+                PixelTruth pixel = new(_truth, _meshPixelsPerDegree, camera.RayThrough(column + 1, row + 1), hit, light);
+                Fill(pixel, layers, planes, start + column);
+            }
+            else
+            {
+                FillEmpty(layers, planes, start + column);
+            }
+        }
+    }
+
+    private static void Fill(in PixelTruth pixel, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int index)
+    {
+        int next = 0;
+        foreach (Layer layer in layers)
+        {
+            for (int plane = 0; plane < layer.Planes; plane++)
+            {
+                planes[next++][index] = layer.Value(pixel, plane) ?? double.NaN;
+            }
+        }
+    }
+
+    private static void FillEmpty(IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int index)
+    {
+        int next = 0;
+        foreach (Layer layer in layers)
+        {
+            double value = layer.Type == LayerType.Unsigned8 ? (double)SunState.NoSurface : double.NaN;
+            for (int plane = 0; plane < layer.Planes; plane++)
+            {
+                planes[next++][index] = value;
+            }
+        }
+    }
+}

@@ -1,0 +1,47 @@
+using Msisf.Core.Errors;
+
+namespace Msisf.Core.Layers;
+
+/// <summary>The layers that a user wants. Immutable.</summary>
+public sealed class LayerSet
+{
+    private const string AllText = "all";
+
+    private LayerSet(IReadOnlyList<Layer> layers) => Layers = layers;
+
+    /// <summary>Every layer.</summary>
+    public static LayerSet All { get; } = new(LayerCatalogue.All);
+
+    /// <summary>For messages and help: the names that <see cref="Parse"/> knows.</summary>
+    public static string ValidValues => $"{AllText}, or a list of {string.Join(", ", LayerCatalogue.All.Select(layer => layer.Name))}";
+
+    /// <summary>In the order of <see cref="LayerCatalogue.All"/>, each once; at least one.</summary>
+    public IReadOnlyList<Layer> Layers { get; }
+
+    /// <summary>Reads the value of <c>--layers</c>.</summary>
+    /// <param name="text">"all", or names with commas between; order, capitals and blanks around names don't matter.</param>
+    /// <exception cref="UsageException">A name is unknown, empty or given twice.</exception>
+    public static LayerSet Parse(string text)
+    {
+        string[] names = text.Split(',', StringSplitOptions.TrimEntries);
+        if (names is [var only] && IsSame(only, AllText))
+        {
+            return All;
+        }
+
+        HashSet<Layer> wanted = [];
+        foreach (string name in names)
+        {
+            Layer layer = LayerCatalogue.All.FirstOrDefault(layer => IsSame(layer.Name, name))
+                ?? throw new UsageException($"--layers {text}: '{name}' is no layer. Give {ValidValues}.");
+            if (!wanted.Add(layer))
+            {
+                throw new UsageException($"--layers {text}: {layer.Name} is there twice. Leave one out.");
+            }
+        }
+
+        return new LayerSet([.. LayerCatalogue.All.Where(wanted.Contains)]);
+    }
+
+    private static bool IsSame(string a, string b) => a.Equals(b, StringComparison.OrdinalIgnoreCase);
+}

@@ -1,0 +1,41 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+
+namespace Msisf.Core.Layers;
+
+/// <summary>What the layers of one pixel are computed from.</summary>
+internal readonly struct PixelTruth
+{
+    private readonly IFrameTruth _frame;
+
+    public PixelTruth(IFrameTruth frame, int meshPixelsPerDegree, in Ray ray, in SurfaceHit hit, in PixelLight light)
+    {
+        _frame = frame;
+        MeshPixelsPerDegree = meshPixelsPerDegree;
+        LineOfSightMoonMe = ray.Direction;
+        Hit = hit;
+        Light = light;
+
+        // Relative to the camera, so that a lamp at the camera lies exactly on the line of sight, however near the ground is.
+        ToLightMoonMe = frame.LightPositionMoonMe - ray.Origin - (hit.RayParameter * ray.Direction);
+    }
+
+    public PinholeCamera Camera => _frame.Camera;
+
+    /// <summary>m: the Sun, or the lamp that stands for it.</summary>
+    public Vector3D LightPositionMoonMe => _frame.LightPositionMoonMe;
+
+    /// <summary>px/deg: the grid in which <see cref="SurfaceHit.Facet"/> counts.</summary>
+    public int MeshPixelsPerDegree { get; }
+
+    /// <summary>From the camera to the point; the hit's ray parameter counts in its length.</summary>
+    public Vector3D LineOfSightMoonMe { get; }
+
+    public SurfaceHit Hit { get; }
+
+    public PixelLight Light { get; }
+
+    /// <summary>m: from the point to the light.</summary>
+    public Vector3D ToLightMoonMe { get; }
+}

@@ -1,0 +1,56 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
+
+namespace Msisf.Core.Layers;
+
+/// <summary>Where the point is that a pixel shows.</summary>
+internal static class SurfaceValues
+{
+    /// <summary>m, along the ray; from the ray's parameter, so it keeps its digits when the ground is near.</summary>
+    public static double? Range(in PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.LineOfSightMoonMe.Length;
+
+    /// <summary>m, along the optical axis: the ray's direction is one image plane distance long on it.</summary>
+    public static double? AxialDepth(in PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.Camera.Direction.Length;
+
+    /// <summary>
+    /// m: side of the square that has the area of the pixel's beam across the line of sight. A pixel is a square of side 1 / height
+    /// in the image plane at distance f; seen from the focal point, at an angle a off the axis, it covers (1 / (height f))^2 cos^3 a
+    /// steradians, to first order in its size; and cos a is axial depth over range.
+    /// </summary>
+    public static double? PixelScale(in PixelTruth pixel, int plane)
+    {
+        double distance = pixel.Camera.Direction.Length;
+        double cosine = distance / pixel.LineOfSightMoonMe.Length;
+        return pixel.Hit.RayParameter * Math.Sqrt(cosine) / pixel.Camera.Height;
+    }
+
+    public static double? Position(in PixelTruth pixel, int plane) => Component(pixel.Hit.PointMoonMe, plane);
+
+    public static double? Normal(in PixelTruth pixel, int plane) => Component(pixel.Hit.NormalMoonMe, plane);
+
+    public static double? Latitude(in PixelTruth pixel, int plane) =>
+        double.RadiansToDegrees(SelenographicPoint.Below(pixel.Hit.PointMoonMe).Latitude);
+
+    public static double? Longitude(in PixelTruth pixel, int plane) =>
+        double.RadiansToDegrees(SelenographicPoint.Below(pixel.Hit.PointMoonMe).Longitude);
+
+    public static double? Height(in PixelTruth pixel, int plane) => pixel.Hit.PointMoonMe.Length - MoonConstants.ReferenceRadius;
+
+    public static double? Cell(in PixelTruth pixel, int plane) => plane == 0 ? pixel.Hit.Facet.Line : pixel.Hit.Facet.Sample;
+
+    /// <summary>Index in <see cref="TileId.All"/> of the tile that the cell belongs to (docs/pattern-format.md).</summary>
+    public static double? Tile(in PixelTruth pixel, int plane)
+    {
+        int linesOfTile = TileId.SizeDegrees * pixel.MeshPixelsPerDegree;
+        int rowFromNorth = Math.Max(pixel.Hit.Facet.Line, 0) / linesOfTile; // the northern fan belongs to the tiles of line 0
+        return ((TileId.Rows - 1 - rowFromNorth) * TileId.Columns) + (pixel.Hit.Facet.Sample / linesOfTile);
+    }
+
+    private static double Component(Vector3D vector, int plane) => plane switch
+    {
+        0 => vector.X,
+        1 => vector.Y,
+        _ => vector.Z,
+    };
+}

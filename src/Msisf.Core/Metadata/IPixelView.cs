@@ -1,0 +1,15 @@
+namespace Msisf.Core.Metadata;
+
+/// <summary>What single pixels of a frame show. Safe for several threads.</summary>
+internal interface IPixelView
+{
+    /// <summary>The surface on which the points lie.</summary>
+    PixelSurface Surface { get; }
+
+    /// <summary>The record of a pixel.</summary>
+    /// <param name="h">The pixel's x, from 1, to the right.</param>
+    /// <param name="v">The pixel's y, from 1, down.</param>
+    /// <param name="record">What it shows; <c>default</c> if that is not the Moon.</param>
+    /// <returns>Whether it shows the Moon.</returns>
+    bool TryGet(int h, int v, out PixelRecord record);
+}

@@ -1,0 +1,53 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
+
+namespace Msisf.Core.Metadata;
+
+/// <summary>Pixels on the terrain that the picture shows. As safe for several threads as its truth.</summary>
+internal sealed class TerrainPixels : IPixelView
+{
+    private readonly IFrameTruth _truth;
+    private readonly int _pixelsPerDegree;
+
+    /// <summary>Prepares a frame.</summary>
+    /// <param name="truth">What its pixels show.</param>
+    /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg: names the tiles.</param>
+    public TerrainPixels(IFrameTruth truth, int pixelsPerDegree)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
+        _truth = truth;
+        _pixelsPerDegree = pixelsPerDegree;
+    }
+
+    /// <inheritdoc/>
+    public PixelSurface Surface => PixelSurface.Terrain;
+
+    /// <inheritdoc/>
+    public bool TryGet(int h, int v, out PixelRecord record)
+    {
+        if (!_truth.TryGet(h, v, out SurfaceHit hit, out PixelLight light))
+        {
+            record = default;
+            return false;
+        }
+
+        PinholeCamera camera = _truth.Camera;
+        Vector3D point = hit.PointMoonMe;
+        Vector3D lightPosition = _truth.LightPositionMoonMe;
+        TerrainRecord terrain = new(
+            point.Length - MoonConstants.ReferenceRadius,
+            point,
+            (point - camera.PositionMoonMe).Length,
+            hit.NormalMoonMe,
+            PhotometricAngles.At(point, hit.NormalMoonMe, camera.PositionMoonMe, lightPosition),
+            light,
+            TileId.Holding(hit.Facet, _pixelsPerDegree),
+            hit.Facet);
+        double? direction = IlluminationDirection.At(camera, camera.RayThrough(h, v).Direction, point, lightPosition);
+        record = new PixelRecord(h, v, SelenographicPoint.Below(point), direction, terrain);
+        return true;
+    }
+}

@@ -1,0 +1,125 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Shading;
+using Msisf.Core.Render.Shadows;
+using Msisf.Core.Render.Surface;
+using Msisf.Core.Render.Visibility;
+using Msisf.Core.Scene;
+
+namespace Msisf.Core.Render;
+
+/// <summary>
+/// Draws one frame after another: what each pixel shows, what of it the Sun reaches, how bright that is; once for each sample of a
+/// pixel. Keeps its memory from frame to frame. One frame at a time; the finished one may be read by several threads.
+/// </summary>
+internal sealed class FramePass
+{
+    private readonly VisibilityPass _visibility;
+    private readonly ShadowPass _shadows;
+    private readonly RowShader _shader;
+    private VisibleSurface? _visible;
+    private byte[] _hidden = [];
+    private double[] _cosIncidence = [];
+    private double[] _radianceFactors = [];
+    private NativeRenderOptions? _options;
+
+    public FramePass(SurfaceModel surface)
+    {
+        _visibility = new VisibilityPass(surface);
+        (double least, double greatest) = surface.Grid.RadiusLimits;
+        _shadows = new ShadowPass(surface, least, greatest);
+        _shader = new RowShader(surface);
+    }
+
+    /// <summary>Of the last frame.</summary>
+    public PinholeCamera Camera { get; private set; } = null!;
+
+    /// <summary>Of the last frame.</summary>
+    public SceneLight Light { get; private set; }
+
+    /// <summary>I/F of each pixel, row by row.</summary>
+    public ReadOnlySpan<double> RadianceFactors => _radianceFactors.AsSpan(0, Camera.Width * Camera.Height);
+
+    /// <summary>Draws a frame.</summary>
+    public void Draw(PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
+    {
+        (Camera, Light, _options) = (camera, light, options);
+        int pixels = camera.Width * camera.Height;
+        if (_hidden.Length < pixels)
+        {
+            _hidden = new byte[pixels];
+            _cosIncidence = new double[pixels];
+            _radianceFactors = new double[pixels];
+        }
+
+        _radianceFactors.AsSpan(0, pixels).Clear();
+        int across = options.SamplesAcross;
+        double weight = 1.0 / (across * across);
+
+        // The middle sample of an odd number is the pixel's centre: drawn last, it stays as what the pixel shows.
+        int middle = across % 2 == 1 ? across * across / 2 : -1;
+        for (int sample = 0; sample < across * across; sample++)
+        {
+            if (sample != middle)
+            {
+                DrawSample(Offset(sample % across, across), Offset(sample / across, across), weight, threads, cancellation);
+            }
+        }
+
+        if (middle >= 0)
+        {
+            DrawSample(0.0, 0.0, weight, threads, cancellation);
+        }
+        else if (options.KeepTruth)
+        {
+            DrawSample(0.0, 0.0, weight: 0.0, threads, cancellation);
+        }
+    }
+
+    /// <summary>What the centre of a pixel shows.</summary>
+    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light)
+    {
+        if (_options is not { KeepTruth: true } || _visible is null)
+        {
+            throw new InvalidOperationException($"The frame was drawn without {nameof(NativeRenderOptions.KeepTruth)}.");
+        }
+
+        if (!_visible.TryGet(x, y, out hit))
+        {
+            light = default;
+            return false;
+        }
+
+        bool isDark = _hidden[((y - 1) * Camera.Width) + x - 1] != 0
+            || !(Vector3D.Dot(hit.NormalMoonMe, Light.PositionMoonMe - hit.PointMoonMe) > 0.0);
+        light = PointSun.At(hit.PointMoonMe, isDark, Light);
+        if (_options.Normals == NormalModel.Smooth)
+        {
+            hit = hit with { NormalMoonMe = _shader.SmoothNormal(hit) };
+        }
+
+        return true;
+    }
+
+    private static double Offset(int index, int across) => ((index + 0.5) / across) - 0.5;
+
+    private void DrawSample(double offsetX, double offsetY, double weight, int threads, CancellationToken cancellation)
+    {
+        _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
+        SunwardPoints points = new(_visible, Light.PositionMoonMe, _cosIncidence);
+        if (Light.IsSun)
+        {
+            _shadows.Run(points, Light.PositionMoonMe, _hidden, threads, cancellation);
+        }
+        else
+        {
+            _hidden.AsSpan(0, Camera.Width * Camera.Height).Clear();
+            WorkerTeam.Run(threads, points.Rows, (_, row) => points.ReadCosines(row), cancellation);
+        }
+
+        if (weight > 0.0)
+        {
+            _shader.Shade(_visible, Light, new PixelSunlight(_cosIncidence, _hidden), _options!, weight, _radianceFactors, threads, cancellation);
+        }
+    }
+}

@@ -1,0 +1,35 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Render;
+
+/// <summary>Chooses the level of a model that a picture is drawn with.</summary>
+public static class LevelOfDetail
+{
+    /// <summary>
+    /// px: the widest that a cell of a coarser level may be beside a sample of the nearest ground. Measured (docs/native-renderer.md): the
+    /// picture is as near to the mean of many samples of the full model as one of the full model with as many samples is.
+    /// </summary>
+    public const double WidestCell = 0.7;
+
+    /// <summary>The level: 0 is the model itself, each further one has half the resolution.</summary>
+    /// <param name="camera">Decides by its height over the reference sphere: no ground in the picture is nearer but for mountains.</param>
+    /// <param name="samplesAcross">Samples along a pixel's edge.</param>
+    /// <param name="pixelsPerDegree">Of the model.</param>
+    /// <param name="levels">How many levels there are, the model itself included.</param>
+    public static int For(PinholeCamera camera, int samplesAcross, int pixelsPerDegree, int levels)
+    {
+        double height = camera.PositionMoonMe.Length - MoonConstants.ReferenceRadius;
+        double pixel = 2.0 * Math.Tan(camera.FieldOfView / 2.0) / camera.Width;
+        double widest = WidestCell * height * pixel / samplesAcross;
+        double cell = Math.PI / 180.0 * MoonConstants.ReferenceRadius / pixelsPerDegree;
+        int level = 0;
+        while (level + 1 < levels && 2.0 * cell <= widest)
+        {
+            cell *= 2.0;
+            level++;
+        }
+
+        return level;
+    }
+}

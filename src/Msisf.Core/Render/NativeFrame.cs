@@ -1,0 +1,41 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Render;
+
+/// <summary>A drawn frame. Reading it is safe for several threads; don't use it after it is disposed.</summary>
+public sealed class NativeFrame : IFrameTruth, IDisposable
+{
+    private readonly Action<FramePass> _giveBack;
+    private FramePass? _pass;
+
+    internal NativeFrame(FramePass pass, Action<FramePass> giveBack)
+    {
+        _pass = pass;
+        _giveBack = giveBack;
+    }
+
+    /// <inheritdoc/>
+    public PinholeCamera Camera => Pass.Camera;
+
+    /// <inheritdoc/>
+    public Vector3D LightPositionMoonMe => Pass.Light.PositionMoonMe;
+
+    /// <summary>Radiance factor I/F of each pixel, by rows from the top, each from left to right; 0 where there is no surface or no light.</summary>
+    public ReadOnlySpan<double> RadianceFactors => Pass.RadianceFactors;
+
+    private FramePass Pass => _pass ?? throw new ObjectDisposedException(nameof(NativeFrame));
+
+    /// <inheritdoc/>
+    /// <exception cref="InvalidOperationException">The frame was drawn without <see cref="NativeRenderOptions.KeepTruth"/>.</exception>
+    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light) => Pass.TryGet(x, y, out hit, out light);
+
+    /// <summary>Gives the frame's memory back.</summary>
+    public void Dispose()
+    {
+        if (Interlocked.Exchange(ref _pass, null) is FramePass pass)
+        {
+            _giveBack(pass);
+        }
+    }
+}

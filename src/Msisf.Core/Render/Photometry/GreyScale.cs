@@ -1,0 +1,52 @@
+namespace Msisf.Core.Render.Photometry;
+
+/// <summary>From radiance factor to grey, the same for all pictures: what is in a picture does not change it.</summary>
+public sealed class GreyScale
+{
+    // IEC 61966-2-1: linear up to here, then a power.
+    private const double SrgbToe = 0.0031308;
+    private const double SrgbToeSlope = 12.92;
+    private const double SrgbOffset = 0.055;
+    private const double SrgbExponent = 2.4;
+
+    /// <summary>Makes the scale.</summary>
+    /// <param name="exposure">Linear grey of the radiance factor 1, above 0: 1 makes it white, 2 makes white of the half.</param>
+    /// <param name="transfer">From linear grey to the numbers of the picture.</param>
+    /// <exception cref="Errors.BadInputException">The exposure is not above 0.</exception>
+    public GreyScale(double exposure = 1.0, GreyTransfer transfer = GreyTransfer.Srgb)
+    {
+        Exposure = Guard.InRange(exposure, 1e-6, 1e6, "exposure");
+        Transfer = transfer;
+    }
+
+    /// <summary>Linear grey of the radiance factor 1.</summary>
+    public double Exposure { get; }
+
+    /// <summary>From linear grey to the numbers of the picture.</summary>
+    public GreyTransfer Transfer { get; }
+
+    /// <summary>The level of one radiance factor, by the plain formula: rounded to the nearest, as POV-Ray does, black and white beyond the ends.</summary>
+    /// <param name="radianceFactor">I/F.</param>
+    /// <param name="greatestLevel">White: 255 or 65535.</param>
+    public int Level(double radianceFactor, int greatestLevel) =>
+        (int)Math.Floor((Encode(Math.Clamp(Exposure * radianceFactor, 0.0, 1.0)) * greatestLevel) + 0.5);
+
+    /// <summary>The least radiance factor that has a level: there the formula is half-way between the level and the one before.</summary>
+    /// <param name="level">1 to <paramref name="greatestLevel"/>.</param>
+    /// <param name="greatestLevel">White.</param>
+    internal double LeastRadianceFactor(int level, int greatestLevel) => Decode((level - 0.5) / greatestLevel) / Exposure;
+
+    private double Encode(double linear) => Transfer switch
+    {
+        GreyTransfer.Linear => linear,
+        _ when linear <= SrgbToe => SrgbToeSlope * linear,
+        _ => ((1.0 + SrgbOffset) * Math.Pow(linear, 1.0 / SrgbExponent)) - SrgbOffset,
+    };
+
+    private double Decode(double encoded) => Transfer switch
+    {
+        GreyTransfer.Linear => encoded,
+        _ when encoded <= SrgbToeSlope * SrgbToe => encoded / SrgbToeSlope,
+        _ => Math.Pow((encoded + SrgbOffset) / (1.0 + SrgbOffset), SrgbExponent),
+    };
+}

@@ -1,0 +1,91 @@
+using System.Diagnostics;
+
+namespace Msisf.Core.Render.Photometry;
+
+/// <summary>
+/// The levels of whole rows by table, without a power for each pixel: the levels of <see cref="GreyScale.Level"/>, but for radiance factors
+/// that lie within rounding (1e-14 of them) of the border between two levels. Safe for several threads.
+/// </summary>
+public sealed class GreyTable
+{
+    /// <summary>
+    /// Steps of the table for one level. A level is nowhere narrower than the sRGB curve is steep, 1 / 12.92 of full scale over the number of
+    /// levels; 16 steps are narrower still, so that no two borders share a step.
+    /// </summary>
+    private const int StepsPerLevel = 16;
+
+    private readonly int _greatestLevel;
+    private readonly double _stepsPerRadianceFactor;
+    private readonly double _lastStep;
+    private readonly ushort[] _levelBeforeStep;
+    private readonly double[] _least;
+
+    /// <summary>Computes the table: some microseconds and 10 kB for 8 bits, some milliseconds and 2.6 MB for 16.</summary>
+    /// <param name="scale">The scale.</param>
+    /// <param name="bitDepth">Bits of a level: 8 or 16.</param>
+    public GreyTable(GreyScale scale, int bitDepth)
+    {
+        Debug.Assert(bitDepth is 8 or 16, "PNG's depths of a grey picture that is shown");
+        BitDepth = bitDepth;
+        _greatestLevel = (1 << bitDepth) - 1;
+        _lastStep = (1 << bitDepth) * StepsPerLevel;
+        _stepsPerRadianceFactor = scale.Exposure * _lastStep;
+        _least = new double[_greatestLevel + 2];
+        _least[_greatestLevel + 1] = double.NaN; // nothing passes it, not even infinity
+        for (int level = 1; level <= _greatestLevel; level++)
+        {
+            _least[level] = scale.LeastRadianceFactor(level, _greatestLevel);
+        }
+
+        _levelBeforeStep = new ushort[(int)_lastStep + 1];
+        int reached = 0;
+        for (int step = 0; step < _levelBeforeStep.Length; step++)
+        {
+            _levelBeforeStep[step] = (ushort)reached;
+            if (reached < _greatestLevel && StepOf(_least[reached + 1]) == step)
+            {
+                reached++;
+            }
+        }
+    }
+
+    /// <summary>Bits of a level: 8 or 16.</summary>
+    public int BitDepth { get; }
+
+    /// <summary>Levels of 8 bits.</summary>
+    /// <param name="radianceFactors">I/F, not NaN.</param>
+    /// <param name="levels">Receives as many levels.</param>
+    public void Convert(ReadOnlySpan<double> radianceFactors, Span<byte> levels)
+    {
+        Debug.Assert(BitDepth == 8, "the table is for 8 bits");
+        levels = levels[..radianceFactors.Length];
+        for (int i = 0; i < levels.Length; i++)
+        {
+            levels[i] = (byte)LevelOf(radianceFactors[i]);
+        }
+    }
+
+    /// <summary>Levels of 16 bits.</summary>
+    /// <param name="radianceFactors">I/F, not NaN.</param>
+    /// <param name="levels">Receives as many levels.</param>
+    public void Convert(ReadOnlySpan<double> radianceFactors, Span<ushort> levels)
+    {
+        Debug.Assert(BitDepth == 16, "the table is for 16 bits");
+        levels = levels[..radianceFactors.Length];
+        for (int i = 0; i < levels.Length; i++)
+        {
+            levels[i] = (ushort)LevelOf(radianceFactors[i]);
+        }
+    }
+
+    private int LevelOf(double radianceFactor)
+    {
+        // The step never falls as the radiance factor grows, so all borders of earlier steps are passed; in its own there is one at most.
+        int level = _levelBeforeStep[StepOf(radianceFactor)];
+        return radianceFactor >= _least[level + 1] ? level + 1 : level;
+    }
+
+    // The native forms are one instruction each, and differ from the others only for NaN and out of the range that is cut off before.
+    private int StepOf(double radianceFactor) =>
+        double.ConvertToIntegerNative<int>(double.MinNative(double.MaxNative(radianceFactor * _stepsPerRadianceFactor, 0.0), _lastStep));
+}

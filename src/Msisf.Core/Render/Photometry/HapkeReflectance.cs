@@ -1,0 +1,73 @@
+namespace Msisf.Core.Render.Photometry;
+
+/// <summary>Hapke's law (Theory of Reflectance and Emittance Spectroscopy, 2nd ed., 2012, eq. 12.55 with K = 1 and B_C0 = 0).</summary>
+public sealed class HapkeReflectance : IReflectance
+{
+    private readonly double _scale;
+    private readonly double _w;
+    private readonly double _r0;
+    private readonly double _b;
+    private readonly double _backward;
+    private readonly double _forward;
+    private readonly double _surgeAmplitude;
+    private readonly double _surgeWidth;
+    private readonly HapkeRoughness _roughness;
+
+    /// <summary>Makes the law with the brightness that its parameters give.</summary>
+    public HapkeReflectance(HapkeParameters parameters)
+        : this(parameters, scale: 1.0)
+    {
+    }
+
+    private HapkeReflectance(HapkeParameters parameters, double scale)
+    {
+        double gamma = Math.Sqrt(1.0 - parameters.SingleScatteringAlbedo);
+        double lobe = 0.5 * (1.0 - (parameters.LobeWidth * parameters.LobeWidth));
+        _scale = scale;
+        _w = parameters.SingleScatteringAlbedo;
+        _r0 = (1.0 - gamma) / (1.0 + gamma);
+        _b = parameters.LobeWidth;
+        _backward = lobe * (1.0 + parameters.BackwardWeight);
+        _forward = lobe * (1.0 - parameters.BackwardWeight);
+        _surgeAmplitude = parameters.SurgeAmplitude;
+        _surgeWidth = parameters.SurgeWidth;
+        _roughness = new HapkeRoughness(double.DegreesToRadians(parameters.MeanSlopeDegrees));
+    }
+
+    /// <summary>Makes the law with the shape that its parameters give, all radiance factors by one number brighter or darker.</summary>
+    /// <param name="parameters">w above 0.</param>
+    /// <param name="albedo">Normal albedo: I/F with Sun and viewer in the zenith, 0 to 1.</param>
+    public static HapkeReflectance WithNormalAlbedo(HapkeParameters parameters, double albedo)
+    {
+        Guard.Positive(parameters.SingleScatteringAlbedo, "hapke parameter w");
+        double unscaled = new HapkeReflectance(parameters).RadianceFactor(1.0, 1.0, 0.0);
+        return new HapkeReflectance(parameters, Guard.InRange(albedo, 0.0, 1.0, "albedo") / unscaled);
+    }
+
+    /// <inheritdoc/>
+    public bool DependsOnViewer => true;
+
+    /// <inheritdoc/>
+    public double RadianceFactor(double cosIncidence, double cosEmission, double phaseHaversine)
+    {
+        RoughSurface surface = _roughness.At(cosIncidence, cosEmission, phaseHaversine);
+        double surge = _surgeAmplitude * _surgeWidth / (_surgeWidth + PhaseAngle.HalfTangent(phaseHaversine));
+        double single = ParticlePhase(phaseHaversine) * (1.0 + surge);
+        double multiple = (MultipleScattering(surface.CosIncidence) * MultipleScattering(surface.CosEmission)) - 1.0;
+        double seeliger = surface.CosIncidence / (surface.CosIncidence + surface.CosEmission);
+        return _scale * 0.25 * _w * seeliger * (single + multiple) * surface.Shadowing;
+    }
+
+    /// <summary>Two Henyey-Greenstein lobes, with 1 -+ 2 b cos g + b^2 written without cancellation.</summary>
+    private double ParticlePhase(double phaseHaversine)
+    {
+        double nearest = (1.0 - _b) * (1.0 - _b);
+        double backward = nearest + (4.0 * _b * phaseHaversine);
+        double forward = nearest + (4.0 * _b * (1.0 - phaseHaversine));
+        return (_backward / (backward * Math.Sqrt(backward))) + (_forward / (forward * Math.Sqrt(forward)));
+    }
+
+    /// <summary>H(x) (Hapke, Icarus 157 (2002), p. 523), within 1 % of Chandrasekhar's function.</summary>
+    private double MultipleScattering(double x) =>
+        1.0 / (1.0 - (_w * x * (_r0 + ((0.5 - (_r0 * x)) * Math.Log((1.0 + x) / x)))));
+}

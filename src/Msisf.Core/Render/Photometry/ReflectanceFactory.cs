@@ -1,0 +1,71 @@
+using Msisf.Core.Errors;
+
+namespace Msisf.Core.Render.Photometry;
+
+/// <summary>Makes a reflectance law from its name and named parameters (docs/photometry.md).</summary>
+public static class ReflectanceFactory
+{
+    /// <summary>The albedo if none is given: that of POV-Ray's scene, pigment 0.8 and diffuse 0.8.</summary>
+    public const double DefaultAlbedo = 0.64;
+
+    /// <summary>The laws and their parameters, for messages and help.</summary>
+    public const string ValidValues = "lambert, lommel-seeliger, lunar-lambert (parameter l), hapke (parameters w, b, c, b0, h, theta)";
+
+    private static readonly Dictionary<string, string[]> ParametersOfLaw = new(StringComparer.Ordinal)
+    {
+        ["lambert"] = [],
+        ["lommel-seeliger"] = [],
+        ["lunar-lambert"] = ["l"],
+        ["hapke"] = ["w", "b", "c", "b0", "h", "theta"],
+    };
+
+    /// <summary>Makes the law.</summary>
+    /// <param name="law">Its name.</param>
+    /// <param name="parameters">Values by name; what is missing has the Moon's value.</param>
+    /// <param name="albedo">
+    /// I/F with Sun and viewer in the zenith, 0 to 1; null for <see cref="DefaultAlbedo"/>. Hapke's law with a w has the brightness that w gives, and takes none.
+    /// </param>
+    /// <exception cref="BadInputException">An unknown law or parameter, a value out of range, or both w and an albedo.</exception>
+    public static IReflectance Create(string law, IReadOnlyDictionary<string, double> parameters, double? albedo = null)
+    {
+        if (!ParametersOfLaw.TryGetValue(law, out string[]? known))
+        {
+            throw new BadInputException($"Reflectance law '{law}' is not known. Known laws: {ValidValues}.");
+        }
+
+        if (parameters.Keys.Where(name => !known.Contains(name, StringComparer.Ordinal)).Order(StringComparer.Ordinal).FirstOrDefault() is string unknown)
+        {
+            string possible = known.Length == 0 ? "It has none" : $"It has {string.Join(", ", known)}";
+            throw new BadInputException($"Reflectance law {law} has no parameter '{unknown}'. {possible}.");
+        }
+
+        double normalAlbedo = albedo ?? DefaultAlbedo;
+        return law switch
+        {
+            "lambert" => new LambertReflectance(normalAlbedo),
+            "lommel-seeliger" => new LommelSeeligerReflectance(normalAlbedo),
+            "lunar-lambert" => new LunarLambertReflectance(normalAlbedo, parameters.TryGetValue("l", out double weight) ? weight : null),
+            _ => CreateHapke(parameters, albedo),
+        };
+    }
+
+    private static HapkeReflectance CreateHapke(IReadOnlyDictionary<string, double> parameters, double? albedo)
+    {
+        HapkeParameters moon = new();
+        HapkeParameters wanted = new(
+            parameters.GetValueOrDefault("w", moon.SingleScatteringAlbedo),
+            parameters.GetValueOrDefault("b", moon.LobeWidth),
+            parameters.GetValueOrDefault("c", moon.BackwardWeight),
+            parameters.GetValueOrDefault("b0", moon.SurgeAmplitude),
+            parameters.GetValueOrDefault("h", moon.SurgeWidth),
+            parameters.GetValueOrDefault("theta", moon.MeanSlopeDegrees));
+        if (!parameters.ContainsKey("w"))
+        {
+            return HapkeReflectance.WithNormalAlbedo(wanted, albedo ?? DefaultAlbedo);
+        }
+
+        return albedo is null
+            ? new HapkeReflectance(wanted)
+            : throw new BadInputException("Reflectance law hapke has both w and an albedo, and each sets its brightness. Leave one out.");
+    }
+}

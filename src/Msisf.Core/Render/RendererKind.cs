@@ -1,0 +1,11 @@
+namespace Msisf.Core.Render;
+
+/// <summary>Who made a picture.</summary>
+public enum RendererKind
+{
+    /// <summary>POV-Ray, from the pattern files.</summary>
+    PovRay,
+
+    /// <summary>The program itself, from the elevation model.</summary>
+    Native,
+}

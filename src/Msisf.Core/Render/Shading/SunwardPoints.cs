@@ -1,0 +1,137 @@
+using System.Collections.Concurrent;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Shadows;
+using Msisf.Core.Render.Visibility;
+
+namespace Msisf.Core.Render.Shading;
+
+/// <summary>
+/// The points of a frame whose facet faces the Sun: those that other terrain may hide from it. On the way each pixel's cosine of the
+/// incidence angle is found, so that a law that needs no more does not have to look at the surface again.
+/// </summary>
+internal sealed class SunwardPoints : IReceiverRows
+{
+    private readonly VisibleSurface _visible;
+    private readonly Vector3D _sun;
+    private readonly double[] _cosIncidence;
+    private readonly ConcurrentBag<Scratch> _idle = [];
+
+    /// <summary>Takes a frame.</summary>
+    /// <param name="visible">What its pixels show.</param>
+    /// <param name="sunMoonMe">m, MOON_ME; or the lamp.</param>
+    /// <param name="cosIncidence">Of each pixel, row by row: filled as rows are read; 0 where there is no surface, or it faces away.</param>
+    public SunwardPoints(VisibleSurface visible, Vector3D sunMoonMe, double[] cosIncidence)
+    {
+        _visible = visible;
+        _sun = sunMoonMe;
+        _cosIncidence = cosIncidence;
+    }
+
+    /// <inheritdoc/>
+    public int Rows => _visible.Height;
+
+    /// <inheritdoc/>
+    public int Width => _visible.Width;
+
+    /// <summary>Fills a row of the cosines only.</summary>
+    public void ReadCosines(int row)
+    {
+        Scratch scratch = Take();
+        Scatter(row, scratch);
+        _idle.Add(scratch);
+    }
+
+    /// <inheritdoc/>
+    public int Read(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns)
+    {
+        Scratch scratch = Take();
+        Scatter(row, scratch);
+        SurfaceRow points = scratch.Row;
+        ReadOnlySpan<double> cosines = scratch.Cosines;
+        int count = 0;
+        for (int i = 0; i < points.Count; i++)
+        {
+            if (cosines[i] > 0.0)
+            {
+                x[count] = points.X[i];
+                y[count] = points.Y[i];
+                z[count] = points.Z[i];
+                columns[count++] = points.Columns[i];
+            }
+        }
+
+        _idle.Add(scratch);
+        return count;
+    }
+
+    /// <summary>The plain formula for one point, of which <see cref="FindCosines"/> gives the same bits.</summary>
+    internal static double CosIncidence(Vector3D normal, Vector3D pointMoonMe, Vector3D sunMoonMe)
+    {
+        Vector3D toSun = sunMoonMe - pointMoonMe;
+
+        // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
+        return Math.Min(Math.Max(Vector3D.Dot(normal, toSun), 0.0) / Math.Sqrt(toSun.LengthSquared), 1.0);
+    }
+
+    private Scratch Take() => _idle.TryTake(out Scratch? idle) ? idle : new Scratch();
+
+    private void Scatter(int row, Scratch scratch)
+    {
+        SurfaceRow points = scratch.Row;
+        _visible.Read(row + 1, points);
+        scratch.EnsureRoom(points.Count);
+        FindCosines(points, scratch.Cosines);
+        Span<double> all = _cosIncidence.AsSpan(row * _visible.Width, _visible.Width);
+        if (points.Count == all.Length)
+        {
+            scratch.Cosines.AsSpan(0, all.Length).CopyTo(all);
+            return;
+        }
+
+        all.Clear();
+        for (int i = 0; i < points.Count; i++)
+        {
+            all[points.Columns[i]] = scratch.Cosines[i];
+        }
+    }
+
+    private void FindCosines(SurfaceRow points, double[] cosines)
+    {
+        ref double x = ref MemoryMarshal.GetArrayDataReference(points.X);
+        ref double y = ref MemoryMarshal.GetArrayDataReference(points.Y);
+        ref double z = ref MemoryMarshal.GetArrayDataReference(points.Z);
+        ref double normalX = ref MemoryMarshal.GetArrayDataReference(points.NormalX);
+        ref double normalY = ref MemoryMarshal.GetArrayDataReference(points.NormalY);
+        ref double normalZ = ref MemoryMarshal.GetArrayDataReference(points.NormalZ);
+        ref double cosine = ref MemoryMarshal.GetArrayDataReference(cosines);
+        for (nuint i = 0; i < (nuint)points.Count; i += (nuint)Vector512<double>.Count)
+        {
+            Vector512<double> toSunX = Vector512.Create(_sun.X) - Vector512.LoadUnsafe(ref x, i);
+            Vector512<double> toSunY = Vector512.Create(_sun.Y) - Vector512.LoadUnsafe(ref y, i);
+            Vector512<double> toSunZ = Vector512.Create(_sun.Z) - Vector512.LoadUnsafe(ref z, i);
+            Vector512<double> along = (Vector512.LoadUnsafe(ref normalX, i) * toSunX)
+                + (Vector512.LoadUnsafe(ref normalY, i) * toSunY)
+                + (Vector512.LoadUnsafe(ref normalZ, i) * toSunZ);
+            Vector512<double> length = Vector512.Sqrt((toSunX * toSunX) + (toSunY * toSunY) + (toSunZ * toSunZ));
+            Vector512.MinNative(Vector512.MaxNative(along, Vector512<double>.Zero) / length, Vector512<double>.One).StoreUnsafe(ref cosine, i);
+        }
+    }
+
+    /// <summary>What one thread works with.</summary>
+    private sealed class Scratch
+    {
+        public SurfaceRow Row { get; } = new();
+
+        public double[] Cosines { get; private set; } = [];
+
+        public void EnsureRoom(int count)
+        {
+            if (Cosines.Length < count + SurfaceRow.Padding)
+            {
+                Cosines = new double[count + SurfaceRow.Padding];
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>
+/// Rows of a picture that are drawn together: for each pixel the nearest facet so far. One object is used for many frames. A facet is
+/// recorded when it first wins a pixel.
+/// </summary>
+internal sealed class Band
+{
+    private const int FirstCapacity = 1024;
+
+    /// <summary>Behind the last column, so that eight pixels can be written from any column on.</summary>
+    private const int Padding = 8;
+
+    private FacetRecord[] _records = new FacetRecord[FirstCapacity];
+
+    /// <summary>Elements from one row to the next.</summary>
+    public int Stride { get; private set; }
+
+    /// <summary>The picture's columns.</summary>
+    public int Width { get; private set; }
+
+    /// <summary>Its first row, from 0.</summary>
+    public int FirstRow { get; private set; }
+
+    /// <summary>Its last row.</summary>
+    public int LastRow { get; private set; }
+
+    /// <summary>One over the ray parameter of each pixel's nearest point; 0 where there is none.</summary>
+    public double[] InverseParameters { get; private set; } = [];
+
+    /// <summary>Number of each pixel's facet in <see cref="Records"/>; means nothing where there is none.</summary>
+    public int[] Facets { get; private set; } = [];
+
+    /// <summary>Facets that won a pixel.</summary>
+    public ReadOnlySpan<FacetRecord> Records => _records.AsSpan(0, RecordCount);
+
+    /// <summary>How many facets won a pixel.</summary>
+    public int RecordCount { get; private set; }
+
+    /// <summary>Empties the band for new rows.</summary>
+    public void Begin(int width, int firstRow, int rows)
+    {
+        Width = width;
+        FirstRow = firstRow;
+        LastRow = firstRow + rows - 1;
+        Stride = width + Padding;
+        RecordCount = 0;
+        int size = Stride * rows;
+        if (InverseParameters.Length < size)
+        {
+            InverseParameters = new double[size];
+            Facets = new int[size];
+        }
+        else
+        {
+            InverseParameters.AsSpan(0, size).Clear();
+        }
+    }
+
+    /// <summary>Records a facet; returns its number.</summary>
+    public int Add(in FacetRecord record)
+    {
+        if (RecordCount == _records.Length)
+        {
+            Array.Resize(ref _records, 2 * RecordCount);
+        }
+
+        _records[RecordCount] = record;
+        return RecordCount++;
+    }
+}

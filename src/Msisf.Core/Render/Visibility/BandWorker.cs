@@ -1,0 +1,31 @@
+using Msisf.Core.Render.Surface;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>What one thread needs to draw bands.</summary>
+internal sealed class BandWorker
+{
+    private readonly ProjectedBlock _block = new();
+    private readonly CellSieve _sieve = new();
+
+    /// <summary>Draws all blocks that touch a band; returns what that took.</summary>
+    public VisibilityCounts Draw(SurfaceModel surface, PictureView view, List<VisibleBlock> blocks, Band band)
+    {
+        long read = 0;
+        long sieved = 0;
+        _sieve.Begin(view);
+        foreach (VisibleBlock visible in blocks)
+        {
+            if (visible.FirstRow > band.LastRow || visible.LastRow < band.FirstRow)
+            {
+                continue;
+            }
+
+            _block.Load(surface, visible.Block, view);
+            read++;
+            sieved += _block.IsInFront ? _sieve.Draw(_block, band) : _sieve.DrawCrossing(_block, band);
+        }
+
+        return new VisibilityCounts(0, read, sieved, band.RecordCount);
+    }
+}

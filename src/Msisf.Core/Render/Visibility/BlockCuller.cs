@@ -1,0 +1,99 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Surface;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>Finds the blocks that a picture may show; reads those whose place alone does not tell.</summary>
+internal sealed class BlockCuller
+{
+    /// <summary>Blocks that one thread looks at in a row.</summary>
+    private const int BlocksAtOnce = 256;
+
+    /// <summary>m: more than bounds of blocks, which are floats, are rounded outwards.</summary>
+    private const double BoundsRounding = 1.0;
+
+    private readonly SurfaceModel _surface;
+    private readonly BlockTree _tree;
+    private readonly (double Least, double Greatest) _limits;
+    private readonly double _sagitta;
+    private readonly double _tilt;
+    private readonly List<CellBlock> _candidates = [];
+    private readonly List<VisibleBlock> _visible = [];
+    private VisibleBlock?[] _found = [];
+
+    public BlockCuller(SurfaceModel surface)
+    {
+        _surface = surface;
+        _tree = new BlockTree(surface.Mesh);
+        (double least, double greatest) = surface.Grid.RadiusLimits;
+        _limits = (least - BoundsRounding, greatest + BoundsRounding);
+        _sagitta = MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree);
+        _tilt = Math.PI / 180.0 / surface.Grid.PixelsPerDegree; // up turns by less from a facet's middle to its corners
+    }
+
+    /// <summary>The blocks that may be seen, always in the same order; valid until the next call.</summary>
+    public List<VisibleBlock> Find(PictureView view, ParallelOptions options)
+    {
+        ViewFrustum frustum = new(view);
+        MoonHorizon horizon = new(view.Camera.PositionMoonMe, LowestPoint(_limits.Least));
+        _candidates.Clear();
+        _tree.Collect(frustum, horizon, _limits, _candidates);
+        if (_found.Length < _candidates.Count)
+        {
+            _found = new VisibleBlock?[_candidates.Count + (_candidates.Count / 2)];
+        }
+
+        int parts = (_candidates.Count + BlocksAtOnce - 1) / BlocksAtOnce;
+        Parallel.For(0, parts, options, part =>
+        {
+            int end = Math.Min(_candidates.Count, (part + 1) * BlocksAtOnce);
+            for (int i = part * BlocksAtOnce; i < end; i++)
+            {
+                _found[i] = Look(_candidates[i], frustum, horizon);
+            }
+        });
+
+        _visible.Clear();
+        for (int i = 0; i < _candidates.Count; i++)
+        {
+            if (_found[i] is { } block)
+            {
+                _visible.Add(block);
+            }
+        }
+
+        return _visible;
+    }
+
+    private VisibleBlock? Look(CellBlock block, ViewFrustum frustum, MoonHorizon horizon)
+    {
+        BlockBounds bounds = _surface.Bounds.Of(block);
+        if (bounds.Least < _limits.Least || bounds.Greatest > _limits.Greatest)
+        {
+            throw OutsideLimits(block, bounds);
+        }
+
+        BlockBox box = _tree.Blocks.Box(block.Row, block.Column, bounds.Least, bounds.Greatest);
+        if (horizon.Hides(box, bounds.Greatest)
+            || horizon.IsTurnedAway(box, LowestPoint(bounds.Least), bounds.Steepness + _tilt)
+            || !frustum.TryFindRows(box, out (int First, int Last) rows))
+        {
+            return null;
+        }
+
+        return new VisibleBlock(block, rows.First, rows.Last);
+    }
+
+    private BadInputException OutsideLimits(CellBlock block, BlockBounds bounds)
+    {
+        CellRange cells = block.Cells(_surface.Mesh);
+        return new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{_surface.Grid.ProductId}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, samples {cells.FirstSample + 1} to {cells.EndSample + 1}: radii from {bounds.Least:R} to {bounds.Greatest:R} m, but no radius may lie outside {_limits.Least:R} to {_limits.Greatest:R} m. The file is damaged: get it again."));
+    }
+
+    private double LowestPoint(double leastRadius) => (leastRadius * _sagitta) - Tolerances.VertexLattice;
+}

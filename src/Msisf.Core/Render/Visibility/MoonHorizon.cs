@@ -1,0 +1,74 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>What a camera can't see of the Moon: what lies beyond the limb of the largest sphere within it, and blocks whose facets all turn away.</summary>
+internal sealed class MoonHorizon
+{
+    private readonly double _innerRadius;
+    private readonly double _distance;
+    private readonly Vector3D _toCamera;
+    private readonly bool _isOutside;
+    private readonly SineCosine _limb;
+
+    /// <param name="positionMoonMe">The camera, m.</param>
+    /// <param name="innerRadius">m: the surface lies nowhere below.</param>
+    public MoonHorizon(Vector3D positionMoonMe, double innerRadius)
+    {
+        _innerRadius = innerRadius;
+        _distance = positionMoonMe.Length;
+        _isOutside = _distance > innerRadius;
+        if (_isOutside)
+        {
+            _toCamera = positionMoonMe / _distance;
+            _limb = AngleOfCosine(innerRadius / _distance);
+        }
+    }
+
+    /// <summary>Whether the inner sphere hides all that lies in a box.</summary>
+    public bool Hides(in BlockBox box, double greatestRadius)
+    {
+        if (!_isOutside)
+        {
+            return false;
+        }
+
+        SineCosine reach = Sum(Sum(_limb, AngleOfCosine(_innerRadius / (greatestRadius + Tolerances.VertexLattice))), box.CapRadius);
+        bool isBelowPi = reach.Sine > 0.0;
+        return isBelowPi && Vector3D.Dot(_toCamera, box.Up) < reach.Cosine;
+    }
+
+    /// <summary>Whether all facets within a box turn away from the camera.</summary>
+    /// <param name="box">The box.</param>
+    /// <param name="leastRadius">m: no facet reaches farther down.</param>
+    /// <param name="steepness">Tangent of the steepest slope.</param>
+    /// <remarks>
+    /// The camera stands D cos(theta) - r over a point's level at a distance D sin(theta) to the side. cos(theta) + steepness sin(theta)
+    /// falls from where its slope is the steepest one.
+    /// </remarks>
+    public bool IsTurnedAway(in BlockBox box, double leastRadius, double steepness)
+    {
+        if (!_isOutside)
+        {
+            return false;
+        }
+
+        double cosine = Vector3D.Dot(_toCamera, box.Up);
+        double sine = Math.Sqrt(Math.Max(0.0, (1.0 - cosine) * (1.0 + cosine)));
+        double nearestSine = (sine * box.CapRadius.Cosine) - (cosine * box.CapRadius.Sine);
+        double nearestCosine = (cosine * box.CapRadius.Cosine) + (sine * box.CapRadius.Sine);
+        return nearestSine > 0.0
+            && nearestSine > steepness * nearestCosine
+            && nearestCosine + (steepness * nearestSine) < leastRadius / _distance;
+    }
+
+    /// <summary>The angle between 0 and pi/2 that has the cosine, or 0.</summary>
+    private static SineCosine AngleOfCosine(double cosine)
+    {
+        double held = Math.Min(1.0, cosine);
+        return new SineCosine(Math.Sqrt((1.0 - held) * (1.0 + held)), held);
+    }
+
+    private static SineCosine Sum(SineCosine a, SineCosine b) => new(
+        (a.Sine * b.Cosine) + (a.Cosine * b.Sine), (a.Cosine * b.Cosine) - (a.Sine * b.Sine));
+}

@@ -1,0 +1,117 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Surface;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>The vertices of one block, in space and in the picture; one object is loaded again and again.</summary>
+internal sealed class ProjectedBlock
+{
+    /// <summary>Elements from one line of vertices to the next.</summary>
+    public const int Stride = BlockVertices.Stride;
+
+    private const int Rows = CellBlock.Size + 1;
+
+    /// <summary>m: less deep vertices lie in the plane of the camera; far above the numbers whose inverse is infinite.</summary>
+    private const double LeastDepth = 1e-200;
+
+    private readonly double[] _tops = new double[Rows * Vector512<double>.Count];
+    private readonly double[] _bottoms = new double[Rows * Vector512<double>.Count];
+
+    /// <summary>m, from <see cref="PictureView.Origin"/>, not from the camera.</summary>
+    public BlockVertices Vertices { get; } = new();
+
+    /// <summary>Columns of the vertices; line by line, <see cref="Stride"/> elements each.</summary>
+    public double[] X { get; } = new double[Rows * Stride];
+
+    /// <summary>Rows of the vertices.</summary>
+    public double[] Y { get; } = new double[Rows * Stride];
+
+    /// <summary>1/m: one over the depth of the vertices.</summary>
+    public double[] InverseDepth { get; } = new double[Rows * Stride];
+
+    /// <summary>All vertices lie in front of the camera and are projected within <see cref="PictureView.CoordinateLimit"/>.</summary>
+    public bool IsInFront { get; private set; }
+
+    /// <summary>The line of the cells of the fan round the south pole.</summary>
+    public int LastCellLine { get; private set; }
+
+    /// <summary>Reads and projects a block.</summary>
+    public void Load(SurfaceModel surface, CellBlock block, PictureView view)
+    {
+        Vertices.Load(surface, block, view.Origin);
+        LastCellLine = surface.Mesh.Lines - 1;
+        Vector512<double> limit = Vector512.Create(view.CoordinateLimit);
+        Vector512<double> one = Vector512<double>.One;
+        Projection across = new(view.Across, view.Remainder);
+        Projection down = new(view.Down, view.Remainder);
+        Projection forward = new(view.Forward, view.Remainder);
+        Vector512<double> centreX = Vector512.Create(view.CentreX);
+        Vector512<double> centreY = Vector512.Create(view.CentreY);
+        ref double spaceX = ref MemoryMarshal.GetArrayDataReference(Vertices.X);
+        ref double spaceY = ref MemoryMarshal.GetArrayDataReference(Vertices.Y);
+        ref double spaceZ = ref MemoryMarshal.GetArrayDataReference(Vertices.Z);
+        ref double pictureX = ref MemoryMarshal.GetArrayDataReference(X);
+        ref double pictureY = ref MemoryMarshal.GetArrayDataReference(Y);
+        ref double inverseDepth = ref MemoryMarshal.GetArrayDataReference(InverseDepth);
+        Vector512<double> worst = Vector512<double>.Zero;
+        Vector512<double> least = one;
+        Vector512<double> noDepth = Vector512.Create(LeastDepth);
+        for (int line = 0; line < Vertices.Lines; line++)
+        {
+            Vector512<double> top = Vector512.Create(double.PositiveInfinity);
+            Vector512<double> bottom = Vector512.Create(double.NegativeInfinity);
+            for (int sample = 0; sample < Vertices.Samples; sample += Vector512<double>.Count)
+            {
+                nuint index = (nuint)((line * Stride) + sample);
+                Vector512<double> sx = Vector512.LoadUnsafe(ref spaceX, index);
+                Vector512<double> sy = Vector512.LoadUnsafe(ref spaceY, index);
+                Vector512<double> sz = Vector512.LoadUnsafe(ref spaceZ, index);
+                Vector512<double> depth = forward.Of(sx, sy, sz);
+                Vector512<double> inverse = one / depth;
+                Vector512<double> x = (across.Of(sx, sy, sz) * inverse) + centreX;
+                Vector512<double> y = (down.Of(sx, sy, sz) * inverse) + centreY;
+                inverse.StoreUnsafe(ref inverseDepth, index);
+                x.StoreUnsafe(ref pictureX, index);
+                y.StoreUnsafe(ref pictureY, index);
+                worst = Vector512.MaxNative(worst, Vector512.MaxNative(Vector512.Abs(x), Vector512.Abs(y)));
+                least = Vector512.MinNative(least, depth);
+                top = Vector512.MinNative(top, y);
+                bottom = Vector512.MaxNative(bottom, y);
+            }
+
+            top.StoreUnsafe(ref _tops[line * Vector512<double>.Count]);
+            bottom.StoreUnsafe(ref _bottoms[line * Vector512<double>.Count]);
+        }
+
+        IsInFront = Vector512.GreaterThanAll(least, noDepth) && Vector512.LessThanOrEqualAll(worst, limit);
+    }
+
+    /// <summary>Whether the vertex lies in front of the camera and its projection may be used; the same in each block that has it.</summary>
+    public bool IsUsable(int index, PictureView view) =>
+        InverseDepth[index] is > 0.0 and < 1.0 / LeastDepth && Math.Abs(X[index]) <= view.CoordinateLimit && Math.Abs(Y[index]) <= view.CoordinateLimit;
+
+    /// <summary>Whether a line of cells may touch the rows, if the block is in front.</summary>
+    public bool Touches(int line, double firstRow, double lastRow)
+    {
+        int north = line * Vector512<double>.Count;
+        int south = north + Vector512<double>.Count;
+        Vector512<double> top = Vector512.MinNative(Vector512.LoadUnsafe(ref _tops[north]), Vector512.LoadUnsafe(ref _tops[south]));
+        Vector512<double> bottom = Vector512.MaxNative(Vector512.LoadUnsafe(ref _bottoms[north]), Vector512.LoadUnsafe(ref _bottoms[south]));
+        return Vector512.LessThanOrEqualAny(top, Vector512.Create(lastRow)) && Vector512.GreaterThanOrEqualAny(bottom, Vector512.Create(firstRow));
+    }
+
+    private readonly struct Projection(Vector3D axis, Vector3D remainder)
+    {
+        private readonly Vector512<double> _x = Vector512.Create(axis.X);
+        private readonly Vector512<double> _y = Vector512.Create(axis.Y);
+        private readonly Vector512<double> _z = Vector512.Create(axis.Z);
+        private readonly Vector512<double> _shift = Vector512.Create(Vector3D.Dot(axis, remainder));
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Vector512<double> Of(Vector512<double> x, Vector512<double> y, Vector512<double> z) =>
+            ((x * _x) + (y * _y) + (z * _z)) - _shift;
+    }
+}

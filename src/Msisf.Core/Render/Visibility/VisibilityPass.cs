@@ -1,0 +1,62 @@
+using System.Collections.Concurrent;
+using System.Runtime.ExceptionServices;
+using Msisf.Core.Camera;
+using Msisf.Core.Render.Surface;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>
+/// Finds the facet that each pixel's centre ray meets first. Blocks of cells that may be seen are projected, and their facets drawn into
+/// bands of rows with a depth buffer; each band is a task of its own. One object serves frame after frame; one frame at a time.
+/// </summary>
+internal sealed class VisibilityPass
+{
+    private readonly SurfaceModel _surface;
+    private readonly BlockCuller _culler;
+    private readonly VisibleSurface _result = new();
+    private readonly ConcurrentBag<BandWorker> _workers = [];
+
+    /// <param name="surface">The surface; blocks are read when they are first seen.</param>
+    public VisibilityPass(SurfaceModel surface)
+    {
+        _surface = surface;
+        _culler = new BlockCuller(surface);
+    }
+
+    /// <summary>Draws a frame.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="threads">At most; the result does not depend on it.</param>
+    /// <param name="cancellation">Ends the work between two bands.</param>
+    /// <param name="offsetX">px to the right, added to each pixel's centre; above -0.5 and below 0.5.</param>
+    /// <param name="offsetY">px down.</param>
+    /// <returns>The same object each time; valid until the next call.</returns>
+    /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+    /// <exception cref="Errors.BadInputException">The elevation model holds what can't be right.</exception>
+    public VisibleSurface Run(PinholeCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
+    {
+        PictureView view = new(camera, offsetX, offsetY);
+        ParallelOptions options = new() { MaxDegreeOfParallelism = threads, CancellationToken = cancellation };
+        try
+        {
+            List<VisibleBlock> blocks = _culler.Find(view, options);
+            _result.Begin(view);
+            VisibilityCounts[] counts = new VisibilityCounts[_result.BandCount];
+            Parallel.For(0, counts.Length, options, index => counts[index] = Draw(view, blocks, _result.BeginBand(index)));
+            _result.End(counts.Aggregate(new VisibilityCounts(blocks.Count, 0, 0, 0), (sum, next) => sum + next));
+        }
+        catch (AggregateException exception)
+        {
+            ExceptionDispatchInfo.Throw(exception.InnerExceptions[0]);
+        }
+
+        return _result;
+    }
+
+    private VisibilityCounts Draw(PictureView view, List<VisibleBlock> blocks, Band band)
+    {
+        BandWorker worker = _workers.TryTake(out BandWorker? idle) ? idle : new BandWorker();
+        VisibilityCounts counts = worker.Draw(_surface, view, blocks, band);
+        _workers.Add(worker);
+        return counts;
+    }
+}

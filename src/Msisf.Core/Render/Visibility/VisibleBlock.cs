@@ -1,0 +1,9 @@
+using Msisf.Core.Render.Surface;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>A block that may be seen.</summary>
+/// <param name="Block">Which.</param>
+/// <param name="FirstRow">Picture row, from 0, above which it is not seen.</param>
+/// <param name="LastRow">Picture row below which it is not seen.</param>
+internal readonly record struct VisibleBlock(CellBlock Block, int FirstRow, int LastRow);

@@ -1,0 +1,92 @@
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>What a frame's pixels show. Reading is safe for several threads, each with its own <see cref="SurfaceRow"/>.</summary>
+internal sealed class VisibleSurface
+{
+    /// <summary>Rows of a band; the last one may have fewer.</summary>
+    public const int BandRows = 64;
+
+    private readonly List<Band> _bands = [];
+    private RowResolver _resolver = null!;
+
+    /// <summary>px.</summary>
+    public int Width { get; private set; }
+
+    /// <summary>px.</summary>
+    public int Height { get; private set; }
+
+    /// <summary>The frame's picture.</summary>
+    public PictureView View { get; private set; } = null!;
+
+    /// <summary>What the frame took.</summary>
+    public VisibilityCounts Counts { get; private set; }
+
+    /// <summary>Bands of the frame.</summary>
+    internal int BandCount { get; private set; }
+
+    /// <summary>What a pixel shows.</summary>
+    /// <param name="x">1 to the width.</param>
+    /// <param name="y">1 to the height.</param>
+    /// <param name="hit">The point and its facet, with the facet's normal.</param>
+    /// <returns>False if it is not the surface.</returns>
+    public bool TryGet(int x, int y, out SurfaceHit hit)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(x, 1);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(x, Width);
+        Band band = BandOf(y, out int row);
+        int pixel = ((row - band.FirstRow) * band.Stride) + x - 1;
+        double inverse = band.InverseParameters[pixel];
+        hit = inverse > 0.0 ? _resolver.Resolve(x - 1, row, inverse, band.Records[band.Facets[pixel]]) : default;
+        return inverse > 0.0;
+    }
+
+    /// <summary>Computes the points of a row.</summary>
+    /// <param name="y">1 to the height.</param>
+    /// <param name="row">Filled.</param>
+    public void Read(int y, SurfaceRow row)
+    {
+        Band band = BandOf(y, out int index);
+        _resolver.Resolve(band, index, row);
+    }
+
+    /// <summary>The facet of a pixel of a row.</summary>
+    /// <param name="y">The row that was read.</param>
+    /// <param name="number">From <see cref="SurfaceRow.Facets"/>.</param>
+    public FacetId FacetOf(int y, int number) => BandOf(y, out _).Records[number].Facet;
+
+    /// <summary>Goes to a new frame.</summary>
+    internal void Begin(PictureView view)
+    {
+        View = view;
+        Width = view.Camera.Width;
+        Height = view.Camera.Height;
+        BandCount = (Height + BandRows - 1) / BandRows;
+        while (_bands.Count < BandCount)
+        {
+            _bands.Add(new Band());
+        }
+
+        _resolver = new RowResolver(view);
+    }
+
+    /// <summary>Empties a band of the frame for drawing.</summary>
+    internal Band BeginBand(int index)
+    {
+        int firstRow = index * BandRows;
+        _bands[index].Begin(Width, firstRow, Math.Min(BandRows, Height - firstRow));
+        return _bands[index];
+    }
+
+    /// <summary>Takes what the frame took.</summary>
+    internal void End(VisibilityCounts counts) => Counts = counts;
+
+    private Band BandOf(int y, out int row)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(y, 1);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(y, Height);
+        row = y - 1;
+        return _bands[row / BandRows];
+    }
+}

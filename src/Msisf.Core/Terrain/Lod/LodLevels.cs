@@ -1,0 +1,45 @@
+namespace Msisf.Core.Terrain.Lod;
+
+/// <summary>
+/// A model at its own resolution and at coarser ones: level k has res / 2^k samples a degree, each the mean of 2^k by 2^k samples of the
+/// model. Pixel-registered grids nest, so a coarse sample lies in the middle of those that it stands for. The bits of a level don't depend
+/// on whether it is stored or computed. Safe for several threads.
+/// </summary>
+public sealed class LodLevels
+{
+    /// <summary>Bytes of computed blocks that are kept if nothing else is asked for.</summary>
+    public const long UsualCacheBytes = 256L << 20;
+
+    private readonly IElevationGrid[] _levels;
+
+    private LodLevels(IElevationGrid[] levels) => _levels = levels;
+
+    /// <summary>How many levels there are, the model itself included: the resolution stays whole.</summary>
+    public int Count => _levels.Length;
+
+    /// <summary>Takes a model; nothing is read or computed yet.</summary>
+    /// <param name="source">The model.</param>
+    /// <param name="stored">Levels that were made before, in any order (their resolutions say which); those without one are computed when they are read.</param>
+    /// <param name="cacheBytes">Memory for computed blocks, all levels together.</param>
+    public static LodLevels Open(IElevationGrid source, IReadOnlyList<IElevationGrid>? stored = null, long cacheBytes = UsualCacheBytes)
+    {
+        LodCache cache = new(cacheBytes);
+        IElevationGrid[] levels = new IElevationGrid[CountOf(source.PixelsPerDegree)];
+        levels[0] = source;
+        for (int level = 1; level < levels.Length; level++)
+        {
+            int resolution = source.PixelsPerDegree >> level;
+            levels[level] = stored?.FirstOrDefault(grid => grid.PixelsPerDegree == resolution)
+                ?? new ReducedGrid(source, level, levels[level - 1] as ReducedGrid, cache);
+        }
+
+        return new LodLevels(levels);
+    }
+
+    /// <summary>How many levels a model of a resolution has.</summary>
+    public static int CountOf(int pixelsPerDegree) => int.TrailingZeroCount(pixelsPerDegree) + 1;
+
+    /// <summary>One level.</summary>
+    /// <param name="level">0 (the model itself) to <see cref="Count"/> - 1.</param>
+    public IElevationGrid Level(int level) => _levels[level];
+}

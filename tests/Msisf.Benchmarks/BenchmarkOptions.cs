@@ -1,0 +1,71 @@
+using Msisf.Benchmarks.Definitions;
+
+namespace Msisf.Benchmarks;
+
+/// <summary>What benchmark.sh asks for: pairs of an option and its value, and --quick.</summary>
+internal sealed class BenchmarkOptions
+{
+    private BenchmarkOptions(ILookup<string, string> values, bool isQuick)
+    {
+        Root = Single(values, "--root");
+        Folder = Single(values, "--folder");
+        Models = [.. values["--model"]];
+        IsQuick = isQuick;
+        Names = values["--scenes"].LastOrDefault() is string names
+            ? names.Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
+            : isQuick ? Scenes.QuickNames : [.. Scenes.All.Select(scene => scene.Name), Scenes.Sequence];
+        Chosen = [.. Names.Where(name => name != Scenes.Sequence).Select(Scenes.Named)];
+    }
+
+    /// <summary>The repository's folder.</summary>
+    public string Root { get; }
+
+    /// <summary>The folder of the benchmark's own files.</summary>
+    public string Folder { get; }
+
+    /// <summary>Labels of the elevation models.</summary>
+    public IReadOnlyList<string> Models { get; }
+
+    public bool IsQuick { get; }
+
+    public Repeats Repeats => IsQuick ? Repeats.Quick : Repeats.Full;
+
+    public IReadOnlyList<Scene> Chosen { get; }
+
+    public bool HasSequence => Names.Contains(Scenes.Sequence);
+
+    /// <summary>Resolutions of the models that the run needs, px/deg.</summary>
+    public IEnumerable<int> Resolutions =>
+        Chosen.Select(scene => scene.PixelsPerDegree).Concat(HasSequence ? [Repeats.SequencePixelsPerDegree] : []).Distinct().Order();
+
+    private IReadOnlyList<string> Names { get; }
+
+    /// <summary>Reads the arguments behind the command word.</summary>
+    /// <exception cref="BenchmarkException">One is unknown or lacks its value, or a scene is unknown.</exception>
+    public static BenchmarkOptions Parse(IEnumerable<string> arguments)
+    {
+        List<(string Name, string Value)> values = [];
+        bool isQuick = false;
+        using IEnumerator<string> words = arguments.GetEnumerator();
+        while (words.MoveNext())
+        {
+            string name = words.Current;
+            if (name == "--quick")
+            {
+                isQuick = true;
+            }
+            else if (name is "--root" or "--folder" or "--model" or "--scenes" && words.MoveNext())
+            {
+                values.Add((name, words.Current));
+            }
+            else
+            {
+                throw new BenchmarkException($"{name} is unknown or lacks its value.");
+            }
+        }
+
+        return new BenchmarkOptions(values.ToLookup(pair => pair.Name, pair => pair.Value), isQuick);
+    }
+
+    private static string Single(ILookup<string, string> values, string name) => values[name].LastOrDefault() ?? ".";
+}

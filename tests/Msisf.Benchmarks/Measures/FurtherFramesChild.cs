@@ -1,0 +1,67 @@
+using System.Diagnostics;
+using System.Runtime.Intrinsics;
+using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Terrain.Lod;
+using Msisf.Benchmarks.Definitions;
+using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+using Msisf.Core.Terrain.Lod;
+
+namespace Msisf.Benchmarks.Measures;
+
+/// <summary>Draws the frames of a job in this process.</summary>
+internal static class FurtherFramesChild
+{
+    /// <summary>The albedo of POV-Ray's scene; the time does not depend on it.</summary>
+    private const double Albedo = 0.64;
+
+    /// <summary>Measures.</summary>
+    /// <param name="job">What.</param>
+    /// <param name="ephemeris">For the Sun.</param>
+    public static FurtherFramesResult Run(FurtherFramesJob job, IEphemeris ephemeris)
+    {
+        Scene scene = Scenes.Named(job.Scene);
+        SceneLight light = new(ephemeris.SunPositionMoonMe(scene.State.Time), IsSun: true);
+        NativeRenderOptions options = new() { Reflectance = new LambertReflectance(Albedo) };
+        using LdemImage model = LdemImage.Open(LdemCatalog.Read(job.Label));
+        using ModelLevels levels = ModelLevels.Open(model, cacheFolder: null);
+        IElevationGrid grid = LevelFor(scene, levels.Levels);
+        NativeRenderer renderer = new(grid);
+        List<double> seconds = [];
+        for (int frame = 0; frame < job.WarmUpFrames + job.Frames; frame++)
+        {
+            PinholeCamera camera = Orbit.CameraOf(scene.State, frame);
+            long start = Stopwatch.GetTimestamp();
+            using NativeFrame drawn = renderer.Render(camera, light, options, job.Threads, CancellationToken.None);
+            double took = Stopwatch.GetElapsedTime(start).TotalSeconds;
+            if (frame >= job.WarmUpFrames)
+            {
+                seconds.Add(took);
+            }
+        }
+
+        using Process self = Process.GetCurrentProcess();
+        long peakMemory = self.PeakWorkingSet64;
+        using NativeFrame last = renderer.Render(
+            scene.Camera, light, options with { KeepTruth = true }, job.Threads, CancellationToken.None);
+        TracerCheck check = TracerCheck.Of(last, light, grid, job.CheckedPixels);
+        return new FurtherFramesResult(
+            job.Threads,
+            Vector512.IsHardwareAccelerated,
+            grid.PixelsPerDegree,
+            seconds,
+            peakMemory,
+            check.Pixels,
+            check.OtherFacets,
+            check.OtherLight,
+            check.LargestDistance);
+    }
+
+    private static IElevationGrid LevelFor(Scene scene, LodLevels levels) => levels.Level(scene.IsExact
+        ? 0
+        : LevelOfDetail.For(scene.Camera, samplesAcross: 1, scene.PixelsPerDegree, levels.Count));
+}

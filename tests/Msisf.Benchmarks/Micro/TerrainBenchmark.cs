@@ -1,0 +1,79 @@
+using BenchmarkDotNet.Attributes;
+using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Tiles;
+using Msisf.Benchmarks.Definitions;
+using Msisf.Benchmarks.Programs;
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Surface;
+using Msisf.Core.Render.Tracing;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
+using CellBlock = Msisf.Core.Render.Surface.CellBlock;
+
+namespace Msisf.Benchmarks.Micro;
+
+/// <summary>What works on the elevation model, on LDEM_4 and its far scene.</summary>
+public class TerrainBenchmark
+{
+    private const int PrimeStep = 7919; // px: neighbouring calls have pixels far apart
+
+    private readonly Scene _scene = Scenes.Named("far-4");
+    private readonly BlockVertices _vertices = new();
+    private LdemImage _model = null!;
+    private ElevationSummary _summary = null!;
+    private SurfaceModel _surface = null!;
+    private TerrainTracer _tracer = null!;
+    private TileMesh _mesh = null!;
+    private Vector3D _sun;
+    private int _pixel;
+
+    [GlobalSetup]
+    public void Open()
+    {
+        _model = LdemImage.Open(LdemCatalog.Read(Path.Combine("input", "ldem", "LDEM_4.LBL")));
+        _summary = ElevationSummary.Build(_model);
+        _surface = new SurfaceModel(_model);
+        _tracer = new TerrainTracer(_model);
+        TileMeshBuilder builder = new(_model);
+        TileMeshLayout layout = TileMeshLayout.For(new TileId(0, 45), _model.PixelsPerDegree);
+        _mesh = builder.Build(layout, builder.ReadRadii(layout));
+        using Sun sun = Sun.Open(Environment.CurrentDirectory);
+        _sun = sun.Ephemeris.SunPositionMoonMe(_scene.State.Time);
+    }
+
+    [GlobalCleanup]
+    public void Close() => _model.Dispose();
+
+    /// <summary>The tiles of a picture.</summary>
+    [Benchmark]
+    public TileSelection Selection() => Dspsa.Select(_scene.Camera, _sun, _model, _summary);
+
+    /// <summary>The text of a tile's pattern.</summary>
+    [Benchmark]
+    public long Pattern()
+    {
+        using MemoryStream text = new();
+        PatternWriter.Write(text, _mesh, _model.ProductId, PatternFormat.Mesh2);
+        return text.Length;
+    }
+
+    /// <summary>The vertices of a block of 32 x 32 cells.</summary>
+    [Benchmark]
+    public double BlockOfVertices()
+    {
+        _vertices.Load(_surface, CellBlock.Containing(line: 360, sample: 180), _scene.State.PositionMoonMe);
+        return _vertices.X[0];
+    }
+
+    /// <summary>One pixel by the exact tracer, without its shadow.</summary>
+    [Benchmark]
+    public SurfaceHit TracedRay()
+    {
+        PinholeCamera camera = _scene.Camera;
+        _pixel = (_pixel + PrimeStep) % (Scene.Side * Scene.Side);
+        _tracer.TryTrace(camera.RayThrough(1 + (_pixel % Scene.Side), 1 + (_pixel / Scene.Side)), out SurfaceHit hit);
+        return hit;
+    }
+}

@@ -1,0 +1,52 @@
+using System.Globalization;
+using System.Text.Json;
+using Msisf.Benchmarks;
+using Msisf.Benchmarks.Measures;
+using Msisf.Benchmarks.Micro;
+using Msisf.Benchmarks.Programs;
+using Msisf.Benchmarks.Reports;
+using Msisf.Core.Errors;
+
+// benchmark.sh is the way to start it.
+const string Usage = """
+    measure     [--quick] [--scenes NAME,...] --root DIR --folder DIR --model LABEL...    measures; writes tables.md, figures.csv, targets.csv
+    resolutions [--quick] [--scenes NAME,...]                                             prints which elevation models that needs, px/deg
+    fill        LABEL                                                                     completes a part of a model by flat ground
+    micro       [BenchmarkDotNet's options]                                               micro-benchmarks
+    """;
+try
+{
+    switch (args.FirstOrDefault())
+    {
+        case "measure":
+            BenchmarkOptions options = BenchmarkOptions.Parse(args.Skip(1));
+            BenchmarkResult result = BenchmarkRun.Measure(options, Console.Error);
+            ResultFiles.Write(options.Folder, result);
+            return 0;
+        case "resolutions":
+            Console.WriteLine(string.Join(' ', BenchmarkOptions.Parse(args.Skip(1)).Resolutions.Select(resolution => resolution.ToString(CultureInfo.InvariantCulture))));
+            return 0;
+        case "fill" when args.Length == 2:
+            FlatGround.Fill(args[1]);
+            return 0;
+        case "micro":
+            MicroBenchmarks.Run([.. args.Skip(1)]);
+            return 0;
+        case FurtherFramesJob.Command:
+            FurtherFramesJob job = JsonSerializer.Deserialize<FurtherFramesJob>(args[1])!;
+            using (Sun sun = Sun.Open(Environment.CurrentDirectory))
+            {
+                Console.WriteLine(JsonSerializer.Serialize(FurtherFramesChild.Run(job, sun.Ephemeris)));
+            }
+
+            return 0;
+        default:
+            Console.Error.WriteLine(Usage);
+            return 1;
+    }
+}
+catch (Exception exception) when (exception is BenchmarkException or MsisfException)
+{
+    Console.Error.WriteLine($"benchmark: {exception.Message}");
+    return 1;
+}

@@ -1,0 +1,90 @@
+using System.Diagnostics;
+using System.Globalization;
+
+namespace Msisf.Benchmarks.Programs;
+
+/// <summary>Runs a program to its end and watches it.</summary>
+internal sealed class ChildProgram
+{
+    private static readonly TimeSpan MemoryInterval = TimeSpan.FromMilliseconds(500);
+
+    private const int ShownErrorLines = 5;
+
+    private readonly string _file;
+    private readonly string _folder;
+
+    /// <summary>Names the program.</summary>
+    /// <param name="file">Its file.</param>
+    /// <param name="folder">Its working directory.</param>
+    public ChildProgram(string file, string folder)
+    {
+        _file = file;
+        _folder = folder;
+    }
+
+    /// <summary>Runs it.</summary>
+    /// <param name="arguments">Its arguments.</param>
+    /// <param name="environment">Variables that it gets beside this process's own.</param>
+    /// <param name="watchesMemory">Look at its memory twice a second; that would disturb a run of a fraction of a second.</param>
+    /// <exception cref="BenchmarkException">It can't be started or fails; the message has what it said.</exception>
+    public ProgramRun Run(IReadOnlyList<string> arguments, IReadOnlyDictionary<string, string>? environment = null, bool watchesMemory = false)
+    {
+        using Process process = new() { StartInfo = StartInfo(arguments, environment) };
+        List<(double, string)> output = [];
+        List<string> errors = [];
+        long start = Stopwatch.GetTimestamp();
+        process.OutputDataReceived += (_, line) => Add(output, line.Data, text => (Stopwatch.GetElapsedTime(start).TotalSeconds, text));
+        process.ErrorDataReceived += (_, line) => Add(errors, line.Data, text => text);
+        try
+        {
+            process.Start();
+        }
+        catch (System.ComponentModel.Win32Exception exception)
+        {
+            throw new BenchmarkException($"{_file}: can't be started: {exception.Message}", exception);
+        }
+
+        process.BeginOutputReadLine();
+        process.BeginErrorReadLine();
+        List<MemorySample> memory = [];
+        while (watchesMemory && !process.WaitForExit(MemoryInterval))
+        {
+            if (MemorySample.Of(process, Stopwatch.GetElapsedTime(start).TotalSeconds) is MemorySample sample)
+            {
+                memory.Add(sample);
+            }
+        }
+
+        process.WaitForExit(); // and for the end of both pipes
+        double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+        return process.ExitCode == 0
+            ? new ProgramRun(seconds, output, errors, memory)
+            : throw new BenchmarkException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{_file} {string.Join(' ', arguments)}: exit code {process.ExitCode}: {string.Join(" / ", errors.TakeLast(ShownErrorLines))}"));
+    }
+
+    private static void Add<T>(List<T> list, string? line, Func<string, T> item)
+    {
+        if (line is not null)
+        {
+            list.Add(item(line));
+        }
+    }
+
+    private ProcessStartInfo StartInfo(IReadOnlyList<string> arguments, IReadOnlyDictionary<string, string>? environment)
+    {
+        ProcessStartInfo info = new(_file, arguments)
+        {
+            WorkingDirectory = _folder,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+        };
+        foreach ((string name, string value) in environment ?? new Dictionary<string, string>())
+        {
+            info.Environment[name] = value;
+        }
+
+        return info;
+    }
+}

@@ -1,0 +1,73 @@
+using System.Globalization;
+using Msisf.Adapters.Terrain;
+using Msisf.Benchmarks.Definitions;
+
+namespace Msisf.Benchmarks.Programs;
+
+/// <summary>Where the benchmark finds what it needs and leaves what it makes.</summary>
+internal sealed class Workbench
+{
+    private readonly Dictionary<int, LdemSet> _models;
+
+    /// <summary>Reads the labels of the models.</summary>
+    /// <param name="root">The repository's folder.</param>
+    /// <param name="folder">The folder of the benchmark's own files.</param>
+    /// <param name="labels">Labels of the elevation models, one for each resolution.</param>
+    public Workbench(string root, string folder, IEnumerable<string> labels)
+    {
+        Root = Path.GetFullPath(root);
+        Folder = Path.GetFullPath(folder);
+        _models = labels.Select(label => LdemCatalog.Read(Path.GetFullPath(label))).ToDictionary(model => model.PixelsPerDegree);
+        Msis = new ChildProgram(Path.Combine(Root, "msis"), Root);
+    }
+
+    /// <summary>The repository's folder.</summary>
+    public string Root { get; }
+
+    /// <summary>Models, patterns and tables.</summary>
+    public string Folder { get; }
+
+    /// <summary>The program as users start it.</summary>
+    public ChildProgram Msis { get; }
+
+    public string Patterns => Path.Combine(Folder, "patterns");
+
+    /// <summary>The pictures; an empty folder for each measurement.</summary>
+    public string NewOutputFolder()
+    {
+        string folder = Path.Combine(Folder, "output");
+        DeleteOutput(folder);
+        Directory.CreateDirectory(folder);
+        return folder;
+    }
+
+    public static void DeleteOutput(string folder)
+    {
+        if (Directory.Exists(folder))
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+    }
+
+    public LdemSet Model(int pixelsPerDegree) => _models.TryGetValue(pixelsPerDegree, out LdemSet? model)
+        ? model
+        : throw new BenchmarkException(FormattableString.Invariant($"no --model with {pixelsPerDegree} px/deg is given."));
+
+    /// <summary>The label of a model, for <c>--ldem</c>; of a split one any part's.</summary>
+    public string LabelOf(int pixelsPerDegree) => Model(pixelsPerDegree).Parts[0].LabelPath;
+
+    /// <summary>The options of msis that all runs share.</summary>
+    public IReadOnlyList<string> PictureOptions(int pixelsPerDegree, string outputFolder)
+    {
+        string side = Scene.Side.ToString(CultureInfo.InvariantCulture);
+        return
+        [
+            "--width", side, "--height", side,
+            "--fov", Scene.FieldOfViewDegrees.ToString("R", CultureInfo.InvariantCulture),
+            "--res", pixelsPerDegree.ToString(CultureInfo.InvariantCulture),
+            "--ldem", LabelOf(pixelsPerDegree),
+            "--output-dir", outputFolder,
+            "--batch", "--timing",
+        ];
+    }
+}

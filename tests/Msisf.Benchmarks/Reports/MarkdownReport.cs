@@ -1,0 +1,145 @@
+using System.Globalization;
+using System.Text;
+using Msisf.Benchmarks.Definitions;
+using Msisf.Benchmarks.Measures;
+using Msisf.Benchmarks.Programs;
+
+namespace Msisf.Benchmarks.Reports;
+
+/// <summary>The tables for docs/performance.md.</summary>
+internal static class MarkdownReport
+{
+    private const string NotMeasured = "-";
+
+    public static string Write(BenchmarkResult result)
+    {
+        StringBuilder text = new();
+        text.Append(result.Machine).Append("\n\n");
+        Append(text, "Targets: times by their median, memory by its most.", Targets(result));
+        if (result.Scenes.Count > 0)
+        {
+            Append(text, "The first frame: a process of its own, all files written; minimum / median. Phases are medians of `--timing`.", FirstFrames(result.Scenes));
+            Append(text, "Further frames in one process, ms to draw one; minimum / median.", FurtherFrames(result.Scenes));
+            Append(text, "POV-Ray's way to the same picture, patterns in place; minimum / median.", PovRay(result.Scenes));
+        }
+
+        if (result.Sequence is not null)
+        {
+            Append(text, "Sequences: one process, from its start to its end.", Sequences(result));
+        }
+
+        return text.ToString().TrimEnd('\n') + "\n";
+    }
+
+    private static void Append(StringBuilder text, string title, Table table) => text.Append(title).Append("\n\n").Append(table.ToMarkdown()).Append('\n');
+
+    private static Table Targets(BenchmarkResult result)
+    {
+        Table table = new("scene", "figure", "target", "measured", "best", "");
+        foreach (Verdict verdict in Verdicts.Of(result))
+        {
+            string bound = verdict.IsUpperLimit ? "at most" : "at least";
+            table.Add(
+                verdict.Scene,
+                verdict.Quantity,
+                $"{bound} {verdict.Unit.Text(verdict.Limit)}",
+                verdict.Unit.Number(verdict.Measured),
+                verdict.Unit.Number(verdict.Best),
+                verdict.Word);
+        }
+
+        return table;
+    }
+
+    private static Table FirstFrames(IReadOnlyList<SceneResult> scenes)
+    {
+        string[] phases = [.. scenes.SelectMany(scene => scene.First.Phases.Select(phase => phase.Phase)).Distinct()];
+        Table table = new(["scene", "ms", .. phases.Select(phase => phase.Replace('_', '-')), "memory, MB"]);
+        foreach (SceneResult scene in scenes)
+        {
+            Dictionary<string, Samples> seconds = scene.First.Phases.ToDictionary(phase => phase.Phase, phase => phase.Seconds);
+            table.Add(
+            [
+                scene.Scene.About,
+                Range(Unit.Milliseconds, scene.First.Seconds),
+                .. phases.Select(phase => seconds.TryGetValue(phase, out Samples? values) ? Unit.Milliseconds.Number(values.Median) : NotMeasured),
+                Unit.Megabytes.Number(scene.First.PeakMemoryBytes.Maximum),
+            ]);
+        }
+
+        return table;
+    }
+
+    private static Table FurtherFrames(IReadOnlyList<SceneResult> scenes)
+    {
+        string[] settings = [.. scenes.SelectMany(scene => scene.Further.Select(FigureList.SettingOf)).Distinct()];
+        Table table = new(["scene", .. settings, "px/deg drawn", "memory, MB", "unlike the exact tracer: facet, light"]);
+        foreach (SceneResult scene in scenes)
+        {
+            Dictionary<string, FurtherFramesResult> results = scene.Further.ToDictionary(FigureList.SettingOf);
+            table.Add(
+            [
+                scene.Scene.About,
+                .. settings.Select(setting => results.TryGetValue(setting, out FurtherFramesResult? further)
+                    ? Range(Unit.Milliseconds, new Samples(further.FrameSeconds))
+                    : NotMeasured),
+                scene.Further[0].PixelsPerDegree.ToString(CultureInfo.InvariantCulture),
+                Unit.Megabytes.Number(scene.Further.Max(further => further.PeakMemoryBytes)),
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{scene.Further.Sum(further => further.OtherFacets)}, {scene.Further.Sum(further => further.OtherLight)} of {scene.Further.Sum(further => further.CheckedPixels)}"),
+            ]);
+        }
+
+        return table;
+    }
+
+    private static Table PovRay(IReadOnlyList<SceneResult> scenes)
+    {
+        Table table = new("scene", "patterns", "s", "without antialiasing, s", "to a first frame", "to a further frame");
+        foreach (SceneResult scene in scenes)
+        {
+            table.Add(
+                scene.Scene.About,
+                scene.Patterns?.ToString(CultureInfo.InvariantCulture) ?? NotMeasured,
+                scene.First.PovRay is Samples usual ? Range(Unit.Seconds, usual) : NotMeasured,
+                scene.First.PovRayWithoutAntialiasing is Samples plain ? Range(Unit.Seconds, plain) : NotMeasured,
+                Ratio(scene.TimesFasterThanPovRay(scene.First.Seconds.Median)),
+                Ratio(scene.TimesFasterThanPovRay(scene.UsualFurtherSeconds.Median)));
+        }
+
+        return table;
+    }
+
+    private static Table Sequences(BenchmarkResult result)
+    {
+        Table table = new(
+            "files", "frames", "frames/s", "first tenth", "last tenth", "slowest tenth", "MB/s", "peak memory, MB", "own memory, first and last tenth, MB");
+        foreach ((string files, SequenceResult? sequence) in ((string, SequenceResult?)[])[("PNG, XML", result.Sequence), ("and all layers, FITS", result.Layers)])
+        {
+            if (sequence is not null)
+            {
+                table.Add(
+                    files,
+                    sequence.Frames.ToString(CultureInfo.InvariantCulture),
+                    Unit.FramesPerSecond.Number(sequence.FramesPerSecond),
+                    Unit.FramesPerSecond.Number(sequence.FirstRate),
+                    Unit.FramesPerSecond.Number(sequence.LastRate),
+                    Unit.FramesPerSecond.Number(sequence.SlowestRate),
+                    Unit.Megabytes.Number(sequence.BytesPerSecond),
+                    Unit.Megabytes.Number(sequence.PeakMemoryBytes),
+                    $"{OwnMemory(sequence.FirstMemory)}, {OwnMemory(sequence.LastMemory)}");
+            }
+        }
+
+        return table;
+    }
+
+    private static string OwnMemory(MemorySample? sample) => sample is MemorySample seen ? Unit.Megabytes.Number(seen.OwnBytes) : NotMeasured;
+
+    private static string Ratio(double? times) => times is double value ? Unit.Times.Text(value) : NotMeasured;
+
+    private static string Range(Unit unit, Samples values) => values.Count == 1
+        ? unit.Number(values.Median)
+        : $"{unit.Number(values.Minimum)} / {unit.Number(values.Median)}";
+}

@@ -1,0 +1,49 @@
+using Msisf.Adapters.Terrain;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Cli.Tests;
+
+public sealed class PyramidCommandTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+    private readonly string _label;
+
+    public PyramidCommandTests() =>
+        _label = SyntheticLdemWriter.Write(new SyntheticLdemOptions(4, Seed: 1, _folder.Path), null, CancellationToken.None);
+
+    private string Sidecar => Path.ChangeExtension(_label, ".pyramid");
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Pyramid_LabelThenFolder_MakesAndVerifiesTheFileBeside()
+    {
+        CommandLineRun made = CommandLineRun.Of(["ldem", "pyramid", _label, "--batch"]);
+        CommandLineRun verified = CommandLineRun.Of(["ldem", "pyramid", _folder.Path, "--res", "4", "--verify"]);
+
+        Assert.Equal((0, Sidecar + "\n"), (made.ExitCode, made.Output.ReplaceLineEndings("\n")));
+        Assert.True(File.Exists(Sidecar));
+        Assert.Equal((0, Sidecar + "\n"), (verified.ExitCode, verified.Output.ReplaceLineEndings("\n")));
+        Assert.Contains("is whole, and made of the samples that LDEM_4_SYNTHETIC has", verified.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Verify_NoSidecar_SaysHowToMakeIt()
+    {
+        CommandLineRun run = CommandLineRun.Of(["ldem", "pyramid", _label, "--verify"]);
+
+        Assert.Equal((2, string.Empty), (run.ExitCode, run.Output));
+        Assert.Contains("LDEM_4_SYNTHETIC.pyramid: missing. Make it with 'msis ldem pyramid'.", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Verify_SidecarOfAnotherModel_SaysWhy()
+    {
+        File.WriteAllText(Sidecar, "not a pyramid");
+        CommandLineRun run = CommandLineRun.Of(["ldem", "pyramid", _label, "--verify"]);
+
+        Assert.Equal(2, run.ExitCode);
+        Assert.Contains("LDEM_4_SYNTHETIC.pyramid: it is damaged, or no pyramid of this version; it is not used.", run.Error, StringComparison.Ordinal);
+    }
+}

@@ -1,0 +1,186 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Layers;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Core.Tests.Layers;
+
+public class LayerSamplerTests
+{
+    private static readonly Vector3D Sun = 1.5e11 * new Vector3D(0.6, 0.8, 0.0);
+
+    [Fact]
+    public void SampleRow_ReferenceScenes_MeetsMpmath()
+    {
+        foreach (ReferenceLayers expected in ReferenceLayers.Read())
+        {
+            double[] actual = PixelOf(new SphereTruth(expected.Camera, expected.Sun, 4), expected.X, expected.Y, ReferenceLayers.Names);
+
+            Assert.Equal(expected.Values.Count, actual.Length);
+            for (int i = 0; i < actual.Length; i++)
+            {
+                double tolerance = i switch
+                {
+                    < 6 => 4e-9, // m: some ulps of 1e7 m, the farthest camera
+                    < 9 => 1e-9, // degrees: what the layers promise
+                    _ => 1e-5 * expected.Values[i], // the first-order formula on pixels up to 2e-3 rad wide
+                };
+                Assert.True(
+                    Math.Abs(expected.Values[i] - actual[i]) <= tolerance, $"{expected.Scene}, value {i}: {actual[i]:R}, expected {expected.Values[i]:R}");
+            }
+        }
+    }
+
+    [Fact]
+    public void SampleRow_LatitudeLongitudeAndDirection_AreThoseOfTheMetaFileToTheBit()
+    {
+        PinholeCamera camera = NadirCamera(33, 21);
+        SphereTruth truth = new(camera, Sun, 4);
+        PixelSampler pixels = new(camera, new PixelGrid(33, 21, 1, 1), ReferenceSphere.Lola, Sun);
+        double[][] planes = Sample(truth, "latitude", "longitude", "illumination-direction");
+
+        Assert.Equal(pixels.Sample().Count(), planes[0].Count(double.IsFinite));
+        foreach (PixelRecord record in pixels.Sample())
+        {
+            int i = ((record.V - 1) * 33) + record.H - 1;
+            Assert.Equal(double.RadiansToDegrees(record.Point.Latitude), planes[0][i]);
+            Assert.Equal(double.RadiansToDegrees(record.Point.Longitude), planes[1][i]);
+            Assert.Equal(double.RadiansToDegrees(record.IlluminationDirection!.Value), planes[2][i]);
+        }
+    }
+
+    [Fact]
+    public void SampleRow_CentrePixel_HasTheClosedFormValues()
+    {
+        // Straight down from 4e6 m on a sphere of 1.7e6 m; the Sun 53.13... degrees (3-4-5 triangle) from the zenith.
+        const double radius = 1.7e6;
+        SphereTruth truth = new(NadirCamera(3, 3), Sun, 4, radius);
+        string[] names = [.. LayerCatalogue.All.Select(layer => layer.Name)];
+
+        Dictionary<string, double[]> values = [];
+        double[] all = PixelOf(truth, 2, 2, names);
+        int next = 0;
+        foreach (Layer layer in LayerCatalogue.All)
+        {
+            values[layer.Name] = all[next..(next += layer.Planes)];
+        }
+
+        Assert.Equal([4e6 - radius], values["depth"]);
+        Assert.Equal([4e6 - radius], values["range"]);
+        Assert.Equal(4e6 - radius, Assert.Single(values["z-depth"]), 1e-9);
+        Assert.Equal([radius, 0.0, 0.0], values["position"]);
+        Assert.Equal([0.0], values["latitude"]);
+        Assert.Equal([0.0], values["longitude"]);
+        Assert.Equal([radius - 1_737_400.0], values["height"]);
+        Assert.Equal([1.0, 0.0, 0.0], values["normal"]);
+        double fromPoint = Math.Atan2(0.8 * 1.5e11, (0.6 * 1.5e11) - radius) * 180.0 / Math.PI;
+        Assert.Equal(fromPoint, Assert.Single(values["incidence"]), 1e-12);
+        Assert.Equal([0.0], values["emission"]);
+        Assert.Equal(fromPoint, Assert.Single(values["phase"]), 1e-12);
+        Assert.Equal(90.0, Assert.Single(values["illumination-direction"]), 1e-12); // the Sun is in the east, which is right
+        Assert.Equal([1.0], values["mask"]);
+        Assert.Equal([1.0], values["sun-visibility"]);
+        Assert.Equal([(18 * 72) + 71.0], values["tile"]); // samples lie half a step off (0, 0): its cell begins north-west of it
+        Assert.Equal([359.0, 1439.0], values["cell"]);
+        Assert.Equal((4e6 - radius) * 2.0 * Math.Tan(0.5) / 3.0, Assert.Single(values["pixel-scale"]), 1e-6);
+    }
+
+    [Fact]
+    public void SampleRow_PixelWithoutSurface_IsUndefinedAndMasked0()
+    {
+        PinholeCamera away = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, Math.PI), 1.0, 2, 2);
+
+        double[][] planes = Sample(new SphereTruth(away, Sun, 4), [.. LayerCatalogue.All.Select(layer => layer.Name)]);
+
+        Assert.Equal(22, planes.Length);
+        Assert.Single(planes, plane => plane.All(value => value == 0.0));
+        Assert.Equal(21, planes.Count(plane => plane.All(double.IsNaN)));
+    }
+
+    [Fact]
+    public void SampleRow_SunInTheZenith_HasNoDirectionAndIncidence0()
+    {
+        SphereTruth truth = new(NadirCamera(1, 1), new Vector3D(1.5e11, 0.0, 0.0), 4);
+
+        Assert.Equal([double.NaN, 0.0, 0.0], PixelOf(truth, 1, 1, "incidence", "phase", "illumination-direction").Order());
+    }
+
+    [Theory]
+    [InlineData(1.0)]
+    [InlineData(1e6)]
+    public void SampleRow_LampAtTheCamera_PhaseIs0AndIncidenceIsEmission(double altitude)
+    {
+        Vector3D position = new(1_737_400.0 + altitude, 0.0, 0.0);
+        SphereTruth truth = new(new PinholeCamera(position, UnitQuaternion.Identity, 0.7, 16, 16), position, 4);
+
+        double[] values = PixelOf(truth, 3, 14, "phase", "incidence", "emission");
+
+        Assert.Equal(values[0], values[1], 1e-13); // in the order of the catalogue: incidence, emission, phase
+        Assert.InRange(values[0], 1.0, 90.0);
+        Assert.Equal(0.0, values[2], 1e-13);
+    }
+
+    [Fact]
+    public void SampleRow_NightSide_IncidenceIsBeyond90AndMaskNight()
+    {
+        SphereTruth truth = new(NadirCamera(1, 1), new Vector3D(-1.5e11, 1e6, 0.0), 4);
+
+        double[] values = PixelOf(truth, 1, 1, "incidence", "mask", "sun-visibility");
+
+        Assert.InRange(values[0], 179.999, 180.0);
+        Assert.Equal([(double)SunState.Night, 0.0], values[1..]);
+    }
+
+    [Theory]
+    [InlineData(90.0, 0.3, 85, 0)] // the northern fan
+    [InlineData(89.9, 359.99, 85, 355)]
+    [InlineData(84.87, 4.87, 80, 0)] // the last samples before both borders are half a step away
+    [InlineData(84.88, 5.13, 85, 5)]
+    [InlineData(-90.0, 0.3, -90, 0)]
+    public void SampleRow_PointOnATile_HasItsIndexAmongAllTiles(double latitude, double longitude, int south, int west)
+    {
+        Vector3D below = new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
+        Vector3D axis = Vector3D.Cross(-Vector3D.UnitX, -below);
+        UnitQuaternion down = UnitQuaternion.FromAxisAngle(axis, Vector3D.AngleBetween(-Vector3D.UnitX, -below));
+        SphereTruth truth = new(new PinholeCamera(2e6 * below, down, 1e-6, 1, 1), Sun, 4);
+
+        int tile = (int)Assert.Single(PixelOf(truth, 1, 1, "tile"));
+
+        Assert.Equal(new TileId(south, west), TileId.All.ElementAt(tile));
+    }
+
+    /// <summary>Looks along -x: y is right (east at the centre), z is up.</summary>
+    private static PinholeCamera NadirCamera(int width, int height) =>
+        new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 1.0, width, height);
+
+    private static double[][] Sample(SphereTruth truth, params string[] names)
+    {
+        LayerSampler sampler = new(truth, 4);
+        IReadOnlyList<Layer> layers = LayerSet.Parse(string.Join(',', names)).Layers;
+        double[][] planes = Planes(layers, sampler.Width * sampler.Height);
+        for (int row = 0; row < sampler.Height; row++)
+        {
+            sampler.SampleRow(row, layers, planes, row * sampler.Width);
+        }
+
+        return planes;
+    }
+
+    /// <summary>The values of one pixel, in the order of the catalogue.</summary>
+    private static double[] PixelOf(SphereTruth truth, int x, int y, params string[] names)
+    {
+        LayerSampler sampler = new(truth, 4);
+        IReadOnlyList<Layer> layers = LayerSet.Parse(string.Join(',', names)).Layers;
+        double[][] planes = Planes(layers, sampler.Width);
+        sampler.SampleRow(y - 1, layers, planes, start: 0);
+        return [.. planes.Select(plane => plane[x - 1])];
+    }
+
+    private static double[][] Planes(IReadOnlyList<Layer> layers, int length) =>
+        [.. layers.SelectMany(layer => Enumerable.Range(0, layer.Planes)).Select(_ => new double[length])];
+}

@@ -1,0 +1,43 @@
+using Msisf.Core.Errors;
+using Msisf.Core.Layers;
+using Xunit;
+
+namespace Msisf.Core.Tests.Layers;
+
+public class LayerSetTests
+{
+    [Theory]
+    [InlineData("all")]
+    [InlineData(" ALL ")]
+    public void Parse_All_HasEachLayerOnce(string text)
+    {
+        string[] names = [.. LayerSet.Parse(text).Layers.Select(layer => layer.Name)];
+
+        Assert.Equal(17, names.Length);
+        Assert.Equal(17, names.Distinct().Count());
+    }
+
+    [Fact]
+    public void Parse_List_ComesInTheOrderOfTheFile() =>
+        Assert.Equal(["depth", "normal", "mask"], LayerSet.Parse("mask, Normal,depth").Layers.Select(layer => layer.Name));
+
+    [Theory]
+    [InlineData("depth,dept", "'dept' is no layer")]
+    [InlineData("", "'' is no layer")]
+    [InlineData("depth,", "'' is no layer")]
+    [InlineData("depth,all", "'all' is no layer")]
+    [InlineData("depth,mask,DEPTH", "depth is there twice")]
+    public void Parse_WrongList_IsRefusedWithWhatIsWrong(string text, string reason)
+    {
+        UsageException failure = Assert.Throws<UsageException>(() => LayerSet.Parse(text));
+
+        Assert.StartsWith($"--layers {text}: {reason}", failure.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Parse_UnknownName_NamesAllThatThereAre() =>
+        Assert.Contains(
+            "depth, range, z-depth, position, latitude, longitude, height, normal, incidence, emission, phase, illumination-direction, mask, sun-visibility, tile, cell, pixel-scale",
+            Assert.Throws<UsageException>(() => LayerSet.Parse("x")).Message,
+            StringComparison.Ordinal);
+}

@@ -1,0 +1,77 @@
+using Msisf.Core.Render.Photometry;
+using Xunit;
+
+namespace Msisf.Core.Tests.Render.Photometry;
+
+public class GreyTableTests
+{
+    /// <summary>1, relative: the table's borders and the formula's are rounded by a few ulps each.</summary>
+    private const double Rounding = 1e-14;
+
+    [Theory]
+    [InlineData(8, 1.0, GreyTransfer.Srgb)]
+    [InlineData(8, 0.37, GreyTransfer.Srgb)]
+    [InlineData(8, 2.5, GreyTransfer.Linear)]
+    [InlineData(16, 1.0, GreyTransfer.Srgb)]
+    [InlineData(16, 0.37, GreyTransfer.Linear)]
+    public void Convert_BothSidesOfEveryBorder_IsTheFormulasLevel(int bitDepth, double exposure, GreyTransfer transfer)
+    {
+        GreyScale scale = new(exposure, transfer);
+        int greatest = (1 << bitDepth) - 1;
+        double[] borders = [.. Enumerable.Range(1, greatest).Select(level => Border(scale, level, greatest))];
+
+        int[] below = Convert(scale, bitDepth, [.. borders.Select(border => border * (1.0 - Rounding))]);
+        int[] above = Convert(scale, bitDepth, [.. borders.Select(border => border * (1.0 + Rounding))]);
+
+        Assert.Equal(Enumerable.Range(0, greatest), below);
+        Assert.Equal(Enumerable.Range(1, greatest), above);
+    }
+
+    [Theory]
+    [InlineData(8)]
+    [InlineData(16)]
+    public void Convert_EvenSteps_IsTheFormulasLevel(int bitDepth)
+    {
+        // 0.00000137 meets no border to 14 digits, and is far finer than the levels.
+        GreyScale scale = new(1.7);
+        double[] radianceFactors = [.. Enumerable.Range(0, 500_000).Select(i => i * 0.00000137)];
+
+        Assert.Equal(radianceFactors.Select(factor => scale.Level(factor, (1 << bitDepth) - 1)), Convert(scale, bitDepth, radianceFactors));
+    }
+
+    [Theory]
+    [InlineData(8, 255)]
+    [InlineData(16, 65535)]
+    public void Convert_BeyondTheEnds_IsBlackAndWhite(int bitDepth, int white) =>
+        Assert.Equal(
+            [0, 0, 0, 0, white, white, white],
+            Convert(new GreyScale(), bitDepth, [double.NegativeInfinity, -1.0, -0.0, 0.0, 1.0, 1e300, double.PositiveInfinity]));
+
+    /// <summary>By bisection: the least radiance factor to which the plain formula gives the level.</summary>
+    private static double Border(GreyScale scale, int level, int greatest)
+    {
+        double below = 0.0;
+        double above = 1.0 / scale.Exposure;
+        for (double middle = 0.5 * above; below < middle && middle < above; middle = 0.5 * (below + above))
+        {
+            (below, above) = scale.Level(middle, greatest) >= level ? (below, middle) : (middle, above);
+        }
+
+        return above;
+    }
+
+    private static int[] Convert(GreyScale scale, int bitDepth, double[] radianceFactors)
+    {
+        GreyTable table = new(scale, bitDepth);
+        if (bitDepth == 8)
+        {
+            byte[] bytes = new byte[radianceFactors.Length];
+            table.Convert(radianceFactors, bytes);
+            return [.. bytes];
+        }
+
+        ushort[] words = new ushort[radianceFactors.Length];
+        table.Convert(radianceFactors, words);
+        return [.. words];
+    }
+}

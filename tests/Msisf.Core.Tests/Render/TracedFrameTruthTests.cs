@@ -1,0 +1,97 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+using Xunit;
+
+namespace Msisf.Core.Tests.Render;
+
+public class TracedFrameTruthTests
+{
+    private const double SunDistance = 1.5e11;
+    private static readonly Vector3D Ground = new(1_738_000.0, 0.0, 0.0);
+
+    /// <summary>Over the ground point, looking straight down; north is up.</summary>
+    private static readonly PinholeCamera Camera = new(new Vector3D(2e6, 0.0, 0.0), UnitQuaternion.Identity, 0.7, 3, 3);
+
+    /// <summary>A facet that leans 30 degrees to the north.</summary>
+    private static readonly SurfaceHit Slope = new(
+        Ground, new Vector3D(Math.Sqrt(0.75), 0.0, 0.5), new FacetId(359, 0, FacetHalf.NorthEast), 0.25);
+
+    [Theory]
+    [InlineData(60.0, false, SunState.Lit)]
+    [InlineData(60.0, true, SunState.Shadow)]
+    [InlineData(-45.0, false, SunState.Lit)]
+    [InlineData(-75.0, false, SunState.Shadow)] // above the horizon; the facet turns away
+    [InlineData(-95.0, false, SunState.Night)]
+    [InlineData(-95.0, true, SunState.Night)]
+    [InlineData(100.0, false, SunState.Lit)] // below the horizon of the sphere; the facet still sees it
+    [InlineData(100.0, true, SunState.Night)]
+    public void TryGet_SunNorthOfTheZenith_HasTheStateOfItsHeight(double degreesFromZenith, bool isHidden, SunState expected)
+    {
+        (double sine, double cosine) = Math.SinCos(double.DegreesToRadians(degreesFromZenith));
+        SceneLight sun = new(SunDistance * new Vector3D(cosine, 0.0, sine), IsSun: true);
+        TracedFrameTruth truth = new(Camera, sun, new FakeTracer(Slope, isHidden));
+
+        Assert.True(truth.TryGet(2, 2, out SurfaceHit hit, out PixelLight light));
+
+        Assert.Equal(Slope, hit);
+        Assert.Equal(new PixelLight(expected, expected == SunState.Lit ? 1.0 : 0.0), light);
+        Assert.Equal(sun.PositionMoonMe, truth.LightPositionMoonMe);
+    }
+
+    [Fact]
+    public void TryGet_LampAtTheCamera_LightsAllThatIsSeen()
+    {
+        SurfaceHit turnedAway = Slope with { NormalMoonMe = -Slope.NormalMoonMe };
+        TracedFrameTruth truth = new(Camera, new SceneLight(Camera.PositionMoonMe, IsSun: false), new FakeTracer(turnedAway, isHidden: true));
+
+        Assert.True(truth.TryGet(2, 2, out _, out PixelLight light));
+
+        Assert.Equal(new PixelLight(SunState.Lit, 1.0), light);
+    }
+
+    [Fact]
+    public void TryGet_Space_HasNeitherHitNorLight()
+    {
+        TracedFrameTruth truth = new(Camera, new SceneLight(SunDistance * Vector3D.UnitX, IsSun: true), new FakeTracer(null, isHidden: false));
+
+        Assert.False(truth.TryGet(1, 1, out SurfaceHit hit, out PixelLight light));
+
+        Assert.Equal(default, hit);
+        Assert.Equal(SunState.NoSurface, light.State);
+    }
+
+    [Fact]
+    public void TryGet_Pixel_TracesTheRayThroughItsCentre()
+    {
+        FakeTracer tracer = new(Slope, isHidden: false);
+        TracedFrameTruth truth = new(Camera, new SceneLight(SunDistance * Vector3D.UnitX, IsSun: true), tracer);
+
+        truth.TryGet(3, 1, out _, out _);
+
+        Assert.Equal(Camera.RayThrough(3, 1), tracer.Traced);
+        Assert.Equal((Slope.PointMoonMe, Slope.Facet, truth.LightPositionMoonMe), tracer.Asked);
+    }
+
+    private sealed class FakeTracer(SurfaceHit? seen, bool isHidden) : ITerrainTracer
+    {
+        public Ray Traced { get; private set; }
+
+        public (Vector3D Point, FacetId Facet, Vector3D Light) Asked { get; private set; }
+
+        public bool TryTrace(Ray ray, out SurfaceHit hit)
+        {
+            Traced = ray;
+            hit = seen ?? default;
+            return seen is not null;
+        }
+
+        public bool IsHidden(Vector3D pointMoonMe, FacetId facet, Vector3D lightMoonMe)
+        {
+            Asked = (pointMoonMe, facet, lightMoonMe);
+            return isHidden || Vector3D.Dot(seen!.Value.NormalMoonMe, lightMoonMe - pointMoonMe) <= 0.0;
+        }
+    }
+}

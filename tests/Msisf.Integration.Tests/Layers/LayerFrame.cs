@@ -1,0 +1,77 @@
+using System.Diagnostics;
+using System.Runtime.InteropServices;
+using Msisf.Adapters.Layers;
+using Msisf.Core.Layers;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+using Msisf.Integration.Tests.Metadata;
+using Msisf.TestSupport;
+
+namespace Msisf.Integration.Tests.Layers;
+
+/// <summary>A small frame with day, night and space in it, and what its layers hold.</summary>
+internal static class LayerFrame
+{
+    /// <summary>Odd sizes: no row and no plane of bytes ends where a FITS block or a word does.</summary>
+    public const int Width = 101;
+
+    public const int Height = 67;
+
+    public static LayerProvenance Provenance { get; } = new("LDEM_16", 16, 2, "native");
+
+    public static FrameMetadata Metadata { get; } = ExampleFrame.OfSize(Width, Height) with
+    {
+        SunPositionMoonMe = new Vector3D(1.07e11, -1.04e11, 4e9),
+        CommandLine = $"--output-dir 'Mond \u00e4' {string.Concat(Enumerable.Repeat("--a 'quoted' & long ", 30))}end",
+    };
+
+    public static SphereTruth Truth { get; } = new(Metadata.Camera, Metadata.SunPositionMoonMe, 16);
+
+    public static byte[] Fits(string layers = "all")
+    {
+        using MemoryStream stream = new();
+        FitsLayerWriter.Write(stream, Metadata, Provenance, Truth, LayerSet.Parse(layers));
+        return stream.ToArray();
+    }
+
+    /// <summary>A layer's numbers as bytes: plane by plane, each by rows from the top.</summary>
+    public static byte[] ExpectedBytes(Layer layer)
+    {
+        LayerSampler sampler = new(Truth, 16);
+        double[][] planes = [.. Enumerable.Range(0, layer.Planes).Select(_ => new double[Width * Height])];
+        for (int row = 0; row < Height; row++)
+        {
+            sampler.SampleRow(row, [layer], planes, row * Width);
+        }
+
+        double[] values = [.. planes.SelectMany(plane => plane)];
+        return layer.Type switch
+        {
+            LayerType.Real64 => MemoryMarshal.AsBytes<double>(values).ToArray(),
+            LayerType.Unsigned8 => [.. values.Select(value => (byte)value)],
+            _ => MemoryMarshal.AsBytes<int>([.. values.Select(value => double.IsNaN(value) ? int.MinValue : (int)value)]).ToArray(),
+        };
+    }
+
+    /// <summary>Runs read_layers.py.</summary>
+    /// <returns>What it printed, by name.</returns>
+    public static Dictionary<string, string> Read(string reader, string path, string folder)
+    {
+        string script = Path.Combine(TestParts.RepositoryRoot, "tests", "Msisf.Integration.Tests", "Layers", "read_layers.py");
+        (int exitCode, string output, string errors) = Run(TestParts.Python!, script, reader, path, folder);
+        return exitCode == 0
+            ? output.Split('\n', StringSplitOptions.RemoveEmptyEntries).Select(line => line.Split('=', 2)).ToLookup(pair => pair[0], pair => pair[^1])
+                .ToDictionary(group => group.Key, group => group.First())
+            : throw new InvalidOperationException(errors);
+    }
+
+    public static (int ExitCode, string Output, string Errors) Run(string program, params string[] arguments)
+    {
+        ProcessStartInfo start = new(program, arguments) { RedirectStandardError = true, RedirectStandardOutput = true };
+        using Process process = Process.Start(start)!;
+        Task<string> errors = process.StandardError.ReadToEndAsync();
+        string output = process.StandardOutput.ReadToEnd();
+        process.WaitForExit();
+        return (process.ExitCode, output, errors.Result);
+    }
+}

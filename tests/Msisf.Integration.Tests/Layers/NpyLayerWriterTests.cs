@@ -1,0 +1,50 @@
+using Msisf.Adapters.IO;
+using Msisf.Adapters.Layers;
+using Msisf.Core.Layers;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Layers;
+
+public sealed class NpyLayerWriterTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [RequiresTheory(Part.Astropy)]
+    [InlineData("depth", "(67, 101)", "float64")]
+    [InlineData("mask", "(67, 101)", "uint8")]
+    [InlineData("tile", "(67, 101)", "int32")]
+    [InlineData("normal", "(67, 101, 3)", "float64")]
+    [InlineData("cell", "(67, 101, 2)", "int32")]
+    public void Write_Layer_NumpyReadsItToTheBit(string name, string shape, string type)
+    {
+        Layer layer = Assert.Single(LayerSet.Parse(name).Layers);
+        using (AtomicFileSet files = new())
+        {
+            NpyLayerWriter.Write(
+                files, _folder["frame"], LayerFrame.Metadata, LayerFrame.Provenance, LayerFrame.Truth, LayerSet.Parse(name));
+            files.Commit();
+        }
+
+        Dictionary<string, string> said = LayerFrame.Read("numpy", _folder[$"frame.{name}.npy"], _folder.Path);
+
+        Assert.Equal((shape, type), (said["shape"], said["dtype"]));
+        Assert.Equal(PixelByPixel(layer), File.ReadAllBytes(_folder["array.bin"]));
+    }
+
+    /// <summary>The planes' numbers side by side for each pixel.</summary>
+    private static byte[] PixelByPixel(Layer layer)
+    {
+        byte[] planes = LayerFrame.ExpectedBytes(layer);
+        int size = planes.Length / (layer.Planes * LayerFrame.Width * LayerFrame.Height);
+        return
+        [
+            .. from pixel in Enumerable.Range(0, LayerFrame.Width * LayerFrame.Height)
+               from plane in Enumerable.Range(0, layer.Planes)
+               from i in Enumerable.Range(0, size)
+               select planes[(((plane * LayerFrame.Width * LayerFrame.Height) + pixel) * size) + i],
+        ];
+    }
+}

@@ -1,0 +1,34 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+
+namespace Msisf.TestSupport;
+
+/// <summary>A frame whose pixels a function gives; null is space.</summary>
+internal sealed class FunctionTruth(
+    PinholeCamera camera, Vector3D lightPositionMoonMe, Func<int, int, (SurfaceHit Hit, PixelLight Light)?> pixelOf) : IFrameTruth
+{
+    private static readonly PixelLight[] Lights =
+        [new(SunState.Lit, 1.0), new(SunState.Penumbra, 0.25), new(SunState.Shadow, 0.0), new(SunState.Night, 0.0)];
+
+    public PinholeCamera Camera => camera;
+
+    public Vector3D LightPositionMoonMe => lightPositionMoonMe;
+
+    /// <summary>A <see cref="SphereTruth"/> of 4 px/deg that shows all there is: the states take turns from column to column, the halves from row to row.</summary>
+    public static FunctionTruth OfSphere(PinholeCamera camera, Vector3D lightPositionMoonMe)
+    {
+        SphereTruth sphere = new(camera, lightPositionMoonMe, pixelsPerDegree: 4);
+        return new FunctionTruth(camera, lightPositionMoonMe, (x, y) => sphere.TryGet(x, y, out SurfaceHit hit, out _)
+            ? (hit with { Facet = hit.Facet with { Half = (FacetHalf)(y % 2) } }, Lights[x % Lights.Length])
+            : null);
+    }
+
+    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light)
+    {
+        (SurfaceHit Hit, PixelLight Light)? pixel = pixelOf(x, y);
+        (hit, light) = pixel ?? default;
+        return pixel is not null;
+    }
+}

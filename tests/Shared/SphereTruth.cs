@@ -1,0 +1,43 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+
+namespace Msisf.TestSupport;
+
+/// <summary>A smooth sphere in place of the terrain: every layer of it is known in closed form. Lit by day, night beyond the terminator.</summary>
+internal sealed class SphereTruth(PinholeCamera camera, Vector3D lightPositionMoonMe, int pixelsPerDegree, double radius = 1_737_400.0) : IFrameTruth
+{
+    private readonly ReferenceSphere _sphere = new(radius);
+
+    public PinholeCamera Camera => camera;
+
+    public Vector3D LightPositionMoonMe => lightPositionMoonMe;
+
+    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light)
+    {
+        Ray ray = camera.RayThrough(x, y);
+        if (!_sphere.TryFirstHit(ray, out Vector3D point))
+        {
+            hit = default;
+            light = default;
+            return false;
+        }
+
+        Vector3D normal = point.Normalized();
+        double parameter = Vector3D.Dot(point - ray.Origin, ray.Direction) / ray.Direction.LengthSquared;
+        hit = new SurfaceHit(point, normal, FacetBelow(point), parameter);
+        bool isDay = Vector3D.Dot(normal, lightPositionMoonMe - point) > 0.0;
+        light = isDay ? new PixelLight(SunState.Lit, 1.0) : new PixelLight(SunState.Night, 0.0);
+        return true;
+    }
+
+    private FacetId FacetBelow(Vector3D point)
+    {
+        SelenographicPoint below = SelenographicPoint.Below(point);
+        int line = (int)Math.Floor(((90.0 - double.RadiansToDegrees(below.Latitude)) * pixelsPerDegree) - 0.5);
+        int sample = (int)Math.Floor((double.RadiansToDegrees(below.Longitude) * pixelsPerDegree) - 0.5);
+        int samples = 360 * pixelsPerDegree;
+        return new FacetId(line, (sample + samples) % samples, FacetHalf.SouthWest);
+    }
+}

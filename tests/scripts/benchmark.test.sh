@@ -1,0 +1,140 @@
+# shellcheck shell=bash
+. "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
+
+# A clone whose models are there; SDK, program and benchmark are stand-ins. Each line of "calls" is what the benchmark was asked.
+make_benchmark_clone() {
+    need povray
+    export MSISF_LDEM_URLS='http://127.0.0.1:9/none.lbl' CALLS=$PWD/calls PATH="$PWD/sdk:$PATH"
+    make_clone "$PWD/clone"
+    cp "$MSISF_TESTED_ROOT/benchmark.sh" clone
+    make_model clone/input/ldem LDEM_4 IMG LBL
+    make_model made LDEM IMG LBL
+    : >"$CALLS"
+    make_executable clone/scripts/build.sh <<'BUILD'
+#!/bin/sh
+echo built
+BUILD
+    make_executable clone/scripts/get-cspice.sh <<'CSPICE'
+#!/bin/sh
+exit 1
+CSPICE
+    make_executable sdk/dotnet <<'SDK'
+#!/usr/bin/env bash
+case $1 in
+    --list-sdks) printf '10.0.100 [%s/sdk]\n' "$(cd "$(dirname "$0")" && pwd -P)" ;;
+esac
+SDK
+    make_executable clone/publish/msis <<'PROGRAM'
+#!/usr/bin/env bash
+echo "msis $*" >>"$CALLS"
+name=LDEM_$4_SYNTHETIC
+[ "$4" != 512 ] || name=LDEM_512_SYNTHETIC_16S_18N_014_062
+mkdir -p benchmark/ldem
+cp ../made/LDEM.IMG "benchmark/ldem/$name.IMG"
+cp ../made/LDEM.LBL "benchmark/ldem/$name.LBL"
+PROGRAM
+    make_executable clone/tests/Msisf.Benchmarks/bin/Release/net10.0/Msisf.Benchmarks <<'BENCHMARK'
+#!/usr/bin/env bash
+echo "$*" >>"$CALLS"
+case $1 in
+    resolutions) echo "${RESOLUTIONS:-4}" ;;
+    measure)
+        mkdir -p benchmark
+        [ -z "${BROKEN:-}" ] || exit 1
+        echo '| fresh |' >benchmark/tables.md
+        echo figures >benchmark/figures.csv
+        echo targets >benchmark/targets.csv
+        ;;
+esac
+BENCHMARK
+    mkdir clone/docs
+    printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '| old |' '<!-- benchmark.sh: end -->' 'after' >clone/docs/performance.md
+    cp clone/docs/performance.md page
+}
+
+assert_page_untouched() {
+    cmp clone/docs/performance.md page || fail 'docs/performance.md has changed'
+    assert_no_file clone/docs/benchmark
+}
+
+test_benchmark_replaces_only_the_text_between_the_marks() {
+    make_benchmark_clone
+    run clone/benchmark.sh
+    assert_code 0
+    assert_same "$(cat clone/docs/performance.md)" \
+        "$(printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '' '| fresh |' '' '<!-- benchmark.sh: end -->' 'after')"
+    assert_same "$(cat clone/docs/benchmark/figures.csv clone/docs/benchmark/targets.csv)" $'figures\ntargets'
+    cp clone/docs/performance.md page
+    run clone/benchmark.sh
+    cmp clone/docs/performance.md page || fail 'a second run has added something'
+}
+
+test_benchmark_page_without_marks_stays_as_it_is() {
+    make_benchmark_clone
+    sed -i.old '/end -->/d' clone/docs/performance.md
+    cp clone/docs/performance.md page
+    run clone/benchmark.sh
+    assert_code 1
+    assert_says 'has not the lines'
+    cmp clone/docs/performance.md page || fail 'the page has changed'
+}
+
+test_benchmark_models_are_made_once() {
+    make_benchmark_clone
+    RESOLUTIONS='4 64 512' run clone/benchmark.sh
+    assert_code 0
+    RESOLUTIONS='4 64 512' run clone/benchmark.sh
+    assert_code 0
+    assert_same "$(grep '^msis' "$CALLS")" "$(printf '%s\n' \
+        'msis ldem synthesize --res 64 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch' \
+        'msis ldem synthesize --res 512 --region=-16:18:14:62 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch')"
+    assert_same "$(grep '^measure' "$CALLS" | tail -n 1)" \
+        'measure --root . --folder benchmark --model input/ldem/LDEM_4.LBL --model benchmark/ldem/LDEM_64_SYNTHETIC.LBL --model benchmark/ldem/LDEM_512_SYNTHETIC_16S_18N_014_062.LBL'
+}
+
+test_benchmark_of_a_part_leaves_the_docs_alone() {
+    make_benchmark_clone
+    run clone/benchmark.sh --quick
+    assert_code 0
+    assert_says '| fresh |'
+    assert_page_untouched
+    run clone/benchmark.sh --scenes far-4,sequence
+    assert_code 0
+    assert_page_untouched
+    assert_same "$(grep -c -e '--scenes far-4,sequence$' "$CALLS")" 2
+}
+
+test_benchmark_that_fails_leaves_the_docs_alone() {
+    make_benchmark_clone
+    BROKEN=yes run clone/benchmark.sh
+    assert_code 1
+    assert_page_untouched
+}
+
+test_benchmark_unknown_argument_is_refused() {
+    make_benchmark_clone
+    run clone/benchmark.sh --fast
+    assert_code 1
+    assert_says 'unknown argument --fast'
+    run clone/benchmark.sh --scenes
+    assert_code 1
+    assert_says '--scenes needs names'
+    assert_same "$(cat "$CALLS")" ''
+}
+
+# The real thing, from the start of a process to the tables. Its figures mean nothing beside other tests.
+test_benchmark_quick_run_measures() {
+    need povray
+    need dotnet
+    [ -e "$MSISF_TESTED_ROOT/input/ldem/LDEM_4.LBL" ] || {
+        echo 'missing: LDEM_4'
+        exit 77
+    }
+    run "$MSISF_TESTED_ROOT/benchmark.sh" --quick
+    assert_code 0
+    assert_says '| far, LDEM_4 | first frame, from process start | at most 120 ms |'
+    assert_says '| far, LDEM_4 | further frames | at most 12.0 ms |'
+    assert_says '| orbit of 20 frames | pictures and meta files | at least 15.0 frames/s |'
+    assert_says '| and all layers, FITS | 2 |'
+    assert_says '| 0, 0 of '
+}
