@@ -38,6 +38,7 @@ internal sealed class CrossingCells
 
         Vector3D normal = Vector3D.Cross(At(block, second) - At(block, first), At(block, third) - At(block, first));
         double inverse = 1.0 / Vector3D.Dot(normal, At(block, first) - _view.Remainder);
+        double offset = Vector3D.Dot(normal, At(block, first) + (_view.Origin - _view.Anchor));
         FacetPlane plane = new(
             Vector3D.Dot(normal, _view.FirstRay) * inverse,
             Vector3D.Dot(normal, _view.RayPerColumn) * inverse,
@@ -45,7 +46,7 @@ internal sealed class CrossingCells
             _view.Distance / extent.GreatestDepth,
             double.MaxValue);
         SpatialEdges edges = new(Corner(block, first), Corner(block, second), Corner(block, third), _view);
-        FacetFill.Fill(ref edges, plane, pixels, new FacetRecord(normal, line, sampleAndHalf), band);
+        FacetFill.Fill(ref edges, plane, pixels, new FacetRecord(normal, offset, line, sampleAndHalf), band);
     }
 
     private static Vector3D At(ProjectedBlock block, int index) =>

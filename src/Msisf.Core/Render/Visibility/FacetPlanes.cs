@@ -20,7 +20,8 @@ internal sealed class FacetPlanes
     private const int PerRow = 5 * Lanes;
     private const int Least = 6 * Lanes;
     private const int Greatest = 7 * Lanes;
-    private const int HalfSize = 8 * Lanes;
+    private const int Offset = 8 * Lanes;
+    private const int HalfSize = 9 * Lanes;
     private const int NotRecorded = -1;
 
     private readonly double[] _values = new double[2 * HalfSize];
@@ -97,7 +98,7 @@ internal sealed class FacetPlanes
     {
         ref double values = ref Values(half, lane);
         Vector3D normal = new(values, Unsafe.Add(ref values, NormalY), Unsafe.Add(ref values, NormalZ));
-        return new FacetRecord(normal, _line, (2 * (_sample + lane)) + half);
+        return new FacetRecord(normal, Unsafe.Add(ref values, Offset), _line, (2 * (_sample + lane)) + half);
     }
 
     /// <summary>Holds values within limits; what is no number becomes the lower limit.</summary>
@@ -130,12 +131,13 @@ internal sealed class FacetPlanes
         Vector512<double> nx = (uy * vz) - (uz * vy);
         Vector512<double> ny = (uz * vx) - (ux * vz);
         Vector512<double> nz = (ux * vy) - (uy * vx);
-        Vector512<double> offset = Dot(nx, ny, nz, ax, ay, az) - Dot(nx, ny, nz, _view.Remainder);
-        Vector512<double> inverse = Vector512<double>.One / offset;
+        Vector512<double> inverse = Vector512<double>.One / (Dot(nx, ny, nz, ax, ay, az) - Dot(nx, ny, nz, _view.Remainder));
         ref double values = ref Values(half, 0);
         nx.StoreUnsafe(ref values, NormalX);
         ny.StoreUnsafe(ref values, NormalY);
         nz.StoreUnsafe(ref values, NormalZ);
+        Vector3D shift = _view.Origin - _view.Anchor;
+        Dot(nx, ny, nz, ax + Vector512.Create(shift.X), ay + Vector512.Create(shift.Y), az + Vector512.Create(shift.Z)).StoreUnsafe(ref values, Offset);
         (Dot(nx, ny, nz, _view.FirstRay) * inverse).StoreUnsafe(ref values, Constant);
         (Dot(nx, ny, nz, _view.RayPerColumn) * inverse).StoreUnsafe(ref values, PerColumn);
         (Dot(nx, ny, nz, _view.RayPerRow) * inverse).StoreUnsafe(ref values, PerRow);

@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Render.Visibility;
@@ -13,6 +14,9 @@ internal sealed class PictureView
     /// <summary>px: where a projected vertex may lie for its products to keep 1e-9 px; beyond it, its edges are computed in space.</summary>
     private const double LeastCoordinateLimit = 32768.0;
 
+    /// <summary>m from the Moon's centre: from here on a plane is known better from there than from the camera.</summary>
+    private const double FarDistance = 2.0 * MoonConstants.ReferenceRadius;
+
     /// <param name="camera">The camera.</param>
     /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
     /// <param name="offsetY">px down.</param>
@@ -24,6 +28,7 @@ internal sealed class PictureView
         Vector3D position = camera.PositionMoonMe;
         Origin = new Vector3D(OnLattice(position.X), OnLattice(position.Y), OnLattice(position.Z));
         Remainder = position - Origin;
+        Anchor = position.Length < FarDistance ? Origin : default;
 
         Distance = Vector3D.Dot(camera.Direction, camera.ForwardMoonMe);
         double aspect = (double)camera.Width / camera.Height;
@@ -53,6 +58,9 @@ internal sealed class PictureView
 
     /// <summary>m: from the origin to the camera.</summary>
     public Vector3D Remainder { get; }
+
+    /// <summary>m, MOON_ME: the lattice point that planes are given from; near the camera, or, for a camera far away, the Moon's centre.</summary>
+    public Vector3D Anchor { get; }
 
     /// <summary>Part of each pixel's ray direction along the viewing direction: at parameter t a ray is t times this deep.</summary>
     public double Distance { get; }

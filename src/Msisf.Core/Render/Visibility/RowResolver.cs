@@ -7,10 +7,14 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// Computes the points that pixels show: camera + t direction, the direction being that of <see cref="Camera.PinholeCamera.RayThrough"/> to
-/// the last bit. One pixel at a time is the reference; a row at a time gives the same bits.
+/// the last bit. The depth buffer's t is good to 16 digits, 1e-7 m at 1e9 m; so the point that it leads to is computed with 106 bits and
+/// then moved along the ray into the facet's plane. One pixel at a time is the reference; a row at a time gives the same bits.
 /// </summary>
 internal sealed class RowResolver
 {
+    /// <summary>1, parts of t: more than the depth buffer is wrong, unless a facet is seen edge-on and its plane tells nothing.</summary>
+    private const double GreatestCorrection = 1e-12;
+
     private readonly PictureView _view;
     private readonly double[] _right;
 
@@ -30,10 +34,16 @@ internal sealed class RowResolver
     public SurfaceHit Resolve(int column, int row, double inverseParameter, in FacetRecord record)
     {
         Vector3D direction = _view.Camera.RayThrough(column + 1 + _view.OffsetX, row + 1 + _view.OffsetY).Direction;
+        Vector3D position = _view.Camera.PositionMoonMe - _view.Anchor;
         double parameter = 1.0 / inverseParameter;
-        Vector3D point = _view.Camera.PositionMoonMe + (parameter * direction);
+        Vector3D near = new(
+            Along(position.X, parameter, direction.X), Along(position.Y, parameter, direction.Y), Along(position.Z, parameter, direction.Z));
+        double correction = (record.Offset - Vector3D.Dot(record.Normal, near)) / Vector3D.Dot(record.Normal, direction);
+        double limit = GreatestCorrection * parameter;
+        correction = correction > -limit ? correction : -limit;
+        correction = correction < limit ? correction : limit;
         double length = Math.Sqrt(record.Normal.LengthSquared); // sides of 0.01 m to 1e6 m: no overflow
-        return new SurfaceHit(point, record.Normal / length, record.Facet, parameter);
+        return new SurfaceHit(_view.Anchor + (near + (correction * direction)), record.Normal / length, record.Facet, parameter + correction);
     }
 
     /// <summary>The pixels of a row that show the surface.</summary>
@@ -45,11 +55,13 @@ internal sealed class RowResolver
         pixels.EnsureWidth(band.Width);
         Gather(band, row, pixels);
 
-        Vector3D position = _view.Camera.PositionMoonMe;
+        Vector3D anchor = _view.Anchor;
+        Vector3D position = _view.Camera.PositionMoonMe - anchor;
         Vector3D right = _view.Camera.Right;
         double height = _view.Camera.Height;
         double up = (1.0 + height - (2.0 * (row + 1 + _view.OffsetY))) / (2.0 * height);
         Vector3D middle = _view.Camera.Direction + (up * _view.Camera.Up);
+        Vector512<double> greatest = Vector512.Create(GreatestCorrection);
         ref double parameters = ref MemoryMarshal.GetArrayDataReference(pixels.Parameters);
         ref double x = ref MemoryMarshal.GetArrayDataReference(pixels.X);
         ref double y = ref MemoryMarshal.GetArrayDataReference(pixels.Y);
@@ -61,14 +73,23 @@ internal sealed class RowResolver
         {
             Vector512<double> parameter = Vector512<double>.One / Vector512.LoadUnsafe(ref parameters, i);
             Vector512<double> toRight = Vector512.LoadUnsafe(ref x, i);
-            parameter.StoreUnsafe(ref parameters, i);
-            At(position.X, middle.X, right.X, toRight, parameter).StoreUnsafe(ref x, i);
-            At(position.Y, middle.Y, right.Y, toRight, parameter).StoreUnsafe(ref y, i);
-            At(position.Z, middle.Z, right.Z, toRight, parameter).StoreUnsafe(ref z, i);
-
+            Vector512<double> offset = Vector512.LoadUnsafe(ref y, i);
+            Vector512<double> directionX = Vector512.Create(middle.X) + (toRight * Vector512.Create(right.X));
+            Vector512<double> directionY = Vector512.Create(middle.Y) + (toRight * Vector512.Create(right.Y));
+            Vector512<double> directionZ = Vector512.Create(middle.Z) + (toRight * Vector512.Create(right.Z));
+            Vector512<double> nearX = Along(Vector512.Create(position.X), parameter, directionX);
+            Vector512<double> nearY = Along(Vector512.Create(position.Y), parameter, directionY);
+            Vector512<double> nearZ = Along(Vector512.Create(position.Z), parameter, directionZ);
             Vector512<double> nx = Vector512.LoadUnsafe(ref normalX, i);
             Vector512<double> ny = Vector512.LoadUnsafe(ref normalY, i);
             Vector512<double> nz = Vector512.LoadUnsafe(ref normalZ, i);
+            Vector512<double> limit = greatest * parameter;
+            Vector512<double> correction = FacetPlanes.Held(
+                (offset - ((nx * nearX) + (ny * nearY) + (nz * nearZ))) / ((nx * directionX) + (ny * directionY) + (nz * directionZ)), -limit, limit);
+            (parameter + correction).StoreUnsafe(ref parameters, i);
+            (Vector512.Create(anchor.X) + (nearX + (correction * directionX))).StoreUnsafe(ref x, i);
+            (Vector512.Create(anchor.Y) + (nearY + (correction * directionY))).StoreUnsafe(ref y, i);
+            (Vector512.Create(anchor.Z) + (nearZ + (correction * directionZ))).StoreUnsafe(ref z, i);
             Vector512<double> length = Vector512.Sqrt((nx * nx) + (ny * ny) + (nz * nz));
             (nx / length).StoreUnsafe(ref normalX, i);
             (ny / length).StoreUnsafe(ref normalY, i);
@@ -76,11 +97,27 @@ internal sealed class RowResolver
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> At(double position, double middle, double right, Vector512<double> toRight, Vector512<double> parameter) =>
-        Vector512.Create(position) + (parameter * (Vector512.Create(middle) + (toRight * Vector512.Create(right))));
+    /// <summary>origin + parameter direction with one rounding at the end: the low parts of product and sum are exact.</summary>
+    private static double Along(double origin, double parameter, double direction)
+    {
+        double product = parameter * direction;
+        double productRest = Math.FusedMultiplyAdd(parameter, direction, -product);
+        double sum = origin + product;
+        double added = sum - origin;
+        return sum + (((origin - (sum - added)) + (product - added)) + productRest);
+    }
 
-    /// <summary>Puts the row's pixels one after the other; x holds their part of the way to the right for now.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Along(Vector512<double> origin, Vector512<double> parameter, Vector512<double> direction)
+    {
+        Vector512<double> product = parameter * direction;
+        Vector512<double> productRest = Vector512.FusedMultiplyAdd(parameter, direction, -product);
+        Vector512<double> sum = origin + product;
+        Vector512<double> added = sum - origin;
+        return sum + (((origin - (sum - added)) + (product - added)) + productRest);
+    }
+
+    /// <summary>Puts the row's pixels one after the other; x holds their part of the way to the right for now, y their planes' offset.</summary>
     private void Gather(Band band, int row, SurfaceRow pixels)
     {
         int start = (row - band.FirstRow) * band.Stride;
@@ -98,6 +135,7 @@ internal sealed class RowResolver
                 pixels.Facets[count] = facet;
                 pixels.Parameters[count] = inverses[column];
                 pixels.X[count] = _right[column];
+                pixels.Y[count] = record.Offset;
                 pixels.NormalX[count] = record.Normal.X;
                 pixels.NormalY[count] = record.Normal.Y;
                 pixels.NormalZ[count] = record.Normal.Z;
@@ -108,7 +146,7 @@ internal sealed class RowResolver
         pixels.Count = count;
         for (int behind = count; behind < count + SurfaceRow.Padding; behind++)
         {
-            (pixels.Parameters[behind], pixels.X[behind]) = (1.0, 0.0);
+            (pixels.Parameters[behind], pixels.X[behind], pixels.Y[behind]) = (1.0, 0.0, 0.0);
             (pixels.NormalX[behind], pixels.NormalY[behind], pixels.NormalZ[behind]) = (1.0, 0.0, 0.0);
         }
     }

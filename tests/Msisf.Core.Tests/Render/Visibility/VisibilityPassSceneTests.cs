@@ -1,0 +1,79 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Surface;
+using Msisf.Core.Render.Tracing;
+using Msisf.Core.Render.Visibility;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tests.Support;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Core.Tests.Render.Visibility;
+
+/// <summary>Every pixel of whole pictures against single rays.</summary>
+public sealed class VisibilityPassSceneTests
+{
+    /// <summary>m: what rounding may part two computations of a hit by.</summary>
+    private const double HitTolerance = 1e-7;
+
+    /// <summary>m: the same, across the facet: a ray that all but grazes it carries 4 ulps of a position far along.</summary>
+    private const double AcrossTolerance = 1e-9;
+
+    /// <summary>Pixel centres need not be in the middle.</summary>
+    private const double OffsetX = 0.125;
+
+    private const double OffsetY = -0.375;
+
+    [RequiresFact(Part.Ldem4)]
+    public void Run_RealModel_ShowsWhatRaysMeet() => Compare(MemoryElevationGrid.Ldem4(), 100, [.. RenderScenes.Names]);
+
+    [Fact]
+    public void Run_RuggedModel_ShowsWhatRaysMeet() => Compare(FunctionGrid.Rugged(16), 40, [.. RenderScenes.Names]);
+
+    /// <summary>Without scenes that see so much that the model's function takes minutes.</summary>
+    [Theory]
+    [InlineData(64, "nadir-100km", "north-pole-axis", "seam", "limb-backlit", "grazing-sun", "inside-crater", "one-metre")]
+    [InlineData(512, "seam", "grazing-sun")]
+    public void Run_FineModel_ShowsWhatRaysMeet(int pixelsPerDegree, params string[] scenes) =>
+        Compare(FunctionGrid.Rugged(pixelsPerDegree), 32, scenes);
+
+    private static void Compare(IElevationGrid grid, int size, string[] scenes)
+    {
+        TerrainTracer tracer = new(grid);
+        VisibilityPass pass = new(new SurfaceModel(grid));
+        List<string> wrong = [];
+        int surface = 0;
+        foreach (RenderScenes.RenderSceneCase scene in scenes.Select(RenderScenes.Named))
+        {
+            PinholeCamera camera = scene.Camera(grid, size, size);
+            VisibleSurface seen = pass.Run(camera, 2, CancellationToken.None, OffsetX, OffsetY);
+            for (int y = 1; y <= size; y++)
+            {
+                for (int x = 1; x <= size; x++)
+                {
+                    Ray ray = camera.RayThrough(x + OffsetX, y + OffsetY);
+                    bool isSeen = seen.TryGet(x, y, out SurfaceHit hit);
+                    bool isHit = tracer.TryTrace(ray, out SurfaceHit expected);
+                    surface += isSeen ? 1 : 0;
+                    if (isSeen != isHit || (isHit && !IsSame(hit, expected, ray.Direction)))
+                    {
+                        wrong.Add($"{scene.Name} ({x}, {y}): seen {hit}, traced {expected}");
+                    }
+                }
+            }
+        }
+
+        Assert.True(wrong.Count == 0, $"{wrong.Count} pixels: {string.Join(Environment.NewLine, wrong.Take(10))}");
+        Assert.InRange(surface, scenes.Length * size * size / 2, scenes.Length * size * size);
+    }
+
+    private static bool IsSame(SurfaceHit hit, SurfaceHit expected, Vector3D direction)
+    {
+        Vector3D apart = hit.PointMoonMe - expected.PointMoonMe;
+        double sine = Math.Abs(Vector3D.Dot(expected.NormalMoonMe, direction)) / direction.Length;
+        return hit.Facet == expected.Facet
+            && (hit.NormalMoonMe - expected.NormalMoonMe).Length < 1e-14
+            && (apart.Length <= HitTolerance || apart.Length * sine <= AcrossTolerance);
+    }
+}
