@@ -93,7 +93,7 @@ internal sealed class FramePass
         light = PointSun.At(hit.PointMoonMe, isDark, Light);
         if (_options.Normals == NormalModel.Smooth)
         {
-            hit = hit with { NormalMoonMe = _shader.SmoothNormal(hit) };
+            hit = hit with { NormalMoonMe = _shader.SmoothNormal(hit, Camera.PositionMoonMe) };
         }
 
         return true;

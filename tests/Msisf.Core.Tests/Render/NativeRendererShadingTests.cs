@@ -81,6 +81,30 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
         Assert.True(keptDark > 20 && changed > 500, $"{keptDark} pixels of facets that turn away, {changed} that differ, say little");
     }
 
+    /// <summary>At the limb some normals between samples look away from the camera; a law that asks for the viewer would leave black specks.</summary>
+    [Fact]
+    public void Render_SmoothNormalLooksAway_IsShadedByItsFacet()
+    {
+        IReflectance law = ReflectanceFactory.Create("lommel-seeliger", NoParameters);
+        using NativeFrame facets = Draw("limb", law, NormalModel.Facet);
+        using NativeFrame smooth = Draw("limb", law, NormalModel.Smooth);
+        int facetsOwn = 0;
+        for (int pixel = 0; pixel < smooth.RadianceFactors.Length; pixel++)
+        {
+            (int x, int y) = ((pixel % smooth.Camera.Width) + 1, (pixel / smooth.Camera.Width) + 1);
+            if (smooth.TryGet(x, y, out SurfaceHit hit, out _))
+            {
+                facets.TryGet(x, y, out SurfaceHit facetHit, out _);
+                Assert.True(Vector3D.Dot(hit.NormalMoonMe, smooth.Camera.PositionMoonMe - hit.PointMoonMe) > 0.0, $"({x}, {y}): {hit}");
+                bool isFacetsOwn = hit.NormalMoonMe == facetHit.NormalMoonMe;
+                Assert.True(!isFacetsOwn || smooth.RadianceFactors[pixel] == facets.RadianceFactors[pixel], $"({x}, {y}): {hit}");
+                facetsOwn += isFacetsOwn && smooth.RadianceFactors[pixel] > 0.0 ? 1 : 0;
+            }
+        }
+
+        Assert.InRange(facetsOwn, 1, 200);
+    }
+
     private static double RadianceFactor(IReflectance law, PhotometricAngles angles)
     {
         double cosIncidence = Math.Cos(angles.Incidence);

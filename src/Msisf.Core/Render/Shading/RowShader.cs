@@ -4,6 +4,7 @@ using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Surface;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render.Shading;
 
@@ -55,10 +56,11 @@ internal sealed class RowShader
 
     /// <summary>The normal that shades a point.</summary>
     /// <param name="hit">The point, with its facet's normal.</param>
-    public Vector3D SmoothNormal(SurfaceHit hit)
+    /// <param name="cameraMoonMe">m, MOON_ME.</param>
+    public Vector3D SmoothNormal(SurfaceHit hit, Vector3D cameraMoonMe)
     {
         Scratch scratch = _idle.TryTake(out Scratch? idle) ? idle : new Scratch(_surface);
-        Vector3D normal = scratch.Normals.At(hit.Facet, hit.NormalMoonMe, hit.PointMoonMe);
+        Vector3D normal = Smooth(scratch.Normals, hit.Facet, hit.NormalMoonMe, hit.PointMoonMe, cameraMoonMe);
         _idle.Add(scratch);
         return normal;
     }
@@ -95,7 +97,7 @@ internal sealed class RowShader
                 cosEmission = Math.Min(Vector3D.Dot(normal, toCamera) / cameraDistance, 1.0);
                 if (!(cosEmission > 0.0))
                 {
-                    continue; // a smooth normal that looks away from the camera, or a facet seen end on
+                    continue; // a facet seen edge-on
                 }
 
                 phaseHaversine = PhaseAngle.Haversine(toLight / lightDistance, toCamera / cameraDistance);
@@ -116,9 +118,16 @@ internal sealed class RowShader
             if (Vector3D.Dot(normal, light - point) > 0.0)
             {
                 (row.NormalX[i], row.NormalY[i], row.NormalZ[i]) =
-                    scratch.Normals.At(visible.FacetOf(y, row.Facets[i]), normal, point);
+                    Smooth(scratch.Normals, visible.FacetOf(y, row.Facets[i]), normal, point, visible.View.Camera.PositionMoonMe);
             }
         }
+    }
+
+    /// <summary>At the limb a normal between the samples can look away from the camera, where no law has a value: there the facet's own is left.</summary>
+    private static Vector3D Smooth(SmoothNormals normals, FacetId facet, Vector3D facetNormal, Vector3D point, Vector3D camera)
+    {
+        Vector3D normal = normals.At(facet, facetNormal, point);
+        return Vector3D.Dot(normal, camera - point) > 0.0 ? normal : facetNormal;
     }
 
     /// <summary>What one thread works with.</summary>
