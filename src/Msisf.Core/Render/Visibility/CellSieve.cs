@@ -30,6 +30,7 @@ internal sealed class CellSieve
     public void Begin(PictureView view) => _turnedArea = view.TurnedArea;
 
     /// <summary>Draws the cells of a block that is in front of the camera; returns how many were looked at.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
     public long Draw(ProjectedBlock block, Band band)
     {
         int samples = block.Vertices.Samples - 1;
