@@ -35,6 +35,12 @@ internal static class RenderScenes
         new RenderSceneCase("limb-1e9",          20.0,   10.0,     1e9, 0.0995, 60.0,  0.01, 25.0,  95.0),
     ];
 
+    /// <summary>Names, for theories.</summary>
+    public static IEnumerable<string> Names => All.Select(scene => scene.Name);
+
+    /// <summary>The scene of a name.</summary>
+    public static RenderSceneCase Named(string name) => All.Single(scene => scene.Name == name);
+
     /// <summary>A scene: a camera over a place on the ground, and the Sun as that place sees it.</summary>
     /// <param name="Name">For messages.</param>
     /// <param name="Latitude">Degrees.</param>
