@@ -17,17 +17,17 @@ namespace Msisf.Core.Tests.Render.Shadows;
 public sealed class ShadowPassSceneTests
 {
     [RequiresFact(Part.Ldem4)]
-    public void Run_RealModel_IsWhatRaysSay() => Compare(MemoryElevationGrid.Ldem4(), 120, [.. RenderScenes.All.Select(scene => scene.Name)]);
+    public void Run_RealModel_IsWhatRaysSay() => Compare(MemoryElevationGrid.Ldem4(), 64, [.. RenderScenes.All.Select(scene => scene.Name)]);
 
     [Fact]
-    public void Run_RuggedModel_IsWhatRaysSay() => Compare(FunctionGrid.Rugged(16), 50, [.. RenderScenes.All.Select(scene => scene.Name)]);
+    public void Run_RuggedModel_IsWhatRaysSay() => Compare(FunctionGrid.Rugged(16), 24, [.. RenderScenes.All.Select(scene => scene.Name)]);
 
     /// <summary>Without scenes that see so much that the model's function takes minutes.</summary>
     [Theory]
     [InlineData(64, "nadir-100km", "north-pole-axis", "seam", "grazing-sun", "inside-crater", "one-metre")]
-    [InlineData(512, "seam", "grazing-sun", "inside-crater")]
+    [InlineData(512, "grazing-sun")]
     public void Run_FineModel_IsWhatRaysSay(int pixelsPerDegree, params string[] scenes) =>
-        Compare(FunctionGrid.Rugged(pixelsPerDegree), 40, scenes);
+        Compare(FunctionGrid.Rugged(pixelsPerDegree), 32, scenes);
 
     private static void Compare(IElevationGrid grid, int size, string[] scenes)
     {
@@ -64,7 +64,7 @@ public sealed class ShadowPassSceneTests
         }
 
         Assert.True(wrong.Count == 0, $"{wrong.Count} pixels: {string.Join(Environment.NewLine, wrong.Take(10))}");
-        Assert.True(lit > 300 * scenes.Length, $"lit: {lit}");
-        Assert.True(dark > 20 * scenes.Length, $"dark: {dark}");
+        Assert.True(lit > 50 * scenes.Length, $"lit: {lit}");
+        Assert.True(dark > 10 * scenes.Length, $"dark: {dark}");
     }
 }

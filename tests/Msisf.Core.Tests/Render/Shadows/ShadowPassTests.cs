@@ -125,7 +125,7 @@ public sealed class ShadowPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fix
         Random random = new(20120222);
         ShadowPass pass = new(new SurfaceModel(grid));
         int shadows = 0;
-        foreach (double elevation in new[] { -8.0, -3.0, -0.5, 0.2, 1.0, 2.0, 3.5, 6.0, 10.0, 16.0, 30.0 })
+        foreach (double elevation in new[] { -8.0, -0.5, 0.5, 2.0, 5.0, 12.0, 30.0 })
         {
             Vector3D sun = SurfacePoints.Sun(middle, elevation, 360.0 * random.NextDouble());
             List<SurfacePoint> points = SurfacePoints.Facing(moon, middle, radiusDegrees, sun, 1500, random);
@@ -138,7 +138,7 @@ public sealed class ShadowPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fix
             }
         }
 
-        Assert.InRange(shadows, 500, 16_000);
+        Assert.InRange(shadows, 300, 10_200);
     }
 
     private static (byte[] Hidden, ShadowStatistics Statistics) Run(ShadowPass pass, List<SurfacePoint> points, Vector3D sun, int threads)

@@ -10,6 +10,9 @@ internal readonly record struct SurfacePoint(Vector3D Position, BruteForceMoon.F
 /// <summary>Random points of the surface, and Suns over it; angles in degrees.</summary>
 internal static class SurfacePoints
 {
+    /// <summary>A ray that rises less than this out of its facet may meet it again beyond the millimetre that the brute force leaves out.</summary>
+    public const double LeastCosine = 1e-4;
+
     private const double SunDistance = 1.496e11; // m
 
     /// <summary>Unit vector to a place.</summary>
@@ -38,7 +41,7 @@ internal static class SurfacePoints
     /// <param name="random">Gives the places.</param>
     /// <param name="leastCosine">Of the incidence angle.</param>
     public static List<SurfacePoint> Facing(
-        BruteForceMoon moon, Vector3D middle, double radius, Vector3D sun, int count, Random random, double leastCosine = 0.0)
+        BruteForceMoon moon, Vector3D middle, double radius, Vector3D sun, int count, Random random, double leastCosine = LeastCosine)
     {
         List<SurfacePoint> points = [];
         for (int i = 0; i < 20 * count && points.Count < count; i++)
