@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up MSISF on a fresh machine and renders two pictures of the Moon into output/. As root, or as a user with sudo.
+# Sets up MSISF on a fresh machine and renders three pictures of the Moon into output/. As root, or as a user with sudo.
 # Can be run again at no cost: what is there and up to date is left alone.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
@@ -10,12 +10,16 @@ require_own_folders
 
 # What is made of a synthetic model is kept apart: the real one may be found in a later run.
 model_options=()
+pattern_options=()
 get_model() {
     local code=0
     scripts/get-ldem.sh || code=$?
     case $code in
         0) ;;
-        10) model_options=(--ldem input/ldem/LDEM_4_SYNTHETIC.LBL --pattern-repos pattern-repository/synthetic/) ;;
+        10)
+            model_options=(--ldem input/ldem/LDEM_4_SYNTHETIC.LBL)
+            pattern_options=(--pattern-repos pattern-repository/synthetic/)
+            ;;
         *) exit "$code" ;;
     esac
 }
@@ -55,11 +59,13 @@ else
 fi
 
 pictures=()
-# The example of section 9.2 of the thesis.
-render thesis-9.2 --fixed-state \
-    '{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}'
+# The example of section 9.2 of the thesis, by POV-Ray and by the program's own renderer.
+state='{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}'
+render thesis-9.2 --fixed-state "$state" "${pattern_options[@]}"
+render thesis-9.2.native --fixed-state "$state" --renderer native --samples 9
 # Straight down on Mare Orientale (19.4 S, 267 E) from 1500 km, the Sun 38 degrees high in the east.
-render nadir-orientale --kepler-set '{3.2374e6,0,0,4.7974,1.2,5.9188}' --epoch 55289 --time 55289
+render nadir-orientale --kepler-set '{3.2374e6,0,0,4.7974,1.2,5.9188}' --epoch 55289 --time 55289 \
+    "${pattern_options[@]}"
 
 say
 say 'The pictures (the numbers to each are in the .xml file beside it):'

@@ -28,12 +28,13 @@ PROGRAM
     touch -t 202001010000 clone/quickstart.sh clone/publish/sources clone/input/ldem/*
 }
 
-test_quickstart_renders_two_pictures_once() {
+test_quickstart_renders_three_pictures_once() {
     make_built_clone
     run clone/quickstart.sh
     assert_code 0
     assert_says 'program: --fixed-state {55289,2E6,2E6,0,'
     assert_says 'program: --kepler-set {'
+    assert_says '--renderer native'
     assert_says 'built-in kernel reader'
     assert_says "$PWD/clone/output/thesis-9.2.png"
     CSPICE=/lib/libcspice.so run clone/quickstart.sh
@@ -70,5 +71,7 @@ test_quickstart_without_a_real_model_goes_on_with_a_synthetic_one() {
     run clone/quickstart.sh
     assert_code 0
     assert_says 'its heights are invented'
-    assert_says '--ldem input/ldem/LDEM_4_SYNTHETIC.LBL --pattern-repos pattern-repository/synthetic/'
+    assert_says '--pattern-repos pattern-repository/synthetic/ --width'
+    assert_says '--renderer native --samples 9 --width'
+    assert_says '--ldem input/ldem/LDEM_4_SYNTHETIC.LBL --rendering-annotation'
 }

@@ -1,3 +1,6 @@
+using System.Buffers;
+using System.Collections.Concurrent;
+using System.Runtime.InteropServices;
 using Msisf.Adapters.Render;
 using Msisf.Cli.Options;
 using Msisf.Core.Render;
@@ -13,6 +16,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
     private readonly GreyTable _grey;
     private readonly FrameFiles _files;
     private readonly RunTimes _times;
+    private readonly ConcurrentBag<MemoryStream> _idlePictures = [];
 
     public NativeFrameRenderer(NativeSettings settings, NativeLevels levels, FrameFiles files, RunTimes times)
     {
@@ -32,28 +36,35 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         NativeRenderer renderer = _levels.For(frame.Camera, _settings.Render.SamplesAcross);
         using NativeFrame drawn = _times.Measure(
             Phase.Draw, () => renderer.Render(frame.Camera, frame.Light, _settings.Render, threads, cancellation));
-        using MemoryStream picture = new();
+        MemoryStream picture = _idlePictures.TryTake(out MemoryStream? idle) ? idle : new MemoryStream();
+        picture.SetLength(0);
         _times.Measure(Phase.Output, () => Encode(drawn, picture));
         RenderedFrame rendered = new(
             RendererKind.Native, picture, "the picture", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepTruth ? drawn : null);
-        return new FrameOutputs(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
+        FrameOutputs outputs = new(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
+        _idlePictures.Add(picture);
+        return outputs;
     }
 
     private void Encode(NativeFrame drawn, MemoryStream picture)
     {
         int width = drawn.Camera.Width;
+        int pixels = drawn.RadianceFactors.Length;
+        byte[] memory = ArrayPool<byte>.Shared.Rent(pixels * _settings.BitDepth / 8);
         if (_settings.BitDepth == 8)
         {
-            byte[] levels = new byte[drawn.RadianceFactors.Length];
+            Span<byte> levels = memory.AsSpan(0, pixels);
             _grey.Convert(drawn.RadianceFactors, levels);
             PngWriter.Write(picture, levels, width, _settings.Grey.Transfer);
         }
         else
         {
-            ushort[] levels = new ushort[drawn.RadianceFactors.Length];
+            Span<ushort> levels = MemoryMarshal.Cast<byte, ushort>(memory.AsSpan(0, 2 * pixels));
             _grey.Convert(drawn.RadianceFactors, levels);
             PngWriter.Write(picture, levels, width, _settings.Grey.Transfer);
         }
+
+        ArrayPool<byte>.Shared.Return(memory);
 
         picture.Position = 0;
     }

@@ -18,8 +18,7 @@ internal sealed class FramePass
     private readonly ShadowPass _shadows;
     private readonly RowShader _shader;
     private VisibleSurface? _visible;
-    private byte[] _hidden = [];
-    private double[] _cosIncidence = [];
+    private readonly PixelSunlight _sunlight = new();
     private double[] _radianceFactors = [];
     private NativeRenderOptions? _options;
 
@@ -44,10 +43,9 @@ internal sealed class FramePass
     {
         (Camera, Light, _options) = (camera, light, options);
         int pixels = camera.Width * camera.Height;
-        if (_hidden.Length < pixels)
+        _sunlight.Prepare(pixels, hasDisc: false);
+        if (_radianceFactors.Length < pixels)
         {
-            _hidden = new byte[pixels];
-            _cosIncidence = new double[pixels];
             _radianceFactors = new double[pixels];
         }
 
@@ -89,12 +87,12 @@ internal sealed class FramePass
             return false;
         }
 
-        bool isDark = _hidden[((y - 1) * Camera.Width) + x - 1] != 0
+        bool isDark = _sunlight.Hidden[((y - 1) * Camera.Width) + x - 1] != 0
             || !(Vector3D.Dot(hit.NormalMoonMe, Light.PositionMoonMe - hit.PointMoonMe) > 0.0);
         light = PointSun.At(hit.PointMoonMe, isDark, Light);
         if (_options.Normals == NormalModel.Smooth)
         {
-            hit = hit with { NormalMoonMe = _shader.SmoothNormal(hit) };
+            hit = hit with { NormalMoonMe = _shader.SmoothNormal(hit, Camera.PositionMoonMe) };
         }
 
         return true;
@@ -105,20 +103,20 @@ internal sealed class FramePass
     private void DrawSample(double offsetX, double offsetY, double weight, int threads, CancellationToken cancellation)
     {
         _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
-        SunwardPoints points = new(_visible, Light.PositionMoonMe, _cosIncidence);
+        SunwardPoints points = new(_visible, Light.PositionMoonMe, _sunlight.CosIncidence);
         if (Light.IsSun)
         {
-            _shadows.Run(points, Light.PositionMoonMe, _hidden, threads, cancellation);
+            _shadows.Run(points, Light.PositionMoonMe, _sunlight.Hidden, threads, cancellation);
         }
         else
         {
-            _hidden.AsSpan(0, Camera.Width * Camera.Height).Clear();
+            _sunlight.Hidden.AsSpan(0, Camera.Width * Camera.Height).Clear();
             WorkerTeam.Run(threads, points.Rows, (_, row) => points.ReadCosines(row), cancellation);
         }
 
         if (weight > 0.0)
         {
-            _shader.Shade(_visible, Light, new PixelSunlight(_cosIncidence, _hidden), _options!, weight, _radianceFactors, threads, cancellation);
+            _shader.Shade(_visible, Light, _sunlight, _options!, weight, _radianceFactors, threads, cancellation);
         }
     }
 }

@@ -4,6 +4,7 @@ using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Surface;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render.Shading;
 
@@ -32,15 +33,16 @@ internal sealed class RowShader
         double weight,
         double[] radianceFactors,
         int threads,
-        CancellationToken cancellation) => WorkerTeam.Run(threads, visible.Height, (_, row) =>
+        CancellationToken cancellation)
+    {
+        bool isFlat = options.Normals == NormalModel.Facet && !options.Reflectance.DependsOnViewer;
+        WorkerTeam.Run(threads, visible.Height, (_, row) =>
         {
             int start = row * visible.Width;
-            ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(start, visible.Width);
-            ReadOnlySpan<byte> hidden = sunlight.Hidden.AsSpan(start, visible.Width);
             Span<double> factors = radianceFactors.AsSpan(start, visible.Width);
-            if (options.Normals == NormalModel.Facet && !options.Reflectance.DependsOnViewer)
+            if (isFlat)
             {
-                AddFlat(cosines, hidden, options.Reflectance, weight, factors);
+                AddFlat(sunlight, start, options.Reflectance, weight, factors);
                 return;
             }
 
@@ -50,55 +52,73 @@ internal sealed class RowShader
             for (int i = 0; i < scratch.Row.Count; i++)
             {
                 int column = scratch.Row.Columns[i];
-                if (cosines[column] > 0.0 && hidden[column] == 0)
+                double fraction = sunlight.VisibleFraction(start + column);
+                if (fraction > 0.0)
                 {
-                    factors[column] += weight * RadianceFactor(visible, row + 1, scratch.Row, i, normals, light, options.Reflectance);
+                    double cosIncidence = sunlight.CosIncidence[start + column];
+                    factors[column] += weight * fraction
+                        * RadianceFactor(visible, row + 1, scratch.Row, i, cosIncidence, normals, light, options.Reflectance);
                 }
             }
 
             _idle.Add(scratch);
         }, cancellation);
+    }
 
     /// <summary>The normal that shades a point.</summary>
     /// <param name="hit">The point, with its facet's normal.</param>
-    public Vector3D SmoothNormal(SurfaceHit hit)
+    /// <param name="cameraMoonMe">m, MOON_ME.</param>
+    public Vector3D SmoothNormal(SurfaceHit hit, Vector3D cameraMoonMe)
     {
         Scratch scratch = _idle.TryTake(out Scratch? idle) ? idle : new Scratch(_surface);
-        Vector3D normal = scratch.Normals.At(hit.Facet, hit.NormalMoonMe, hit.PointMoonMe);
+        Vector3D normal = Smooth(scratch.Normals, hit.Facet, hit.NormalMoonMe, hit.PointMoonMe, cameraMoonMe);
         _idle.Add(scratch);
         return normal;
     }
 
-    private static void AddFlat(ReadOnlySpan<double> cosines, ReadOnlySpan<byte> hidden, IReflectance law, double weight, Span<double> factors)
+    private static void AddFlat(PixelSunlight sunlight, int start, IReflectance law, double weight, Span<double> factors)
     {
+        ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(start, factors.Length);
         for (int column = 0; column < cosines.Length; column++)
         {
-            if (cosines[column] > 0.0 && hidden[column] == 0)
+            double fraction = cosines[column] > 0.0 ? sunlight.VisibleFraction(start + column) : 0.0;
+            if (fraction > 0.0)
             {
-                factors[column] += weight * law.RadianceFactor(cosines[column], cosEmission: 1.0, phaseHaversine: 0.0);
+                factors[column] += weight * fraction * law.RadianceFactor(cosines[column], cosEmission: 1.0, phaseHaversine: 0.0);
             }
         }
     }
 
     private static double RadianceFactor(
-        VisibleSurface visible, int y, SurfaceRow row, int i, SmoothNormals? normals, SceneLight light, IReflectance law)
+        VisibleSurface visible, int y, SurfaceRow row, int i, double cosIncidence, SmoothNormals? normals, SceneLight light, IReflectance law)
     {
+        Vector3D camera = visible.View.Camera.PositionMoonMe;
         Vector3D point = new(row.X[i], row.Y[i], row.Z[i]);
         Vector3D normal = new(row.NormalX[i], row.NormalY[i], row.NormalZ[i]);
-        normal = normals?.At(visible.FacetOf(y, row.Facets[i]), normal, point) ?? normal;
 
         // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
         Vector3D toLight = light.PositionMoonMe - point;
         toLight /= Math.Sqrt(toLight.LengthSquared);
-        Vector3D toCamera = visible.View.Camera.PositionMoonMe - point;
+        Vector3D toCamera = camera - point;
         toCamera /= Math.Sqrt(toCamera.LengthSquared);
-        double cosIncidence = Math.Min(Vector3D.Dot(normal, toLight), 1.0);
-        double cosEmission = Math.Min(Vector3D.Dot(normal, toCamera), 1.0);
+        if (normals is not null)
+        {
+            normal = Smooth(normals, visible.FacetOf(y, row.Facets[i]), normal, point, camera);
+            cosIncidence = Math.Min(Vector3D.Dot(normal, toLight), 1.0);
+        }
 
-        // A smooth normal can look away from the light or the camera where the facet does not.
+        // A smooth normal can look away from the light where the facet does not; a facet can be seen edge-on.
+        double cosEmission = Math.Min(Vector3D.Dot(normal, toCamera), 1.0);
         return cosIncidence > 0.0 && cosEmission > 0.0
             ? law.RadianceFactor(cosIncidence, cosEmission, PhaseAngle.Haversine(toLight, toCamera))
             : 0.0;
+    }
+
+    /// <summary>At the limb a normal between the samples can look away from the camera, where no law has a value: there the facet's own is left.</summary>
+    private static Vector3D Smooth(SmoothNormals normals, FacetId facet, Vector3D facetNormal, Vector3D point, Vector3D camera)
+    {
+        Vector3D normal = normals.At(facet, facetNormal, point);
+        return Vector3D.Dot(normal, camera - point) > 0.0 ? normal : facetNormal;
     }
 
     /// <summary>What one thread works with.</summary>

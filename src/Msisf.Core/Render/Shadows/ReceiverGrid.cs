@@ -64,12 +64,12 @@ internal sealed class ReceiverGrid
         _depths.Prepare(Size);
         if (_starts.Length < (Size * Size) + 1)
         {
-            _starts = new int[(Size * Size) + 1];
+            _starts = new int[(Size * Size * 5 / 4) + 1];
         }
 
         if (_counts.Length < parts || _counts[0].Length < Size * Size)
         {
-            _counts = [.. Enumerable.Range(0, Math.Max(parts, _counts.Length)).Select(_ => new int[Size * Size])];
+            _counts = [.. Enumerable.Range(0, Math.Max(parts, _counts.Length)).Select(_ => new int[Size * Size * 5 / 4])];
         }
 
         foreach (int[] counts in _counts)
@@ -139,10 +139,11 @@ internal sealed class ReceiverGrid
         Length = next;
         if (U.Length < next + LaneCount)
         {
-            U = new double[next + LaneCount];
-            V = new double[next + LaneCount];
-            W = new double[next + LaneCount];
-            Pixels = new int[next + LaneCount];
+            int room = next + (next / 4) + LaneCount; // the next frames' numbers differ a little
+            U = new double[room];
+            V = new double[room];
+            W = new double[room];
+            Pixels = new int[room];
         }
     }
 

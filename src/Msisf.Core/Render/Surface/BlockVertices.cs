@@ -65,6 +65,7 @@ internal sealed class BlockVertices
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
     private void PlaceLine(SurfaceModel surface, SineCosine latitude, int start, Vector3D origin)
     {
         ref double sines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(surface.LongitudeSines), Cells.FirstSample);

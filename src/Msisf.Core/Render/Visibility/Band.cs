@@ -6,6 +6,9 @@ namespace Msisf.Core.Render.Visibility;
 /// </summary>
 internal sealed class Band
 {
+    /// <summary>The number of no facet.</summary>
+    public const int NotRecorded = -1;
+
     private const int FirstCapacity = 1024;
 
     /// <summary>Behind the last column, so that eight pixels can be written from any column on.</summary>
@@ -25,8 +28,8 @@ internal sealed class Band
     /// <summary>Its last row.</summary>
     public int LastRow { get; private set; }
 
-    /// <summary>One over the ray parameter of each pixel's nearest point; 0 where there is none.</summary>
-    public double[] InverseParameters { get; private set; } = [];
+    /// <summary>1/m: one over the depth of each pixel's nearest point; 0 where there is none.</summary>
+    public double[] InverseDepths { get; private set; } = [];
 
     /// <summary>Number of each pixel's facet in <see cref="Records"/>; means nothing where there is none.</summary>
     public int[] Facets { get; private set; } = [];
@@ -46,26 +49,29 @@ internal sealed class Band
         Stride = width + Padding;
         RecordCount = 0;
         int size = Stride * rows;
-        if (InverseParameters.Length < size)
+        if (InverseDepths.Length < size)
         {
-            InverseParameters = new double[size];
+            InverseDepths = new double[size];
             Facets = new int[size];
         }
         else
         {
-            InverseParameters.AsSpan(0, size).Clear();
+            InverseDepths.AsSpan(0, size).Clear();
         }
     }
 
     /// <summary>Records a facet; returns its number.</summary>
-    public int Add(in FacetRecord record)
+    /// <param name="block">The facet's block.</param>
+    /// <param name="index">Its cell's north-western vertex.</param>
+    /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
+    public int Add(ProjectedBlock block, int index, int half)
     {
         if (RecordCount == _records.Length)
         {
             Array.Resize(ref _records, 2 * RecordCount);
         }
 
-        _records[RecordCount] = record;
+        _records[RecordCount] = block.Record(index, half);
         return RecordCount++;
     }
 }

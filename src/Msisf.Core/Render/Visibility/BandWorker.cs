@@ -7,6 +7,7 @@ internal sealed class BandWorker
 {
     private readonly ProjectedBlock _block = new();
     private readonly CellSieve _sieve = new();
+    private readonly CrossingCells _crossing = new();
 
     /// <summary>Draws all blocks that touch a band; returns what that took.</summary>
     public VisibilityCounts Draw(SurfaceModel surface, PictureView view, List<VisibleBlock> blocks, Band band)
@@ -14,6 +15,7 @@ internal sealed class BandWorker
         long read = 0;
         long sieved = 0;
         _sieve.Begin(view);
+        _crossing.Begin(view);
         foreach (VisibleBlock visible in blocks)
         {
             if (visible.FirstRow > band.LastRow || visible.LastRow < band.FirstRow)
@@ -23,7 +25,7 @@ internal sealed class BandWorker
 
             _block.Load(surface, visible.Block, view);
             read++;
-            sieved += _block.IsInFront ? _sieve.Draw(_block, band) : _sieve.DrawCrossing(_block, band);
+            sieved += _block.IsInFront ? _sieve.Draw(_block, band) : _crossing.DrawAll(_block, band);
         }
 
         return new VisibilityCounts(0, read, sieved, band.RecordCount);

@@ -1,3 +1,5 @@
+using System.Numerics;
+using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Visibility;
@@ -13,47 +15,95 @@ internal sealed class CrossingCells
     /// <summary>Takes a frame's camera.</summary>
     public void Begin(PictureView view) => _view = view;
 
-    /// <summary>Draws a facet into the band.</summary>
-    /// <param name="block">The facet's block.</param>
-    /// <param name="first">Element of its first corner.</param>
-    /// <param name="second">Of its second corner.</param>
-    /// <param name="third">Of its third corner.</param>
-    /// <param name="line">Line of its cell.</param>
-    /// <param name="sampleAndHalf">As in <see cref="FacetRecord"/>.</param>
-    /// <param name="band">Where to draw.</param>
-    public void Draw(ProjectedBlock block, int first, int second, int third, int line, int sampleAndHalf, Band band)
+    /// <summary>Draws the cells of any block one by one; returns how many were looked at.</summary>
+    public long DrawAll(ProjectedBlock block, Band band)
     {
-        Extent extent = new(_view);
-        Vector3D a = extent.Add(At(block, first));
-        Vector3D b = extent.Add(At(block, second));
-        Vector3D c = extent.Add(At(block, third));
-        extent.AddEdge(a, b);
-        extent.AddEdge(b, c);
-        extent.AddEdge(c, a);
-        PixelRange pixels = extent.PixelsOf(band);
-        if (pixels.IsEmpty)
+        int lines = block.Vertices.Lines - 1;
+        int samples = block.Vertices.Samples - 1;
+        for (int line = 0; line < lines; line++)
         {
+            uint halves = block.HalvesOf(line);
+            for (int sample = 0; sample < samples; sample++)
+            {
+                DrawCell(block, (line * ProjectedBlock.Stride) + sample, halves, band);
+            }
+        }
+
+        return lines * samples;
+    }
+
+    private void DrawCell(ProjectedBlock block, int index, uint halves, Band band)
+    {
+        if (block.IsUsable(index, _view)
+            && block.IsUsable(index + FacetCorners.NorthEast, _view)
+            && block.IsUsable(index + FacetCorners.SouthWest, _view)
+            && block.IsUsable(index + FacetCorners.SouthEast, _view))
+        {
+            CellFill.Draw(block, index, halves, band);
             return;
         }
 
-        Vector3D normal = Vector3D.Cross(At(block, second) - At(block, first), At(block, third) - At(block, first));
-        double inverse = 1.0 / Vector3D.Dot(normal, At(block, first) - _view.Remainder);
-        double offset = Vector3D.Dot(normal, At(block, first) + (_view.Origin - _view.Anchor));
-        FacetPlane plane = new(
-            Vector3D.Dot(normal, _view.FirstRay) * inverse,
-            Vector3D.Dot(normal, _view.RayPerColumn) * inverse,
-            Vector3D.Dot(normal, _view.RayPerRow) * inverse,
-            _view.Distance / extent.GreatestDepth,
-            double.MaxValue);
-        SpatialEdges edges = new(Corner(block, first), Corner(block, second), Corner(block, third), _view);
-        FacetFill.Fill(ref edges, plane, pixels, new FacetRecord(normal, offset, line, sampleAndHalf), band);
+        for (uint left = halves; left != 0; left &= left - 1)
+        {
+            DrawFacet(block, index, BitOperations.TrailingZeroCount(left), band);
+        }
     }
 
-    private static Vector3D At(ProjectedBlock block, int index) =>
-        new(block.Vertices.X[index], block.Vertices.Y[index], block.Vertices.Z[index]);
+    private void DrawFacet(ProjectedBlock block, int index, int half, Band band)
+    {
+        SpatialEdges.Corner a = Corner(block, index);
+        SpatialEdges.Corner b = Corner(block, index + FacetCorners.Second(half));
+        SpatialEdges.Corner c = Corner(block, index + FacetCorners.Third(half));
+        Extent extent = new(_view);
+        Vector3D inPictureA = extent.Add(a.FromCamera);
+        Vector3D inPictureB = extent.Add(b.FromCamera);
+        Vector3D inPictureC = extent.Add(c.FromCamera);
+        extent.AddEdge(inPictureA, inPictureB);
+        extent.AddEdge(inPictureB, inPictureC);
+        extent.AddEdge(inPictureC, inPictureA);
+        PixelRange pixels = extent.PixelsOf(band);
+        if (!pixels.IsEmpty)
+        {
+            SpatialEdges edges = new(a, b, c, _view);
+            Fill(block, index, half, a.FromCamera, edges, pixels, band);
+        }
+    }
+
+    private void Fill(ProjectedBlock block, int index, int half, Vector3D corner, SpatialEdges edges, PixelRange pixels, Band band)
+    {
+        // One over the depth is linear in the picture; that it is above 0 the edges have told.
+        Vector3D normal = block.Record(index, half).Normal;
+        double scale = 1.0 / (Vector3D.Dot(normal, corner) * _view.Distance);
+        Vector512<double> perColumn = Vector512.Create(Vector3D.Dot(normal, _view.RayPerColumn) * scale);
+        Vector512<double> lastColumn = Vector512.Create((double)pixels.LastColumn);
+        int number = Band.NotRecorded;
+        for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
+        {
+            edges.MoveTo(row);
+            Vector512<double> atColumn0 = Vector512.Create(Vector3D.Dot(normal, _view.FirstRay + (row * _view.RayPerRow)) * scale);
+            Span<double> nearest = band.InverseDepths.AsSpan((row - band.FirstRow) * band.Stride, band.Stride);
+            Span<int> facets = band.Facets.AsSpan((row - band.FirstRow) * band.Stride, band.Stride);
+            for (int column = pixels.FirstColumn; column <= pixels.LastColumn; column += Vector512<double>.Count)
+            {
+                Vector512<double> columns = Vector512.Create((double)column) + Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
+                Vector512<double> inverseDepth = atColumn0 + (perColumn * columns);
+                Vector512<double> before = Vector512.LoadUnsafe(ref nearest[column]);
+                Vector512<double> wins = Vector512.LessThanOrEqual(edges.Outside(columns), Vector512<double>.Zero)
+                    & Vector512.GreaterThan(inverseDepth, before)
+                    & Vector512.LessThanOrEqual(columns, lastColumn);
+                for (uint bits = (uint)wins.ExtractMostSignificantBits(); bits != 0; bits &= bits - 1)
+                {
+                    int lane = BitOperations.TrailingZeroCount(bits);
+                    number = number == Band.NotRecorded ? band.Add(block, index, half) : number;
+                    nearest[column + lane] = inverseDepth[lane];
+                    facets[column + lane] = number;
+                }
+            }
+        }
+    }
 
     private SpatialEdges.Corner Corner(ProjectedBlock block, int index) =>
-        new(At(block, index) - _view.Remainder, block.X[index], block.Y[index], block.IsUsable(index, _view));
+        new(block.At(index) - _view.Remainder, block.X[index], block.Y[index], block.IsUsable(index, _view));
 
     /// <summary>The picture's part in which a facet may lie, from its corners in front and where its edges leave through the camera's plane.</summary>
     private struct Extent(PictureView view)
@@ -63,17 +113,13 @@ internal sealed class CrossingCells
         private double _top = double.PositiveInfinity;
         private double _bottom = double.NegativeInfinity;
 
-        public double GreatestDepth { get; private set; } = 0.0;
-
         /// <summary>Adds a corner; returns its products with across, down and forward.</summary>
-        public Vector3D Add(Vector3D corner)
+        public Vector3D Add(Vector3D fromCamera)
         {
-            Vector3D fromCamera = corner - view.Remainder;
             Vector3D inPicture = new(
                 Vector3D.Dot(fromCamera, view.Across), Vector3D.Dot(fromCamera, view.Down), Vector3D.Dot(fromCamera, view.Forward));
             if (inPicture.Z > 0.0)
             {
-                GreatestDepth = Math.Max(GreatestDepth, inPicture.Z);
                 Widen((inPicture.X / inPicture.Z) + view.CentreX, ref _left, ref _right);
                 Widen((inPicture.Y / inPicture.Z) + view.CentreY, ref _top, ref _bottom);
             }

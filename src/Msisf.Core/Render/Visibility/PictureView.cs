@@ -62,6 +62,9 @@ internal sealed class PictureView
     /// <summary>m, MOON_ME: the lattice point that planes are given from; near the camera, or, for a camera far away, the Moon's centre.</summary>
     public Vector3D Anchor { get; }
 
+    /// <summary>m: from the anchor to the origin, exact.</summary>
+    public Vector3D OriginFromAnchor => Origin - Anchor;
+
     /// <summary>Part of each pixel's ray direction along the viewing direction: at parameter t a ray is t times this deep.</summary>
     public double Distance { get; }
 
@@ -94,6 +97,9 @@ internal sealed class PictureView
 
     /// <summary>px: vertices that are projected farther out are not used as projected ones.</summary>
     public double CoordinateLimit { get; }
+
+    /// <summary>px2: facets that are turned away by more than this certainly are; products of coordinates within the limit are rounded by less.</summary>
+    public double TurnedArea => Math.ScaleB(CoordinateLimit * CoordinateLimit, -50);
 
     private static double OnLattice(double metres) => Math.Round(metres * LatticePoint.StepsPerMetre) / LatticePoint.StepsPerMetre;
 }

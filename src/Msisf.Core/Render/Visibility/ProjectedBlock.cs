@@ -19,6 +19,8 @@ internal sealed class ProjectedBlock
 
     private readonly double[] _tops = new double[Rows * Vector512<double>.Count];
     private readonly double[] _bottoms = new double[Rows * Vector512<double>.Count];
+    private Vector3D _originFromAnchor;
+    private int _lastCellLine;
 
     /// <summary>m, from <see cref="PictureView.Origin"/>, not from the camera.</summary>
     public BlockVertices Vertices { get; } = new();
@@ -35,14 +37,52 @@ internal sealed class ProjectedBlock
     /// <summary>All vertices lie in front of the camera and are projected within <see cref="PictureView.CoordinateLimit"/>.</summary>
     public bool IsInFront { get; private set; }
 
-    /// <summary>The line of the cells of the fan round the south pole.</summary>
-    public int LastCellLine { get; private set; }
+    /// <summary>Halves of the cells of a line that are facets, by the bits of <see cref="FacetCorners"/>: a fan's cells have one.</summary>
+    public uint HalvesOf(int line)
+    {
+        int cellLine = Vertices.Cells.FirstLine + line;
+        return cellLine < 0 ? FacetCorners.SouthWestHalf
+            : cellLine == _lastCellLine ? FacetCorners.NorthEastHalf
+            : FacetCorners.SouthWestHalf | FacetCorners.NorthEastHalf;
+    }
+
+    /// <summary>What is recorded of a facet.</summary>
+    /// <param name="index">Its cell's north-western vertex.</param>
+    /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
+    public FacetRecord Record(int index, int half)
+    {
+        ref double x = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(Vertices.X), index);
+        ref double y = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(Vertices.Y), index);
+        ref double z = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(Vertices.Z), index);
+        int second = FacetCorners.Second(half);
+        int third = FacetCorners.Third(half);
+        double ux = Unsafe.Add(ref x, second) - x;
+        double uy = Unsafe.Add(ref y, second) - y;
+        double uz = Unsafe.Add(ref z, second) - z;
+        double vx = Unsafe.Add(ref x, third) - x;
+        double vy = Unsafe.Add(ref y, third) - y;
+        double vz = Unsafe.Add(ref z, third) - z;
+
+        // Sides are exact, so plain products give the normal of a facet that is not all but a line.
+        double nx = (uy * vz) - (uz * vy);
+        double ny = (uz * vx) - (ux * vz);
+        double nz = (ux * vy) - (uy * vx);
+        double offset = (nx * (x + _originFromAnchor.X)) + (ny * (y + _originFromAnchor.Y)) + (nz * (z + _originFromAnchor.Z));
+        int line = index / Stride;
+        return new FacetRecord(
+            new Vector3D(nx, ny, nz), offset, Vertices.Cells.FirstLine + line, (2 * (Vertices.Cells.FirstSample + index - (line * Stride))) + half);
+    }
+
+    /// <summary>Position of a vertex, m, MOON_ME from <see cref="PictureView.Origin"/>.</summary>
+    public Vector3D At(int index) => new(Vertices.X[index], Vertices.Y[index], Vertices.Z[index]);
 
     /// <summary>Reads and projects a block.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else draw with unoptimised vectors
     public void Load(SurfaceModel surface, CellBlock block, PictureView view)
     {
         Vertices.Load(surface, block, view.Origin);
-        LastCellLine = surface.Mesh.Lines - 1;
+        _lastCellLine = surface.Mesh.Lines - 1;
+        _originFromAnchor = view.OriginFromAnchor;
         Vector512<double> limit = Vector512.Create(view.CoordinateLimit);
         Vector512<double> one = Vector512<double>.One;
         Projection across = new(view.Across, view.Remainder);

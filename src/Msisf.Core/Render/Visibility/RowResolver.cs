@@ -7,13 +7,13 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// Computes the points that pixels show: camera + t direction, the direction being that of <see cref="Camera.PinholeCamera.RayThrough"/> to
-/// the last bit. The depth buffer's t is good to 16 digits, 1e-7 m at 1e9 m; so the point that it leads to is computed with 106 bits and
-/// then moved along the ray into the facet's plane. One pixel at a time is the reference; a row at a time gives the same bits.
+/// the last bit. The depth buffer holds t as well as the projected corners tell it; the point to which it leads is computed with 106 bits
+/// and then moved along the ray into the facet's plane. One pixel at a time is the reference; a row at a time gives the same bits.
 /// </summary>
 internal sealed class RowResolver
 {
     /// <summary>1, parts of t: more than the depth buffer is wrong, unless a facet is seen edge-on and its plane tells nothing.</summary>
-    private const double GreatestCorrection = 1e-12;
+    private const double GreatestCorrection = 1e-6;
 
     private readonly PictureView _view;
     private readonly double[] _right;
@@ -31,11 +31,11 @@ internal sealed class RowResolver
     }
 
     /// <summary>One pixel, counted from 0.</summary>
-    public SurfaceHit Resolve(int column, int row, double inverseParameter, in FacetRecord record)
+    public SurfaceHit Resolve(int column, int row, double inverseDepth, in FacetRecord record)
     {
         Vector3D direction = _view.Camera.RayThrough(column + 1 + _view.OffsetX, row + 1 + _view.OffsetY).Direction;
         Vector3D position = _view.Camera.PositionMoonMe - _view.Anchor;
-        double parameter = 1.0 / inverseParameter;
+        double parameter = 1.0 / (inverseDepth * _view.Distance);
         Vector3D near = new(
             Along(position.X, parameter, direction.X), Along(position.Y, parameter, direction.Y), Along(position.Z, parameter, direction.Z));
         double correction = (record.Offset - Vector3D.Dot(record.Normal, near)) / Vector3D.Dot(record.Normal, direction);
@@ -50,6 +50,7 @@ internal sealed class RowResolver
     /// <param name="band">The band of the row.</param>
     /// <param name="row">The row, from 0.</param>
     /// <param name="pixels">Filled.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
     public void Resolve(Band band, int row, SurfaceRow pixels)
     {
         pixels.EnsureWidth(band.Width);
@@ -61,6 +62,7 @@ internal sealed class RowResolver
         double height = _view.Camera.Height;
         double up = (1.0 + height - (2.0 * (row + 1 + _view.OffsetY))) / (2.0 * height);
         Vector3D middle = _view.Camera.Direction + (up * _view.Camera.Up);
+        Vector512<double> distance = Vector512.Create(_view.Distance);
         Vector512<double> greatest = Vector512.Create(GreatestCorrection);
         ref double parameters = ref MemoryMarshal.GetArrayDataReference(pixels.Parameters);
         ref double x = ref MemoryMarshal.GetArrayDataReference(pixels.X);
@@ -71,7 +73,7 @@ internal sealed class RowResolver
         ref double normalZ = ref MemoryMarshal.GetArrayDataReference(pixels.NormalZ);
         for (nuint i = 0; i < (nuint)pixels.Count; i += (nuint)Vector512<double>.Count)
         {
-            Vector512<double> parameter = Vector512<double>.One / Vector512.LoadUnsafe(ref parameters, i);
+            Vector512<double> parameter = Vector512<double>.One / (Vector512.LoadUnsafe(ref parameters, i) * distance);
             Vector512<double> toRight = Vector512.LoadUnsafe(ref x, i);
             Vector512<double> offset = Vector512.LoadUnsafe(ref y, i);
             Vector512<double> directionX = Vector512.Create(middle.X) + (toRight * Vector512.Create(right.X));
@@ -84,7 +86,7 @@ internal sealed class RowResolver
             Vector512<double> ny = Vector512.LoadUnsafe(ref normalY, i);
             Vector512<double> nz = Vector512.LoadUnsafe(ref normalZ, i);
             Vector512<double> limit = greatest * parameter;
-            Vector512<double> correction = FacetPlanes.Held(
+            Vector512<double> correction = Held(
                 (offset - ((nx * nearX) + (ny * nearY) + (nz * nearZ))) / ((nx * directionX) + (ny * directionY) + (nz * directionZ)), -limit, limit);
             (parameter + correction).StoreUnsafe(ref parameters, i);
             (Vector512.Create(anchor.X) + (nearX + (correction * directionX))).StoreUnsafe(ref x, i);
@@ -117,11 +119,16 @@ internal sealed class RowResolver
         return sum + (((origin - (sum - added)) + (product - added)) + productRest);
     }
 
+    /// <summary>Holds values within limits; what is no number becomes the lower limit.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Held(Vector512<double> value, Vector512<double> least, Vector512<double> greatest) =>
+        Vector512.MinNative(Vector512.MaxNative(value, least), greatest);
+
     /// <summary>Puts the row's pixels one after the other; x holds their part of the way to the right for now, y their planes' offset.</summary>
     private void Gather(Band band, int row, SurfaceRow pixels)
     {
         int start = (row - band.FirstRow) * band.Stride;
-        ReadOnlySpan<double> inverses = band.InverseParameters.AsSpan(start, band.Width);
+        ReadOnlySpan<double> inverses = band.InverseDepths.AsSpan(start, band.Width);
         ReadOnlySpan<int> facets = band.Facets.AsSpan(start, band.Width);
         ReadOnlySpan<FacetRecord> records = band.Records;
         int count = 0;

@@ -5,10 +5,10 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// Edges of a facet with corners behind the camera or in its plane: (a x b) . ray, which needs no projection and no clipping. An edge whose
-/// ends are both projected is computed from them, as the facet on its other side does it, so that no pixel falls between the two.
+/// ends are both projected is computed from them, as for the facet on its other side, so that no pixel falls between the two.
 /// </summary>
 /// <remarks>M. Olano, T. Greer, "Triangle scan conversion using 2D homogeneous coordinates", Graphics Hardware 1997.</remarks>
-internal struct SpatialEdges : IFacetEdges
+internal struct SpatialEdges
 {
     private Edge _ab;
     private Edge _bc;
@@ -21,15 +21,15 @@ internal struct SpatialEdges : IFacetEdges
         _ca = new Edge(c, a, view);
     }
 
-    /// <summary>All columns: these facets are few.</summary>
-    public (double First, double Last) MoveTo(double row)
+    /// <summary>Goes to a row.</summary>
+    public void MoveTo(double row)
     {
         _ab.MoveTo(row);
         _bc.MoveTo(row);
         _ca.MoveTo(row);
-        return (double.NegativeInfinity, double.PositiveInfinity);
     }
 
+    /// <summary>Not above zero for the columns of the row that lie in the facet or on its border.</summary>
     public readonly Vector512<double> Outside(Vector512<double> columns) =>
         Vector512.MaxNative(_ab.At(columns), Vector512.MaxNative(_bc.At(columns), _ca.At(columns)));
 

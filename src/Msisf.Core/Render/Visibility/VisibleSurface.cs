@@ -37,7 +37,7 @@ internal sealed class VisibleSurface
         ArgumentOutOfRangeException.ThrowIfGreaterThan(x, Width);
         Band band = BandOf(y, out int row);
         int pixel = ((row - band.FirstRow) * band.Stride) + x - 1;
-        double inverse = band.InverseParameters[pixel];
+        double inverse = band.InverseDepths[pixel];
         hit = inverse > 0.0 ? _resolver.Resolve(x - 1, row, inverse, band.Records[band.Facets[pixel]]) : default;
         return inverse > 0.0;
     }

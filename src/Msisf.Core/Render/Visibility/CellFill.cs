@@ -1,0 +1,184 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>Fills both facets of one cell together, rows of eight pixels at a time, by the edges of <see cref="CellSieve"/>.</summary>
+internal static class CellFill
+{
+    private const int Lanes = 8;
+
+    /// <summary>px: more than rounding moves an edge's crossing with a row.</summary>
+    private const double Slack = 1e-6;
+
+    /// <summary>Draws the facets of a cell whose corners are all projected.</summary>
+    /// <param name="block">The cell's block.</param>
+    /// <param name="index">The cell's north-western vertex.</param>
+    /// <param name="halves">Bits of the halves that are facets.</param>
+    /// <param name="band">Where to draw.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public static void Draw(ProjectedBlock block, int index, uint halves, Band band)
+    {
+        Corner northWest = new(block, index);
+        Corner northEast = new(block, index + FacetCorners.NorthEast);
+        Corner southWest = new(block, index + FacetCorners.SouthWest);
+        Corner southEast = new(block, index + FacetCorners.SouthEast);
+        PixelRange pixels = PixelRange.Within(
+            Math.Min(Math.Min(northWest.X, northEast.X), Math.Min(southWest.X, southEast.X)),
+            Math.Max(Math.Max(northWest.X, northEast.X), Math.Max(southWest.X, southEast.X)),
+            Math.Min(Math.Min(northWest.Y, northEast.Y), Math.Min(southWest.Y, southEast.Y)),
+            Math.Max(Math.Max(northWest.Y, northEast.Y), Math.Max(southWest.Y, southEast.Y)),
+            band);
+        if (pixels.IsEmpty)
+        {
+            return;
+        }
+
+        DepthPlane southWestPlane = new(northWest, southWest, southEast);
+        DepthPlane northEastPlane = new(northWest, southEast, northEast);
+        Vector512<double> least = Vector512.Create(
+            Math.Min(Math.Min(northWest.InverseDepth, northEast.InverseDepth), Math.Min(southWest.InverseDepth, southEast.InverseDepth)));
+        Vector512<double> greatest = Vector512.Create(
+            Math.Max(Math.Max(northWest.InverseDepth, northEast.InverseDepth), Math.Max(southWest.InverseDepth, southEast.InverseDepth)));
+        Vector512<double> southWestMask = Vector512.Create((halves & FacetCorners.SouthWestHalf) != 0 ? -1L : 0L).AsDouble();
+        Vector512<double> northEastMask = Vector512.Create((halves & FacetCorners.NorthEastHalf) != 0 ? -1L : 0L).AsDouble();
+        Vector512<double> lastColumn = Vector512.Create((double)pixels.LastColumn);
+        Crossing west = new(northWest, southWest);
+        Crossing south = new(southWest, southEast);
+        Crossing east = new(southEast, northEast);
+        Crossing north = new(northEast, northWest);
+        Crossing diagonal = new(northWest, southEast);
+        int southWestNumber = Band.NotRecorded;
+        int northEastNumber = Band.NotRecorded;
+        for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
+        {
+            double first = double.PositiveInfinity;
+            double last = double.NegativeInfinity;
+            west.Widen(row, ref first, ref last);
+            south.Widen(row, ref first, ref last);
+            east.Widen(row, ref first, ref last);
+            north.Widen(row, ref first, ref last);
+            diagonal.Widen(row, ref first, ref last);
+            int begin = (int)Math.Max(pixels.FirstColumn, Math.Ceiling(first - Slack));
+            int end = (int)Math.Min(pixels.LastColumn, last + Slack);
+            if (begin > end)
+            {
+                continue;
+            }
+
+            Vector512<double> downNorthWest = Vector512.Create(northWest.Y - row);
+            Vector512<double> downNorthEast = Vector512.Create(northEast.Y - row);
+            Vector512<double> downSouthWest = Vector512.Create(southWest.Y - row);
+            Vector512<double> downSouthEast = Vector512.Create(southEast.Y - row);
+            Vector512<double> southWestStart = Vector512.Create(southWestPlane.AtColumn0(row));
+            Vector512<double> northEastStart = Vector512.Create(northEastPlane.AtColumn0(row));
+            int start = (row - band.FirstRow) * band.Stride;
+            ref double nearest = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(band.InverseDepths), start);
+            ref int facets = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(band.Facets), start);
+            for (int column = begin; column <= end; column += Lanes)
+            {
+                Vector512<double> columns = Vector512.Create((double)column) + Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
+                Vector512<double> acrossNorthWest = Vector512.Create(northWest.X) - columns;
+                Vector512<double> acrossNorthEast = Vector512.Create(northEast.X) - columns;
+                Vector512<double> acrossSouthWest = Vector512.Create(southWest.X) - columns;
+                Vector512<double> acrossSouthEast = Vector512.Create(southEast.X) - columns;
+                Vector512<double> diagonalEdge = (acrossNorthWest * downSouthEast) - (acrossSouthEast * downNorthWest);
+                Vector512<double> westEdge = (acrossNorthWest * downSouthWest) - (acrossSouthWest * downNorthWest);
+                Vector512<double> southEdge = (acrossSouthWest * downSouthEast) - (acrossSouthEast * downSouthWest);
+                Vector512<double> eastEdge = (acrossSouthEast * downNorthEast) - (acrossNorthEast * downSouthEast);
+                Vector512<double> northEdge = (acrossNorthEast * downNorthWest) - (acrossNorthWest * downNorthEast);
+                Vector512<double> inSouthWest = southWestMask & Vector512.LessThanOrEqual(
+                    Vector512.MaxNative(Vector512.MaxNative(westEdge, southEdge), -diagonalEdge), Vector512<double>.Zero);
+                Vector512<double> inNorthEast = northEastMask & Vector512.LessThanOrEqual(
+                    Vector512.MaxNative(Vector512.MaxNative(eastEdge, northEdge), diagonalEdge), Vector512<double>.Zero);
+                Vector512<double> inverseDepth = Vector512.ConditionalSelect(
+                    inSouthWest,
+                    southWestStart + (Vector512.Create(southWestPlane.PerColumn) * columns),
+                    northEastStart + (Vector512.Create(northEastPlane.PerColumn) * columns));
+                inverseDepth = Vector512.MinNative(Vector512.MaxNative(inverseDepth, least), greatest);
+                Vector512<double> before = Vector512.LoadUnsafe(ref nearest, (nuint)column);
+                Vector512<double> wins = (inSouthWest | inNorthEast)
+                    & Vector512.GreaterThan(inverseDepth, before)
+                    & Vector512.LessThanOrEqual(columns, lastColumn);
+                uint bits = (uint)wins.ExtractMostSignificantBits();
+                if (bits == 0)
+                {
+                    continue;
+                }
+
+                uint southWestBits = (uint)inSouthWest.ExtractMostSignificantBits();
+                if ((bits & southWestBits) != 0 && southWestNumber == Band.NotRecorded)
+                {
+                    southWestNumber = band.Add(block, index, 0);
+                }
+
+                if ((bits & ~southWestBits) != 0 && northEastNumber == Band.NotRecorded)
+                {
+                    northEastNumber = band.Add(block, index, 1);
+                }
+
+                Vector512.ConditionalSelect(wins, inverseDepth, before).StoreUnsafe(ref nearest, (nuint)column);
+                Vector256<int> number = Vector256.ConditionalSelect(
+                    Narrow(inSouthWest), Vector256.Create(southWestNumber), Vector256.Create(northEastNumber));
+                Vector256.ConditionalSelect(Narrow(wins), number, Vector256.LoadUnsafe(ref facets, (nuint)column))
+                    .StoreUnsafe(ref facets, (nuint)column);
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<int> Narrow(Vector512<double> mask) => Vector512.Narrow(mask.AsInt64(), mask.AsInt64()).GetLower();
+
+    private readonly struct Corner(ProjectedBlock block, int index)
+    {
+        public double X { get; } = block.X[index];
+
+        public double Y { get; } = block.Y[index];
+
+        public double InverseDepth { get; } = block.InverseDepth[index];
+    }
+
+    /// <summary>One over the depth of a facet, linear in the picture.</summary>
+    private readonly struct DepthPlane
+    {
+        private readonly Corner _a;
+        private readonly double _perRow;
+
+        public DepthPlane(Corner a, Corner b, Corner c)
+        {
+            (double bx, double by, double b1) = (b.X - a.X, b.Y - a.Y, b.InverseDepth - a.InverseDepth);
+            (double cx, double cy, double c1) = (c.X - a.X, c.Y - a.Y, c.InverseDepth - a.InverseDepth);
+            double area = (bx * cy) - (cx * by);
+            _a = a;
+            PerColumn = ((b1 * cy) - (c1 * by)) / area;
+            _perRow = ((c1 * bx) - (b1 * cx)) / area;
+        }
+
+        public double PerColumn { get; }
+
+        public double AtColumn0(double row) => _a.InverseDepth + (_perRow * (row - _a.Y)) - (PerColumn * _a.X);
+    }
+
+    /// <summary>Where a side crosses rows.</summary>
+    private readonly struct Crossing(Corner a, Corner b)
+    {
+        private readonly double _x = a.X;
+        private readonly double _y = a.Y;
+        private readonly double _otherY = b.Y;
+        private readonly double _perRow = (b.X - a.X) / (b.Y - a.Y);
+
+        /// <summary>Adds the crossing. A side along the row has none: its neighbours end where it does.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Widen(double row, ref double first, ref double last)
+        {
+            double down = _y - row;
+            double crossing = _x - (down * _perRow);
+            if (down * (_otherY - row) <= 0.0 && double.IsFinite(crossing))
+            {
+                first = Math.Min(first, crossing);
+                last = Math.Max(last, crossing);
+            }
+        }
+    }
+}

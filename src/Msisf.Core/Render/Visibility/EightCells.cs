@@ -1,0 +1,68 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>The projected corners of eight neighbouring cells of a line, read again from the block's arrays wherever they are needed: there are not registers for all.</summary>
+internal readonly ref struct EightCells
+{
+    private readonly ref double _x;
+    private readonly ref double _y;
+    private readonly ref double _inverseDepth;
+
+    /// <param name="block">Their block.</param>
+    /// <param name="index">North-western vertex of the westernmost cell.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public EightCells(ProjectedBlock block, int index)
+    {
+        _x = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(block.X), index);
+        _y = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(block.Y), index);
+        _inverseDepth = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(block.InverseDepth), index);
+    }
+
+    /// <summary>Least column of each cell.</summary>
+    public Vector512<double> Left => Least(ref _x);
+
+    /// <summary>Greatest column.</summary>
+    public Vector512<double> Right => Greatest(ref _x);
+
+    /// <summary>Least row.</summary>
+    public Vector512<double> Top => Least(ref _y);
+
+    /// <summary>Greatest row.</summary>
+    public Vector512<double> Bottom => Greatest(ref _y);
+
+    /// <summary>px2: twice the area of the south-western facets, below 0 where they face the camera.</summary>
+    public Vector512<double> SouthWestArea =>
+        ((X(FacetCorners.SouthWest) - X(0)) * (Y(FacetCorners.SouthEast) - Y(0)))
+        - ((X(FacetCorners.SouthEast) - X(0)) * (Y(FacetCorners.SouthWest) - Y(0)));
+
+    /// <summary>px2: the same of the north-eastern facets.</summary>
+    public Vector512<double> NorthEastArea =>
+        ((X(FacetCorners.SouthEast) - X(0)) * (Y(FacetCorners.NorthEast) - Y(0)))
+        - ((X(FacetCorners.NorthEast) - X(0)) * (Y(FacetCorners.SouthEast) - Y(0)));
+
+    /// <summary>Column of a corner of each cell.</summary>
+    /// <param name="corner">Of <see cref="FacetCorners"/>; 0 is the north-western one.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector512<double> X(int corner) => Vector512.LoadUnsafe(ref _x, (nuint)corner);
+
+    /// <summary>Row of a corner.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector512<double> Y(int corner) => Vector512.LoadUnsafe(ref _y, (nuint)corner);
+
+    /// <summary>1/m: one over the depth of a corner.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector512<double> InverseDepth(int corner) => Vector512.LoadUnsafe(ref _inverseDepth, (nuint)corner);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Least(ref double of) => Vector512.MinNative(
+        Vector512.MinNative(Vector512.LoadUnsafe(ref of), Vector512.LoadUnsafe(ref of, FacetCorners.NorthEast)),
+        Vector512.MinNative(Vector512.LoadUnsafe(ref of, FacetCorners.SouthWest), Vector512.LoadUnsafe(ref of, FacetCorners.SouthEast)));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Greatest(ref double of) => Vector512.MaxNative(
+        Vector512.MaxNative(Vector512.LoadUnsafe(ref of), Vector512.LoadUnsafe(ref of, FacetCorners.NorthEast)),
+        Vector512.MaxNative(Vector512.LoadUnsafe(ref of, FacetCorners.SouthWest), Vector512.LoadUnsafe(ref of, FacetCorners.SouthEast)));
+}
