@@ -25,8 +25,7 @@ internal sealed class FramePass
     public FramePass(SurfaceModel surface)
     {
         _visibility = new VisibilityPass(surface);
-        (double least, double greatest) = surface.Grid.RadiusLimits;
-        _shadows = new ShadowPass(surface, least, greatest);
+        _shadows = new ShadowPass(surface);
         _shader = new RowShader(surface);
     }
 

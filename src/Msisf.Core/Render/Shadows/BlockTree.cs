@@ -23,14 +23,12 @@ internal sealed class BlockTree
     private readonly BlockBounds _model;
     private readonly double _sagitta;
 
-    /// <param name="surface">The model.</param>
-    /// <param name="leastRadius">m: no vertex is lower.</param>
-    /// <param name="greatestRadius">m: no vertex is higher.</param>
-    public BlockTree(SurfaceModel surface, double leastRadius, double greatestRadius)
+    public BlockTree(SurfaceModel surface)
     {
+        (double least, double greatest) = surface.Grid.RadiusLimits;
         _surface = surface;
         _model = new BlockBounds(
-            MathF.BitDecrement((float)leastRadius), MathF.BitIncrement((float)greatestRadius), float.PositiveInfinity);
+            MathF.BitDecrement((float)least), MathF.BitIncrement((float)greatest), float.PositiveInfinity);
         _sagitta = MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree);
         List<BlockLevel> levels = [];
         for (int edge = 1; edge <= Fan || edge * CellBlock.Size <= LargestGroup * surface.Grid.PixelsPerDegree; edge *= Fan)

@@ -12,23 +12,27 @@ internal sealed class CasterBounds
     private readonly LightFrame _frame;
     private readonly ReceiverGrid _grid;
     private readonly LightBox _receivers;
-    private readonly double _parallaxCosine;
-    private readonly double _parallaxSine;
+    private readonly double _slope;
+    private readonly double _deepest;
+    private readonly double _turnCosine;
+    private readonly double _turnSine;
 
-    /// <param name="frame">Light space.</param>
-    /// <param name="grid">The receivers.</param>
-    /// <param name="receivers">They all are in it.</param>
+    /// <param name="receivers">The receivers.</param>
+    /// <param name="slope">Of the Sun's disc.</param>
     /// <param name="greatestRadius">m; below the Sun's distance.</param>
-    public CasterBounds(LightFrame frame, ReceiverGrid grid, LightBox receivers, double greatestRadius)
+    public CasterBounds(ReceiverSort receivers, double slope, double greatestRadius)
     {
-        _frame = frame;
-        _grid = grid;
-        _receivers = receivers;
+        _frame = receivers.Frame;
+        _grid = receivers.Grid;
+        _receivers = receivers.Box;
+        _slope = slope;
+        _deepest = receivers.Grid.GreatestDepth();
 
-        // The Sun's direction from a point differs from that from the centre by an angle with at most this sine.
-        double sine = Math.Min(1.0, greatestRadius / (frame.SunDistance - greatestRadius));
-        _parallaxSine = sine;
-        _parallaxCosine = Math.Sqrt((1.0 - sine) * (1.0 + sine));
+        // The direction from a point to a part of the Sun differs from that from the centre to the Sun's centre by an angle with at most
+        // this sine: the parallax, and what the disc adds to it.
+        double sine = Math.Min(1.0, (greatestRadius + (slope * _frame.SunDistance)) / (_frame.SunDistance - greatestRadius));
+        _turnSine = sine;
+        _turnCosine = Math.Sqrt((1.0 - sine) * (1.0 + sine));
     }
 
     /// <summary>Whether a facet that faces away from the Sun may lie in front of a receiver.</summary>
@@ -49,14 +53,14 @@ internal sealed class CasterBounds
         double greatestScale = _frame.SunDistance / (_frame.SunDistance + leastW);
         (double leastU, double greatestU) = Component(Vector3D.Dot(cap.Centre, _frame.AxisU), cap, least, greatest);
         (double leastV, double greatestV) = Component(Vector3D.Dot(cap.Centre, _frame.AxisV), cap, least, greatest);
-        LightBox box = LightBox.Intersection(
-            _receivers,
-            new LightBox(
-                leastU * (leastU < 0.0 ? greatestScale : leastScale),
-                greatestU * (greatestU < 0.0 ? leastScale : greatestScale),
-                leastV * (leastV < 0.0 ? greatestScale : leastScale),
-                greatestV * (greatestV < 0.0 ? leastScale : greatestScale)));
-        return !box.IsEmpty && leastW * greatestScale < _grid.GreatestDepth(_grid.BinsOf(in box));
+        LightBox box = new(
+            leastU * (leastU < 0.0 ? greatestScale : leastScale),
+            greatestU * (greatestU < 0.0 ? leastScale : greatestScale),
+            leastV * (leastV < 0.0 ? greatestScale : leastScale),
+            greatestV * (greatestV < 0.0 ? leastScale : greatestScale));
+        double leastDepth = leastW * greatestScale;
+        LightBox shaded = LightBox.Intersection(_receivers, box.Widened(_slope * Math.Max(0.0, _deepest - leastDepth)));
+        return !shaded.IsEmpty && leastDepth < _grid.GreatestDepth(_grid.BinsOf(in shaded));
     }
 
     /// <summary>Bounds of one component of the points between two spheres in the direction of a cap.</summary>
@@ -75,14 +79,14 @@ internal sealed class CasterBounds
         double zenithSine = Math.Sqrt(Math.Max(0.0, (1.0 - zenithCosine) * (1.0 + zenithCosine)));
         double farCosine = (zenithCosine * cap.CosRadius) - (zenithSine * cap.SinRadius);
         double farSine = (zenithSine * cap.CosRadius) + (zenithCosine * cap.SinRadius);
-        double leastSine = (farCosine * _parallaxCosine) - (farSine * _parallaxSine) - Rounding;
+        double leastSine = (farCosine * _turnCosine) - (farSine * _turnSine) - Rounding;
         if (!(leastSine > 0.0 && farSine >= 0.0))
         {
             return true;
         }
 
         // tan(elevation) > steepness, without the division.
-        double elevationCosine = (farSine * _parallaxCosine) + (farCosine * _parallaxSine) + Rounding;
+        double elevationCosine = (farSine * _turnCosine) + (farCosine * _turnSine) + Rounding;
         return leastSine <= steepness * elevationCosine;
     }
 }

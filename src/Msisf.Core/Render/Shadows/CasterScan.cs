@@ -52,7 +52,7 @@ internal sealed class CasterScan
         {
             for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
             {
-                if (!_strip.TrySet(line, sample, in receivers))
+                if (!_strip.TrySet(line, sample, in receivers, slope: 0.0))
                 {
                     continue;
                 }
@@ -122,18 +122,13 @@ internal sealed class CasterScan
         for (uint away = _strip.SouthWestAway; away != 0; away &= away - 1)
         {
             int at = _strip.NorthWest + BitOperations.TrailingZeroCount(away);
-            Tries += FacetCaster.Cast(Facet(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1), grid, hidden);
+            Tries += FacetCaster.Cast(_strip.Facet(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1), grid, hidden);
         }
 
         for (uint away = _strip.NorthEastAway; away != 0; away &= away - 1)
         {
             int at = _strip.NorthWest + BitOperations.TrailingZeroCount(away);
-            Tries += FacetCaster.Cast(Facet(at, at + BlockVertices.Stride + 1, at + 1), grid, hidden);
+            Tries += FacetCaster.Cast(_strip.Facet(at, at + BlockVertices.Stride + 1, at + 1), grid, hidden);
         }
     }
-
-    private LightFacet Facet(int a, int b, int c) => new(
-        _vertices.X[a], _vertices.Y[a], _vertices.Z[a],
-        _vertices.X[b], _vertices.Y[b], _vertices.Z[b],
-        _vertices.X[c], _vertices.Y[c], _vertices.Z[c]);
 }

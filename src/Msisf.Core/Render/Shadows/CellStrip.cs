@@ -38,8 +38,9 @@ internal sealed class CellStrip(BlockVertices vertices)
     /// <param name="line">Line of the block.</param>
     /// <param name="sample">The first cell's.</param>
     /// <param name="receivers">Cells outside are left out.</param>
+    /// <param name="slope">Of the Sun's disc: facets that face away from any part of it count.</param>
     /// <returns>Whether any facet is left.</returns>
-    public bool TrySet(int line, int sample, in LightBox receivers)
+    public bool TrySet(int line, int sample, in LightBox receivers, double slope)
     {
         _northWest = (line * BlockVertices.Stride) + sample;
         ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
@@ -66,6 +67,11 @@ internal sealed class CellStrip(BlockVertices vertices)
             & Vector512.GreaterThanOrEqual(Vector512.Create(receivers.GreatestV), leastV)
             & Vector512.LessThan(
                 Lanes.Numbers, Vector512.Create((double)(vertices.Samples - 1 - sample)));
+        if (slope > 0.0)
+        {
+            (southWest, northEast) = GreatestAreas(southWest, northEast, slope);
+        }
+
         _isSouthWestAway = isHere & Vector512.GreaterThan(southWest, Vector512<double>.Zero);
         _isNorthEastAway = isHere & Vector512.GreaterThan(northEast, Vector512<double>.Zero);
         Vector512<double> isAway = _isSouthWestAway | _isNorthEastAway;
@@ -83,6 +89,13 @@ internal sealed class CellStrip(BlockVertices vertices)
         _box = new LightBox(Least(isAway, leastU), -Least(isAway, -greatestU), Least(isAway, leastV), -Least(isAway, -greatestV));
         return true;
     }
+
+    /// <summary>A facet.</summary>
+    /// <param name="a">Index of a vertex, as in the other parameters.</param>
+    /// <param name="b">Next vertex, counterclockwise from above.</param>
+    /// <param name="c">Last vertex.</param>
+    public LightFacet Facet(int a, int b, int c) => new(
+        vertices.X[a], vertices.Y[a], vertices.Z[a], vertices.X[b], vertices.Y[b], vertices.Z[b], vertices.X[c], vertices.Y[c], vertices.Z[c]);
 
     /// <summary>A slab along the cells that holds all those of <see cref="Box"/>: narrower than the box where cells lie aslant.</summary>
     public LightSlab FindSlab()
@@ -112,6 +125,28 @@ internal sealed class CellStrip(BlockVertices vertices)
             acrossV,
             Least(isAway, Min(northWest, northEast, southWest, southEast)) - margin,
             margin - Least(isAway, -Max(northWest, northEast, southWest, southEast)));
+    }
+
+    /// <summary>A bit for each cell that may lie between a point and a part of the Sun's disc, by its box.</summary>
+    /// <param name="point">In light space.</param>
+    /// <param name="slope">Of the disc.</param>
+    public uint CellsNear(Vector3D point, double slope)
+    {
+        ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
+        ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
+        ref double ws = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Z), _northWest);
+        (Vector512<double> leastU, Vector512<double> greatestU) = Bounds(ref us);
+        (Vector512<double> leastV, Vector512<double> greatestV) = Bounds(ref vs);
+        (Vector512<double> leastW, _) = Bounds(ref ws);
+        Vector512<double> u = Vector512.Create(point.X);
+        Vector512<double> v = Vector512.Create(point.Y);
+        Vector512<double> reach = (Vector512.Create(slope) * (Vector512.Create(point.Z) - leastW)) + Vector512.Create(Tolerances.LightPoint);
+        return (uint)((_isSouthWestAway | _isNorthEastAway)
+            & Vector512.LessThan(leastW, Vector512.Create(point.Z))
+            & Vector512.LessThanOrEqual(leastU - reach, u)
+            & Vector512.GreaterThanOrEqual(greatestU + reach, u)
+            & Vector512.LessThanOrEqual(leastV - reach, v)
+            & Vector512.GreaterThanOrEqual(greatestV + reach, v)).ExtractMostSignificantBits();
     }
 
     /// <summary>Whether a facet that faces away lies between a point and the Sun.</summary>
@@ -158,6 +193,47 @@ internal sealed class CellStrip(BlockVertices vertices)
         Vector512<double> northEast = (east * wNorthWest) + (north * wSouthEast) + (-diagonal * wNorthEast);
         return ((inSouthWest & Vector512.LessThan(southWest, Vector512<double>.Zero))
             | (inNorthEast & Vector512.LessThan(northEast, Vector512<double>.Zero))) != Vector512<double>.Zero;
+    }
+
+    /// <summary>
+    /// The signed areas of the facets as the part of the disc sees them for which they are greatest. The ray to a part of the disc moves
+    /// across by a constant times the depth, so the area is linear in that constant's two components.
+    /// </summary>
+    private (Vector512<double> SouthWest, Vector512<double> NorthEast) GreatestAreas(
+        Vector512<double> southWest, Vector512<double> northEast, double slope)
+    {
+        ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
+        ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
+        ref double ws = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Z), _northWest);
+        Vector512<double> u = Vector512.LoadUnsafe(ref us);
+        Vector512<double> v = Vector512.LoadUnsafe(ref vs);
+        Vector512<double> w = Vector512.LoadUnsafe(ref ws);
+        Vector512<double> uDiagonal = Vector512.LoadUnsafe(ref us, BlockVertices.Stride + 1) - u;
+        Vector512<double> vDiagonal = Vector512.LoadUnsafe(ref vs, BlockVertices.Stride + 1) - v;
+        Vector512<double> wDiagonal = Vector512.LoadUnsafe(ref ws, BlockVertices.Stride + 1) - w;
+        Vector512<double> uSouth = Vector512.LoadUnsafe(ref us, BlockVertices.Stride) - u;
+        Vector512<double> vSouth = Vector512.LoadUnsafe(ref vs, BlockVertices.Stride) - v;
+        Vector512<double> wSouth = Vector512.LoadUnsafe(ref ws, BlockVertices.Stride) - w;
+        Vector512<double> uEast = Vector512.LoadUnsafe(ref us, 1) - u;
+        Vector512<double> vEast = Vector512.LoadUnsafe(ref vs, 1) - v;
+        Vector512<double> wEast = Vector512.LoadUnsafe(ref ws, 1) - w;
+        return (
+            southWest + Gain((wSouth * vDiagonal) - (vSouth * wDiagonal), (uSouth * wDiagonal) - (wSouth * uDiagonal), slope),
+            northEast + Gain((wDiagonal * vEast) - (vDiagonal * wEast), (uDiagonal * wEast) - (wDiagonal * uEast), slope));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Gain(Vector512<double> alongU, Vector512<double> alongV, double slope) =>
+        Vector512.Create(slope) * Vector512.Sqrt((alongU * alongU) + (alongV * alongV));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static (Vector512<double> Least, Vector512<double> Greatest) Bounds(ref double corners)
+    {
+        Vector512<double> northWest = Vector512.LoadUnsafe(ref corners);
+        Vector512<double> northEast = Vector512.LoadUnsafe(ref corners, 1);
+        Vector512<double> southWest = Vector512.LoadUnsafe(ref corners, BlockVertices.Stride);
+        Vector512<double> southEast = Vector512.LoadUnsafe(ref corners, BlockVertices.Stride + 1);
+        return (Min(northWest, northEast, southWest, southEast), Max(northWest, northEast, southWest, southEast));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

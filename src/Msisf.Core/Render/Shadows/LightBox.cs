@@ -26,4 +26,8 @@ internal readonly record struct LightBox(double LeastU, double GreatestU, double
         Math.Min(a.GreatestU, b.GreatestU),
         Math.Max(a.LeastV, b.LeastV),
         Math.Min(a.GreatestV, b.GreatestV));
+
+    /// <summary>The box with a margin.</summary>
+    /// <param name="margin">m.</param>
+    public LightBox Widened(double margin) => new(LeastU - margin, GreatestU + margin, LeastV - margin, GreatestV + margin);
 }

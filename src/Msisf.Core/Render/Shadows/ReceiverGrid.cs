@@ -49,8 +49,14 @@ internal sealed class ReceiverGrid
     /// <param name="box">Where most receivers will be; a bad guess costs time only.</param>
     /// <param name="receivers">How many there will be, about.</param>
     /// <param name="parts">Groups of rows that are counted and sorted at the same time.</param>
-    public void Lay(LightBox box, int receivers, int parts)
+    /// <param name="length">Of the arrays of <see cref="ReceiverRows"/>.</param>
+    public void Lay(LightBox box, int receivers, int parts, int length)
     {
+        if (_bins.Length < length)
+        {
+            _bins = new int[length];
+        }
+
         // A bin of about 2 x 2 pixels: larger ones give facets more receivers to try in vain, smaller ones more bins to visit.
         Size = Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MostBins);
         _u = new LightAxis(box.LeastU, box.GreatestU, Size);
@@ -72,23 +78,13 @@ internal sealed class ReceiverGrid
         }
     }
 
-    /// <summary>Makes room for the rows' bins.</summary>
-    public void Prepare(int length)
-    {
-        if (_bins.Length < length)
-        {
-            _bins = new int[length];
-        }
-    }
-
-    /// <summary>Finds the bins of a row's receivers and hides those whose ray passes below the lowest terrain.</summary>
+    /// <summary>Finds the bins of a row's receivers and leaves out those in the night.</summary>
     /// <param name="rows">The receivers.</param>
     /// <param name="row">Which row.</param>
     /// <param name="part">One thread counts and sorts the rows of a part.</param>
-    /// <param name="nightLimit">m2: square of the light space distance from the axis within which points with w above 0 are dark.</param>
-    /// <param name="hidden">Of the row's pixels.</param>
+    /// <param name="night">Where it is dark for sure.</param>
     /// <returns>Bounds of the receivers that are left.</returns>
-    public LightBox Count(ReceiverRows rows, int row, int part, double nightLimit, Span<byte> hidden)
+    public LightBox Count(ReceiverRows rows, int row, int part, NightZone night)
     {
         int start = rows.Start(row);
         int count = rows.Count(row);
@@ -103,9 +99,7 @@ internal sealed class ReceiverGrid
         {
             Vector512<double> u = Vector512.LoadUnsafe(ref rows.U[0], (nuint)(start + i));
             Vector512<double> v = Vector512.LoadUnsafe(ref rows.V[0], (nuint)(start + i));
-            Vector512<double> w = Vector512.LoadUnsafe(ref rows.W[0], (nuint)(start + i));
-            Vector512<double> isNight = Vector512.LessThan((u * u) + (v * v), Vector512.Create(nightLimit))
-                & Vector512.GreaterThan(w, Vector512<double>.Zero);
+            Vector512<double> isNight = night.Holds(u, v, Vector512.LoadUnsafe(ref rows.W[0], (nuint)(start + i)));
             Vector512<double> isOut = isNight | Vector512.GreaterThanOrEqual(
                 Lanes.Numbers, Vector512.Create((double)(count - i)));
             leastU = Vector512.ConditionalSelect(isOut, leastU, Vector512.MinNative(leastU, u));
@@ -121,10 +115,6 @@ internal sealed class ReceiverGrid
                 if (bin >= 0)
                 {
                     counts[bin]++;
-                }
-                else
-                {
-                    hidden[rows.Columns[start + i + lane]] = 1;
                 }
             }
         }
@@ -162,7 +152,8 @@ internal sealed class ReceiverGrid
     /// <param name="row">Which row.</param>
     /// <param name="part">As it was counted.</param>
     /// <param name="firstPixel">The row's first.</param>
-    public void Sort(ReceiverRows rows, int row, int part, int firstPixel)
+    /// <param name="hide">Gets the pixels of those in the night.</param>
+    public void Sort(ReceiverRows rows, int row, int part, int firstPixel, Action<int> hide)
     {
         int[] next = _counts[part];
         int start = rows.Start(row);
@@ -176,6 +167,10 @@ internal sealed class ReceiverGrid
                 V[place] = rows.V[i];
                 W[place] = rows.W[i];
                 Pixels[place] = firstPixel + rows.Columns[i];
+            }
+            else
+            {
+                hide(firstPixel + rows.Columns[i]);
             }
         }
     }
@@ -206,6 +201,9 @@ internal sealed class ReceiverGrid
 
     /// <summary>No receiver in some bins is deeper; m, minus infinity if there is none. It may say too much.</summary>
     public float GreatestDepth(GridRange bins) => _depths.Greatest(bins);
+
+    /// <summary>No receiver is deeper; m.</summary>
+    public float GreatestDepth() => _depths.Greatest(new GridRange(0, Size - 1, 0, Size - 1));
 
     /// <summary>A bit for each lane of a vector from one receiver on that comes before another.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,0 +1,128 @@
+using System.Numerics;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Surface;
+
+namespace Msisf.Core.Render.Shadows;
+
+/// <summary>
+/// Goes through blocks of the terrain and notes which points of the Sun's disc each facet hides from the receivers behind it. One object
+/// for one thread; several may work on one grid, for the result does not depend on their order.
+/// </summary>
+internal sealed class PenumbraScan
+{
+    private readonly SurfaceModel _surface;
+    private readonly BlockVertices _vertices = new();
+    private readonly CellStrip _strip;
+
+    public PenumbraScan(SurfaceModel surface)
+    {
+        _surface = surface;
+        _strip = new CellStrip(_vertices);
+    }
+
+    /// <summary>Goes through a block.</summary>
+    /// <param name="block">Which.</param>
+    /// <param name="receivers">The receivers.</param>
+    /// <param name="rays">To the points of the disc.</param>
+    /// <param name="slope">Of the disc.</param>
+    /// <param name="hidden">Of each pixel, a bit for each point of the disc: becomes 1 if terrain hides it.</param>
+    public void Cast(CellBlock block, ReceiverSort receivers, DiscRays rays, double slope, ulong[] hidden)
+    {
+        _vertices.Load(_surface, block, default);
+        int length = _vertices.Lines * BlockVertices.Stride;
+        receivers.Frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
+        ReceiverGrid grid = receivers.Grid;
+        double deepest = grid.GreatestDepth();
+        LightBox reach = receivers.Box.Widened(slope * Math.Max(0.0, deepest - LeastDepth(length)));
+        for (int line = 0; line + 1 < _vertices.Lines; line++)
+        {
+            for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
+            {
+                if (!_strip.TrySet(line, sample, in reach, slope) || !(_strip.LeastDepth < deepest))
+                {
+                    continue;
+                }
+
+                // The farther behind the facets, the farther aside they may hide a part of the disc.
+                double depth = grid.GreatestDepth(grid.BinsOf(_strip.Box.Widened(slope * (deepest - _strip.LeastDepth))));
+                if (_strip.LeastDepth < depth)
+                {
+                    CastStrip(grid, _strip.Box.Widened(slope * (depth - _strip.LeastDepth)), rays, slope, hidden);
+                }
+            }
+        }
+    }
+
+    private void CastStrip(ReceiverGrid grid, LightBox reach, DiscRays rays, double slope, ulong[] hidden)
+    {
+        GridRange bins = grid.BinsOf(in reach);
+        ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);
+        ref double vs = ref MemoryMarshal.GetArrayDataReference(grid.V);
+        ref double ws = ref MemoryMarshal.GetArrayDataReference(grid.W);
+        for (int row = bins.FirstRow; row <= bins.LastRow; row++)
+        {
+            (int first, int end) = grid.Run(row, bins.FirstColumn, bins.LastColumn);
+            for (int i = first; i < end; i += Vector512<double>.Count)
+            {
+                Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
+                Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
+                Vector512<double> behind = Vector512.LoadUnsafe(ref ws, (nuint)i) - Vector512.Create(_strip.LeastDepth);
+                Vector512<double> margin = Vector512.Create(slope) * behind;
+                uint isNear = ReceiverGrid.Meant(i, end) & (uint)(Vector512.GreaterThan(behind, Vector512<double>.Zero)
+                    & Vector512.GreaterThanOrEqual(u + margin, Vector512.Create(_strip.Box.LeastU))
+                    & Vector512.LessThanOrEqual(u - margin, Vector512.Create(_strip.Box.GreatestU))
+                    & Vector512.GreaterThanOrEqual(v + margin, Vector512.Create(_strip.Box.LeastV))
+                    & Vector512.LessThanOrEqual(v - margin, Vector512.Create(_strip.Box.GreatestV))).ExtractMostSignificantBits();
+                for (; isNear != 0; isNear &= isNear - 1)
+                {
+                    Hide(grid, i + BitOperations.TrailingZeroCount(isNear), rays, slope, hidden);
+                }
+            }
+        }
+    }
+
+    private void Hide(ReceiverGrid grid, int receiver, DiscRays rays, double slope, ulong[] hidden)
+    {
+        Vector3D point = new(grid.U[receiver], grid.V[receiver], grid.W[receiver]);
+        if (double.IsNegativeInfinity(point.Z))
+        {
+            return; // another thread has just found the whole disc hidden
+        }
+
+        uint southWestAway = _strip.SouthWestAway;
+        uint northEastAway = _strip.NorthEastAway;
+        ulong found = 0;
+        for (uint near = _strip.CellsNear(point, slope); near != 0; near &= near - 1)
+        {
+            int cell = BitOperations.TrailingZeroCount(near);
+            int at = _strip.NorthWest + cell;
+            if ((southWestAway >> cell & 1) != 0)
+            {
+                found |= rays.HiddenBy(_strip.Facet(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1), point);
+            }
+
+            if ((northEastAway >> cell & 1) != 0)
+            {
+                found |= rays.HiddenBy(_strip.Facet(at, at + BlockVertices.Stride + 1, at + 1), point);
+            }
+        }
+
+        if (found != 0 && (Interlocked.Or(ref hidden[grid.Pixels[receiver]], found) | found) == SunDisc.All)
+        {
+            grid.TakeOut(receiver);
+        }
+    }
+
+    private double LeastDepth(int length)
+    {
+        double least = double.PositiveInfinity;
+        for (int i = 0; i < length; i++)
+        {
+            least = Math.Min(least, _vertices.Z[i]);
+        }
+
+        return least;
+    }
+}
