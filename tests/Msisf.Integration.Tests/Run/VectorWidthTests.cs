@@ -37,13 +37,13 @@ public sealed class VectorWidthTests : IDisposable
         string state = string.Create(
             CultureInfo.InvariantCulture,
             $"{{55289,{Position.X:R},{Position.Y:R},{Position.Z:R},{attitude.X:R},{attitude.Y:R},{attitude.Z:R},{attitude.W:R}}}");
-        ProcessStartInfo start = new(
-            Environment.ProcessPath!,
-            [
-                Path.Combine(AppContext.BaseDirectory, "msis.dll"), "--renderer", "native", "--fixed-state", state, "--width", "150", "--height", "120",
-                "--samples", "4", "--shading", "smooth", "--reflectance", "hapke", "--layers", "all", "--surface", "terrain", "--bit-depth", "16",
-                "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder.Path, "--output-name", "view", "--batch",
-            ]) { RedirectStandardError = true };
+        string[] arguments =
+        [
+            Path.Combine(AppContext.BaseDirectory, "msis.dll"), "--renderer", "native", "--fixed-state", state, "--width", "150", "--height", "120",
+            "--samples", "4", "--shading", "smooth", "--reflectance", "hapke", "--layers", "all", "--surface", "terrain", "--bit-depth", "16",
+            "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder.Path, "--output-name", "view", "--batch",
+        ];
+        ProcessStartInfo start = new(Environment.ProcessPath!, arguments) { RedirectStandardError = true };
         foreach ((string name, string value) in environment)
         {
             start.Environment[name] = value;
