@@ -3,7 +3,6 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Render.Surface;
 using Msisf.Core.Render.Tracing;
 using Msisf.Core.Render.Visibility;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
 using Xunit;
@@ -21,8 +20,7 @@ public sealed class WatertightTests
     public void Run_TenThousandViews_HaveNoHoles()
     {
         // Coarse enough that a view of the whole Moon takes a moment; facets of all sizes come with the cameras' distances.
-        IElevationGrid rough = FunctionGrid.Rough(1);
-        MemoryElevationGrid grid = new("ROUGH", 1, (line, sample) => RadiusOf(rough, line, sample));
+        MemoryElevationGrid grid = MemoryElevationGrid.Of(FunctionGrid.Rough(1));
         TerrainTracer tracer = new(grid);
         VisibilityPass pass = new(new SurfaceModel(grid));
         List<string> holes = [];
@@ -74,12 +72,5 @@ public sealed class WatertightTests
         const double Below = 1_737_400.0 - 5_100.0; // no radius of the model is less, nor are its facets' middles
         double along = -Vector3D.Dot(ray.Origin, ray.Direction) / ray.Direction.LengthSquared;
         return along > 0.0 && (ray.Origin + (along * ray.Direction)).Length < Below;
-    }
-
-    private static double RadiusOf(IElevationGrid grid, int line, int sample)
-    {
-        Span<double> radius = stackalloc double[1];
-        grid.ReadRadii(line, sample, radius);
-        return radius[0];
     }
 }
