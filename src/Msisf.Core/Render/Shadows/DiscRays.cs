@@ -1,6 +1,9 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render.Surface;
 
 namespace Msisf.Core.Render.Shadows;
 
@@ -11,67 +14,117 @@ namespace Msisf.Core.Render.Shadows;
 /// </summary>
 internal sealed class DiscRays
 {
+    /// <summary>1: for the rounding of what a sector's reach is compared with.</summary>
+    private const double ReachMargin = 1.0001;
+
+    private const int Sectors = SunDisc.Points / SunDisc.PointsPerSector;
+
     private readonly double[] _a = new double[SunDisc.Points];
     private readonly double[] _b = new double[SunDisc.Points];
-    private readonly double _slope;
+    private readonly double[] _sectorA = new double[Sectors];
+    private readonly double[] _sectorB = new double[Sectors];
+    private readonly double[] _sectorReach = new double[Sectors];
 
     public DiscRays(SunDisc disc, LightFrame frame)
     {
-        _slope = disc.Slope;
         for (int i = 0; i < SunDisc.Points; i++)
         {
             Vector3D offset = disc.PointsMoonMe[i] - disc.CentreMoonMe;
             _a[i] = Vector3D.Dot(offset, frame.AxisU) / frame.SunDistance;
             _b[i] = Vector3D.Dot(offset, frame.AxisV) / frame.SunDistance;
         }
+
+        for (int sector = 0; sector < Sectors; sector++)
+        {
+            Range points = (sector * SunDisc.PointsPerSector)..((sector + 1) * SunDisc.PointsPerSector);
+            double a = _a[points].Average();
+            double b = _b[points].Average();
+            (_sectorA[sector], _sectorB[sector]) = (a, b);
+            _sectorReach[sector] = ReachMargin * _a[points].Zip(_b[points], (pa, pb) => double.Hypot(pa - a, pb - b)).Max();
+        }
     }
 
     /// <summary>The points of the disc that a facet hides.</summary>
-    /// <param name="facet">The facet.</param>
+    /// <param name="vertices">In light space.</param>
+    /// <param name="a">A corner of the facet: index of a vertex.</param>
+    /// <param name="b">The next corner.</param>
+    /// <param name="c">The last corner.</param>
     /// <param name="point">In light space.</param>
+    /// <param name="wanted">Those to find out about; of others some may be told too.</param>
     /// <remarks>
     /// The edge functions of <see cref="CellStrip.IsInFrontOf"/> are linear in (a, b), and the facet's depth against the point's does not
     /// depend on it: it only tells the side of the facet's plane.
     /// </remarks>
-    public ulong HiddenBy(in LightFacet facet, Vector3D point)
+    public ulong HiddenBy(BlockVertices vertices, int a, int b, int c, Vector3D point, ulong wanted)
     {
-        Vector3D a = new(facet.Ua - point.X, facet.Va - point.Y, facet.Wa - point.Z);
-        Vector3D b = new(facet.Ub - point.X, facet.Vb - point.Y, facet.Wb - point.Z);
-        Vector3D c = new(facet.Uc - point.X, facet.Vc - point.Y, facet.Wc - point.Z);
-        Edge bc = new(b, c);
-        Edge ca = new(c, a);
-        Edge ab = new(a, b);
-        bool isDeeper = (bc.Value * a.Z) + (ca.Value * b.Z) + (ab.Value * c.Z) < 0.0;
-        if (!isDeeper || bc.Greatest(_slope) < 0.0 || ca.Greatest(_slope) < 0.0 || ab.Greatest(_slope) < 0.0)
+        // A lane for each edge: ab, bc, ca.
+        Vector256<double> u = Corners(vertices.X, a, b, c) - Vector256.Create(point.X);
+        Vector256<double> v = Corners(vertices.Y, a, b, c) - Vector256.Create(point.Y);
+        Vector256<double> w = Corners(vertices.Z, a, b, c) - Vector256.Create(point.Z);
+        Vector256<double> nextU = Vector256.Shuffle(u, Vector256.Create(1L, 2L, 0L, 3L));
+        Vector256<double> nextV = Vector256.Shuffle(v, Vector256.Create(1L, 2L, 0L, 3L));
+        Vector256<double> nextW = Vector256.Shuffle(w, Vector256.Create(1L, 2L, 0L, 3L));
+        Vector256<double> value = (u * nextV) - (nextU * v);
+        Vector256<double> depths = value * Vector256.Shuffle(w, Vector256.Create(2L, 0L, 1L, 3L));
+        if (!(depths[1] + depths[2] + depths[0] < 0.0))
         {
             return 0;
         }
 
+        Vector256<double> perA = (w * nextV) - (nextW * v);
+        Vector256<double> perB = (u * nextW) - (nextU * w);
+        Edges edges = new(value, perA, perB);
+        Vector256<double> steepness = Vector256.Sqrt((perA * perA) + (perB * perB));
+        Vector512<double> reach = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(_sectorReach));
+        uint sectors = edges.AreNotNegative(_sectorA, _sectorB, 0, reach, steepness);
         ulong hidden = 0;
-        ref double alongU = ref MemoryMarshal.GetArrayDataReference(_a);
-        ref double alongV = ref MemoryMarshal.GetArrayDataReference(_b);
-        for (int i = 0; i < SunDisc.Points; i += Vector512<double>.Count)
+        for (; sectors != 0; sectors &= sectors - 1)
         {
-            Vector512<double> u = Vector512.LoadUnsafe(ref alongU, (nuint)i);
-            Vector512<double> v = Vector512.LoadUnsafe(ref alongV, (nuint)i);
-            Vector512<double> least = Vector512.MinNative(bc.At(u, v), Vector512.MinNative(ca.At(u, v), ab.At(u, v)));
-            hidden |= Vector512.GreaterThanOrEqual(least, Vector512<double>.Zero).ExtractMostSignificantBits() << i;
+            int first = BitOperations.TrailingZeroCount(sectors) * SunDisc.PointsPerSector;
+            if ((byte)(wanted >> first) != 0)
+            {
+                hidden |= (ulong)edges.AreNotNegative(_a, _b, first) << first;
+            }
         }
 
         return hidden;
     }
 
-    /// <summary>The edge function of two corners, relative to the point: exactly antisymmetric in them.</summary>
-    private readonly struct Edge(Vector3D first, Vector3D second)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> Corners(double[] coordinates, int a, int b, int c)
     {
-        private readonly double _perA = (first.Z * second.Y) - (second.Z * first.Y);
-        private readonly double _perB = (first.X * second.Z) - (second.X * first.Z);
+        ref double first = ref MemoryMarshal.GetArrayDataReference(coordinates);
+        return Vector256.Create(Unsafe.Add(ref first, a), Unsafe.Add(ref first, b), Unsafe.Add(ref first, c), 0.0);
+    }
 
-        public double Value { get; } = (first.X * second.Y) - (second.X * first.Y);
+    /// <summary>The edge functions of a facet as they depend on (a, b).</summary>
+    private readonly struct Edges(Vector256<double> value, Vector256<double> perA, Vector256<double> perB)
+    {
+        /// <summary>A bit for each of eight (a, b) for which none is negative.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public uint AreNotNegative(double[] alongA, double[] alongB, int first, Vector512<double> reach, Vector256<double> steepness)
+        {
+            Vector512<double> a = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(alongA), (nuint)first);
+            Vector512<double> b = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(alongB), (nuint)first);
+            Vector512<double> least = Vector512.MinNative(
+                At(0, a, b) + (reach * Vector512.Create(steepness[0])),
+                Vector512.MinNative(
+                    At(1, a, b) + (reach * Vector512.Create(steepness[1])), At(2, a, b) + (reach * Vector512.Create(steepness[2]))));
+            return (uint)Vector512.GreaterThanOrEqual(least, Vector512<double>.Zero).ExtractMostSignificantBits();
+        }
 
-        public double Greatest(double slope) => Value + (1.0001 * slope * Math.Sqrt((_perA * _perA) + (_perB * _perB)));
+        /// <summary>The same without any reach.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public uint AreNotNegative(double[] alongA, double[] alongB, int first)
+        {
+            Vector512<double> a = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(alongA), (nuint)first);
+            Vector512<double> b = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(alongB), (nuint)first);
+            Vector512<double> least = Vector512.MinNative(At(0, a, b), Vector512.MinNative(At(1, a, b), At(2, a, b)));
+            return (uint)Vector512.GreaterThanOrEqual(least, Vector512<double>.Zero).ExtractMostSignificantBits();
+        }
 
-        public Vector512<double> At(Vector512<double> a, Vector512<double> b) =>
-            Vector512.Create(Value) + ((Vector512.Create(_perA) * a) + (Vector512.Create(_perB) * b));
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private Vector512<double> At(int edge, Vector512<double> a, Vector512<double> b) =>
+            Vector512.Create(value[edge]) + ((Vector512.Create(perA[edge]) * a) + (Vector512.Create(perB[edge]) * b));
     }
 }

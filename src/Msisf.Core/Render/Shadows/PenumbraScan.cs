@@ -91,25 +91,27 @@ internal sealed class PenumbraScan
             return; // another thread has just found the whole disc hidden
         }
 
+        ref ulong known = ref hidden[grid.Pixels[receiver]];
+        ulong before = Volatile.Read(ref known);
+        ulong found = before;
         uint southWestAway = _strip.SouthWestAway;
         uint northEastAway = _strip.NorthEastAway;
-        ulong found = 0;
-        for (uint near = _strip.CellsNear(point, slope); near != 0; near &= near - 1)
+        for (uint near = _strip.CellsNear(point, slope); near != 0 && found != SunDisc.All; near &= near - 1)
         {
             int cell = BitOperations.TrailingZeroCount(near);
             int at = _strip.NorthWest + cell;
             if ((southWestAway >> cell & 1) != 0)
             {
-                found |= rays.HiddenBy(_strip.Facet(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1), point);
+                found |= rays.HiddenBy(_vertices, at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1, point, ~found);
             }
 
             if ((northEastAway >> cell & 1) != 0)
             {
-                found |= rays.HiddenBy(_strip.Facet(at, at + BlockVertices.Stride + 1, at + 1), point);
+                found |= rays.HiddenBy(_vertices, at, at + BlockVertices.Stride + 1, at + 1, point, ~found);
             }
         }
 
-        if (found != 0 && (Interlocked.Or(ref hidden[grid.Pixels[receiver]], found) | found) == SunDisc.All)
+        if (found != before && (Interlocked.Or(ref known, found) | found) == SunDisc.All)
         {
             grid.TakeOut(receiver);
         }

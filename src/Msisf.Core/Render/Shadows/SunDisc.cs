@@ -20,6 +20,9 @@ internal sealed class SunDisc
     /// <summary>Points of the disc, and bits of a mask of them.</summary>
     public const int Points = 64;
 
+    /// <summary>The points are sorted by their angle around the centre; so many neighbours lie in an eighth of the disc.</summary>
+    public const int PointsPerSector = 8;
+
     /// <summary>All points.</summary>
     public const ulong All = ulong.MaxValue;
 
@@ -28,7 +31,7 @@ internal sealed class SunDisc
     /// <summary>Parts of the angle between two points of a ring by which it is turned: of quarters, those that lessen the greatest error.</summary>
     private static readonly double[] Turns = [0.5, 0.75, 0.0, 0.75];
 
-    private readonly Vector3D[] _pointsMoonMe = new Vector3D[Points];
+    private readonly Vector3D[] _pointsMoonMe;
 
     /// <summary>Places the points.</summary>
     /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
@@ -46,17 +49,18 @@ internal sealed class SunDisc
         double radius = distance * SunRadius / Math.Sqrt((distance - SunRadius) * (distance + SunRadius));
         Slope = radius / distance;
         LightFrame axes = new(sunMoonMe, Vector3D.UnitZ);
-        int point = 0;
-        for (int ring = 0; ring < Rings.Length; ring++)
+        List<(double Turn, double FromCentre)> points = [];
+        foreach ((int count, double offset) in Rings.Zip(Turns))
         {
-            double part = (point + (0.5 * Rings[ring])) / Points; // of the area within the ring's middle
-            double fromCentre = radius * Math.Sqrt(part);
-            for (int i = 0; i < Rings[ring]; i++)
-            {
-                (double sine, double cosine) = Math.SinCos((i + Turns[ring]) * 2.0 * Math.PI / Rings[ring]);
-                _pointsMoonMe[point++] = sunMoonMe + (fromCentre * ((cosine * axes.AxisU) + (sine * axes.AxisV)));
-            }
+            double part = (points.Count + (0.5 * count)) / Points; // of the area within the ring's middle
+            points.AddRange(Enumerable.Range(0, count).Select(i => ((i + offset) / count, radius * Math.Sqrt(part))));
         }
+
+        _pointsMoonMe = [.. points.OrderBy(point => point.Turn).Select(point =>
+        {
+            (double sine, double cosine) = Math.SinCos(2.0 * Math.PI * point.Turn);
+            return sunMoonMe + (point.FromCentre * ((cosine * axes.AxisU) + (sine * axes.AxisV)));
+        })];
     }
 
     /// <summary>m, MOON_ME.</summary>
@@ -65,7 +69,7 @@ internal sealed class SunDisc
     /// <summary>The disc's radius over its distance from the Moon's centre: the tangent of its angular radius there.</summary>
     public double Slope { get; }
 
-    /// <summary>m, MOON_ME; the order is that of the bits, the lowest first.</summary>
+    /// <summary>m, MOON_ME; the first belongs to the lowest bit of a mask.</summary>
     public ReadOnlySpan<Vector3D> PointsMoonMe => _pointsMoonMe;
 
     /// <summary>The light of the disc on a facet.</summary>
