@@ -26,6 +26,27 @@ public sealed class LdemImageTests : IDisposable
         Assert.Equal((1737400.0 - 8878.5, 1737400.0 + 10504.0), image.RadiusBounds(0, 720, 0, 1440));
     }
 
+    [RequiresFact(Part.Ldem4)]
+    public void RadiusLimits_RealLdem4_AreTheLabels()
+    {
+        // MINIMUM = -17758, MAXIMUM = 21008, SCALING_FACTOR = 0.5, OFFSET = 1737400.
+        using LdemImage image = LdemImage.Open(LdemLabelReader.ReadFile(TestParts.Ldem4Label!));
+
+        Assert.Equal((1737400.0 - 8879.0, 1737400.0 + 10504.0), image.RadiusLimits);
+    }
+
+    [Theory]
+    [InlineData(LdemSampleType.Int16BigEndian)]
+    [InlineData(LdemSampleType.Float32LittleEndian)]
+    public void RadiusLimits_EachSampleType_HoldAllRadii(LdemSampleType type)
+    {
+        using LdemImage image = Open(type);
+        (double minimum, double maximum) = image.RadiusBounds(0, TestModel.Lines, 0, TestModel.Samples);
+
+        Assert.InRange(minimum, image.RadiusLimits.Least, maximum);
+        Assert.InRange(maximum, minimum, image.RadiusLimits.Greatest);
+    }
+
     [Theory]
     [InlineData(LdemSampleType.Int16LittleEndian, 0.0)]
     [InlineData(LdemSampleType.Int16BigEndian, 0.0)]

@@ -133,6 +133,11 @@ internal sealed class RowResolver
         int count = 0;
         for (int column = 0; column < inverses.Length; column++)
         {
+            if (inverses[column] == 0.0)
+            {
+                continue;
+            }
+
             int first = column;
             while (column < inverses.Length && inverses[column] > 0.0)
             {
