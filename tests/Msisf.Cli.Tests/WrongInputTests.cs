@@ -145,14 +145,14 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("ldem synthesize --res 4 --seed x", 2, "--seed is 'x'")]
     [InlineData("ldem synthesize --res 4 --seed 1 --region 1:2", 2, "error: --region 1:2: ")]
     public void Run_WrongArguments_EndWithCodeAndOneLine(string words, int exitCode, string message) =>
-        AssertRefused(words.Split(' '), exitCode, message);
+        RefusedRun.Check(_folder, words.Split(' '), exitCode, message);
 
     [RequiresTheory(Part.Ldem4)]
     [InlineData($"{Fixed} --pov-path missing-folder", 3, "missing-folder")]
     [InlineData("--fixed-state {55289,1.7E6,0,0,0,0,0,1}", 2, "the camera is inside the Moon")]
     [InlineData("--fixed-state {55289,0,0,-1.7E6,0,0,0,1} --list-patterns", 2, "the camera is inside the Moon")]
     public void Run_WrongArgumentsThatTheModelShows_EndWithCodeAndOneLine(string words, int exitCode, string message) =>
-        AssertRefused([.. words.Split(' '), "--ephemeris", "builtin", "--ldem", TestParts.Ldem4Label!], exitCode, message);
+        RefusedRun.Check(_folder, [.. words.Split(' '), "--ephemeris", "builtin", "--ldem", TestParts.Ldem4Label!], exitCode, message);
 
     [Theory]
     [InlineData("55289 2E6 2E6 0 0 0 0", 2, "standard input, line 1", "7 numbers, 8 expected")]
@@ -164,27 +164,11 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("# only this\n", 4, "no state in it", "MJD rx ry rz")]
     public void Run_WrongBatchFile_NamesLineAndColumn(string content, int exitCode, string place, string message)
     {
-        CommandLineRun run = CommandLineRun.Of(WithOutputFolder(["--batch-file", "-", "--ephemeris", "builtin"]), content);
+        CommandLineRun run = CommandLineRun.Of(RefusedRun.WithOutputFolder(_folder, ["--batch-file", "-", "--ephemeris", "builtin"]), content);
 
         Assert.True(exitCode == run.ExitCode, $"exit code {run.ExitCode}: {run.Error}");
         Assert.Contains(place, run.Error, StringComparison.Ordinal);
         Assert.Contains(message, run.Error, StringComparison.Ordinal);
         Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
     }
-
-    private void AssertRefused(string[] arguments, int exitCode, string message)
-    {
-        CommandLineRun run = CommandLineRun.Of(WithOutputFolder(arguments));
-
-        Assert.True(exitCode == run.ExitCode, $"exit code {run.ExitCode}, expected {exitCode}: {run.Error}");
-        string error = Assert.Single(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), line => line.StartsWith("msis: error: ", StringComparison.Ordinal));
-        Assert.Contains(message, error, StringComparison.Ordinal);
-        Assert.DoesNotContain("   at ", run.Error, StringComparison.Ordinal);
-        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
-    }
-
-    private string[] WithOutputFolder(string[] arguments) =>
-        arguments.Contains("patterns") || arguments.Contains("ldem") || arguments[0].StartsWith('@') || arguments.Length < 2
-            ? arguments
-            : [.. arguments, "--output-dir", _folder["new"]];
 }

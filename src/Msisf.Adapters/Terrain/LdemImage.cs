@@ -40,6 +40,9 @@ public sealed class LdemImage : IElevationGrid, IDisposable
     public (double Least, double Greatest) RadiusLimits =>
         (Set.Parts.Min(part => part.RadiusLimits.Least), Set.Parts.Max(part => part.RadiusLimits.Greatest));
 
+    /// <inheritdoc/>
+    public void Forget() => Array.ForEach(_parts, part => part.Forget());
+
     /// <summary>Opens the image of a label.</summary>
     /// <param name="label">A label that covers the whole Moon.</param>
     /// <exception cref="BadInputException">The label covers a part of the Moon; the image is missing, unreadable, or not as long as the label says.</exception>

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.IO.MemoryMappedFiles;
+using Msisf.Adapters.Interop;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
@@ -13,6 +14,7 @@ internal sealed unsafe class LdemPart : IDisposable
     private readonly MemoryMappedFile _file;
     private readonly MemoryMappedViewAccessor _view;
     private readonly SampleCodec _codec;
+    private readonly byte* _start;
     private readonly byte* _moonOrigin;
     private readonly long _lineBytes;
     private readonly int _sampleBytes;
@@ -30,6 +32,8 @@ internal sealed unsafe class LdemPart : IDisposable
         _view = _file.CreateViewAccessor(0, 0, MemoryMappedFileAccess.Read);
         byte* start = null;
         _view.SafeMemoryMappedViewHandle.AcquirePointer(ref start);
+
+        _start = start;
 
         // Where the Moon's first sample would lie, so that an address needs no subtractions.
         _moonOrigin = start + _view.PointerOffset + label.ImageOffset - (FirstLine * _lineBytes) - ((long)FirstSample * _sampleBytes);
@@ -95,6 +99,9 @@ internal sealed unsafe class LdemPart : IDisposable
 
     /// <summary>The bytes of a line, as they are in the file.</summary>
     public ReadOnlySpan<byte> LineBytes(int line) => new(Address(line, FirstSample), checked((int)_lineBytes));
+
+    /// <summary>Gives the pages that were read back to the operating system; what is read again is mapped again.</summary>
+    public void Forget() => MemoryAdvice.Forget(_start, _view.SafeMemoryMappedViewHandle.ByteLength);
 
     /// <summary>Unmaps the file.</summary>
     public void Dispose()

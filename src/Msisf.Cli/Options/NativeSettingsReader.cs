@@ -56,12 +56,12 @@ internal sealed class NativeSettingsReader
 
         const int Most = NativeRenderOptions.MostSamplesAcross;
         int samples = OptionText.WholeNumber(_options.Samples, text, 1, Most * Most);
-        int across = (int)Math.Round(Math.Sqrt(samples));
+        int across = (int)Math.Sqrt(samples); // exact for numbers as small as these
         return across * across == samples
             ? across
             : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"--samples is {samples}; the samples form a square grid, so a square number is needed: {(across - 1) * (across - 1)}, {across * across} or {(across + 1) * (across + 1)}."));
+                $"--samples is {samples}; the samples form a square grid, so a square number is needed: {across * across} or {(across + 1) * (across + 1)}."));
     }
 
     /// <summary>"hapke:w=0.3,b0=1.2": the law, and its parameters by name.</summary>

@@ -5,22 +5,29 @@ using Msisf.Adapters.Render;
 using Msisf.Cli.Options;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Cli.Run;
 
 /// <summary>The program's own way: draws from the elevation model, writes the files. Frames side by side write while others are drawn.</summary>
 internal sealed class NativeFrameRenderer : IFrameRenderer
 {
+    /// <summary>Mapping again what the next frames read takes some ms, a small part of so many frames' time.</summary>
+    private const int FramesBetweenForgetting = 16;
+
     private readonly NativeSettings _settings;
+    private readonly IElevationGrid _model;
     private readonly NativeLevels _levels;
     private readonly GreyTable _grey;
     private readonly FrameFiles _files;
     private readonly RunTimes _times;
     private readonly ConcurrentBag<MemoryStream> _idlePictures = [];
+    private int _frames;
 
-    public NativeFrameRenderer(NativeSettings settings, NativeLevels levels, FrameFiles files, RunTimes times)
+    public NativeFrameRenderer(NativeSettings settings, IElevationGrid model, NativeLevels levels, FrameFiles files, RunTimes times)
     {
         _settings = settings;
+        _model = model;
         _levels = levels;
         _grey = new GreyTable(settings.Grey, settings.BitDepth);
         _files = files;
@@ -43,6 +50,11 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
             RendererKind.Native, picture, "the picture", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepTruth ? drawn : null);
         FrameOutputs outputs = new(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
         _idlePictures.Add(picture);
+        if (Interlocked.Increment(ref _frames) % FramesBetweenForgetting == 0)
+        {
+            _model.Forget(); // an orbit would have the whole model in memory in the end
+        }
+
         return outputs;
     }
 

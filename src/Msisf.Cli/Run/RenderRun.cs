@@ -122,7 +122,7 @@ internal sealed class RenderRun : IDisposable
     private NativeFrameRenderer Native(ElevationModel model, FrameFiles files)
     {
         NativeLevels levels = new(model.Grid, _settings.Native.UsesLevelsOfDetail ? model.Levels : null);
-        return new NativeFrameRenderer(_settings.Native, levels, files, _times);
+        return new NativeFrameRenderer(_settings.Native, model.Grid, levels, files, _times);
     }
 
     private static void CreateFolder(string folder)

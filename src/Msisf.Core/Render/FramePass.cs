@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Surface;
@@ -16,6 +15,8 @@ internal sealed class FramePass
 {
     private readonly VisibilityPass _visibility;
     private readonly ShadowPass _shadows;
+    private readonly PenumbraPass _penumbras;
+    private readonly DiscShader _discShader = new();
     private readonly RowShader _shader;
     private VisibleSurface? _visible;
     private readonly PixelSunlight _sunlight = new();
@@ -26,6 +27,7 @@ internal sealed class FramePass
     {
         _visibility = new VisibilityPass(surface);
         _shadows = new ShadowPass(surface);
+        _penumbras = new PenumbraPass(surface);
         _shader = new RowShader(surface);
     }
 
@@ -43,7 +45,7 @@ internal sealed class FramePass
     {
         (Camera, Light, _options) = (camera, light, options);
         int pixels = camera.Width * camera.Height;
-        _sunlight.Prepare(pixels, hasDisc: false);
+        _sunlight.Prepare(pixels, HasDisc);
         if (_radianceFactors.Length < pixels)
         {
             _radianceFactors = new double[pixels];
@@ -87,9 +89,7 @@ internal sealed class FramePass
             return false;
         }
 
-        bool isDark = _sunlight.Hidden[((y - 1) * Camera.Width) + x - 1] != 0
-            || !(Vector3D.Dot(hit.NormalMoonMe, Light.PositionMoonMe - hit.PointMoonMe) > 0.0);
-        light = PointSun.At(hit.PointMoonMe, isDark, Light);
+        light = PixelLight.At(hit.PointMoonMe, _sunlight.VisibleFraction(((y - 1) * Camera.Width) + x - 1), Light);
         if (_options.Normals == NormalModel.Smooth)
         {
             hit = hit with { NormalMoonMe = _shader.SmoothNormal(hit, Camera.PositionMoonMe) };
@@ -98,25 +98,40 @@ internal sealed class FramePass
         return true;
     }
 
+    private bool HasDisc => Light.IsSun && _options!.Sun == SunModel.Disc;
+
     private static double Offset(int index, int across) => ((index + 0.5) / across) - 0.5;
 
     private void DrawSample(double offsetX, double offsetY, double weight, int threads, CancellationToken cancellation)
     {
         _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
-        SunwardPoints points = new(_visible, Light.PositionMoonMe, _sunlight.CosIncidence);
-        if (Light.IsSun)
-        {
-            _shadows.Run(points, Light.PositionMoonMe, _sunlight.Hidden, threads, cancellation);
-        }
-        else
-        {
-            _sunlight.Hidden.AsSpan(0, Camera.Width * Camera.Height).Clear();
-            WorkerTeam.Run(threads, points.Rows, (_, row) => points.ReadCosines(row), cancellation);
-        }
-
+        FindLight(_visible, threads, cancellation);
         if (weight > 0.0)
         {
             _shader.Shade(_visible, Light, _sunlight, _options!, weight, _radianceFactors, threads, cancellation);
+        }
+    }
+
+    private void FindLight(VisibleSurface visible, int threads, CancellationToken cancellation)
+    {
+        if (HasDisc)
+        {
+            SunDisc disc = new(Light.PositionMoonMe);
+            SunwardPoints points = new(visible, Light.PositionMoonMe, _sunlight.CosIncidence, disc.LeastCosine);
+            _penumbras.Run(points, disc, _sunlight.HiddenPoints, threads, cancellation);
+            _discShader.Run(visible, disc, _sunlight, threads, cancellation);
+            return;
+        }
+
+        SunwardPoints sunward = new(visible, Light.PositionMoonMe, _sunlight.CosIncidence);
+        if (Light.IsSun)
+        {
+            _shadows.Run(sunward, Light.PositionMoonMe, _sunlight.Hidden, threads, cancellation);
+        }
+        else
+        {
+            _sunlight.Hidden.AsSpan(0, visible.Width * visible.Height).Clear();
+            WorkerTeam.Run(threads, sunward.Rows, (_, row) => sunward.ReadCosines(row), cancellation);
         }
     }
 }

@@ -39,7 +39,7 @@ public sealed class TracedFrameTruth : IFrameTruth
 
         // A lamp at the camera lights what the camera sees; traced back, rounding could hide the edges of facets.
         bool isDark = _light.IsSun && _tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light.PositionMoonMe);
-        light = PointSun.At(hit.PointMoonMe, isDark, _light);
+        light = PixelLight.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, _light);
         return true;
     }
 }

@@ -32,4 +32,9 @@ public interface IElevationGrid
     /// <param name="samples">How many samples; the block goes on over the prime meridian.</param>
     /// <exception cref="BadInputException">A sample of the block can't be right: the file is damaged.</exception>
     (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples);
+
+    /// <summary>Tells that most of what was read is not needed again soon, so that its memory may be given back. Reading goes on as before.</summary>
+    void Forget()
+    {
+    }
 }

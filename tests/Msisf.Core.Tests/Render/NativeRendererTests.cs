@@ -32,10 +32,12 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     }
 
     [Fact]
-    public void Render_FramesOfOtherSizesInBetween_IsTheSameToTheBit()
+    public void Render_FramesOfOtherSizesAndLightsInBetween_IsTheSameToTheBit()
     {
         (PinholeCamera big, SceneLight bigSun) = Scene("wide-angle", 300, 200);
         (PinholeCamera small, SceneLight smallSun) = Scene("limb-backlit", 7, 65);
+        SceneLight lamp = new(big.PositionMoonMe, IsSun: false);
+        FrameValues expectedLamp = FrameValues.Of(new NativeRenderer(rugged.Grid), big, lamp, Options, threads: 2);
         FrameValues expectedBig = FrameValues.Of(new NativeRenderer(rugged.Grid), big, bigSun, Options, threads: 2);
         FrameValues expectedSmall = FrameValues.Of(new NativeRenderer(rugged.Grid), small, smallSun, Options, threads: 2);
 
@@ -43,7 +45,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
         {
             Assert.Equal(expectedBig, FrameValues.Of(_renderer, big, bigSun, Options, threads: 2));
             Assert.Equal(expectedSmall, FrameValues.Of(_renderer, small, smallSun, Options, threads: 2));
-            Assert.Equal(expectedSmall, FrameValues.Of(_renderer, small, smallSun, Options with { SamplesAcross = 1 }, threads: 2));
+            Assert.Equal(expectedLamp, FrameValues.Of(_renderer, big, lamp, Options, threads: 2));
         }
     }
 

@@ -8,6 +8,7 @@ namespace Msisf.Core.Tests.Support;
 internal sealed class MemoryElevationGrid : IElevationGrid
 {
     private readonly float[] _radii;
+    private readonly Lazy<(double Least, double Greatest)> _limits;
 
     /// <param name="productId">Name of the model.</param>
     /// <param name="pixelsPerDegree">Samples a degree.</param>
@@ -21,11 +22,16 @@ internal sealed class MemoryElevationGrid : IElevationGrid
         {
             _radii[index] = (float)radius(index / Samples, index % Samples);
         }
+
+        _limits = new Lazy<(double, double)>(() => (_radii.Min(), _radii.Max()));
     }
 
     public string ProductId { get; }
 
     public int PixelsPerDegree { get; }
+
+    /// <summary>As tight as can be: what a renderer leaves out by them must be out of sight.</summary>
+    public (double Least, double Greatest) RadiusLimits => _limits.Value;
 
     private int Samples => 360 * PixelsPerDegree;
 
@@ -37,6 +43,17 @@ internal sealed class MemoryElevationGrid : IElevationGrid
             "LDEM_4",
             4,
             (line, sample) => 1_737_400.0 + (0.5 * BinaryPrimitives.ReadInt16LittleEndian(image.AsSpan(2 * ((line * 1440) + sample)))));
+    }
+
+    /// <summary>A copy of another model, for one that is slow to ask.</summary>
+    public static MemoryElevationGrid Of(IElevationGrid grid)
+    {
+        double[] radius = new double[1];
+        return new MemoryElevationGrid(grid.ProductId, grid.PixelsPerDegree, (line, sample) =>
+        {
+            grid.ReadRadii(line, sample, radius);
+            return radius[0];
+        });
     }
 
     public void ReadRadii(int line, int firstSample, Span<double> radii)

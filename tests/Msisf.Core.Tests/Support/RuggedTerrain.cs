@@ -6,21 +6,17 @@ namespace Msisf.Core.Tests.Support;
 /// <summary>The mountains of <see cref="FunctionGrid.Rugged"/> at 4 px/deg, computed once and then read from memory.</summary>
 public sealed class RuggedTerrain
 {
-    private const int PixelsPerDegree = 4;
+    public IElevationGrid Grid { get; } = InMemory(4);
 
-    public RuggedTerrain()
+    /// <summary>The same at any resolution.</summary>
+    internal static MemoryElevationGrid InMemory(int pixelsPerDegree)
     {
-        FunctionGrid function = FunctionGrid.Rugged(PixelsPerDegree);
+        FunctionGrid function = FunctionGrid.Rugged(pixelsPerDegree);
         double[] radius = new double[1];
-        Grid = new MemoryElevationGrid("RUGGED_4", PixelsPerDegree, (line, sample) =>
+        return new MemoryElevationGrid($"RUGGED_{pixelsPerDegree}", pixelsPerDegree, (line, sample) =>
         {
             function.ReadRadii(line, sample, radius);
             return radius[0];
         });
-        Summary = ElevationSummary.Build(Grid);
     }
-
-    public IElevationGrid Grid { get; }
-
-    public ElevationSummary Summary { get; }
 }

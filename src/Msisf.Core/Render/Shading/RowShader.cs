@@ -79,12 +79,14 @@ internal sealed class RowShader
     private static void AddFlat(PixelSunlight sunlight, int start, IReflectance law, double weight, Span<double> factors)
     {
         ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(start, factors.Length);
-        for (int column = 0; column < cosines.Length; column++)
+        ReadOnlySpan<byte> hidden = sunlight.Hidden.AsSpan(start, factors.Length);
+        bool isPoint = sunlight.VisibleFractions.Length == 0;
+        for (int column = 0; column < factors.Length; column++)
         {
-            double fraction = cosines[column] > 0.0 ? sunlight.VisibleFraction(start + column) : 0.0;
-            if (fraction > 0.0)
+            if (hidden[column] == 0 && cosines[column] > 0.0)
             {
-                factors[column] += weight * fraction * law.RadianceFactor(cosines[column], cosEmission: 1.0, phaseHaversine: 0.0);
+                double share = isPoint ? weight : weight * sunlight.VisibleFractions[start + column];
+                factors[column] += share * law.RadianceFactor(cosines[column], cosEmission: 1.0, phaseHaversine: 0.0);
             }
         }
     }

@@ -13,20 +13,26 @@ namespace Msisf.Core.Render.Shading;
 /// </summary>
 internal sealed class SunwardPoints : IReceiverRows
 {
+    /// <summary>The cosine of pixels without surface.</summary>
+    private const double NoSurface = -1.0;
+
     private readonly VisibleSurface _visible;
     private readonly Vector3D _sun;
     private readonly double[] _cosIncidence;
+    private readonly double _leastCosine;
     private readonly ConcurrentBag<Scratch> _idle = [];
 
     /// <summary>Takes a frame.</summary>
     /// <param name="visible">What its pixels show.</param>
     /// <param name="sunMoonMe">m, MOON_ME; or the lamp.</param>
-    /// <param name="cosIncidence">Of each pixel, row by row: filled as rows are read; 0 where there is no surface, or it faces away.</param>
-    public SunwardPoints(VisibleSurface visible, Vector3D sunMoonMe, double[] cosIncidence)
+    /// <param name="cosIncidence">Of each pixel, row by row: filled as rows are read; -1 where there is no surface.</param>
+    /// <param name="leastCosine">Points count whose cosine is greater: 0, and a little less for a Sun that is a disc.</param>
+    public SunwardPoints(VisibleSurface visible, Vector3D sunMoonMe, double[] cosIncidence, double leastCosine = 0.0)
     {
         _visible = visible;
         _sun = sunMoonMe;
         _cosIncidence = cosIncidence;
+        _leastCosine = leastCosine;
     }
 
     /// <inheritdoc/>
@@ -53,7 +59,7 @@ internal sealed class SunwardPoints : IReceiverRows
         int count = 0;
         for (int i = 0; i < points.Count; i++)
         {
-            if (cosines[i] > 0.0)
+            if (cosines[i] > _leastCosine)
             {
                 x[count] = points.X[i];
                 y[count] = points.Y[i];
@@ -72,7 +78,7 @@ internal sealed class SunwardPoints : IReceiverRows
         Vector3D toSun = sunMoonMe - pointMoonMe;
 
         // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
-        return Math.Min(Math.Max(Vector3D.Dot(normal, toSun), 0.0) / Math.Sqrt(toSun.LengthSquared), 1.0);
+        return Math.Min(Vector3D.Dot(normal, toSun) / Math.Sqrt(toSun.LengthSquared), 1.0);
     }
 
     private Scratch Take() => _idle.TryTake(out Scratch? idle) ? idle : new Scratch();
@@ -90,7 +96,7 @@ internal sealed class SunwardPoints : IReceiverRows
             return;
         }
 
-        all.Clear();
+        all.Fill(NoSurface);
         for (int i = 0; i < points.Count; i++)
         {
             all[points.Columns[i]] = scratch.Cosines[i];
@@ -115,7 +121,7 @@ internal sealed class SunwardPoints : IReceiverRows
                 + (Vector512.LoadUnsafe(ref normalY, i) * toSunY)
                 + (Vector512.LoadUnsafe(ref normalZ, i) * toSunZ);
             Vector512<double> length = Vector512.Sqrt((toSunX * toSunX) + (toSunY * toSunY) + (toSunZ * toSunZ));
-            Vector512.MinNative(Vector512.MaxNative(along, Vector512<double>.Zero) / length, Vector512<double>.One).StoreUnsafe(ref cosine, i);
+            Vector512.MinNative(along / length, Vector512<double>.One).StoreUnsafe(ref cosine, i);
         }
     }
 

@@ -94,7 +94,14 @@ internal sealed class SunDisc
         return new DiscLight((double)visible / Points, sum / Points);
     }
 
+    /// <summary>Whether a facet's plane may cut the disc, seen from a point of it.</summary>
+    /// <param name="cosIncidence">Cosine of the angle between the facet's normal and the direction to the disc's centre.</param>
+    public bool IsCut(double cosIncidence) => Math.Abs(cosIncidence) <= -LeastCosine;
+
     /// <summary>Whether any part of the disc is above a facet's plane, seen from a point of it.</summary>
     /// <param name="cosIncidence">Cosine of the angle between the facet's normal and the direction to the disc's centre.</param>
-    public bool MayLight(double cosIncidence) => cosIncidence > -1.01 * Slope; // seen from the near side of the Moon the disc is 1.2e-5 parts wider
+    public bool MayLight(double cosIncidence) => cosIncidence > LeastCosine;
+
+    /// <summary>Facets whose cosine of the incidence angle is less see nothing of the disc.</summary>
+    public double LeastCosine => -1.01 * Slope; // seen from the near side of the Moon the disc is 1.2e-5 parts wider
 }

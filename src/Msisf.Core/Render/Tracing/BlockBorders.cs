@@ -31,7 +31,7 @@ internal readonly struct BlockBorders
     public static int WidestDegrees => 90;
 
     /// <summary>The part of a piece between the block's western and eastern border.</summary>
-    public RayPiece CutAtMeridians(CellBlock block, RayPiece piece)
+    public RayPiece CutAtMeridians(CellRectangle block, RayPiece piece)
     {
         if (block.Columns > WidestDegrees * _mesh.PixelsPerDegree)
         {
@@ -44,7 +44,7 @@ internal readonly struct BlockBorders
     }
 
     /// <summary>The part of a piece between the block's northern and southern border; the block is at most <see cref="WidestDegrees"/> wide.</summary>
-    public RayPiece CutAtParallels(CellBlock block, RayPiece piece)
+    public RayPiece CutAtParallels(CellRectangle block, RayPiece piece)
     {
         SineCosine west = _mesh.Longitude(block.Column);
         SineCosine east = _mesh.Longitude(block.Column + block.Columns);

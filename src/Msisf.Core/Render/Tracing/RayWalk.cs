@@ -86,7 +86,7 @@ internal ref struct RayWalk
                 piece = piece with { Far = Math.Min(piece.Far, -HalfChord(_bottom, distance)) };
             }
 
-            VisitIfMet(new CellBlock(0, 0, _mesh.Lines + 1, _mesh.Samples), piece, kind: 0);
+            VisitIfMet(new CellRectangle(0, 0, _mesh.Lines + 1, _mesh.Samples), piece, kind: 0);
         }
     }
 
@@ -96,7 +96,7 @@ internal ref struct RayWalk
     /// <summary>Where a parameter of the shifted ray lies on the scale of the pieces.</summary>
     private readonly double PlaceOf(double parameter) => (parameter * _length) - _startParameter;
 
-    private void VisitIfMet(CellBlock block, RayPiece piece, int kind)
+    private void VisitIfMet(CellRectangle block, RayPiece piece, int kind)
     {
         if (!piece.IsEmpty && piece.Near <= _farthest && !IsOver)
         {
@@ -105,7 +105,7 @@ internal ref struct RayWalk
     }
 
     /// <summary>Looks into a block, of which the bounds of the kinds before <paramref name="kind"/> have been looked at.</summary>
-    private void Visit(CellBlock block, RayPiece piece, int kind)
+    private void Visit(CellRectangle block, RayPiece piece, int kind)
     {
         for (; kind < SurfaceBounds.Sides.Length && block.Size <= SurfaceBounds.Sides[kind]; kind++)
         {
@@ -123,7 +123,7 @@ internal ref struct RayWalk
         }
 
         bool cutsAlongMeridian = block.Columns >= block.Rows || block.Columns > BlockBorders.WidestDegrees * _mesh.PixelsPerDegree;
-        (CellBlock first, CellBlock second) = cutsAlongMeridian ? block.CutAlongMeridian() : block.CutAlongParallel();
+        (CellRectangle first, CellRectangle second) = cutsAlongMeridian ? block.CutAlongMeridian() : block.CutAlongParallel();
         RayPiece firstPiece = cutsAlongMeridian ? _borders.CutAtMeridians(first, piece) : _borders.CutAtParallels(first, piece);
         RayPiece secondPiece = cutsAlongMeridian ? _borders.CutAtMeridians(second, piece) : _borders.CutAtParallels(second, piece);
         if (secondPiece.Near < firstPiece.Near)

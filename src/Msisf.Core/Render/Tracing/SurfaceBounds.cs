@@ -38,8 +38,8 @@ internal sealed class SurfaceBounds
 
     /// <summary>Bounds of the page, block or patch that holds a cell.</summary>
     /// <param name="kind">Index into <see cref="Sides"/>.</param>
-    /// <param name="row">As in <see cref="CellBlock"/>.</param>
-    /// <param name="column">As in <see cref="CellBlock"/>.</param>
+    /// <param name="row">As in <see cref="CellRectangle"/>.</param>
+    /// <param name="column">As in <see cref="CellRectangle"/>.</param>
     /// <exception cref="BadInputException">The model can't be read there, or has a radius that is none of the Moon.</exception>
     public RadiusRange Of(int kind, int row, int column)
     {

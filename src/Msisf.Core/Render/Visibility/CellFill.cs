@@ -9,9 +9,6 @@ internal static class CellFill
 {
     private const int Lanes = 8;
 
-    /// <summary>px: more than rounding moves an edge's crossing with a row.</summary>
-    private const double Slack = 1e-6;
-
     /// <summary>Draws the facets of a cell whose corners are all projected.</summary>
     /// <param name="block">The cell's block.</param>
     /// <param name="index">The cell's north-western vertex.</param>
@@ -20,10 +17,10 @@ internal static class CellFill
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static void Draw(ProjectedBlock block, int index, uint halves, Band band)
     {
-        Corner northWest = new(block, index);
-        Corner northEast = new(block, index + FacetCorners.NorthEast);
-        Corner southWest = new(block, index + FacetCorners.SouthWest);
-        Corner southEast = new(block, index + FacetCorners.SouthEast);
+        CellCorner northWest = new(block, index);
+        CellCorner northEast = new(block, index + FacetCorners.NorthEast);
+        CellCorner southWest = new(block, index + FacetCorners.SouthWest);
+        CellCorner southEast = new(block, index + FacetCorners.SouthEast);
         PixelRange pixels = PixelRange.Within(
             Math.Min(Math.Min(northWest.X, northEast.X), Math.Min(southWest.X, southEast.X)),
             Math.Max(Math.Max(northWest.X, northEast.X), Math.Max(southWest.X, southEast.X)),
@@ -44,24 +41,14 @@ internal static class CellFill
         Vector512<double> southWestMask = Vector512.Create((halves & FacetCorners.SouthWestHalf) != 0 ? -1L : 0L).AsDouble();
         Vector512<double> northEastMask = Vector512.Create((halves & FacetCorners.NorthEastHalf) != 0 ? -1L : 0L).AsDouble();
         Vector512<double> lastColumn = Vector512.Create((double)pixels.LastColumn);
-        Crossing west = new(northWest, southWest);
-        Crossing south = new(southWest, southEast);
-        Crossing east = new(southEast, northEast);
-        Crossing north = new(northEast, northWest);
-        Crossing diagonal = new(northWest, southEast);
+        CellSides sides = new(northWest, northEast, southWest, southEast);
         int southWestNumber = Band.NotRecorded;
         int northEastNumber = Band.NotRecorded;
         for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
         {
-            double first = double.PositiveInfinity;
-            double last = double.NegativeInfinity;
-            west.Widen(row, ref first, ref last);
-            south.Widen(row, ref first, ref last);
-            east.Widen(row, ref first, ref last);
-            north.Widen(row, ref first, ref last);
-            diagonal.Widen(row, ref first, ref last);
-            int begin = (int)Math.Max(pixels.FirstColumn, Math.Ceiling(first - Slack));
-            int end = (int)Math.Min(pixels.LastColumn, last + Slack);
+            (double first, double last) = sides.At(row);
+            int begin = (int)Math.Max(pixels.FirstColumn, Math.Ceiling(first));
+            int end = (int)Math.Min(pixels.LastColumn, last);
             if (begin > end)
             {
                 continue;
@@ -130,22 +117,13 @@ internal static class CellFill
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<int> Narrow(Vector512<double> mask) => Vector512.Narrow(mask.AsInt64(), mask.AsInt64()).GetLower();
 
-    private readonly struct Corner(ProjectedBlock block, int index)
-    {
-        public double X { get; } = block.X[index];
-
-        public double Y { get; } = block.Y[index];
-
-        public double InverseDepth { get; } = block.InverseDepth[index];
-    }
-
     /// <summary>One over the depth of a facet, linear in the picture.</summary>
     private readonly struct DepthPlane
     {
-        private readonly Corner _a;
+        private readonly CellCorner _a;
         private readonly double _perRow;
 
-        public DepthPlane(Corner a, Corner b, Corner c)
+        public DepthPlane(CellCorner a, CellCorner b, CellCorner c)
         {
             (double bx, double by, double b1) = (b.X - a.X, b.Y - a.Y, b.InverseDepth - a.InverseDepth);
             (double cx, double cy, double c1) = (c.X - a.X, c.Y - a.Y, c.InverseDepth - a.InverseDepth);
@@ -158,27 +136,5 @@ internal static class CellFill
         public double PerColumn { get; }
 
         public double AtColumn0(double row) => _a.InverseDepth + (_perRow * (row - _a.Y)) - (PerColumn * _a.X);
-    }
-
-    /// <summary>Where a side crosses rows.</summary>
-    private readonly struct Crossing(Corner a, Corner b)
-    {
-        private readonly double _x = a.X;
-        private readonly double _y = a.Y;
-        private readonly double _otherY = b.Y;
-        private readonly double _perRow = (b.X - a.X) / (b.Y - a.Y);
-
-        /// <summary>Adds the crossing. A side along the row has none: its neighbours end where it does.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Widen(double row, ref double first, ref double last)
-        {
-            double down = _y - row;
-            double crossing = _x - (down * _perRow);
-            if (down * (_otherY - row) <= 0.0 && double.IsFinite(crossing))
-            {
-                first = Math.Min(first, crossing);
-                last = Math.Max(last, crossing);
-            }
-        }
     }
 }

@@ -7,7 +7,7 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// Draws a block's cells into a band of the picture, eight at a time. Cells that hold no pixel centre fall through; small ones are tested
-/// against their pixels together, each cell with its own pixel; large ones are filled one by one.
+/// against their pixels together, each cell with its own pixel; wide ones are filled one by one.
 /// </summary>
 /// <remarks>
 /// Whether a pixel lies in a facet is told by the signs of its edges, (a - p) x (b - p), without FMA: the same edge run through the other
@@ -18,11 +18,8 @@ internal sealed class CellSieve
 {
     private const int Lanes = 8;
 
-    /// <summary>px2: twice the area from which a cell is filled row by row.</summary>
-    private const double LargeArea = 32.0;
-
-    /// <summary>px: more than rounding moves an edge's crossing with a row.</summary>
-    private const double Slack = 1e-6;
+    /// <summary>px: cells that are this wide, on the average of their rows, are filled row by row; measured: there both ways take as long.</summary>
+    private const double WideCell = 4.0;
 
     private readonly double[] _inverseDepths = new double[Lanes];
     private readonly double[] _pixels = new double[Lanes];
@@ -33,6 +30,7 @@ internal sealed class CellSieve
     public void Begin(PictureView view) => _turnedArea = view.TurnedArea;
 
     /// <summary>Draws the cells of a block that is in front of the camera; returns how many were looked at.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
     public long Draw(ProjectedBlock block, Band band)
     {
         int samples = block.Vertices.Samples - 1;
@@ -60,10 +58,14 @@ internal sealed class CellSieve
     private void DrawEight(ProjectedBlock block, int index, uint lanes, uint halves, Band band)
     {
         EightCells cells = new(block, index);
-        Vector512<double> firstColumn = Vector512.MaxNative(Vector512.Ceiling(cells.Left), Vector512<double>.Zero);
-        Vector512<double> lastColumn = Vector512.MinNative(Vector512.Floor(cells.Right), Vector512.Create(band.Width - 1.0));
-        Vector512<double> firstRow = Vector512.MaxNative(Vector512.Ceiling(cells.Top), Vector512.Create((double)band.FirstRow));
-        Vector512<double> lastRow = Vector512.MinNative(Vector512.Floor(cells.Bottom), Vector512.Create((double)band.LastRow));
+        Vector512<double> left = cells.Left;
+        Vector512<double> right = cells.Right;
+        Vector512<double> top = cells.Top;
+        Vector512<double> bottom = cells.Bottom;
+        Vector512<double> firstColumn = Vector512.MaxNative(Vector512.Ceiling(left), Vector512<double>.Zero);
+        Vector512<double> lastColumn = Vector512.MinNative(Vector512.Floor(right), Vector512.Create(band.Width - 1.0));
+        Vector512<double> firstRow = Vector512.MaxNative(Vector512.Ceiling(top), Vector512.Create((double)band.FirstRow));
+        Vector512<double> lastRow = Vector512.MinNative(Vector512.Floor(bottom), Vector512.Create((double)band.LastRow));
         Vector512<double> southWestArea = cells.SouthWestArea;
         Vector512<double> northEastArea = cells.NorthEastArea;
         lanes &= Bits(Vector512.LessThanOrEqual(firstColumn, lastColumn)
@@ -74,55 +76,28 @@ internal sealed class CellSieve
             return;
         }
 
-        uint large = lanes & Bits(Vector512.GreaterThan(Vector512.Abs(southWestArea) + Vector512.Abs(northEastArea), Vector512.Create(LargeArea)));
-        uint rows = lanes & ~large;
+        uint wide = lanes & Bits(Vector512.GreaterThan(
+            Vector512.Abs(southWestArea) + Vector512.Abs(northEastArea), Vector512.Create(2.0 * WideCell) * (bottom - top)));
+        uint rows = lanes & ~wide;
         if (rows != 0)
         {
             Vector512.Create(Band.NotRecorded).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_numbers));
-            if ((rows & Bits(Vector512.GreaterThan(lastColumn - firstColumn, Vector512<double>.One))) != 0)
+            bool isOverfull = (rows & Bits(Vector512.GreaterThan(lastColumn - firstColumn, Vector512<double>.One))) != 0;
+            LeaningBox box = isOverfull ? LeaningBox.Along(cells) : LeaningBox.Upright(left, right);
+            for (Vector512<double> row = firstRow; rows != 0;)
             {
-                DrawSlivers(block, index, rows, halves, band, firstColumn, lastColumn, firstRow, lastRow);
-            }
-            else
-            {
-                for (Vector512<double> row = firstRow; rows != 0;)
-                {
-                    TestRow(block, cells, index, row, firstColumn, lastColumn, rows, halves, band);
-                    row += Vector512<double>.One;
-                    rows &= Bits(Vector512.LessThanOrEqual(row, lastRow));
-                }
+                (Vector512<double> begin, Vector512<double> end) = box.At(row);
+                begin = Vector512.MaxNative(firstColumn, Vector512.Ceiling(begin));
+                end = Vector512.MinNative(lastColumn, end);
+                TestRow(block, cells, index, row, begin, end, rows, halves, band);
+                row += Vector512<double>.One;
+                rows &= Bits(Vector512.LessThanOrEqual(row, lastRow));
             }
         }
 
-        for (; large != 0; large &= large - 1)
+        for (; wide != 0; wide &= wide - 1)
         {
-            CellFill.Draw(block, index + BitOperations.TrailingZeroCount(large), halves, band);
-        }
-    }
-
-    /// <summary>The same for cells that may be long and thin: only pixels between their sides are tested.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void DrawSlivers(
-        ProjectedBlock block,
-        int index,
-        uint rows,
-        uint halves,
-        Band band,
-        Vector512<double> firstColumn,
-        Vector512<double> lastColumn,
-        Vector512<double> firstRow,
-        Vector512<double> lastRow)
-    {
-        EightCells cells = new(block, index);
-        CellSlopes slopes = new(cells);
-        for (Vector512<double> row = firstRow; rows != 0;)
-        {
-            (Vector512<double> low, Vector512<double> high) = slopes.Between(cells, row);
-            Vector512<double> begin = Vector512.MaxNative(firstColumn, Vector512.Ceiling(low - Vector512.Create(Slack)));
-            Vector512<double> end = Vector512.MinNative(lastColumn, high + Vector512.Create(Slack));
-            TestRow(block, cells, index, row, begin, end, rows, halves, band);
-            row += Vector512<double>.One;
-            rows &= Bits(Vector512.LessThanOrEqual(row, lastRow));
+            CellFill.Draw(block, index + BitOperations.TrailingZeroCount(wide), halves, band);
         }
     }
 

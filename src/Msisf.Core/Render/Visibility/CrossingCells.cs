@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
 
@@ -69,6 +70,7 @@ internal sealed class CrossingCells
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Fill(ProjectedBlock block, int index, int half, Vector3D corner, SpatialEdges edges, PixelRange pixels, Band band)
     {
         // One over the depth is linear in the picture; that it is above 0 the edges have told.

@@ -134,6 +134,7 @@ internal sealed class ProjectedBlock
         InverseDepth[index] is > 0.0 and < 1.0 / LeastDepth && Math.Abs(X[index]) <= view.CoordinateLimit && Math.Abs(Y[index]) <= view.CoordinateLimit;
 
     /// <summary>Whether a line of cells may touch the rows, if the block is in front.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Touches(int line, double firstRow, double lastRow)
     {
         int north = line * Vector512<double>.Count;

@@ -42,8 +42,8 @@ internal sealed class RowResolver
         double limit = GreatestCorrection * parameter;
         correction = correction > -limit ? correction : -limit;
         correction = correction < limit ? correction : limit;
-        double length = Math.Sqrt(record.Normal.LengthSquared); // sides of 0.01 m to 1e6 m: no overflow
-        return new SurfaceHit(_view.Anchor + (near + (correction * direction)), record.Normal / length, record.Facet, parameter + correction);
+        double perLength = 1.0 / Math.Sqrt(record.Normal.LengthSquared); // sides of 0.01 m to 1e6 m: no overflow
+        return new SurfaceHit(_view.Anchor + (near + (correction * direction)), perLength * record.Normal, record.Facet, parameter + correction);
     }
 
     /// <summary>The pixels of a row that show the surface.</summary>
@@ -92,10 +92,10 @@ internal sealed class RowResolver
             (Vector512.Create(anchor.X) + (nearX + (correction * directionX))).StoreUnsafe(ref x, i);
             (Vector512.Create(anchor.Y) + (nearY + (correction * directionY))).StoreUnsafe(ref y, i);
             (Vector512.Create(anchor.Z) + (nearZ + (correction * directionZ))).StoreUnsafe(ref z, i);
-            Vector512<double> length = Vector512.Sqrt((nx * nx) + (ny * ny) + (nz * nz));
-            (nx / length).StoreUnsafe(ref normalX, i);
-            (ny / length).StoreUnsafe(ref normalY, i);
-            (nz / length).StoreUnsafe(ref normalZ, i);
+            Vector512<double> perLength = Vector512<double>.One / Vector512.Sqrt((nx * nx) + (ny * ny) + (nz * nz));
+            (perLength * nx).StoreUnsafe(ref normalX, i);
+            (perLength * ny).StoreUnsafe(ref normalY, i);
+            (perLength * nz).StoreUnsafe(ref normalZ, i);
         }
     }
 
@@ -130,31 +130,46 @@ internal sealed class RowResolver
         int start = (row - band.FirstRow) * band.Stride;
         ReadOnlySpan<double> inverses = band.InverseDepths.AsSpan(start, band.Width);
         ReadOnlySpan<int> facets = band.Facets.AsSpan(start, band.Width);
-        ReadOnlySpan<FacetRecord> records = band.Records;
         int count = 0;
         for (int column = 0; column < inverses.Length; column++)
         {
-            if (inverses[column] > 0.0)
+            int first = column;
+            while (column < inverses.Length && inverses[column] > 0.0)
             {
-                int facet = facets[column];
-                ref readonly FacetRecord record = ref records[facet];
-                pixels.Columns[count] = column;
-                pixels.Facets[count] = facet;
-                pixels.Parameters[count] = inverses[column];
-                pixels.X[count] = _right[column];
-                pixels.Y[count] = record.Offset;
-                pixels.NormalX[count] = record.Normal.X;
-                pixels.NormalY[count] = record.Normal.Y;
-                pixels.NormalZ[count] = record.Normal.Z;
-                count++;
+                pixels.Columns[count + column - first] = column;
+                column++;
             }
+
+            int run = column - first;
+            inverses.Slice(first, run).CopyTo(pixels.Parameters.AsSpan(count));
+            facets.Slice(first, run).CopyTo(pixels.Facets.AsSpan(count));
+            _right.AsSpan(first, run).CopyTo(pixels.X.AsSpan(count));
+            count += run;
         }
 
         pixels.Count = count;
+        GatherPlanes(band.Records, pixels);
         for (int behind = count; behind < count + SurfaceRow.Padding; behind++)
         {
             (pixels.Parameters[behind], pixels.X[behind], pixels.Y[behind]) = (1.0, 0.0, 0.0);
             (pixels.NormalX[behind], pixels.NormalY[behind], pixels.NormalZ[behind]) = (1.0, 0.0, 0.0);
+        }
+    }
+
+    private static void GatherPlanes(ReadOnlySpan<FacetRecord> records, SurfaceRow pixels)
+    {
+        ReadOnlySpan<int> facets = pixels.Facets.AsSpan(0, pixels.Count);
+        Span<double> offsets = pixels.Y.AsSpan(0, facets.Length);
+        Span<double> normalX = pixels.NormalX.AsSpan(0, facets.Length);
+        Span<double> normalY = pixels.NormalY.AsSpan(0, facets.Length);
+        Span<double> normalZ = pixels.NormalZ.AsSpan(0, facets.Length);
+        for (int i = 0; i < facets.Length; i++)
+        {
+            ref readonly FacetRecord record = ref records[facets[i]];
+            offsets[i] = record.Offset;
+            normalX[i] = record.Normal.X;
+            normalY[i] = record.Normal.Y;
+            normalZ[i] = record.Normal.Z;
         }
     }
 }

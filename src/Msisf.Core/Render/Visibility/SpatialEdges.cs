@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
 
@@ -30,6 +31,7 @@ internal struct SpatialEdges
     }
 
     /// <summary>Not above zero for the columns of the row that lie in the facet or on its border.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector512<double> Outside(Vector512<double> columns) =>
         Vector512.MaxNative(_ab.At(columns), Vector512.MaxNative(_bc.At(columns), _ca.At(columns)));
 
@@ -71,6 +73,7 @@ internal struct SpatialEdges
             _second = Vector512.Create(_b.Y - row);
         }
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public readonly Vector512<double> At(Vector512<double> columns) => _isProjected
             ? ((Vector512.Create(_a.X) - columns) * _second) - ((Vector512.Create(_b.X) - columns) * _first)
             : _first + (_perColumn * columns);

@@ -8,12 +8,18 @@ namespace Msisf.Core.Terrain.Lod;
 /// </summary>
 public sealed class ReducedGrid : BlockedGrid
 {
+    /// <summary>128 MB of 16-bit samples.</summary>
+    private const int SamplesBetweenForgetting = 1 << 26;
+
     private readonly LodCache _cache;
+    private readonly IElevationGrid _source;
+    private readonly int _blocksBetweenForgetting;
     private readonly ReducedGrid? _below;
     private readonly BlockReducer _fromSource;
     private readonly BlockReducer? _fromBelow;
     private readonly LodBlock?[]?[] _rows;
     private readonly ConcurrentDictionary<int, Lazy<LodBlock>> _pending = new();
+    private int _blocksFromSource;
 
     /// <summary>Takes the model.</summary>
     /// <param name="source">The model that is reduced.</param>
@@ -24,6 +30,8 @@ public sealed class ReducedGrid : BlockedGrid
         : base(source, source.PixelsPerDegree >> halvings)
     {
         _cache = cache;
+        _source = source;
+        _blocksBetweenForgetting = Math.Max(1, (SamplesBetweenForgetting / LodLayout.BlockSamples) >> (2 * halvings));
         _below = below;
         _fromSource = new BlockReducer(source, halvings);
         _fromBelow = below is null ? null : new BlockReducer(below, 1);
@@ -59,6 +67,11 @@ public sealed class ReducedGrid : BlockedGrid
         float[] heights = new float[LodLayout.BlockSamples];
         BlockReducer reducer = _fromBelow is not null && IsKnownBelow(row, column) ? _fromBelow : _fromSource;
         reducer.Reduce(row, column, heights);
+        if (reducer == _fromSource && Interlocked.Increment(ref _blocksFromSource) % _blocksBetweenForgetting == 0)
+        {
+            _source.Forget(); // what was reduced is not read again, and is much
+        }
+
         LodBlock?[] slots = Volatile.Read(ref _rows[row])
             ?? Interlocked.CompareExchange(ref _rows[row], new LodBlock?[Layout.BlockColumns], null)
             ?? Volatile.Read(ref _rows[row])!;

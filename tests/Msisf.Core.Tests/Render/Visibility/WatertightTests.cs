@@ -3,7 +3,6 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Render.Surface;
 using Msisf.Core.Render.Tracing;
 using Msisf.Core.Render.Visibility;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
 using Xunit;
@@ -21,8 +20,7 @@ public sealed class WatertightTests
     public void Run_TenThousandViews_HaveNoHoles()
     {
         // Coarse enough that a view of the whole Moon takes a moment; facets of all sizes come with the cameras' distances.
-        IElevationGrid rough = FunctionGrid.Rough(1);
-        MemoryElevationGrid grid = new("ROUGH", 1, (line, sample) => RadiusOf(rough, line, sample));
+        MemoryElevationGrid grid = MemoryElevationGrid.Of(FunctionGrid.Rough(1));
         TerrainTracer tracer = new(grid);
         VisibilityPass pass = new(new SurfaceModel(grid));
         List<string> holes = [];
@@ -30,14 +28,13 @@ public sealed class WatertightTests
         for (int number = 0; number < Views; number++)
         {
             (PinholeCamera camera, _, string kind) = CameraCases.Make(number, grid, Pixels);
-            VisibleSurface seen = pass.Run(camera, 2, CancellationToken.None);
+            bool[,] seen = PixelsOf(pass.Run(camera, 2, CancellationToken.None));
             for (int y = 1; y <= camera.Height; y++)
             {
                 for (int x = 1; x <= camera.Width; x++)
                 {
-                    bool isSeen = IsSeen(seen, x, y);
-                    surface += isSeen ? 1 : 0;
-                    if (!isSeen && IsSuspect(seen, camera, x, y) && tracer.TryTrace(camera.RayThrough(x, y), out _))
+                    surface += seen[x, y] ? 1 : 0;
+                    if (!seen[x, y] && IsSuspect(seen, camera, x, y) && tracer.TryTrace(camera.RayThrough(x, y), out _))
                     {
                         holes.Add($"view {number} ({kind}), pixel ({x}, {y})");
                     }
@@ -49,25 +46,31 @@ public sealed class WatertightTests
         Assert.InRange(surface, 3_000_000, 9_000_000);
     }
 
+    /// <summary>By x and y from 1, with a border that shows nothing.</summary>
+    private static bool[,] PixelsOf(VisibleSurface surface)
+    {
+        bool[,] seen = new bool[surface.Width + 2, surface.Height + 2];
+        SurfaceRow row = new();
+        for (int y = 1; y <= surface.Height; y++)
+        {
+            surface.Read(y, row);
+            foreach (int column in row.Columns.AsSpan(0, row.Count))
+            {
+                seen[column + 1, y] = true;
+            }
+        }
+
+        return seen;
+    }
+
     /// <summary>A pixel that is surely on the disc, or that has the surface on all four sides.</summary>
-    private static bool IsSuspect(VisibleSurface seen, PinholeCamera camera, int x, int y) =>
-        IsOnDisc(camera.RayThrough(x, y))
-        || (IsSeen(seen, x - 1, y) && IsSeen(seen, x + 1, y) && IsSeen(seen, x, y - 1) && IsSeen(seen, x, y + 1));
+    private static bool IsSuspect(bool[,] seen, PinholeCamera camera, int x, int y) =>
+        (seen[x - 1, y] && seen[x + 1, y] && seen[x, y - 1] && seen[x, y + 1]) || IsOnDisc(camera.RayThrough(x, y));
 
     private static bool IsOnDisc(Ray ray)
     {
         const double Below = 1_737_400.0 - 5_100.0; // no radius of the model is less, nor are its facets' middles
         double along = -Vector3D.Dot(ray.Origin, ray.Direction) / ray.Direction.LengthSquared;
         return along > 0.0 && (ray.Origin + (along * ray.Direction)).Length < Below;
-    }
-
-    private static bool IsSeen(VisibleSurface seen, int x, int y) =>
-        x >= 1 && y >= 1 && x <= seen.Width && y <= seen.Height && seen.TryGet(x, y, out _);
-
-    private static double RadiusOf(IElevationGrid grid, int line, int sample)
-    {
-        Span<double> radius = stackalloc double[1];
-        grid.ReadRadii(line, sample, radius);
-        return radius[0];
     }
 }

@@ -7,7 +7,7 @@ namespace Msisf.Core.Render.Tracing;
 /// <param name="Column">Westernmost cell.</param>
 /// <param name="Rows">At least 1.</param>
 /// <param name="Columns">At least 1.</param>
-internal readonly record struct CellBlock(int Row, int Column, int Rows, int Columns)
+internal readonly record struct CellRectangle(int Row, int Column, int Rows, int Columns)
 {
     /// <summary>The longer side.</summary>
     public int Size => Math.Max(Rows, Columns);
@@ -16,14 +16,14 @@ internal readonly record struct CellBlock(int Row, int Column, int Rows, int Col
     /// Western and eastern part. The cut is at a power of two, so that a block of at most 2^k cells a side never lies across a
     /// multiple of 2^k.
     /// </summary>
-    public (CellBlock West, CellBlock East) CutAlongMeridian()
+    public (CellRectangle West, CellRectangle East) CutAlongMeridian()
     {
         int west = CutOf(Columns);
         return (this with { Columns = west }, this with { Column = Column + west, Columns = Columns - west });
     }
 
     /// <summary>Northern and southern part, cut as by <see cref="CutAlongMeridian"/>.</summary>
-    public (CellBlock North, CellBlock South) CutAlongParallel()
+    public (CellRectangle North, CellRectangle South) CutAlongParallel()
     {
         int north = CutOf(Rows);
         return (this with { Rows = north }, this with { Row = Row + north, Rows = Rows - north });

@@ -1,0 +1,44 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>The sides of one cell and its diagonal; tells between which columns it crosses a row. Three lanes repeat the diagonal.</summary>
+internal readonly struct CellSides
+{
+    /// <summary>px: more than rounding moves a crossing.</summary>
+    private const double Slack = 1e-6;
+
+    private readonly Vector512<double> _x;
+    private readonly Vector512<double> _y;
+    private readonly Vector512<double> _otherY;
+    private readonly Vector512<double> _perRow;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public CellSides(CellCorner northWest, CellCorner northEast, CellCorner southWest, CellCorner southEast)
+    {
+        (CellCorner a, CellCorner b, CellCorner c, CellCorner d) = (northWest, northEast, southWest, southEast);
+        _x = Vector512.Create(a.X, c.X, d.X, b.X, a.X, a.X, a.X, a.X);
+        _y = Vector512.Create(a.Y, c.Y, d.Y, b.Y, a.Y, a.Y, a.Y, a.Y);
+        _otherY = Vector512.Create(c.Y, d.Y, b.Y, a.Y, d.Y, d.Y, d.Y, d.Y);
+        _perRow = (Vector512.Create(c.X, d.X, b.X, a.X, d.X, d.X, d.X, d.X) - _x) / (_otherY - _y);
+    }
+
+    /// <summary>Columns outside of which no pixel of the row lies in the cell. A side along the row adds none: its neighbours end where it does.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public (double First, double Last) At(double row)
+    {
+        Vector512<double> rows = Vector512.Create(row);
+        Vector512<double> down = _y - rows;
+        Vector512<double> crossing = _x - (down * _perRow);
+        Vector512<double> isCrossed = Vector512.LessThanOrEqual(down * (_otherY - rows), Vector512<double>.Zero)
+            & Vector512.Equals(crossing, crossing);
+        Vector512<double> low = Vector512.ConditionalSelect(isCrossed, crossing, Vector512.Create(double.PositiveInfinity));
+        Vector512<double> high = Vector512.ConditionalSelect(isCrossed, crossing, Vector512.Create(double.NegativeInfinity));
+        Vector256<double> low4 = Vector256.MinNative(low.GetLower(), low.GetUpper());
+        Vector256<double> high4 = Vector256.MaxNative(high.GetLower(), high.GetUpper());
+        Vector128<double> low2 = Vector128.MinNative(low4.GetLower(), low4.GetUpper());
+        Vector128<double> high2 = Vector128.MaxNative(high4.GetLower(), high4.GetUpper());
+        return (Math.Min(low2[0], low2[1]) - Slack, Math.Max(high2[0], high2[1]) + Slack);
+    }
+}

@@ -1,0 +1,103 @@
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Cli.Tests;
+
+/// <summary>The options of the native renderer, given wrongly; and the help that lists them.</summary>
+public sealed class NativeOptionsTests : IDisposable
+{
+    private const string Fixed = "--fixed-state {55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1}";
+    private const string Native = $"{Fixed} --renderer native";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+
+    // Words and numbers.
+    [InlineData($"{Fixed} --renderer blender", 2, "--renderer is 'blender'; one of povray, native is needed")]
+    [InlineData($"{Fixed} --renderer Native", 2, "--renderer is 'Native'")]
+    [InlineData($"{Native} --sun big", 2, "--sun is 'big'; one of point, disc is needed")]
+    [InlineData($"{Native} --shading flat", 2, "--shading is 'flat'; one of facet, smooth is needed")]
+    [InlineData($"{Native} --transfer gamma", 2, "--transfer is 'gamma'; one of srgb, linear is needed")]
+    [InlineData($"{Native} --bit-depth 12", 2, "--bit-depth is '12'; one of 8, 16 is needed")]
+    [InlineData($"{Native} --lod on", 2, "--lod is 'on'; one of auto, off is needed")]
+    [InlineData($"{Native} --layers all --layers-format tiff", 2, "--layers-format is 'tiff'; one of fits, npy is needed")]
+    [InlineData($"{Native} --samples 3", 2, "--samples is 3; the samples form a square grid, so a square number is needed: 1 or 4.")]
+    [InlineData($"{Native} --samples 2", 2, "a square number is needed: 1 or 4.")]
+    [InlineData($"{Native} --samples 255", 2, "a square number is needed: 225 or 256.")]
+    [InlineData($"{Native} --samples 0", 2, "--samples is '0'; a whole number from 1 to 256 is needed")]
+    [InlineData($"{Native} --samples 257", 2, "--samples is '257'")]
+    [InlineData($"{Native} --samples 4.0", 2, "--samples is '4.0'")]
+    [InlineData($"{Native} --albedo -0.1", 2, "--albedo")]
+    [InlineData($"{Native} --albedo 1.01", 2, "--albedo")]
+    [InlineData($"{Native} --albedo bright", 2, "--albedo: 'bright' is not a number")]
+    [InlineData($"{Native} --albedo 0,5", 2, "'0,5' has a comma")]
+    [InlineData($"{Native} --exposure 0", 2, "--exposure")]
+    [InlineData($"{Native} --exposure -1", 2, "--exposure")]
+    [InlineData($"{Native} --exposure NaN", 2, "'NaN' is not finite")]
+
+    // Laws.
+    [InlineData($"{Native} --reflectance phong", 2, "law 'phong' is not known. Known laws: lambert, lommel-seeliger, lunar-lambert")]
+    [InlineData($"{Native} --reflectance lambert:l=1", 2, "law lambert has no parameter 'l'. It has none")]
+    [InlineData($"{Native} --reflectance hapke:W=0.3", 2, "law hapke has no parameter 'W'. It has w, b, c, b0, h, theta")]
+    [InlineData($"{Native} --reflectance hapke:w", 2, "'w' is no parameter; name=number is needed")]
+    [InlineData($"{Native} --reflectance hapke:", 2, "'' is no parameter; name=number is needed")]
+    [InlineData($"{Native} --reflectance hapke:w=", 2, "'w=' is no parameter")]
+    [InlineData($"{Native} --reflectance hapke:w=0.3,w=0.4", 2, "the parameter w is given twice")]
+    [InlineData($"{Native} --reflectance hapke:w=1.5", 2, "--reflectance: ")]
+    [InlineData($"{Native} --reflectance hapke:theta=90", 2, "--reflectance: ")]
+    [InlineData($"{Native} --reflectance hapke:w=0.3 --albedo 0.2", 2, "has both w and an albedo")]
+    [InlineData($"{Native} --reflectance :l=1", 2, "law '' is not known")]
+
+    // Layers.
+    [InlineData($"{Native} --layers depht", 1, "'depht' is no layer. Give all, or a list of")]
+    [InlineData($"{Native} --layers depth,", 1, "'' is no layer")]
+    [InlineData($"{Native} --layers depth,depth", 1, "depth is there twice")]
+    [InlineData($"{Native} --layers all,depth", 1, "'all' is no layer")]
+    [InlineData($"{Native} --layers-format npy", 1, "--layers-format is given, but no --layers")]
+
+    // Options of one renderer with the other.
+    [InlineData($"{Fixed} --reflectance hapke", 1, "--reflectance is for --renderer native only")]
+    [InlineData($"{Fixed} --albedo 0.2", 1, "--albedo is for --renderer native only")]
+    [InlineData($"{Fixed} --sun disc", 1, "--sun is for --renderer native only")]
+    [InlineData($"{Fixed} --samples 4", 1, "--samples is for --renderer native only")]
+    [InlineData($"{Fixed} --shading smooth", 1, "--shading is for --renderer native only")]
+    [InlineData($"{Fixed} --exposure 2", 1, "--exposure is for --renderer native only")]
+    [InlineData($"{Fixed} --transfer linear", 1, "--transfer is for --renderer native only")]
+    [InlineData($"{Fixed} --bit-depth 16", 1, "--bit-depth is for --renderer native only")]
+    [InlineData($"{Fixed} --lod off", 1, "--lod is for --renderer native only")]
+    [InlineData($"{Fixed} --layers all", 1, "--layers is for --renderer native only")]
+    [InlineData($"{Fixed} --renderer povray --layers-format npy", 1, "--layers-format is for --renderer native only")]
+    [InlineData($"{Native} --pov-path /usr/bin", 1, "--pov-path has no meaning with --renderer native")]
+    [InlineData($"{Native} --pov-options Antialias=Off", 1, "--pov-options has no meaning with --renderer native")]
+    [InlineData($"{Native} --timeout 5", 1, "--timeout has no meaning with --renderer native")]
+    [InlineData($"{Native} --list-patterns", 1, "--list-patterns has no meaning with --renderer native")]
+    [InlineData($"{Native} --pattern-repos p", 1, "--pattern-repos has no meaning with --renderer native")]
+    [InlineData($"{Native} --renderer native", 1, "'--renderer' expects a single argument")]
+    [InlineData("patterns --renderer native", 1, "--renderer")]
+
+    // What only the model or the camera shows.
+    [InlineData("--fixed-state {55289,0,0,0,0,0,0,1} --renderer native --ephemeris builtin", 2, "at the Moon's centre")]
+    [InlineData($"{Native} --ldem missing.lbl --ephemeris builtin", 2, "missing.lbl")]
+    public void Run_WrongNativeOption_EndsWithCodeAndOneLine(string words, int exitCode, string message) =>
+        RefusedRun.Check(_folder, words.Split(' '), exitCode, message);
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("--fixed-state {55289,1.7E6,0,0,0,0,0,1}", 2, "the camera is inside the Moon: step 1 (MJD 55289) by ")]
+    public void Run_CameraInTheGround_IsRefused(string words, int exitCode, string message) => RefusedRun.Check(
+        _folder, [.. words.Split(' '), "--renderer", "native", "--ephemeris", "builtin", "--ldem", TestParts.Ldem4Label!], exitCode, message);
+
+    [Fact]
+    public void Run_Help_ListsTheOptionsInGroups()
+    {
+        CommandLineRun run = CommandLineRun.Of(["--help"]);
+
+        Assert.Equal(0, run.ExitCode);
+        string[] ends = ["--orbit-frame", "--output-name", "--pattern-repos", "--renderer", "--layers-format", "--batch", "--timing", "--help"];
+        int[] places = [.. ends.Select(option => run.Output.IndexOf(option + " ", StringComparison.Ordinal))];
+        Assert.DoesNotContain(-1, places);
+        Assert.Equal(places.Order(), places);
+    }
+}

@@ -1,0 +1,58 @@
+using System.Diagnostics;
+using System.Globalization;
+using Msisf.Core.Attitude;
+using Msisf.Core.Numerics;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Run;
+
+/// <summary>The program in processes of its own, with the vectors that the machine has and with narrower ones: the files are the same to the byte.</summary>
+public sealed class VectorWidthTests : IDisposable
+{
+    /// <summary>m: over the north pole, with day, night and long shadows in the picture.</summary>
+    private static readonly Vector3D Position = new(1e5, 2e5, 1.9e6);
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [RequiresTheory(Part.Ldem4, Part.CFitsio)]
+    [InlineData("DOTNET_EnableAVX512")]
+    [InlineData("DOTNET_EnableAVX2")]
+    public void Run_NarrowerVectors_WritesTheSameBytes(string switchOfTheRuntime)
+    {
+        byte[][] asTheMachineHas = Render([]);
+        byte[][] narrower = Render(new() { [switchOfTheRuntime] = "0" });
+
+        Assert.Equal(["view.fits", "view.png", "view.xml"], Directory.EnumerateFiles(_folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(asTheMachineHas, narrower);
+        Assert.Contains(PngPixels.Read(_folder["view.png"]).ChannelParts(0).Cast<double>(), grey => grey > 0.1);
+    }
+
+    /// <summary>Renders into the same folder each time: the files name the command line.</summary>
+    private byte[][] Render(Dictionary<string, string> environment)
+    {
+        UnitQuaternion attitude = NadirPointing.MoonFromCamera(Position);
+        string state = string.Create(
+            CultureInfo.InvariantCulture,
+            $"{{55289,{Position.X:R},{Position.Y:R},{Position.Z:R},{attitude.X:R},{attitude.Y:R},{attitude.Z:R},{attitude.W:R}}}");
+        string[] arguments =
+        [
+            Path.Combine(AppContext.BaseDirectory, "msis.dll"), "--renderer", "native", "--fixed-state", state, "--width", "150", "--height", "120",
+            "--samples", "4", "--shading", "smooth", "--reflectance", "hapke", "--layers", "all", "--surface", "terrain", "--bit-depth", "16",
+            "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder.Path, "--output-name", "view", "--batch",
+        ];
+        ProcessStartInfo start = new(Environment.ProcessPath!, arguments) { RedirectStandardError = true };
+        foreach ((string name, string value) in environment)
+        {
+            start.Environment[name] = value;
+        }
+
+        using Process child = Process.Start(start)!;
+        string errors = child.StandardError.ReadToEnd();
+        child.WaitForExit();
+        Assert.True(child.ExitCode == 0, errors);
+        return [.. Directory.EnumerateFiles(_folder.Path).Order(StringComparer.Ordinal).Select(File.ReadAllBytes)];
+    }
+}
