@@ -37,41 +37,75 @@ internal sealed class CasterScan
         Tries = 0;
     }
 
-    /// <summary>Goes through a block.</summary>
+    /// <summary>Has the bins sorted in which a block may darken receivers.</summary>
     /// <param name="block">Which.</param>
-    /// <param name="frame">Light space.</param>
-    /// <param name="grid">The receivers.</param>
-    /// <param name="receivers">They all are in it.</param>
-    /// <param name="hidden">Of each pixel; becomes 1 if terrain hides the Sun.</param>
-    public void Cast(CellBlock block, LightFrame frame, ReceiverGrid grid, in LightBox receivers, byte[] hidden)
+    /// <param name="receivers">The receivers; not sorted yet.</param>
+    public void WantBins(CellBlock block, ReceiverSort receivers)
     {
-        _vertices.Load(_surface, block, default);
-        int length = _vertices.Lines * BlockVertices.Stride;
-        frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
+        Load(block, receivers.Frame);
+        ReceiverGrid grid = receivers.Grid;
+        LightBox box = receivers.Box;
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
             for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
             {
-                if (!_strip.TrySet(line, sample, in receivers, slope: 0.0))
+                if (TrySetStrip(line, sample, grid, in box, out GridRange bins))
+                {
+                    grid.Want(bins);
+                }
+            }
+        }
+    }
+
+    /// <summary>Lets a block throw its shadows.</summary>
+    /// <param name="block">Which.</param>
+    /// <param name="receivers">The receivers.</param>
+    /// <param name="hidden">Of each pixel; becomes 1 if terrain hides the Sun.</param>
+    public void Cast(CellBlock block, ReceiverSort receivers, byte[] hidden)
+    {
+        Load(block, receivers.Frame);
+        ReceiverGrid grid = receivers.Grid;
+        LightBox box = receivers.Box;
+        for (int line = 0; line + 1 < _vertices.Lines; line++)
+        {
+            for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
+            {
+                if (!TrySetStrip(line, sample, grid, in box, out GridRange bins))
                 {
                     continue;
                 }
 
-                GridRange bins = grid.BinsOf(in _strip.Box);
-                if (_strip.LeastDepth < grid.GreatestDepth(bins))
+                Strips++;
+                if (bins.Count < ManyBins)
                 {
-                    Strips++;
-                    if (bins.Count < ManyBins)
-                    {
-                        CastStrip(grid, bins, hidden);
-                    }
-                    else
-                    {
-                        CastFacets(grid, hidden);
-                    }
+                    CastStrip(grid, bins, hidden);
+                }
+                else
+                {
+                    CastFacets(grid, hidden);
                 }
             }
         }
+    }
+
+    private void Load(CellBlock block, LightFrame frame)
+    {
+        _vertices.Load(_surface, block, default);
+        int length = _vertices.Lines * BlockVertices.Stride;
+        frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
+    }
+
+    /// <summary>Moves the strip, and tells whether a receiver may be behind it.</summary>
+    private bool TrySetStrip(int line, int sample, ReceiverGrid grid, in LightBox box, out GridRange bins)
+    {
+        bins = default;
+        if (!_strip.TrySet(line, sample, in box, slope: 0.0))
+        {
+            return false;
+        }
+
+        bins = grid.BinsOf(in _strip.Box);
+        return _strip.LeastDepth < grid.GreatestDepth(bins);
     }
 
     private void CastStrip(ReceiverGrid grid, GridRange bins, byte[] hidden)

@@ -5,12 +5,15 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Finds the blocks of a model that may throw a shadow on receivers, and shares them among threads.</summary>
+/// <summary>Finds the blocks of a model that may throw a shadow on receivers.</summary>
 internal sealed class CasterSearch
 {
     private readonly BlockTree _tree;
     private readonly double _greatestRadius;
     private readonly List<CellBlock> _groups = [];
+    private readonly List<CellBlock> _blocks = [];
+    private CellBlock[] _found = [];
+    private int[] _counts = [];
 
     /// <summary>Takes the model.</summary>
     /// <param name="surface">The model.</param>
@@ -38,29 +41,36 @@ internal sealed class CasterSearch
         }
     }
 
-    /// <summary>Goes through the blocks.</summary>
+    /// <summary>Finds the blocks; reads those that were not read yet.</summary>
     /// <param name="receivers">The receivers; not empty.</param>
     /// <param name="slope">Of the Sun's disc.</param>
-    /// <param name="cast">Gets the worker and a block, one block at a time.</param>
     /// <param name="threads">At most.</param>
     /// <param name="cancellation">Ends the work.</param>
-    /// <returns>How many blocks.</returns>
-    public int Run(ReceiverSort receivers, double slope, Action<int, CellBlock> cast, int threads, CancellationToken cancellation)
+    /// <returns>The blocks, until the next search.</returns>
+    public IReadOnlyList<CellBlock> Find(ReceiverSort receivers, double slope, int threads, CancellationToken cancellation)
     {
         CasterBounds bounds = new(receivers, slope, _greatestRadius);
         _groups.Clear();
         _tree.FindGroups(bounds, _groups);
-        int blocks = 0;
-        WorkerTeam.Run(threads, _groups.Count, (worker, group) =>
+        if (_counts.Length < _groups.Count)
         {
-            Span<CellBlock> found = stackalloc CellBlock[BlockTree.GroupBlocks];
-            int count = _tree.FindBlocks(_groups[group], bounds, found);
-            Interlocked.Add(ref blocks, count);
-            foreach (CellBlock block in found[..count])
-            {
-                cast(worker, block);
-            }
-        }, cancellation);
-        return blocks;
+            _counts = new int[2 * _groups.Count];
+            _found = new CellBlock[2 * _groups.Count * BlockTree.GroupBlocks];
+        }
+
+        WorkerTeam.Run(
+            threads,
+            _groups.Count,
+            (_, group) => _counts[group] = _tree.FindBlocks(_groups[group], bounds, BlocksOf(group)),
+            cancellation);
+        _blocks.Clear();
+        for (int group = 0; group < _groups.Count; group++)
+        {
+            _blocks.AddRange(BlocksOf(group)[.._counts[group]]);
+        }
+
+        return _blocks;
     }
+
+    private Span<CellBlock> BlocksOf(int group) => _found.AsSpan(group * BlockTree.GroupBlocks, BlockTree.GroupBlocks);
 }

@@ -6,30 +6,32 @@ internal sealed class DepthPyramid
     /// <summary>Squares to an edge that a question looks at, at most.</summary>
     private const int Window = 3;
 
-    private float[][] _levels = [[]];
+    private readonly List<float[]> _levels = [];
     private int _size;
 
     /// <summary>Makes room.</summary>
     /// <param name="size">Bins to an edge.</param>
     public void Prepare(int size)
     {
-        if (size == _size)
+        _size = size;
+        int level = 0;
+        for (int edge = size; ; edge = (edge + 1) / 2, level++)
         {
-            return;
-        }
+            if (level == _levels.Count)
+            {
+                _levels.Add([]);
+            }
 
-        List<float[]> levels = [];
-        for (int edge = size; ; edge = (edge + 1) / 2)
-        {
-            levels.Add(new float[edge * edge]);
+            if (_levels[level].Length < edge * edge)
+            {
+                _levels[level] = new float[edge * edge * 5 / 4];
+            }
+
             if (edge == 1)
             {
                 break;
             }
         }
-
-        _levels = [.. levels];
-        _size = size;
     }
 
     /// <summary>m, of each bin, row by row; minus infinity where no receiver is. <see cref="Finish"/> takes them up.</summary>
@@ -39,7 +41,7 @@ internal sealed class DepthPyramid
     public void Finish()
     {
         int edge = _size;
-        for (int level = 1; level < _levels.Length; level++)
+        for (int level = 1; edge > 1; level++)
         {
             int fineEdge = edge;
             edge = (edge + 1) / 2;

@@ -30,7 +30,9 @@ internal static class FacetCaster
                 row == bins.FirstRow ? double.NegativeInfinity : grid.AxisV.StartOf(row) - Tolerances.LightPoint,
                 row == bins.LastRow ? double.PositiveInfinity : grid.AxisV.StartOf(row + 1) + Tolerances.LightPoint);
             (int first, int end) = grid.Run(
-                row, grid.AxisU.BinOf(least - Tolerances.LightPoint), grid.AxisU.BinOf(greatest + Tolerances.LightPoint));
+                row,
+                Math.Max(bins.FirstColumn, grid.AxisU.BinOf(least - Tolerances.LightPoint)),
+                Math.Min(bins.LastColumn, grid.AxisU.BinOf(greatest + Tolerances.LightPoint)));
             if (end > first)
             {
                 Hide(in facet, grid, first, end, hidden);

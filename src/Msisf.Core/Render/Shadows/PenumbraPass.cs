@@ -41,18 +41,17 @@ internal sealed class PenumbraPass
 
         LightSource sun = new(disc.CentreMoonMe, disc.Slope);
         NightZone night = new(_search.SolidRadius, sun.Slope);
-        _receivers.Run(receivers, sun, night, pixel => hidden[pixel] = SunDisc.All, threads, cancellation);
+        _receivers.Read(receivers, sun, night, threads, cancellation);
+        _receivers.Grid.WantAll();
+        _receivers.Sort(receivers, pixel => hidden[pixel] = SunDisc.All, threads, cancellation);
         if (_receivers.Box.IsEmpty)
         {
             return;
         }
 
         DiscRays rays = new(disc, _receivers.Frame);
-        _search.Run(
-            _receivers,
-            sun.Slope,
-            (worker, block) => _scans[worker].Cast(block, _receivers, rays, sun.Slope, hidden),
-            threads,
-            cancellation);
+        IReadOnlyList<CellBlock> blocks = _search.Find(_receivers, sun.Slope, threads, cancellation);
+        WorkerTeam.Run(
+            threads, blocks.Count, (worker, item) => _scans[worker].Cast(blocks[item], _receivers, rays, sun.Slope, hidden), cancellation);
     }
 }

@@ -8,7 +8,10 @@ namespace Msisf.Core.Render.Shadows;
 /// The receivers of a frame, sorted into a grid of bins across the Sun's rays: those of neighbouring bins of a row lie one behind the
 /// other, so that a facet goes through the ones that it may hide eight at a time.
 /// </summary>
-/// <remarks>The sort counts first: <see cref="Lay"/>, <see cref="Count"/> for each row, <see cref="Place"/>, <see cref="Sort"/> for each row, <see cref="Finish"/>.</remarks>
+/// <remarks>
+/// The sort counts first: <see cref="Lay"/>, <see cref="Count"/> for each row, <see cref="Place"/>, <see cref="Sort"/> for each row.
+/// From <see cref="Place"/> on the depths can be asked for, and by them <see cref="Want"/> the bins that are worth sorting.
+/// </remarks>
 internal sealed class ReceiverGrid
 {
     private const int LaneCount = 8;
@@ -18,7 +21,9 @@ internal sealed class ReceiverGrid
     private LightAxis _u;
     private LightAxis _v;
     private int[] _bins = [];
-    private int[][] _counts = [];
+    private Part[] _parts = [];
+    private byte[] _isWanted = [];
+    private bool _wantsAll;
     private int[] _starts = [];
 
     /// <summary>Bins to an edge.</summary>
@@ -62,19 +67,22 @@ internal sealed class ReceiverGrid
         _u = new LightAxis(box.LeastU, box.GreatestU, Size);
         _v = new LightAxis(box.LeastV, box.GreatestV, Size);
         _depths.Prepare(Size);
+        int room = Size * Size * 5 / 4; // the next frames' numbers differ a little
         if (_starts.Length < (Size * Size) + 1)
         {
-            _starts = new int[(Size * Size * 5 / 4) + 1];
+            _starts = new int[room + 1];
+            _isWanted = new byte[room];
         }
 
-        if (_counts.Length < parts || _counts[0].Length < Size * Size)
+        if (_parts.Length < parts || _parts[0].Counts.Length < Size * Size)
         {
-            _counts = [.. Enumerable.Range(0, Math.Max(parts, _counts.Length)).Select(_ => new int[Size * Size * 5 / 4])];
+            _parts = [.. Enumerable.Range(0, Math.Max(parts, _parts.Length)).Select(_ => new Part(new int[room], new float[room]))];
         }
 
-        foreach (int[] counts in _counts)
+        foreach (Part part in _parts)
         {
-            Array.Clear(counts);
+            Array.Clear(part.Counts, 0, Size * Size);
+            Array.Fill(part.Depths, float.NegativeInfinity, 0, Size * Size);
         }
     }
 
@@ -89,7 +97,8 @@ internal sealed class ReceiverGrid
         int start = rows.Start(row);
         int count = rows.Count(row);
         Span<long> lanes = stackalloc long[LaneCount];
-        Span<int> counts = _counts[part];
+        Span<float> depths = stackalloc float[LaneCount];
+        (int[] counts, float[] greatest) = _parts[part];
         Vector512<double> leastU = Vector512.Create(double.PositiveInfinity);
         Vector512<double> leastV = leastU;
         Vector512<double> greatestU = -leastU;
@@ -99,15 +108,16 @@ internal sealed class ReceiverGrid
         {
             Vector512<double> u = Vector512.LoadUnsafe(ref rows.U[0], (nuint)(start + i));
             Vector512<double> v = Vector512.LoadUnsafe(ref rows.V[0], (nuint)(start + i));
-            Vector512<double> isNight = night.Holds(u, v, Vector512.LoadUnsafe(ref rows.W[0], (nuint)(start + i)));
-            Vector512<double> isOut = isNight | Vector512.GreaterThanOrEqual(
-                Lanes.Numbers, Vector512.Create((double)(count - i)));
+            Vector512<double> w = Vector512.LoadUnsafe(ref rows.W[0], (nuint)(start + i));
+            Vector512<double> isNight = night.Holds(u, v, w);
+            Vector512<double> isOut = isNight | Vector512.GreaterThanOrEqual(Lanes.Numbers, Vector512.Create((double)(count - i)));
             leastU = Vector512.ConditionalSelect(isOut, leastU, Vector512.MinNative(leastU, u));
             leastV = Vector512.ConditionalSelect(isOut, leastV, Vector512.MinNative(leastV, v));
             greatestU = Vector512.ConditionalSelect(isOut, greatestU, Vector512.MaxNative(greatestU, u));
             greatestV = Vector512.ConditionalSelect(isOut, greatestV, Vector512.MaxNative(greatestV, v));
             Vector512<double> bins = Vector512.ConditionalSelect(isNight, Vector512.Create(-1.0), (_v.BinsOf(v) * size) + _u.BinsOf(u));
             Vector512.ConvertToInt64Native(bins).CopyTo(lanes);
+            Vector512.Narrow(w, w).GetLower().CopyTo(depths);
             for (int lane = 0; lane < Math.Min(LaneCount, count - i); lane++)
             {
                 int bin = (int)lanes[lane];
@@ -115,6 +125,7 @@ internal sealed class ReceiverGrid
                 if (bin >= 0)
                 {
                     counts[bin]++;
+                    greatest[bin] = Math.Max(greatest[bin], depths[lane]);
                 }
             }
         }
@@ -122,19 +133,26 @@ internal sealed class ReceiverGrid
         return new LightBox(Lanes.Least(leastU), -Lanes.Least(-greatestU), Lanes.Least(leastV), -Lanes.Least(-greatestV));
     }
 
-    /// <summary>Gives each bin its place, and in it each part.</summary>
+    /// <summary>Gives each bin its place, and in it each part; finds the bins' depths. No bin is wanted yet.</summary>
     public void Place()
     {
         int next = 0;
         for (int bin = 0; bin < Size * Size; bin++)
         {
             _starts[bin] = next;
-            foreach (int[] counts in _counts)
+            float greatest = float.NegativeInfinity;
+            foreach ((int[] counts, float[] depths) in _parts)
             {
                 (counts[bin], next) = (next, next + counts[bin]);
+                greatest = Math.Max(greatest, depths[bin]);
             }
+
+            _depths.Bins[bin] = MathF.BitIncrement(greatest);
         }
 
+        _depths.Finish();
+        _wantsAll = false;
+        Array.Clear(_isWanted, 0, Size * Size);
         _starts[Size * Size] = next;
         Length = next;
         if (U.Length < next + LaneCount)
@@ -147,7 +165,19 @@ internal sealed class ReceiverGrid
         }
     }
 
-    /// <summary>Puts a row's receivers into their bins.</summary>
+    /// <summary>Has some bins sorted. Several threads may call it.</summary>
+    public void Want(GridRange bins)
+    {
+        for (int row = bins.FirstRow; row <= bins.LastRow; row++)
+        {
+            _isWanted.AsSpan((row * Size) + bins.FirstColumn, bins.LastColumn - bins.FirstColumn + 1).Fill(1);
+        }
+    }
+
+    /// <summary>Has all bins sorted.</summary>
+    public void WantAll() => _wantsAll = true;
+
+    /// <summary>Puts a row's receivers into their bins, as far as these are wanted; the places of others mean nothing.</summary>
     /// <param name="rows">The receivers.</param>
     /// <param name="row">Which row.</param>
     /// <param name="part">As it was counted.</param>
@@ -155,12 +185,16 @@ internal sealed class ReceiverGrid
     /// <param name="hide">Gets the pixels of those in the night.</param>
     public void Sort(ReceiverRows rows, int row, int part, int firstPixel, Action<int> hide)
     {
-        int[] next = _counts[part];
+        int[] next = _parts[part].Counts;
         int start = rows.Start(row);
         for (int i = start; i < start + rows.Count(row); i++)
         {
             int bin = _bins[i];
-            if (bin >= 0)
+            if (bin < 0)
+            {
+                hide(firstPixel + rows.Columns[i]);
+            }
+            else if (_wantsAll || _isWanted[bin] != 0)
             {
                 int place = next[bin]++;
                 U[place] = rows.U[i];
@@ -168,31 +202,8 @@ internal sealed class ReceiverGrid
                 W[place] = rows.W[i];
                 Pixels[place] = firstPixel + rows.Columns[i];
             }
-            else
-            {
-                hide(firstPixel + rows.Columns[i]);
-            }
         }
     }
-
-    /// <summary>Finds the greatest depth of the bins of a row of the grid.</summary>
-    public void FindDepths(int row)
-    {
-        float[] depths = _depths.Bins;
-        for (int bin = row * Size; bin < (row + 1) * Size; bin++)
-        {
-            double greatest = double.NegativeInfinity;
-            for (int i = _starts[bin]; i < _starts[bin + 1]; i++)
-            {
-                greatest = Math.Max(greatest, W[i]);
-            }
-
-            depths[bin] = MathF.BitIncrement((float)greatest);
-        }
-    }
-
-    /// <summary>Ends the sort, after <see cref="FindDepths"/> of each row.</summary>
-    public void Finish() => _depths.Finish();
 
     /// <summary>The bins that a box touches.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -221,4 +232,9 @@ internal sealed class ReceiverGrid
         ref int start = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_starts), row * Size);
         return (Unsafe.Add(ref start, firstColumn), Unsafe.Add(ref start, lastColumn + 1));
     }
+
+    /// <summary>What one thread finds of the bins.</summary>
+    /// <param name="Counts">Receivers of each; later the place of the next.</param>
+    /// <param name="Depths">Greatest depth of each, m.</param>
+    private sealed record Part(int[] Counts, float[] Depths);
 }

@@ -23,15 +23,13 @@ internal sealed class ReceiverSort
     /// <summary>All receivers are in it; empty if there are none.</summary>
     public LightBox Box { get; private set; }
 
-    /// <summary>Sorts.</summary>
+    /// <summary>Reads the receivers and finds out how deep they are in each bin of the grid.</summary>
     /// <param name="receivers">Points that may be lit.</param>
     /// <param name="sun">The Sun.</param>
     /// <param name="night">Where it is dark for sure.</param>
-    /// <param name="hide">Gets each pixel where it is; several threads call it.</param>
     /// <param name="threads">At most.</param>
     /// <param name="cancellation">Ends the work.</param>
-    public void Run(
-        IReceiverRows receivers, LightSource sun, NightZone night, Action<int> hide, int threads, CancellationToken cancellation)
+    public void Read(IReceiverRows receivers, LightSource sun, NightZone night, int threads, CancellationToken cancellation)
     {
         int rows = receivers.Rows;
         int parts = Math.Min(threads, MostParts);
@@ -57,20 +55,28 @@ internal sealed class ReceiverSort
             }
         }, cancellation);
         Grid.Place();
-        WorkerTeam.Run(threads, parts, (_, part) =>
-        {
-            for (int row = part; row < rows; row += parts)
-            {
-                Grid.Sort(_rows, row, part, row * receivers.Width, hide);
-            }
-        }, cancellation);
-        WorkerTeam.Run(threads, Grid.Size, (_, row) => Grid.FindDepths(row), cancellation);
-        Grid.Finish();
         Box = LightBox.Empty;
         for (int row = 0; row < rows; row++)
         {
             Box = LightBox.Union(Box, _boxes[row]);
         }
+    }
+
+    /// <summary>Sorts the receivers into the bins of the grid that are wanted.</summary>
+    /// <param name="receivers">As they were read, with as many threads.</param>
+    /// <param name="hide">Gets each pixel in the night; several threads call it.</param>
+    /// <param name="threads">At most.</param>
+    /// <param name="cancellation">Ends the work.</param>
+    public void Sort(IReceiverRows receivers, Action<int> hide, int threads, CancellationToken cancellation)
+    {
+        int parts = Math.Min(threads, MostParts);
+        WorkerTeam.Run(threads, parts, (_, part) =>
+        {
+            for (int row = part; row < receivers.Rows; row += parts)
+            {
+                Grid.Sort(_rows, row, part, row * receivers.Width, hide);
+            }
+        }, cancellation);
     }
 
     /// <summary>Lays out light space by a part of the rows; a bad choice costs time only.</summary>

@@ -11,6 +11,9 @@ namespace Msisf.Core.Render.Shadows;
 /// </summary>
 internal sealed class ShadowPass
 {
+    /// <summary>Up to so many blocks it pays to ask first which bins of receivers they may darken, and to sort these only.</summary>
+    private const int FewBlocks = 128;
+
     private readonly SurfaceModel _surface;
     private readonly CasterSearch _search;
     private readonly ReceiverSort _receivers = new();
@@ -49,20 +52,20 @@ internal sealed class ShadowPass
         }
 
         LightSource sun = new(sunMoonMe, Slope: 0.0);
-        _receivers.Run(receivers, sun, new NightZone(_search.SolidRadius, sun.Slope), pixel => hidden[pixel] = 1, threads, cancellation);
-        if (_receivers.Box.IsEmpty)
+        _receivers.Read(receivers, sun, new NightZone(_search.SolidRadius, sun.Slope), threads, cancellation);
+        IReadOnlyList<CellBlock> blocks = _receivers.Box.IsEmpty ? [] : _search.Find(_receivers, sun.Slope, threads, cancellation);
+        if (blocks.Count <= FewBlocks)
         {
-            Statistics = default;
-            return;
+            WorkerTeam.Run(threads, blocks.Count, (worker, item) => _scans[worker].WantBins(blocks[item], _receivers), cancellation);
+        }
+        else
+        {
+            _receivers.Grid.WantAll();
         }
 
-        int blocks = _search.Run(
-            _receivers,
-            sun.Slope,
-            (worker, block) => _scans[worker].Cast(block, _receivers.Frame, _receivers.Grid, _receivers.Box, hidden),
-            threads,
-            cancellation);
+        _receivers.Sort(receivers, pixel => hidden[pixel] = 1, threads, cancellation);
+        WorkerTeam.Run(threads, blocks.Count, (worker, item) => _scans[worker].Cast(blocks[item], _receivers, hidden), cancellation);
         Statistics = new ShadowStatistics(
-            _receivers.Grid.Length, _search.Groups, blocks, _scans.Sum(scan => scan.Strips), _scans.Sum(scan => scan.Tries));
+            _receivers.Grid.Length, _search.Groups, blocks.Count, _scans.Sum(scan => scan.Strips), _scans.Sum(scan => scan.Tries));
     }
 }
