@@ -21,7 +21,9 @@ public sealed class NativeRendererDiscTests
 
     private static readonly NativeRenderOptions Disc = new()
     {
-        Reflectance = new LambertReflectance(0.64), Sun = SunModel.Disc, KeepTruth = true,
+        Reflectance = new LambertReflectance(0.64),
+        Sun = SunModel.Disc,
+        KeepTruth = true,
     };
 
     [RequiresTheory(Part.Ldem4)]
