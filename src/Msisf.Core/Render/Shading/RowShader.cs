@@ -103,9 +103,9 @@ internal sealed class RowShader
         toLight /= Math.Sqrt(toLight.LengthSquared);
         Vector3D toCamera = camera - point;
         toCamera /= Math.Sqrt(toCamera.LengthSquared);
-        if (normals is not null)
+        if (normals is not null && Smooth(normals, visible.FacetOf(y, row.Facets[i]), normal, point, camera) is var smooth && smooth != normal)
         {
-            normal = Smooth(normals, visible.FacetOf(y, row.Facets[i]), normal, point, camera);
+            normal = smooth;
             cosIncidence = Math.Min(Vector3D.Dot(normal, toLight), 1.0);
         }
 
