@@ -1,0 +1,58 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Shading;
+using Msisf.Core.Render.Surface;
+using Msisf.Core.Render.Visibility;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tests.Support;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Core.Tests.Render.Shading;
+
+public sealed class SunwardPointsTests
+{
+    private const int Side = 60;
+
+    [Theory]
+    [InlineData("oblique-20km", 0.0)]
+    [InlineData("half-sky", 0.0)]
+    [InlineData("grazing-sun", -0.005)]
+    public void Read_AllRows_GivesThePointsAndCosinesOfThePlainFormula(string scene, double leastCosine)
+    {
+        IElevationGrid grid = FunctionGrid.Rugged(4);
+        RenderScenes.RenderSceneCase given = RenderScenes.Named(scene);
+        PinholeCamera camera = given.Camera(grid, Side, Side);
+        VisibleSurface visible = new VisibilityPass(new SurfaceModel(grid)).Run(camera, threads: 1, CancellationToken.None);
+        double[] cosines = new double[Side * Side];
+        SunwardPoints points = new(visible, given.Sun, cosines, leastCosine);
+        double[] x = new double[Side];
+        double[] y = new double[Side];
+        double[] z = new double[Side];
+        int[] columns = new int[Side];
+        int sunward = 0;
+        for (int row = 0; row < Side; row++)
+        {
+            Dictionary<int, Vector3D> found = [];
+            int count = points.Read(row, x, y, z, columns);
+            for (int i = 0; i < count; i++)
+            {
+                found.Add(columns[i], new Vector3D(x[i], y[i], z[i]));
+            }
+
+            for (int column = 0; column < Side; column++)
+            {
+                bool isSurface = visible.TryGet(column + 1, row + 1, out SurfaceHit hit);
+                double cosine = isSurface ? SunwardPoints.CosIncidence(hit.NormalMoonMe, hit.PointMoonMe, given.Sun) : -1.0;
+                Assert.Equal(cosine, cosines[(row * Side) + column]);
+                Assert.Equal(cosine > leastCosine, found.TryGetValue(column, out Vector3D point));
+                Assert.True(cosine <= leastCosine || point == hit.PointMoonMe, $"{column}, {row}");
+            }
+
+            sunward += count;
+        }
+
+        Assert.InRange(sunward, 50, (Side * Side) - 1);
+    }
+}
