@@ -35,7 +35,7 @@ internal sealed class BlockCuller
     }
 
     /// <summary>The blocks that may be seen, always in the same order; valid until the next call.</summary>
-    public List<VisibleBlock> Find(PictureView view, ParallelOptions options)
+    public List<VisibleBlock> Find(PictureView view, int threads, CancellationToken cancellation)
     {
         ViewFrustum frustum = new(view);
         MoonHorizon horizon = new(view.Camera.PositionMoonMe, LowestPoint(_limits.Least));
@@ -47,14 +47,14 @@ internal sealed class BlockCuller
         }
 
         int parts = (_candidates.Count + BlocksAtOnce - 1) / BlocksAtOnce;
-        Parallel.For(0, parts, options, part =>
+        WorkerTeam.Run(threads, parts, (_, part) =>
         {
             int end = Math.Min(_candidates.Count, (part + 1) * BlocksAtOnce);
             for (int i = part * BlocksAtOnce; i < end; i++)
             {
                 _found[i] = Look(_candidates[i], frustum, horizon);
             }
-        });
+        }, cancellation);
 
         _visible.Clear();
         for (int i = 0; i < _candidates.Count; i++)

@@ -1,5 +1,3 @@
-using System.Collections.Concurrent;
-using System.Runtime.ExceptionServices;
 using Msisf.Core.Camera;
 using Msisf.Core.Render.Surface;
 
@@ -14,7 +12,7 @@ internal sealed class VisibilityPass
     private readonly SurfaceModel _surface;
     private readonly BlockCuller _culler;
     private readonly VisibleSurface _result = new();
-    private readonly ConcurrentBag<BandWorker> _workers = [];
+    private readonly List<BandWorker> _workers = [];
 
     /// <param name="surface">The surface; blocks are read when they are first seen.</param>
     public VisibilityPass(SurfaceModel surface)
@@ -35,28 +33,20 @@ internal sealed class VisibilityPass
     public VisibleSurface Run(PinholeCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
     {
         PictureView view = new(camera, offsetX, offsetY);
-        ParallelOptions options = new() { MaxDegreeOfParallelism = threads, CancellationToken = cancellation };
-        try
+        List<VisibleBlock> blocks = _culler.Find(view, threads, cancellation);
+        _result.Begin(view);
+        while (_workers.Count < threads)
         {
-            List<VisibleBlock> blocks = _culler.Find(view, options);
-            _result.Begin(view);
-            VisibilityCounts[] counts = new VisibilityCounts[_result.BandCount];
-            Parallel.For(0, counts.Length, options, index => counts[index] = Draw(view, blocks, _result.BeginBand(index)));
-            _result.End(counts.Aggregate(new VisibilityCounts(blocks.Count, 0, 0, 0), (sum, next) => sum + next));
-        }
-        catch (AggregateException exception)
-        {
-            ExceptionDispatchInfo.Throw(exception.InnerExceptions[0]);
+            _workers.Add(new BandWorker());
         }
 
+        VisibilityCounts[] counts = new VisibilityCounts[_result.BandCount];
+        WorkerTeam.Run(
+            threads,
+            counts.Length,
+            (worker, band) => counts[band] = _workers[worker].Draw(_surface, view, blocks, _result.BeginBand(band)),
+            cancellation);
+        _result.End(counts.Aggregate(new VisibilityCounts(blocks.Count, 0, 0, 0), (sum, next) => sum + next));
         return _result;
-    }
-
-    private VisibilityCounts Draw(PictureView view, List<VisibleBlock> blocks, Band band)
-    {
-        BandWorker worker = _workers.TryTake(out BandWorker? idle) ? idle : new BandWorker();
-        VisibilityCounts counts = worker.Draw(_surface, view, blocks, band);
-        _workers.Add(worker);
-        return counts;
     }
 }
