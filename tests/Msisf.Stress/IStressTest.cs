@@ -1,0 +1,16 @@
+namespace Msisf.Stress;
+
+/// <summary>Drives a part of the program with many seeded inputs and keeps the worst it finds.</summary>
+public interface IStressTest
+{
+    /// <summary>Name for files and options, e.g. "kepler".</summary>
+    string Name { get; }
+
+    /// <summary>What is driven, and how, in a sentence for the report.</summary>
+    string Subject { get; }
+
+    /// <summary>Runs it; the same length and seed give the same report, whatever the machine.</summary>
+    /// <param name="length">How much of it.</param>
+    /// <param name="seed">Of all random inputs.</param>
+    StressReport Run(StressLength length, int seed);
+}
