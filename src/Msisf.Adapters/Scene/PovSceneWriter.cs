@@ -69,8 +69,8 @@ public static class PovSceneWriter
     /// <summary>Writes one scene.</summary>
     /// <param name="writer">Where to; LF line ends are written whatever its setting.</param>
     /// <param name="scene">What.</param>
-    /// <param name="patternFileName">File name, without folder, of a tile's pattern.</param>
-    public static void Write(TextWriter writer, RenderScene scene, Func<TileId, string> patternFileName)
+    /// <param name="patternFileName">File name, without folder, of a part's mesh.</param>
+    public static void Write(TextWriter writer, RenderScene scene, Func<SurfacePart, string> patternFileName)
     {
         writer.Write(string.Create(
             CultureInfo.InvariantCulture,
@@ -94,9 +94,9 @@ public static class PovSceneWriter
         }
 
         writer.Write("}\n");
-        foreach (TileId tile in scene.Tiles)
+        foreach (SurfacePart part in scene.Parts)
         {
-            writer.Write($"\n#include \"{patternFileName(tile)}\"");
+            writer.Write($"\n#include \"{patternFileName(part)}\"");
         }
 
         writer.Write("\n");

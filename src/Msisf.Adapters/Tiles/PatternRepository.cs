@@ -26,9 +26,14 @@ public sealed class PatternRepository
     public string FolderOf(int pixelsPerDegree) => Path.Combine(_root, pixelsPerDegree.ToString(CultureInfo.InvariantCulture));
 
     /// <summary>The file of a tile's pattern.</summary>
-    public string PathOf(TileId tile, int pixelsPerDegree) => Path.Combine(
+    public string PathOf(TileId tile, int pixelsPerDegree) => PathOf(SurfacePart.Whole(tile), pixelsPerDegree);
+
+    /// <summary>The file of a part.</summary>
+    /// <param name="part">Which.</param>
+    /// <param name="pixelsPerDegree">Samples a degree of the model itself, whatever the part's level.</param>
+    public string PathOf(SurfacePart part, int pixelsPerDegree) => Path.Combine(
         FolderOf(pixelsPerDegree),
-        string.Create(CultureInfo.InvariantCulture, $"pattern_LDEM_{pixelsPerDegree}_{tile.RangeText}.inc"));
+        string.Create(CultureInfo.InvariantCulture, $"pattern_LDEM_{pixelsPerDegree}_{part.NameText}.inc"));
 
     /// <summary>Makes sure that the patterns are there, whole, and of these samples; makes those that are not.</summary>
     /// <param name="tiles">The tiles; double ones count once.</param>
@@ -47,18 +52,47 @@ public sealed class PatternRepository
         IProgress<int>? progress = null,
         CancellationToken cancellation = default)
     {
-        TileId[] sorted = [.. tiles.Distinct().Order()];
         TileMeshBuilder builder = new(grid);
+        int resolution = grid.PixelsPerDegree;
+        IEnumerable<PatternOrder> orders = tiles.Distinct().Order().Select(tile => new PatternOrder(
+            PathOf(tile, resolution),
+            TileMeshLayout.For(tile, resolution, options.MarginSamples(resolution)),
+            builder,
+            grid.ProductId,
+            options.Format));
+        return Ensure([.. orders], maxParallelism, progress, cancellation);
+    }
+
+    /// <summary>The same for parts of tiles at levels of detail, in the usual form and without margin.</summary>
+    /// <param name="parts">The parts; double ones count once.</param>
+    /// <param name="builders">Of the model and its levels.</param>
+    /// <param name="maxParallelism">How many parts to work on at once, at least 1.</param>
+    /// <param name="cancellation">Stops between two parts.</param>
+    /// <exception cref="BadInputException">A file that this program has not made has a pattern's name, or the model is damaged.</exception>
+    /// <exception cref="ExternalPartException">The repository can't be read or written.</exception>
+    public PatternSet EnsureParts(IEnumerable<SurfacePart> parts, LevelMeshBuilders builders, int maxParallelism, CancellationToken cancellation)
+    {
+        IEnumerable<PatternOrder> orders = parts.Distinct().Order().Select(part => new PatternOrder(
+            PathOf(part, builders.PixelsPerDegree),
+            TileMeshLayout.For(part, builders.PixelsPerDegree),
+            builders.Of(part.Level),
+            builders.ProductId,
+            PatternFormat.Mesh2));
+        return Ensure([.. orders], maxParallelism, progress: null, cancellation);
+    }
+
+    private static PatternSet Ensure(PatternOrder[] orders, int maxParallelism, IProgress<int>? progress, CancellationToken cancellation)
+    {
         int ready = 0;
         int written = 0;
         try
         {
             Parallel.ForEach(
-                sorted,
+                orders,
                 new ParallelOptions { MaxDegreeOfParallelism = maxParallelism, CancellationToken = cancellation },
-                tile =>
+                order =>
                 {
-                    if (EnsurePattern(tile, grid, builder, options))
+                    if (Ensure(order))
                     {
                         Interlocked.Increment(ref written);
                     }
@@ -74,35 +108,32 @@ public sealed class PatternRepository
 
         if (written > 0)
         {
-            RemoveStaleFiles(FolderOf(grid.PixelsPerDegree));
+            RemoveStaleFiles(Path.GetDirectoryName(orders[0].Path)!);
         }
 
-        return new PatternSet([.. sorted.Select(tile => PathOf(tile, grid.PixelsPerDegree))], written);
+        return new PatternSet([.. orders.Select(order => order.Path)], written);
     }
 
-    private bool EnsurePattern(TileId tile, IElevationGrid grid, TileMeshBuilder builder, PatternOptions options)
+    private static bool Ensure(PatternOrder order)
     {
-        TileMeshLayout layout = TileMeshLayout.For(tile, grid.PixelsPerDegree, options.MarginSamples(grid.PixelsPerDegree));
-        double[] radii = builder.ReadRadii(layout);
-        byte[] header = PatternHeader.WithoutLength(layout, radii, grid.ProductId, options.Format);
-        string path = PathOf(tile, grid.PixelsPerDegree);
-        switch (PatternFile.Inspect(path, header))
+        double[] radii = order.Builder.ReadRadii(order.Layout);
+        byte[] header = PatternHeader.WithoutLength(order.Layout, radii, order.Builder.WallFootRadius, order.ProductId, order.Format);
+        switch (PatternFile.Inspect(order.Path, header))
         {
             case PatternFile.State.Good:
                 return false;
             case PatternFile.State.Foreign:
-                throw new BadInputException($"{path}: has a pattern's name, but this program has not made it, so it stays as it is. Move it away, or choose another pattern repository.");
+                throw new BadInputException($"{order.Path}: has a pattern's name, but this program has not made it, so it stays as it is. Move it away, or choose another pattern repository.");
             default:
-                TileMesh mesh = builder.Build(layout, radii);
-                MakeFolder(grid.PixelsPerDegree);
-                AtomicFile.Write(path, stream => PatternWriter.Write(stream, mesh, header, options.Format), flushToDisk: false);
+                TileMesh mesh = order.Builder.Build(order.Layout, radii);
+                MakeFolder(Path.GetDirectoryName(order.Path)!);
+                AtomicFile.Write(order.Path, stream => PatternWriter.Write(stream, mesh, header, order.Format), flushToDisk: false);
                 return true;
         }
     }
 
-    private void MakeFolder(int pixelsPerDegree)
+    private static void MakeFolder(string folder)
     {
-        string folder = FolderOf(pixelsPerDegree);
         try
         {
             Directory.CreateDirectory(folder);
@@ -143,4 +174,8 @@ public sealed class PatternRepository
             return;
         }
     }
+
+    /// <summary>A file that is wanted.</summary>
+    private readonly record struct PatternOrder(
+        string Path, TileMeshLayout Layout, TileMeshBuilder Builder, string ProductId, PatternFormat Format);
 }

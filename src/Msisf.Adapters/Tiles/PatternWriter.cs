@@ -16,7 +16,7 @@ public static class PatternWriter
     /// <param name="productId">PRODUCT_ID of the elevation model.</param>
     /// <param name="format">The form of the mesh.</param>
     public static void Write(Stream output, TileMesh mesh, string productId, PatternFormat format) =>
-        Write(output, mesh, PatternHeader.WithoutLength(mesh.Layout, mesh.Radii, productId, format), format);
+        Write(output, mesh, PatternHeader.WithoutLength(mesh.Layout, mesh.Radii, mesh.WallFootRadius, productId, format), format);
 
     /// <summary>Writes a pattern whose header is known.</summary>
     internal static void Write(Stream output, TileMesh mesh, byte[] headerWithoutLength, PatternFormat format)
@@ -46,7 +46,7 @@ public static class PatternWriter
     private static void WriteMesh2(AsciiWriter writer, TileMesh mesh)
     {
         writer.Write("#local k=1/131072;\nmesh2{\nvertex_vectors{"u8);
-        writer.Write(mesh.Layout.VertexCount);
+        writer.Write(mesh.VertexCount);
         for (int i = 0; i < mesh.Offsets.Length; i += 3)
         {
             writer.Write(",\n"u8);
@@ -55,7 +55,7 @@ public static class PatternWriter
         }
 
         writer.Write("}\nface_indices{"u8);
-        writer.Write(mesh.Layout.FaceCount);
+        writer.Write(mesh.FaceCount);
         for (int i = 0; i < mesh.Faces.Length; i += 3)
         {
             writer.Write(",\n"u8);

@@ -30,9 +30,6 @@ internal sealed class NativeOptions
 
     public Option<string?> BitDepth { get; } = OptionFactory.Value("--bit-depth", [], "8|16", "Native: Bits of the picture's grey levels (default 8)");
 
-    public Option<string?> LevelOfDetail { get; } = OptionFactory.Value(
-        "--lod", [], "auto|off", "Native: Coarser levels of the model where its cells are far below a pixel (default auto), or always the model itself");
-
     public Option<string?> Layers { get; } = OptionFactory.Value(
         "--layers", [], "LIST|all", "Native: Ground truth of every pixel, as names separated by commas: depth,position,incidence,mask, ...");
 
@@ -40,7 +37,7 @@ internal sealed class NativeOptions
 
     /// <summary>All but the one that chooses the renderer.</summary>
     public IEnumerable<Option> OfNativeOnly =>
-        [Reflectance, Albedo, Sun, Samples, Shading, Exposure, Transfer, BitDepth, LevelOfDetail, Layers, LayersFormat];
+        [Reflectance, Albedo, Sun, Samples, Shading, Exposure, Transfer, BitDepth, Layers, LayersFormat];
 
     public IEnumerable<Option> All => [Renderer, .. OfNativeOnly];
 }

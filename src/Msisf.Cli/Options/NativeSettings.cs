@@ -13,9 +13,6 @@ internal sealed record NativeSettings
 
     public required int BitDepth { get; init; }
 
-    /// <summary>Coarser levels where cells are far below a pixel.</summary>
-    public required bool UsesLevelsOfDetail { get; init; }
-
     /// <summary>Ground truth to write; null for none.</summary>
     public required LayerSet? Layers { get; init; }
 

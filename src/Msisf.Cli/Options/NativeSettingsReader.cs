@@ -41,7 +41,6 @@ internal sealed class NativeSettingsReader
             Grey = OptionText.Named(_options.Exposure, () => new GreyScale(
                 Number(_options.Exposure) ?? 1.0, Choice(_options.Transfer, [("srgb", GreyTransfer.Srgb), ("linear", GreyTransfer.Linear)]))),
             BitDepth = Choice(_options.BitDepth, [("8", 8), ("16", 16)]),
-            UsesLevelsOfDetail = Choice(_options.LevelOfDetail, [("auto", true), ("off", false)]),
             Layers = layers,
             LayersFormat = Choice(_options.LayersFormat, [("fits", LayersFormat.Fits), ("npy", LayersFormat.Npy)]),
         };

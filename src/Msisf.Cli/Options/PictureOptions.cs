@@ -22,6 +22,12 @@ internal sealed class PictureOptions
     public Option<string?> Surface { get; } = OptionFactory.Value(
         "--surface", [], "sphere|terrain", "Where the meta file's pixels lie: on the reference sphere (default), or on the terrain that the picture shows");
 
+    public Option<string?> LevelOfDetail { get; } = OptionFactory.Value(
+        "--lod", [], "auto|off", "Coarser levels of the model where its cells are below a pixel (default auto), or always the model itself");
+
+    public Option<string?> LevelOfDetailError { get; } = OptionFactory.Value(
+        "--lod-error", [], "PX", "How far, in pixels, they may move what is seen, 0 to 100 (default 0.3; native 0.35): a cell is at most twice as wide");
+
     public Option<bool> IgnoreSun { get; } = OptionFactory.Flag("--ignore-sun", [], "Light the scene from the camera instead of the Sun");
 
     public Option<bool> Annotation { get; } = OptionFactory.Flag(
@@ -34,6 +40,6 @@ internal sealed class PictureOptions
 
     public IEnumerable<Option> All =>
     [
-        FieldOfView, Width, Height, Grid, GridHorizontal, GridVertical, Surface, IgnoreSun, Annotation, OutputFolder, OutputName,
+        FieldOfView, Width, Height, Grid, GridHorizontal, GridVertical, Surface, LevelOfDetail, LevelOfDetailError, IgnoreSun, Annotation, OutputFolder, OutputName,
     ];
 }

@@ -26,6 +26,9 @@ internal sealed record RenderSettings
     /// <summary>For the program's own renderer; defaults otherwise.</summary>
     public required NativeSettings Native { get; init; }
 
+    /// <summary>px: so far may coarser levels of the model move what is seen; null to show the model itself everywhere.</summary>
+    public required double? LevelOfDetailError { get; init; }
+
     public required bool IgnoreSun { get; init; }
 
     public required bool Annotate { get; init; }

@@ -5,6 +5,8 @@ using Msisf.Cli.Run;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
+using Msisf.Core.Render;
+using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Options;
 
@@ -16,6 +18,9 @@ internal sealed class RenderSettingsReader
 
     /// <summary>More frames at once than any computer runs.</summary>
     private const int MostJobs = 1024;
+
+    /// <summary>px: from here on nothing of the Moon would be left to see.</summary>
+    private const double GreatestLevelOfDetailError = 100.0;
 
     private readonly ParseResult _line;
 
@@ -41,6 +46,7 @@ internal sealed class RenderSettingsReader
             PixelsPerDegree = SourceSettings.Resolution(_line, source),
             Renderer = native.Renderer(),
             Native = native.Read(needsTruth: surface == PixelSurface.Terrain),
+            LevelOfDetailError = LevelOfDetailError(picture, native.Renderer()),
             IgnoreSun = _line.GetValue(picture.IgnoreSun),
             Annotate = _line.GetValue(picture.Annotation),
             OutputFolder = PathOf(picture.OutputFolder) ?? "output",
@@ -70,6 +76,25 @@ internal sealed class RenderSettingsReader
         return degrees > 0.0 && degrees < 180.0
             ? degrees
             : throw new BadInputException($"--fov is {_line.GetValue(option)}; a field of view between 0 and 180 degrees (without them) is needed.");
+    }
+
+    private double? LevelOfDetailError(PictureOptions picture, RendererKind renderer)
+    {
+        bool isOff = _line.GetValue(picture.LevelOfDetail) is string word && OptionText.Choice(picture.LevelOfDetail, word, [("auto", false), ("off", true)]);
+        if (_line.GetValue(picture.LevelOfDetailError) is not string text)
+        {
+            return isOff ? null : renderer == RendererKind.Native ? LevelOfDetail.UsualErrorPixels : PartSelector.UsualErrorPixels;
+        }
+
+        if (isOff)
+        {
+            throw new UsageException("--lod-error has no meaning with --lod off, which always shows the model itself. Leave one of them out.");
+        }
+
+        double error = OptionText.Number(picture.LevelOfDetailError, text);
+        return error is >= 0.0 and <= GreatestLevelOfDetailError
+            ? error
+            : throw new BadInputException($"--lod-error is {text}; 0 to {GreatestLevelOfDetailError} pixels are possible.");
     }
 
     private TimeSpan? Timeout(Option<string?> option)

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using Msisf.Adapters.Terrain;
 using Msisf.Adapters.Terrain.Lod;
 using Msisf.Core.Numerics;
@@ -19,6 +20,7 @@ internal sealed class ElevationModel : IDisposable
     private readonly Lazy<ElevationSummary> _summary;
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
+    private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
     private ElevationModel(LdemImage image, Func<ElevationSummary> summarise, Func<ModelLevels> openLevels)
     {
@@ -84,6 +86,15 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>The tiles that a frame needs, and why. The first call summarises the model.</summary>
     public TileSelection Select(Frame frame) =>
         Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary.Value);
+
+    /// <summary>The pieces of surface that a frame needs.</summary>
+    /// <param name="frame">The frame.</param>
+    /// <param name="errorPixels">So far may levels of detail move what is seen; null for the tiles' whole patterns and no levels.</param>
+    public IReadOnlyList<SurfacePart> SelectParts(Frame frame, double? errorPixels) => errorPixels is double error
+        ? _selectors.GetOrAdd(error, NewSelector).Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null).Parts
+        : [.. Select(frame).Kept.Select(choice => SurfacePart.Whole(choice.Tile))];
+
+    private PartSelector NewSelector(double errorPixels) => new(Levels, _summary.Value, errorPixels);
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>

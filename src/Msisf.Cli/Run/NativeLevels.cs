@@ -12,20 +12,23 @@ internal sealed class NativeLevels
     private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();
     private readonly IElevationGrid _grid;
     private readonly LodLevels? _levels;
+    private readonly double _errorPixels;
 
     /// <summary>Takes the model.</summary>
     /// <param name="grid">The model.</param>
-    /// <param name="levels">Its coarser levels; null to draw with the model itself, always.</param>
-    public NativeLevels(IElevationGrid grid, LodLevels? levels)
+    /// <param name="levels">Opens its coarser levels.</param>
+    /// <param name="errorPixels">px: so far may they move what is seen; null to draw with the model itself, always.</param>
+    public NativeLevels(IElevationGrid grid, Func<LodLevels> levels, double? errorPixels)
     {
         _grid = grid;
-        _levels = levels;
+        _levels = errorPixels is null ? null : levels();
+        _errorPixels = errorPixels ?? 0.0;
     }
 
     /// <summary>The renderer for a frame.</summary>
     public NativeRenderer For(PinholeCamera camera, int samplesAcross)
     {
-        int level = _levels is null ? 0 : LevelOfDetail.For(camera, samplesAcross, _grid.PixelsPerDegree, _levels.Count);
+        int level = _levels is null ? 0 : LevelOfDetail.For(camera, samplesAcross, _grid.PixelsPerDegree, _levels.Count, _errorPixels);
         return _renderers.GetOrAdd(level, Create).Value;
     }
 

@@ -37,10 +37,9 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// <inheritdoc/>
     public async Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation)
     {
-        TileSelection selection = _times.Measure(Phase.Selection, () => _model.Select(frame));
-        TileId[] tiles = [.. selection.Kept.Select(choice => choice.Tile)];
-        int made = _times.Measure(Phase.Patterns, () => _patterns.Ensure(tiles, cancellation));
-        RenderScene scene = new(frame.Camera, frame.Light, _model.Grid.PixelsPerDegree, tiles);
+        IReadOnlyList<SurfacePart> parts = _times.Measure(Phase.Selection, () => _model.SelectParts(frame, _settings.LevelOfDetailError));
+        int made = _times.Measure(Phase.Patterns, () => _patterns.Ensure(parts, cancellation));
+        RenderScene scene = new(frame.Camera, frame.Light, _model.Grid.PixelsPerDegree, parts);
         void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, scene, _patterns.FileNameOf);
 
         PovRayJob job = new(
@@ -65,7 +64,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
             cancellation).ConfigureAwait(false);
         _times.Add(Phase.Parse, povRayTimes.ParseSeconds ?? 0.0);
         _times.Add(Phase.Trace, povRayTimes.TraceSeconds ?? 0.0);
-        return new FrameOutputs(outputs, tiles.Length, made);
+        return new FrameOutputs(outputs, parts.Count, made);
     }
 
     private TracedFrameTruth? TruthOf(Frame frame) =>

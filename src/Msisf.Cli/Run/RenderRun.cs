@@ -11,6 +11,7 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Run;
 
@@ -115,13 +116,13 @@ internal sealed class RenderRun : IDisposable
     private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files)
     {
         PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
-        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), model.Grid);
+        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Levels));
         return new PovRayFrameRenderer(_settings, model, patterns, povRay, files, _times);
     }
 
     private NativeFrameRenderer Native(ElevationModel model, FrameFiles files)
     {
-        NativeLevels levels = new(model.Grid, _settings.Native.UsesLevelsOfDetail ? model.Levels : null);
+        NativeLevels levels = new(model.Grid, () => model.Levels, _settings.LevelOfDetailError);
         return new NativeFrameRenderer(_settings.Native, model.Grid, levels, files, _times);
     }
 

@@ -1,6 +1,5 @@
 using System.Collections.Concurrent;
 using Msisf.Adapters.Tiles;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Run;
@@ -8,37 +7,36 @@ namespace Msisf.Cli.Run;
 /// <summary>The patterns of a run's scenes: each is checked, or made, once a run, however many frames show it. Safe for several threads.</summary>
 internal sealed class ScenePatterns
 {
-    private readonly ConcurrentDictionary<TileId, bool> _ready = new();
+    private readonly ConcurrentDictionary<SurfacePart, bool> _ready = new();
     private readonly PatternRepository _repository;
-    private readonly IElevationGrid _grid;
+    private readonly LevelMeshBuilders _builders;
 
-    public ScenePatterns(PatternRepository repository, IElevationGrid grid)
+    public ScenePatterns(PatternRepository repository, LevelMeshBuilders builders)
     {
         _repository = repository;
-        _grid = grid;
+        _builders = builders;
     }
 
     /// <summary>The folder of the patterns.</summary>
-    public string Folder => _repository.FolderOf(_grid.PixelsPerDegree);
+    public string Folder => _repository.FolderOf(_builders.PixelsPerDegree);
 
-    /// <summary>File name of a tile's pattern, without folder.</summary>
-    public string FileNameOf(TileId tile) => Path.GetFileName(_repository.PathOf(tile, _grid.PixelsPerDegree));
+    /// <summary>File name of a part's mesh, without folder.</summary>
+    public string FileNameOf(SurfacePart part) => Path.GetFileName(_repository.PathOf(part, _builders.PixelsPerDegree));
 
     /// <summary>Makes sure that the patterns are there.</summary>
     /// <returns>How many had to be made.</returns>
-    public int Ensure(IEnumerable<TileId> tiles, CancellationToken cancellation)
+    public int Ensure(IEnumerable<SurfacePart> parts, CancellationToken cancellation)
     {
-        TileId[] unknown = [.. tiles.Where(tile => !_ready.ContainsKey(tile))];
+        SurfacePart[] unknown = [.. parts.Where(part => !_ready.ContainsKey(part))];
         if (unknown.Length == 0)
         {
             return 0;
         }
 
-        PatternSet set = _repository.EnsurePatterns(
-            unknown, _grid, new PatternOptions(0.0, PatternFormat.Mesh2), Environment.ProcessorCount, progress: null, cancellation);
-        foreach (TileId tile in unknown)
+        PatternSet set = _repository.EnsureParts(unknown, _builders, Environment.ProcessorCount, cancellation);
+        foreach (SurfacePart part in unknown)
         {
-            _ready[tile] = true;
+            _ready[part] = true;
         }
 
         return set.Written;

@@ -6,6 +6,6 @@ namespace Msisf.Core.Scene;
 /// <summary>All that one picture needs, nothing else.</summary>
 /// <param name="Camera">Where from and how.</param>
 /// <param name="Light">The Sun, or the lamp at the camera.</param>
-/// <param name="PixelsPerDegree">Resolution of the patterns.</param>
-/// <param name="Tiles">The patterns that the picture needs, by latitude, then longitude.</param>
-public sealed record RenderScene(PinholeCamera Camera, SceneLight Light, int PixelsPerDegree, IReadOnlyList<TileId> Tiles);
+/// <param name="PixelsPerDegree">Resolution of the model.</param>
+/// <param name="Parts">The pieces of surface that the picture needs, in the order in which they are included.</param>
+public sealed record RenderScene(PinholeCamera Camera, SceneLight Light, int PixelsPerDegree, IReadOnlyList<SurfacePart> Parts);

@@ -20,13 +20,18 @@ public static class Dspsa
     /// <exception cref="BadInputException">The camera is inside the Moon, the Sun is no higher than the terrain, or the summary is of another model.</exception>
     public static TileSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, IElevationGrid grid, ElevationSummary summary)
     {
+        Check(camera, sunPositionMoonMe, grid, summary);
+        return new DspsaRun(camera, sunPositionMoonMe, grid, summary).Select();
+    }
+
+    /// <summary>Refuses what no selection can be made of.</summary>
+    internal static void Check(PinholeCamera camera, Vector3D? sunPositionMoonMe, IElevationGrid grid, ElevationSummary summary)
+    {
         summary.CheckFits(grid);
         TerrainHeight.RequireAbove(grid, camera.PositionMoonMe);
         if (sunPositionMoonMe is Vector3D sun && !(sun.IsFinite && sun.Length > summary.GreatestRadius))
         {
             throw new BadInputException($"The Sun's position {sun} m is not above the Moon's highest terrain; give one that is.");
         }
-
-        return new DspsaRun(camera, sunPositionMoonMe, grid, summary).Select();
     }
 }

@@ -9,6 +9,10 @@ namespace Msisf.Core.Tiles;
 /// <remarks>Each vertex depends on its sample alone, so tiles meet bit for bit. All steps are in docs/pattern-format.md.</remarks>
 public sealed class TileMeshBuilder
 {
+    private static readonly SineCosine NorthPole = SineCosine.OfDegrees(90, 1);
+    private static readonly SineCosine SouthPole = SineCosine.OfDegrees(-90, 1);
+    private static readonly SineCosine ZeroDegrees = SineCosine.OfDegrees(0, 1);
+
     private readonly IElevationGrid _grid;
     private readonly GridDirections _directions;
     private readonly Lazy<double> _northPoleRadius;
@@ -24,7 +28,10 @@ public sealed class TileMeshBuilder
         _southPoleRadius = new Lazy<double>(() => FacetMesh.MeanRadius(grid, (180 * grid.PixelsPerDegree) - 1));
     }
 
-    /// <summary>The radius of each vertex, in vertex order.</summary>
+    /// <summary>m: where the walls of parts end (<see cref="TileMeshLayout.HasWall"/>), below all ground.</summary>
+    public double WallFootRadius => _grid.RadiusLimits.Least - PartWall.DepthBelowLowest;
+
+    /// <summary>The radius of each vertex, in vertex order, without those of a wall's foot.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
     /// <returns>m.</returns>
     /// <exception cref="BadInputException">The grid can't give a sample, or gives one that is no radius of the Moon.</exception>
@@ -51,14 +58,15 @@ public sealed class TileMeshBuilder
         return radii;
     }
 
-    /// <summary>The mesh of a tile.</summary>
+    /// <summary>The mesh of a tile or part.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
     /// <param name="radii">What <see cref="ReadRadii"/> gave for it.</param>
-    /// <exception cref="BadInputException">A radius is too far from the reference radius for the tile's lattice (more than about 20 km).</exception>
+    /// <exception cref="BadInputException">A radius is too far from the reference radius for the mesh's lattice (more than about 20 km).</exception>
     public TileMesh Build(TileMeshLayout layout, double[] radii)
     {
-        int[] offsets = new int[3 * radii.Length];
-        LatticePoint origin = TileMesh.OriginOf(layout.Tile);
+        int[] border = layout.HasWall ? PartWall.Border(layout) : [];
+        int[] offsets = new int[3 * (radii.Length + border.Length)];
+        LatticePoint origin = TileMesh.OriginOf(layout.Part);
         SineCosine[] longitudes = new SineCosine[layout.Samples];
         for (int column = 0; column < layout.Samples; column++)
         {
@@ -68,7 +76,8 @@ public sealed class TileMeshBuilder
         int vertex = 0;
         if (layout.HasNorthPole)
         {
-            Place(offsets, vertex++, layout, radii, origin, SineCosine.OfDegrees(90, 1), SineCosine.OfDegrees(0, 1));
+            Place(offsets, vertex, layout, radii[vertex], origin, NorthPole, ZeroDegrees);
+            vertex++;
         }
 
         for (int row = 0; row < layout.Lines; row++)
@@ -76,22 +85,41 @@ public sealed class TileMeshBuilder
             SineCosine latitude = _directions.Latitude(layout.FirstLine + row);
             for (int column = 0; column < layout.Samples; column++)
             {
-                Place(offsets, vertex++, layout, radii, origin, latitude, longitudes[column]);
+                Place(offsets, vertex, layout, radii[vertex], origin, latitude, longitudes[column]);
+                vertex++;
             }
         }
 
         if (layout.HasSouthPole)
         {
-            Place(offsets, vertex, layout, radii, origin, SineCosine.OfDegrees(-90, 1), SineCosine.OfDegrees(0, 1));
+            Place(offsets, vertex, layout, radii[vertex], origin, SouthPole, ZeroDegrees);
+            vertex++;
         }
 
-        return new TileMesh(layout, radii, offsets, layout.CreateFaces());
+        foreach (int top in border)
+        {
+            (SineCosine latitude, SineCosine longitude) = DirectionOf(layout, top, longitudes);
+            Place(offsets, vertex++, layout, WallFootRadius, origin, latitude, longitude);
+        }
+
+        return new TileMesh(layout, radii, offsets, [.. layout.CreateFaces(), .. PartWall.Faces(border, radii.Length)], WallFootRadius);
+    }
+
+    private (SineCosine Latitude, SineCosine Longitude) DirectionOf(TileMeshLayout layout, int vertex, SineCosine[] longitudes)
+    {
+        int firstRow = layout.HasNorthPole ? 1 : 0;
+        if (vertex < firstRow)
+        {
+            return (NorthPole, ZeroDegrees);
+        }
+
+        (int row, int column) = int.DivRem(vertex - firstRow, layout.Samples);
+        return row == layout.Lines ? (SouthPole, ZeroDegrees) : (_directions.Latitude(layout.FirstLine + row), longitudes[column]);
     }
 
     private static void Place(
-        int[] offsets, int vertex, TileMeshLayout layout, double[] radii, LatticePoint origin, SineCosine latitude, SineCosine longitude)
+        int[] offsets, int vertex, TileMeshLayout layout, double radius, LatticePoint origin, SineCosine latitude, SineCosine longitude)
     {
-        double radius = radii[vertex];
         if (!(radius > 0.0 && radius < LatticePoint.RadiusLimit))
         {
             throw OutOfReach(layout, vertex, radius);

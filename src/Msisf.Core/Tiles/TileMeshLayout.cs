@@ -1,12 +1,12 @@
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// Which samples a tile's mesh joins and in which order; <c>default</c> means nothing: use <see cref="For"/>.
+/// Which samples the mesh of a tile or a part of it joins and in which order; <c>default</c> means nothing: use <see cref="For(TileId, int, int)"/>.
 /// Vertices: the north pole, if the mesh reaches it; then the samples line by line from the north, each from the west; then
-/// the south pole. A cell of four samples belongs to the tile that holds its north-west sample, so each cell of the Moon
+/// the south pole. A cell of four samples belongs to the tile (and the part) that holds its north-west sample, so each cell of the Moon
 /// belongs to exactly one tile.
 /// </summary>
-/// <param name="Tile">The tile.</param>
+/// <param name="Part">The tile or part.</param>
 /// <param name="PixelsPerDegree">Resolution of the grid.</param>
 /// <param name="MarginSamples">Rings of cells around the tile that are added (overlapping with its neighbours); usually 0.</param>
 /// <param name="FirstLine">Northernmost line of the grid.</param>
@@ -14,13 +14,19 @@ namespace Msisf.Core.Tiles;
 /// <param name="FirstSample">Westernmost sample of the grid, in [0, 360 res).</param>
 /// <param name="Samples">How many samples a line; they go on over the prime meridian.</param>
 public readonly record struct TileMeshLayout(
-    TileId Tile, int PixelsPerDegree, int MarginSamples, int FirstLine, int Lines, int FirstSample, int Samples)
+    SurfacePart Part, int PixelsPerDegree, int MarginSamples, int FirstLine, int Lines, int FirstSample, int Samples)
 {
     /// <summary>The mesh ends in a fan around the north pole.</summary>
     public bool HasNorthPole => FirstLine == 0;
 
     /// <summary>The mesh ends in a fan around the south pole.</summary>
     public bool HasSouthPole => FirstLine + Lines == 180 * PixelsPerDegree;
+
+    /// <summary>
+    /// Parts of coarser levels have a wall around them that goes down below the lowest ground of the Moon: where levels meet their surfaces differ, and no
+    /// ray can pass between.
+    /// </summary>
+    public bool HasWall => Part.Level > 0;
 
     /// <summary>Vertices of samples and poles.</summary>
     public int VertexCount => (Lines * Samples) + (HasNorthPole ? 1 : 0) + (HasSouthPole ? 1 : 0);
@@ -46,7 +52,26 @@ public readonly record struct TileMeshLayout(
         int endLine = Math.Min(tile.FirstLine(pixelsPerDegree) + size + marginSamples + 1, allLines);
         int firstSample = (tile.FirstSample(pixelsPerDegree) - marginSamples + allSamples) % allSamples;
         return new TileMeshLayout(
-            tile, pixelsPerDegree, marginSamples, firstLine, endLine - firstLine, firstSample, size + (2 * marginSamples) + 1);
+            SurfacePart.Whole(tile), pixelsPerDegree, marginSamples, firstLine, endLine - firstLine, firstSample, size + (2 * marginSamples) + 1);
+    }
+
+    /// <summary>
+    /// The layout of a part. The cells of a coarser level lie half a cell farther to the south and east than the tile's borders: such a part has a ring of
+    /// cells more in the north and west, so that it covers at least what the parts of any other level in its place cover.
+    /// </summary>
+    /// <param name="part">The part.</param>
+    /// <param name="modelPixelsPerDegree">Samples a degree of the model itself, level 0.</param>
+    public static TileMeshLayout For(SurfacePart part, int modelPixelsPerDegree)
+    {
+        int resolution = modelPixelsPerDegree >> part.Level;
+        int cells = TileId.SizeDegrees * resolution / part.Subdivisions;
+        int ring = part.Level > 0 ? 1 : 0;
+        int allSamples = 360 * resolution;
+        int start = part.Tile.FirstLine(resolution) + (part.Row * cells);
+        int firstLine = Math.Max(start - ring, 0);
+        int endLine = Math.Min(start + cells + 1, 180 * resolution);
+        int firstSample = (part.Tile.FirstSample(resolution) + (part.Column * cells) - ring + allSamples) % allSamples;
+        return new TileMeshLayout(part, resolution, 0, firstLine, endLine - firstLine, firstSample, cells + ring + 1);
     }
 
     /// <summary>

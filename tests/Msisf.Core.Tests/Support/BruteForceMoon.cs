@@ -16,15 +16,19 @@ internal sealed class BruteForceMoon
     private readonly int _lines;
     private readonly int _samples;
     private readonly int _cellsPerTile;
+    private readonly int _columns;
     private readonly Vector3D[] _vertices;
     private readonly List<Box[]> _levels = [];
     private readonly List<(int Rows, int Columns)> _sizes = [];
 
-    public BruteForceMoon(IElevationGrid grid)
+    /// <param name="grid">The model.</param>
+    /// <param name="subdivisions">"Tiles" are so many times smaller along an edge.</param>
+    public BruteForceMoon(IElevationGrid grid, int subdivisions = 1)
     {
         _lines = 180 * grid.PixelsPerDegree;
         _samples = 360 * grid.PixelsPerDegree;
-        _cellsPerTile = 5 * grid.PixelsPerDegree;
+        _cellsPerTile = 5 * grid.PixelsPerDegree / subdivisions;
+        _columns = TileId.Columns * subdivisions;
         _vertices = MakeVertices(grid);
         MakeLeaves();
         while (_levels[^1].Length > 1)
@@ -32,6 +36,9 @@ internal sealed class BruteForceMoon
             MakeParents();
         }
     }
+
+    /// <summary>Tiles of the Moon.</summary>
+    public int TileCount => _lines / _cellsPerTile * _columns;
 
     /// <summary>Row of cells from the northern fan (0), column, and which of the two facets.</summary>
     public readonly record struct FacetId(int Row, int Column, int Half);
@@ -60,9 +67,9 @@ internal sealed class BruteForceMoon
         return hit is not null && hit.Value.T < 1.0 && hit.Value.Facet != facet;
     }
 
-    /// <summary>Tile by row (0 northernmost) times 72 plus column.</summary>
+    /// <summary>Tile by row (0 northernmost) times the tiles around the Moon plus column.</summary>
     public int TileOf(FacetId facet) =>
-        (Math.Max(facet.Row - 1, 0) / _cellsPerTile * TileId.Columns) + (facet.Column / _cellsPerTile);
+        (Math.Max(facet.Row - 1, 0) / _cellsPerTile * _columns) + (facet.Column / _cellsPerTile);
 
     public Vector3D Normal(FacetId facet)
     {

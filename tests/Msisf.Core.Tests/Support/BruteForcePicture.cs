@@ -1,6 +1,5 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
-using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Tests.Support;
 
@@ -15,6 +14,7 @@ internal sealed class BruteForcePicture
     /// <param name="isThere">By tile (row 0 northernmost); null: all.</param>
     public BruteForcePicture(BruteForceMoon moon, PinholeCamera camera, Vector3D sun, bool[]? isThere)
     {
+        HitTiles = new bool[moon.TileCount];
         _lit = new BruteForceMoon.FacetId?[camera.Width * camera.Height];
         for (int pixel = 0; pixel < _lit.Length; pixel++)
         {
@@ -38,7 +38,7 @@ internal sealed class BruteForcePicture
     }
 
     /// <summary>Tiles that any ray met first.</summary>
-    public bool[] HitTiles { get; } = new bool[TileId.Count];
+    public bool[] HitTiles { get; }
 
     /// <summary>Lit pixels.</summary>
     public int Lit => _lit.Count(facet => facet is not null);

@@ -52,7 +52,7 @@ internal sealed class CasterVisitor : ISurfaceVisitor
         _candidates = [.. summary.Levels.Select(_ => new List<int>())];
     }
 
-    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, int depth)
+    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place)
     {
         PolarBounds fromSun = _sun.View.Bounds(node);
         if (_facets.AreAllOf(node, fromSun) || _sun.KeptMap.Hides(fromSun))
@@ -60,15 +60,15 @@ internal sealed class CasterVisitor : ISurfaceVisitor
             return Visit.Skip; // black without any shadow, or darkened already
         }
 
-        List<int> found = _candidates[depth];
+        List<int> found = _candidates[place.Depth];
         found.Clear();
-        if (depth == 0)
+        if (place.Depth == 0)
         {
             AddAllCasting(found, fromSun);
         }
         else
         {
-            foreach (int tile in _candidates[depth - 1])
+            foreach (int tile in _candidates[place.Depth - 1])
             {
                 AddIfCasting(found, tile, fromSun);
             }
@@ -79,7 +79,7 @@ internal sealed class CasterVisitor : ISurfaceVisitor
             return Visit.Skip;
         }
 
-        if (depth + 1 == _summary.Levels.Count)
+        if (place.Depth + 1 == _summary.Levels.Count)
         {
             if (_facetBudget <= 0)
             {

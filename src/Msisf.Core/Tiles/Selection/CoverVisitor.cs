@@ -28,7 +28,7 @@ internal sealed class CoverVisitor : ISurfaceVisitor
     /// <param name="camera">m, MOON_ME.</param>
     /// <param name="patch">For reading; not the one that the walk reads.</param>
     /// <param name="dark">The tiles that will be asked for.</param>
-    public CoverVisitor(ElevationSummary summary, FramePyramid frame, BoundsTable table, Vector3D camera, TerrainPatch patch, List<int> dark)
+    public CoverVisitor(ElevationSummary summary, FramePyramid frame, BoundsTable table, Vector3D camera, TerrainPatch patch, IReadOnlyList<int> dark)
     {
         _table = table;
         _facets = new TurnedFacets(table, summary, camera, patch);
@@ -69,14 +69,14 @@ internal sealed class CoverVisitor : ISurfaceVisitor
         }
     }
 
-    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, int depth)
+    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place)
     {
         if (!AnyBehind(bounds))
         {
             return Visit.Skip;
         }
 
-        Covers = depth > 0 && _facetBudget <= 0;
+        Covers = place.Depth > 0 && _facetBudget <= 0;
         return Covers ? Visit.Stop : Visit.Descend;
     }
 
@@ -86,6 +86,9 @@ internal sealed class CoverVisitor : ISurfaceVisitor
         Covers = AnyBehind(bounds);
         return Covers ? Visit.Stop : Visit.Descend;
     }
+
+    /// <summary>Whether one of the tiles that were looked for may lie behind a piece of the surface.</summary>
+    public bool MayCover(in PolarBounds bounds) => AnyBehind(bounds);
 
     /// <summary>Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles cover each other in long chains.</summary>
     public bool MayLeaveBeforeLimb(int tile) => FirstExit(_table[tile]) < _limb;

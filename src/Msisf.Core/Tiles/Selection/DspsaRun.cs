@@ -10,6 +10,9 @@ internal sealed class DspsaRun
     /// <summary>So many rounds look closely at what dark tiles cover; then all that may be links of a chain along the limb are kept.</summary>
     private const int MostCloseRounds = 1;
 
+    /// <summary>px: antialiasing's jitter stays within a pixel.</summary>
+    private const double AntialiasingPixels = 1.0;
+
     private readonly ElevationSummary _summary;
     private readonly SummaryLevel _tiles;
     private readonly FramePyramid _frame;
@@ -23,11 +26,23 @@ internal sealed class DspsaRun
     private readonly bool[] _kept = new bool[TileId.Count];
     private readonly bool[] _seen = new bool[TileId.Count];
 
-    public DspsaRun(PinholeCamera camera, Vector3D? sunPositionMoonMe, IElevationGrid grid, ElevationSummary summary)
+    /// <param name="camera">The camera, above the surface.</param>
+    /// <param name="sunPositionMoonMe">m, MOON_ME; null for a light at the camera.</param>
+    /// <param name="grid">The model.</param>
+    /// <param name="summary">Of the same model.</param>
+    /// <param name="marginPixels">So much wider is the picture taken to be on each side.</param>
+    /// <param name="slack">rad: what is hidden by less than this counts as seen.</param>
+    public DspsaRun(
+        PinholeCamera camera,
+        Vector3D? sunPositionMoonMe,
+        IElevationGrid grid,
+        ElevationSummary summary,
+        double marginPixels = AntialiasingPixels,
+        double slack = 0.0)
     {
         _summary = summary;
         _tiles = summary.Levels[0];
-        _frame = new FramePyramid(camera);
+        _frame = new FramePyramid(camera, marginPixels);
         _view = new PolarView(camera.PositionMoonMe);
         _sunPosition = sunPositionMoonMe;
         _camera = camera.PositionMoonMe;
@@ -39,15 +54,40 @@ internal sealed class DspsaRun
         (double middle, double width) = FrameAzimuths();
         _horizon = survey.EmptyMap(middle, width, withCore: true);
         survey.Fill(_horizon, (in TerrainNode node, in PolarBounds _) => _frame.Classify(node) != FrameSide.Outside);
-        _walk = new SurfaceWalk(summary, _frame, _view, _horizon, camera.PositionMoonMe, new TerrainPatch(mesh));
+        _walk = new SurfaceWalk(summary, _frame, _view, _horizon, camera.PositionMoonMe, new TerrainPatch(mesh), slack);
     }
 
+    /// <summary>The Moon from the Sun; null before the selection, and for a light at the camera.</summary>
+    public SunView? Sun { get; private set; }
+
+    /// <summary>For reading; not the one that a walk reads.</summary>
+    public TerrainPatch Patch => _patch;
+
+    /// <summary>Number of a tile.</summary>
+    public static int NumberOf(TileId tile) =>
+        ((((90 - tile.SouthDegrees) / TileId.SizeDegrees) - 1) * TileId.Columns) + (tile.WestDegrees / TileId.SizeDegrees);
+
+    /// <summary>Whether the selection found something of a tile that may be seen, lit or dark.</summary>
+    public bool IsSeen(TileId tile) => _seen[NumberOf(tile)];
+
+    /// <summary>From the camera.</summary>
+    public PolarView View => _view;
+
+    /// <summary>Prepares the question what lies behind pieces of some tiles.</summary>
+    public CoverVisitor CoverOf(IReadOnlyList<int> tiles) =>
+        new(_summary, _frame, new BoundsTable(_view, _summary), _camera, _patch, tiles);
+
+    /// <summary>Walks what may be seen of a tile.</summary>
+    public void Walk(int tile, ISurfaceVisitor visitor) => _walk.Walk(tile / TileId.Columns, tile % TileId.Columns, visitor);
+
+    /// <summary>Does the selection.</summary>
     public TileSelection Select()
     {
         List<int> inFrame = TilesInFrame();
         SunView? sun = _sunPosition is Vector3D position
-            ? new SunView(position, _summary, _patch, inFrame.Where(tile => !_horizon.Hides(_view.Bounds(Node(tile)))))
+            ? new SunView(position, _summary, _patch, inFrame.Where(tile => !_walk.IsHidden(_view.Bounds(Node(tile)))))
             : null;
+        Sun = sun;
         List<int> newlyKept = [];
         List<int> dark = [];
         FindVisible(inFrame, sun, newlyKept, dark);
@@ -88,8 +128,6 @@ internal sealed class DspsaRun
     }
 
     private TerrainNode Node(int tile) => _tiles.Node(tile / TileId.Columns, tile % TileId.Columns);
-
-    private void Walk(int tile, ISurfaceVisitor visitor) => _walk.Walk(tile / TileId.Columns, tile % TileId.Columns, visitor);
 
     private List<int> TilesInFrame()
     {
@@ -156,7 +194,7 @@ internal sealed class DspsaRun
                 }
             }
 
-            cover ??= new CoverVisitor(_summary, _frame, new BoundsTable(_view, _summary), _camera, _patch, dark);
+            cover ??= CoverOf(dark);
             cover.LookFor(newlyKept.Skip(coverKnows));
             coverKnows = newlyKept.Count;
             round++;

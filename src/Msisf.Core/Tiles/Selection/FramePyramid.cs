@@ -4,19 +4,21 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>What lies in the picture: the four-sided pyramid of the camera's rays, one pixel wider all around for antialiasing's jitter.</summary>
+/// <summary>What lies in the picture: the four-sided pyramid of the camera's rays, somewhat wider all around.</summary>
 internal sealed class FramePyramid
 {
     private readonly Vector3D _camera;
     private readonly Vector3D[] _inward;
     private readonly Vector3D[] _edges;
 
-    public FramePyramid(PinholeCamera camera)
+    /// <param name="camera">The camera.</param>
+    /// <param name="marginPixels">So much wider on each side: a pixel for antialiasing's jitter, more where the surface that is drawn may differ from the model's.</param>
+    public FramePyramid(PinholeCamera camera, double marginPixels)
     {
         _camera = camera.PositionMoonMe;
         double focalLength = camera.Direction.Length;
-        double right = camera.Right.Length / (2.0 * focalLength) * (1.0 + (2.0 / camera.Width));
-        double up = camera.Up.Length / (2.0 * focalLength) * (1.0 + (2.0 / camera.Height));
+        double right = camera.Right.Length / (2.0 * focalLength) * (1.0 + (2.0 * marginPixels / camera.Width));
+        double up = camera.Up.Length / (2.0 * focalLength) * (1.0 + (2.0 * marginPixels / camera.Height));
         Vector3D forward = camera.ForwardMoonMe;
         Vector3D unitRight = camera.Right.Normalized();
         Vector3D unitUp = camera.Up.Normalized();
@@ -60,9 +62,8 @@ internal sealed class FramePyramid
     /// <summary>Where a node lies, by the sphere about it.</summary>
     public FrameSide Classify(in TerrainNode node)
     {
-        double middle = 0.5 * (node.LeastRadius + node.GreatestRadius) * node.Cap.CosRadius;
-        double radius = Math.Max(ToRim(node.Cap, middle, node.LeastRadius), ToRim(node.Cap, middle, node.GreatestRadius));
-        Vector3D centre = (middle * node.Cap.Centre) - _camera;
+        (Vector3D middle, double radius) = node.Ball();
+        Vector3D centre = middle - _camera;
         FrameSide side = FrameSide.Inside;
         foreach (Vector3D inward in _inward)
         {
@@ -114,14 +115,5 @@ internal sealed class FramePyramid
                 return;
             }
         }
-    }
-
-    /// <summary>Distance from the point at height <paramref name="middle"/> on a cap's axis to the rim at a radius; the farthest at that radius.</summary>
-    private static double ToRim(in SphericalCap cap, double middle, double radius)
-    {
-        double along = (radius * cap.CosRadius) - middle;
-        double across = radius * cap.SinRadius;
-        double rim = Math.Sqrt((along * along) + (across * across)); // lunar radii
-        return Math.Max(rim, Math.Abs(radius - middle));
     }
 }

@@ -10,8 +10,8 @@ internal interface ISurfaceVisitor
     /// <param name="node">Its place and bounds.</param>
     /// <param name="bounds">From the camera.</param>
     /// <param name="certain">It is wholly in the picture and looking closer would not show it hidden.</param>
-    /// <param name="depth">0: a tile.</param>
-    Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, int depth);
+    /// <param name="place">Which one it is.</param>
+    Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place);
 
     /// <summary>A facet that may be seen.</summary>
     /// <param name="part">Its part in the picture, a convex polygon; m, MOON_ME.</param>
@@ -19,6 +19,12 @@ internal interface ISurfaceVisitor
     /// <param name="facet">The whole facet.</param>
     Visit Facet(ReadOnlySpan<Vector3D> part, in PolarBounds bounds, in Facet facet);
 }
+
+/// <summary>A node of the summary's tree.</summary>
+/// <param name="Depth">Index of its <see cref="ElevationSummary.Levels"/>; 0: a tile.</param>
+/// <param name="Row">Row of that level, 0 northernmost.</param>
+/// <param name="Column">Column of that level, 0 at longitude 0.</param>
+internal readonly record struct NodePlace(int Depth, int Row, int Column);
 
 /// <summary>What a visitor wants next.</summary>
 internal enum Visit

@@ -10,6 +10,10 @@ namespace Msisf.Core.Tiles.Selection;
 internal readonly record struct PolarBounds(
     double Near, double Far, double Azimuth, double HalfWidth, double LeastSlope, double GreatestSlope)
 {
+    /// <summary>The bounds of a piece that is seen higher by a small angle: slopes are cotangents of the angle from the axis.</summary>
+    /// <param name="angle">rad.</param>
+    public PolarBounds Raised(double angle) => this with { GreatestSlope = GreatestSlope + (angle * (1.0 + (GreatestSlope * GreatestSlope))) };
+
     /// <summary>Both can be met by one ray from the viewpoint.</summary>
     public bool CanShareRayWith(in PolarBounds other)
     {

@@ -20,7 +20,7 @@ internal sealed class SeenVisitor : ISurfaceVisitor
     /// <summary>Makes ready for the next tile.</summary>
     public void Reset() => (SeenLit, SeenDark) = (false, false);
 
-    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, int depth)
+    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place)
     {
         if (_sun is null)
         {

@@ -15,9 +15,19 @@ internal sealed class SurfaceWalk
     private readonly HorizonMap _horizon;
     private readonly Vector3D _camera;
     private readonly TerrainPatch _patch;
+    private readonly double _slack;
 
-    public SurfaceWalk(ElevationSummary summary, FramePyramid frame, PolarView view, HorizonMap horizon, Vector3D camera, TerrainPatch patch)
+    /// <param name="summary">Bounds of the terrain.</param>
+    /// <param name="frame">The picture.</param>
+    /// <param name="view">From the camera.</param>
+    /// <param name="horizon">What the terrain hides from the camera.</param>
+    /// <param name="camera">m, MOON_ME.</param>
+    /// <param name="patch">For reading.</param>
+    /// <param name="slack">rad: what is hidden by less than this counts as seen.</param>
+    public SurfaceWalk(
+        ElevationSummary summary, FramePyramid frame, PolarView view, HorizonMap horizon, Vector3D camera, TerrainPatch patch, double slack)
     {
+        _slack = slack;
         _summary = summary;
         _frame = frame;
         _view = view;
@@ -35,6 +45,9 @@ internal sealed class SurfaceWalk
         MetFrame = false;
         Enter(0, tileRow, tileColumn, inside: false, visitor);
     }
+
+    /// <summary>Whether a piece of the surface is certainly hidden from the camera.</summary>
+    public bool IsHidden(in PolarBounds bounds) => _horizon.Hides(_slack == 0.0 ? bounds : bounds.Raised(_slack));
 
     /// <summary>Bounds of a polygon that does not meet the axis; all around if it may.</summary>
     public static PolarBounds BoundsOf(PolarView view, ReadOnlySpan<Vector3D> polygon)
@@ -101,12 +114,12 @@ internal sealed class SurfaceWalk
 
         MetFrame |= inside;
         PolarBounds bounds = _view.Bounds(node);
-        if (_horizon.Hides(bounds))
+        if (IsHidden(bounds))
         {
             return true;
         }
 
-        Visit wanted = visitor.Node(node, bounds, inside && _horizon.NeverHides(bounds), depth);
+        Visit wanted = visitor.Node(node, bounds, inside && _horizon.NeverHides(bounds), new NodePlace(depth, row, column));
         if (wanted != Visit.Descend)
         {
             return wanted != Visit.Stop;
@@ -179,6 +192,6 @@ internal sealed class SurfaceWalk
         }
 
         PolarBounds bounds = BoundsOf(_view, part[..count]);
-        return _horizon.Hides(bounds) || visitor.Facet(part[..count], bounds, facet) != Visit.Stop;
+        return IsHidden(bounds) || visitor.Facet(part[..count], bounds, facet) != Visit.Stop;
     }
 }

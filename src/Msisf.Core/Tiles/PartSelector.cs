@@ -1,0 +1,68 @@
+using System.Collections.Concurrent;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+using Msisf.Core.Terrain.Lod;
+using Msisf.Core.Tiles.Selection;
+
+namespace Msisf.Core.Tiles;
+
+/// <summary>
+/// Chooses what of the surface a picture needs, and how fine: parts of the tiles that <see cref="Dspsa"/> keeps, each at the coarsest level of detail that
+/// the picture does not show (docs/levels-of-detail.md). Safe for several threads.
+/// </summary>
+public sealed class PartSelector
+{
+    /// <summary>px: the error that is allowed if nothing else is asked for. Measured (docs/levels-of-detail.md).</summary>
+    public const double UsualErrorPixels = 0.3;
+
+    private readonly LodLevels _levels;
+    private readonly IElevationGrid _grid;
+    private readonly ElevationSummary _summary;
+    private readonly double _errorPixels;
+    private readonly int _cells;
+    private readonly ConcurrentDictionary<SurfacePart, double> _deviations = new();
+
+    /// <summary>Takes the model.</summary>
+    /// <param name="levels">The model and its levels of detail.</param>
+    /// <param name="summary">Of the same model.</param>
+    /// <param name="errorPixels">So far, in pixels, a coarser level may move what is seen, or the edge of a shadow that falls on it; 0 for the model itself everywhere.</param>
+    /// <param name="cells">Cells to a part's edge.</param>
+    /// <exception cref="BadInputException">The summary is of another model, or the error is none.</exception>
+    public PartSelector(LodLevels levels, ElevationSummary summary, double errorPixels, int cells = SurfacePart.UsualCells)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(cells, 1);
+        if (!(errorPixels >= 0.0 && double.IsFinite(errorPixels)))
+        {
+            throw new BadInputException($"The error of levels of detail is {errorPixels} px; 0 or more is needed.");
+        }
+
+        summary.CheckFits(levels.Level(0));
+        _levels = levels;
+        _grid = levels.Level(0);
+        _summary = summary;
+        _errorPixels = errorPixels;
+        _cells = cells;
+    }
+
+    /// <summary>Selects the parts.</summary>
+    /// <param name="camera">The camera, above the surface.</param>
+    /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it throws no shadow that is seen.</param>
+    /// <exception cref="BadInputException">The camera is inside the Moon, or the Sun is no higher than the terrain.</exception>
+    public PartSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe)
+    {
+        Dspsa.Check(camera, sunPositionMoonMe, _grid, _summary);
+        DetailRule rule = new(camera, _errorPixels, _grid.PixelsPerDegree, _levels.Count);
+
+        // Where all that is in sight is the model itself, the selection is exact: nothing has to be kept in reserve.
+        DspsaRun run = rule.CoarsestLevel(_summary) == 0
+            ? new DspsaRun(camera, sunPositionMoonMe, _grid, _summary)
+            : new DspsaRun(camera, sunPositionMoonMe, _grid, _summary, rule.MarginPixels, rule.Slack);
+        TileSelection tiles = run.Select();
+        PartDivision division = new(run, rule, _summary, level => SurfacePart.SubdivisionsAt(_grid.PixelsPerDegree >> level, _cells), DeviationOf);
+        return new PartSelection(tiles, division.Divide(tiles));
+    }
+
+    private double DeviationOf(SurfacePart part) => _deviations.GetOrAdd(part, known => LevelDeviation.Of(_levels, known));
+}

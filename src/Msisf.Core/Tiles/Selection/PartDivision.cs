@@ -1,0 +1,223 @@
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>Divides the tiles of one selection into parts, leaves out those that the picture does not need, and gives each a level of detail.</summary>
+internal sealed class PartDivision
+{
+    private readonly DspsaRun _run;
+    private readonly DetailRule _rule;
+    private readonly SummaryLevel _tiles;
+    private readonly SummaryLevel _finest;
+    private readonly int _pixelsPerDegree;
+    private readonly Func<int, int> _subdivisionsAt;
+    private readonly Func<SurfacePart, double> _deviationOf;
+    private readonly SeenBlocks _seen;
+    private readonly ShadowDemand? _shadows;
+    private readonly List<SurfacePart> _parts = [];
+    private readonly (double WidestCell, double GreatestDeviation)?[] _demands;
+
+    /// <param name="run">The selection of tiles, done.</param>
+    /// <param name="rule">Which level is allowed where.</param>
+    /// <param name="summary">Bounds of the terrain.</param>
+    /// <param name="subdivisionsAt">Parts to a tile's edge at a level.</param>
+    /// <param name="deviationOf">How far a part's surface lies from the model's, m.</param>
+    public PartDivision(
+        DspsaRun run, DetailRule rule, ElevationSummary summary, Func<int, int> subdivisionsAt, Func<SurfacePart, double> deviationOf)
+    {
+        _run = run;
+        _rule = rule;
+        _tiles = summary.Levels[0];
+        _finest = summary.Levels[^1];
+        _pixelsPerDegree = summary.PixelsPerDegree;
+        _subdivisionsAt = subdivisionsAt;
+        _deviationOf = deviationOf;
+        _seen = new SeenBlocks(summary, run.View, run.Sun);
+        _shadows = run.Sun is null ? null : new ShadowDemand(run.Sun, summary, run.Patch, rule);
+        _demands = new (double, double)?[_finest.Subdivisions * _finest.Subdivisions];
+    }
+
+    /// <summary>The parts, in order.</summary>
+    public IReadOnlyList<SurfacePart> Divide(TileSelection selection)
+    {
+        TileId[] kept = [.. selection.Kept.Select(choice => choice.Tile)];
+        TileId[] divided = [.. kept.Where(tile => !_run.IsSeen(tile) || _subdivisionsAt(LevelOf(NodeOf(tile))) > 1)]; // what only throws shadows is asked part by part
+        foreach (TileId tile in divided.Where(_run.IsSeen))
+        {
+            _run.Walk(DspsaRun.NumberOf(tile), _seen);
+        }
+
+        AddTargets(kept.Except(divided), divided);
+        KeepDarkBlocks(kept);
+        _parts.AddRange(kept.Except(divided).Select(tile => SurfacePart.Whole(tile, LevelOf(NodeOf(tile)))));
+        foreach (TileId tile in divided)
+        {
+            FillDemands(tile);
+            Divide(SurfacePart.Whole(tile));
+        }
+
+        _parts.Sort();
+        return _parts;
+    }
+
+    /// <summary>The level that what is seen of a piece of the surface may have.</summary>
+    private int LevelOf(in TerrainNode node) => _rule.LevelOfCell(_rule.WidestCell(_rule.MetresPerPixel(node)));
+
+    /// <summary>Notes what is seen in the light or in shadow, but not what is certainly dark, on which no shadow is missed.</summary>
+    private void AddTargets(IEnumerable<TileId> whole, IEnumerable<TileId> divided)
+    {
+        if (_shadows is null)
+        {
+            return;
+        }
+
+        foreach (TileId tile in whole)
+        {
+            _shadows.AddTarget(NodeOf(tile));
+        }
+
+        foreach (TileId tile in divided)
+        {
+            bool[] seen = _seen.Of(DspsaRun.NumberOf(tile));
+            for (int block = 0; block < seen.Length; block++)
+            {
+                if (seen[block])
+                {
+                    _shadows.AddTarget(BlockOf(DspsaRun.NumberOf(tile), block));
+                }
+            }
+        }
+    }
+
+    /// <summary>
+    /// A dark block is as black as the sky: it has to be there only if without it something behind it would show, or if its shadow falls on something
+    /// that is there. Once it is there it is seen, so what keeps it dark has to be there too.
+    /// </summary>
+    private void KeepDarkBlocks(IEnumerable<TileId> kept)
+    {
+        if (_seen.Dark.Count == 0)
+        {
+            return;
+        }
+
+        CoverVisitor cover = _run.CoverOf([.. _seen.Dark.Select(dark => dark.Tile).Distinct()]);
+        cover.LookFor(kept.Select(DspsaRun.NumberOf));
+        List<SeenBlocks.DarkBlock> open = [.. _seen.Dark];
+        Keep(open, dark => cover.MayCover(dark.Bounds));
+        while (Keep(open, dark => _shadows!.Of(BlockOf(dark.Tile, dark.Block)) is not null))
+        {
+            // What was kept may need more to be dark.
+        }
+    }
+
+    private bool Keep(List<SeenBlocks.DarkBlock> open, Predicate<SeenBlocks.DarkBlock> isNeeded)
+    {
+        List<SeenBlocks.DarkBlock> needed = open.FindAll(isNeeded);
+        foreach (SeenBlocks.DarkBlock dark in needed)
+        {
+            _seen.Of(dark.Tile)[dark.Block] = true;
+            _shadows!.AddTarget(BlockOf(dark.Tile, dark.Block));
+        }
+
+        open.RemoveAll(dark => _seen.Of(dark.Tile)[dark.Block]);
+        return needed.Count > 0;
+    }
+
+    private TerrainNode NodeOf(TileId tile) => _tiles.Node(DspsaRun.NumberOf(tile) / TileId.Columns, DspsaRun.NumberOf(tile) % TileId.Columns);
+
+    /// <summary>Where a part lies; its heights are bounded by those of its tile.</summary>
+    private TerrainNode NodeOf(SurfacePart part)
+    {
+        int cells = _tiles.TileCells / part.Subdivisions;
+        int line = part.Tile.FirstLine(_pixelsPerDegree) + (part.Row * cells);
+        int sample = part.Tile.FirstSample(_pixelsPerDegree) + (part.Column * cells);
+        CellRange range = new(line == 0 ? -1 : line, line + cells, sample, sample + cells);
+        return NodeOf(part.Tile) with { Cap = MeshBounds.CapOf(range, _tiles.Lines, 2 * _tiles.Lines) };
+    }
+
+    private TerrainNode BlockOf(int number, int block)
+    {
+        int side = _finest.Subdivisions;
+        return _finest.Node((number / TileId.Columns * side) + (block / side), (number % TileId.Columns * side) + (block % side));
+    }
+
+    private void FillDemands(TileId tile)
+    {
+        bool[] seen = _seen.Of(DspsaRun.NumberOf(tile));
+        for (int block = 0; block < _demands.Length; block++)
+        {
+            _demands[block] = seen[block] ? null : _shadows?.Of(BlockOf(DspsaRun.NumberOf(tile), block));
+        }
+    }
+
+    private void Divide(SurfacePart square)
+    {
+        (bool isSeen, double widestCell, double deviation) = DemandOn(square);
+        if (!isSeen && widestCell == double.PositiveInfinity)
+        {
+            return;
+        }
+
+        int level = isSeen
+            ? LevelOf(NodeOf(square))
+            : CasterLevel(square, widestCell, deviation);
+        if (_subdivisionsAt(level) <= square.Subdivisions)
+        {
+            _parts.Add(square with { Level = LevelWithWholeCells(level, square.Subdivisions) });
+            return;
+        }
+
+        foreach (SurfacePart quarter in square.Quarters())
+        {
+            Divide(quarter);
+        }
+    }
+
+    /// <summary>What the blocks that the square touches are needed for.</summary>
+    private (bool IsSeen, double WidestCell, double GreatestDeviation) DemandOn(SurfacePart square)
+    {
+        bool[] seen = _seen.Of(DspsaRun.NumberOf(square.Tile));
+        int side = _finest.Subdivisions;
+        int parts = square.Subdivisions;
+        bool isSeen = false;
+        double widestCell = double.PositiveInfinity;
+        double deviation = double.PositiveInfinity;
+        for (int row = square.Row * side / parts; row * parts < (square.Row + 1) * side; row++)
+        {
+            for (int column = square.Column * side / parts; column * parts < (square.Column + 1) * side; column++)
+            {
+                isSeen |= seen[(row * side) + column];
+                if (_demands[(row * side) + column] is (double, double) demand)
+                {
+                    widestCell = Math.Min(widestCell, demand.WidestCell);
+                    deviation = Math.Min(deviation, demand.GreatestDeviation);
+                }
+            }
+        }
+
+        return (isSeen, widestCell, deviation);
+    }
+
+    /// <summary>The coarsest level that keeps shadows' edges; where that is finer than the square's parts, the quarters are asked anew.</summary>
+    private int CasterLevel(SurfacePart square, double widestCell, double deviation)
+    {
+        int level = _rule.LevelOfCell(widestCell);
+        while (level > 0 && _subdivisionsAt(level) <= square.Subdivisions
+            && _deviationOf(square with { Level = LevelWithWholeCells(level, square.Subdivisions) }) > deviation)
+        {
+            level--;
+        }
+
+        return level;
+    }
+
+    private int LevelWithWholeCells(int level, int subdivisions)
+    {
+        while (TileId.SizeDegrees * (_pixelsPerDegree >> level) % subdivisions != 0)
+        {
+            level--;
+        }
+
+        return level;
+    }
+}

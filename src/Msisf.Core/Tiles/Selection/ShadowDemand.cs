@@ -1,0 +1,79 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>
+/// What must be there only because its shadow may fall on something that is seen, and how coarse it may be: the edge of a shadow moves over level
+/// ground by the caster's difference in height over the tangent of the Sun's elevation.
+/// </summary>
+internal sealed class ShadowDemand
+{
+    private const int Bins = 720;
+
+    private readonly SunView _sun;
+    private readonly DetailRule _rule;
+    private readonly TurnedFacets _facets;
+    private readonly AzimuthIndex _index = new(Bins);
+    private readonly List<Target> _targets = [];
+
+    /// <param name="sun">The Moon from the Sun.</param>
+    /// <param name="summary">Bounds of the terrain.</param>
+    /// <param name="patch">For reading.</param>
+    /// <param name="rule">How coarse what is seen may be.</param>
+    public ShadowDemand(SunView sun, ElevationSummary summary, TerrainPatch patch, DetailRule rule)
+    {
+        _sun = sun;
+        _rule = rule;
+        _facets = new TurnedFacets(sun.Table, summary, sun.Position, patch);
+    }
+
+    /// <summary>Notes a place that is seen.</summary>
+    public void AddTarget(in TerrainNode node)
+    {
+        PolarBounds bounds = _sun.View.Bounds(node);
+        if (_facets.AreAllOf(node, bounds))
+        {
+            return; // black without any shadow
+        }
+
+        Vector3D toSun = _sun.Position - (node.GreatestRadius * node.Cap.Centre);
+        double sin = Vector3D.Dot(toSun, node.Cap.Centre) / toSun.Length;
+        double tanElevation = Math.Max(0.0, sin) / Math.Sqrt((1.0 - sin) * (1.0 + sin));
+        double metresPerPixel = _rule.MetresPerPixel(node);
+        _index.Add(_targets.Count, bounds);
+        _targets.Add(new Target(bounds, _rule.WidestCell(metresPerPixel), _rule.GreatestShift(metresPerPixel) * tanElevation));
+    }
+
+    /// <summary>How coarse a piece of the surface may be that is not seen itself.</summary>
+    /// <returns>Null if its shadow can fall on nothing that is seen; else the widest cell and the greatest difference in height, m.</returns>
+    public (double WidestCell, double GreatestDeviation)? Of(in TerrainNode node)
+    {
+        PolarBounds bounds = _sun.View.Bounds(node);
+        if (!_facets.MayBeIn(node, bounds))
+        {
+            return null;
+        }
+
+        bool isNeeded = false;
+        double cell = double.PositiveInfinity;
+        double deviation = double.PositiveInfinity;
+        foreach (int bin in _index.Bins(bounds))
+        {
+            foreach (int number in _index[bin])
+            {
+                Target target = _targets[number];
+                if (bounds.Near < target.Bounds.Far && bounds.CanShareRayWith(target.Bounds))
+                {
+                    isNeeded = true;
+                    cell = Math.Min(cell, target.WidestCell);
+                    deviation = Math.Min(deviation, target.GreatestDeviation);
+                }
+            }
+        }
+
+        return isNeeded ? (cell, deviation) : null;
+    }
+
+    private readonly record struct Target(PolarBounds Bounds, double WidestCell, double GreatestDeviation);
+}
