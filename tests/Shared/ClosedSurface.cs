@@ -20,7 +20,7 @@ internal sealed class ClosedSurface
 
     public void Add(TileMesh mesh)
     {
-        LatticePoint[] points = [.. Enumerable.Range(0, mesh.Layout.VertexCount).Select(mesh.Vertex)];
+        LatticePoint[] points = [.. Enumerable.Range(0, mesh.VertexCount).Select(mesh.Vertex)];
         uint[] numbers = [.. points.Select(NumberOf)];
         for (int i = 0; i < mesh.Faces.Length; i += 3)
         {

@@ -4,18 +4,25 @@ using Msisf.Core.Errors;
 namespace Msisf.Cli.Run;
 
 /// <summary>
-/// Makes many frames, several at once, so that POV-Ray's processes and threads together use the cores once. A frame that
-/// fails is recorded, and the rest goes on.
+/// Makes many frames, several at once, so that what draws them uses the cores once. A frame that fails is recorded, and the rest goes on.
 /// </summary>
 internal sealed class FrameLoop
 {
     private readonly Func<Frame, int, CancellationToken, Task<FrameOutputs>> _render;
+    private readonly int _ahead;
     private readonly IRunProgress _progress;
     private readonly TextWriter _results;
     private readonly Log _log;
 
-    public FrameLoop(Func<Frame, int, CancellationToken, Task<FrameOutputs>> render, IRunProgress progress, TextWriter results, Log log)
+    /// <param name="render">Makes one frame with some threads; keeps by itself to the number of frames that are drawn at once.</param>
+    /// <param name="ahead">So many frames more are begun (<see cref="IFrameRenderer.FramesAhead"/>).</param>
+    /// <param name="progress">Is told of each frame.</param>
+    /// <param name="results">Gets the paths.</param>
+    /// <param name="log">Gets the errors of single frames.</param>
+    public FrameLoop(
+        Func<Frame, int, CancellationToken, Task<FrameOutputs>> render, int ahead, IRunProgress progress, TextWriter results, Log log)
     {
+        _ahead = ahead;
         _render = render;
         _progress = progress;
         _results = results;
@@ -34,7 +41,7 @@ internal sealed class FrameLoop
         FrameOutputs[] outputs = new FrameOutputs[frames.Count];
         List<int> failed = [];
         OrderedPrinter printer = new(_results, frames.Count);
-        await Parallel.ForAsync(0, frames.Count, Options(atOnce, cancellation), async (index, stop) =>
+        await Parallel.ForAsync(0, frames.Count, Options(Math.Min(atOnce + _ahead, Math.Max(1, frames.Count)), cancellation), async (index, stop) =>
         {
             Frame frame = frames[index];
             IReadOnlyList<string> paths = [];

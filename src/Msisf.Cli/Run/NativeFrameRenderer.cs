@@ -35,6 +35,14 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
     }
 
     /// <inheritdoc/>
+    public int FramesAhead => 0;
+
+    /// <summary>Nothing is held between frames that must be given back.</summary>
+    public void Dispose()
+    {
+    }
+
+    /// <inheritdoc/>
     public Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation) =>
         Task.Run(() => Render(frame, threads, cancellation), cancellation);
 

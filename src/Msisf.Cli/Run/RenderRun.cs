@@ -82,12 +82,13 @@ internal sealed class RenderRun : IDisposable
         }
 
         FrameFiles files = new(_settings, model.Grid, _host.Identity, _times);
-        IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, files) : PovRay(model, files);
-        CreateFolder(_settings.OutputFolder);
         int cores = Environment.ProcessorCount;
+        int atOnce = FrameLoop.AtOnce(frames.Length, _settings.Jobs, cores);
+        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, files) : PovRay(model, files, atOnce);
+        CreateFolder(_settings.OutputFolder);
         ResourceCheck.Check(
             _settings,
-            FrameLoop.AtOnce(frames.Length, _settings.Jobs, cores),
+            atOnce,
             GC.GetGCMemoryInfo().TotalAvailableMemoryBytes,
             new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
 
@@ -99,7 +100,7 @@ internal sealed class RenderRun : IDisposable
         try
         {
             using IRunProgress progress = RunProgress.Start("Frames", frames.Length, _settings.Unattended, _host.Log, _host.Clock);
-            FrameLoop loop = new(renderer.RenderAsync, progress, isPrintedLater ? later : _host.Results, hasBar ? new Log(laterErrors) : _host.Log);
+            FrameLoop loop = new(renderer.RenderAsync, renderer.FramesAhead, progress, isPrintedLater ? later : _host.Results, hasBar ? new Log(laterErrors) : _host.Log);
             return await loop.RunAsync(frames, _settings.Jobs, cores, cancellation).ConfigureAwait(false);
         }
         finally
@@ -113,11 +114,11 @@ internal sealed class RenderRun : IDisposable
         }
     }
 
-    private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files)
+    private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files, int processes)
     {
         PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
         ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Levels));
-        return new PovRayFrameRenderer(_settings, model, patterns, povRay, files, _times);
+        return new PovRayFrameRenderer(_settings, model, patterns, povRay, processes, files, _times);
     }
 
     private NativeFrameRenderer Native(ElevationModel model, FrameFiles files)

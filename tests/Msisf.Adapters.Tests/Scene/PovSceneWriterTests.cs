@@ -78,8 +78,8 @@ public sealed class PovSceneWriterTests
     private static string Write(SceneLight light)
     {
         using StringWriter writer = new();
-        TileId[] tiles = [new TileId(-5, 355), new TileId(0, 0)];
-        PovSceneWriter.Write(writer, new RenderScene(Camera, light, 4, tiles), tile => $"{tile.RangeText}.inc");
+        SurfacePart[] parts = [SurfacePart.Whole(new TileId(-5, 355)), SurfacePart.Whole(new TileId(0, 0))];
+        PovSceneWriter.Write(writer, new RenderScene(Camera, light, 4, parts), part => $"{part.NameText}.inc");
         return writer.ToString();
     }
 

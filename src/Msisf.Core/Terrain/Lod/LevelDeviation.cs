@@ -3,7 +3,7 @@ using Msisf.Core.Tiles;
 namespace Msisf.Core.Terrain.Lod;
 
 /// <summary>How far the surface of a coarser level lies from the model's.</summary>
-internal static class LevelDeviation
+public static class LevelDeviation
 {
     /// <summary>The greatest difference in height between a part's facets and the model's samples under or over them, m.</summary>
     /// <param name="levels">The model and its levels.</param>
