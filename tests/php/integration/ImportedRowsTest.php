@@ -51,7 +51,7 @@ final class ImportedRowsTest extends ImportTestCase
         self::assertSame(1036800, $rows);
     }
 
-    /** By docs/pattern-format.md, section 7: the first vertex of the tile 0 to 5 N, 0 to 5 E is this lattice point. */
+    /** By docs/pattern-format.md, section 8: the first vertex of the tile 0 to 5 N, 0 to 5 E is this lattice point. */
     public function testImportRealLdem4FirstVertexOfTheFormatsExampleIsMet(): void
     {
         $sql = 'SELECT CONCAT_WS(\',\', FLOOR(128 * x + 0.5), FLOOR(128 * y + 0.5), FLOOR(128 * z + 0.5)) FROM ldem_4 WHERE row_index = 340 AND col_index = 0';
