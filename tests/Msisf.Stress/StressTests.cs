@@ -1,3 +1,4 @@
+using Msisf.Stress.Engines;
 using Msisf.Stress.Orbit;
 
 namespace Msisf.Stress;
@@ -12,5 +13,6 @@ public static class StressTests
     public static IReadOnlyList<IStressTest> All { get; } =
     [
         new KeplerStress(),
+        new EphemerisStress(),
     ];
 }
