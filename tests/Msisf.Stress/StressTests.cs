@@ -1,5 +1,6 @@
 using Msisf.Stress.Engines;
 using Msisf.Stress.Orbit;
+using Msisf.Stress.Povray;
 
 namespace Msisf.Stress;
 
@@ -14,5 +15,7 @@ public static class StressTests
     [
         new KeplerStress(),
         new EphemerisStress(),
+        new PatternWriterStress(),
+        new TracePrecisionStress(),
     ];
 }
