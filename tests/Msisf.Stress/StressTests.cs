@@ -16,6 +16,7 @@ public static class StressTests
         new KeplerStress(),
         new EphemerisStress(),
         new PatternWriterStress(),
+        new RendererStress(),
         new TracePrecisionStress(),
     ];
 }
