@@ -1,3 +1,4 @@
+using Msisf.Stress.Attitude;
 using Msisf.Stress.Orbit;
 
 namespace Msisf.Stress;
@@ -12,5 +13,9 @@ public static class StressTests
     public static IReadOnlyList<IStressTest> All { get; } =
     [
         new KeplerStress(),
+        new ElementsStress(),
+        new StatesStress(),
+        new PropagationStress(),
+        new AttitudeStress(),
     ];
 }
