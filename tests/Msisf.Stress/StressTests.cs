@@ -1,5 +1,7 @@
 using Msisf.Stress.Attitude;
+using Msisf.Stress.Numerics;
 using Msisf.Stress.Orbit;
+using Msisf.Stress.Time;
 
 namespace Msisf.Stress;
 
@@ -12,10 +14,14 @@ public static class StressTests
     /// <summary>In the order of the report.</summary>
     public static IReadOnlyList<IStressTest> All { get; } =
     [
+        new ReferenceStress(),
         new KeplerStress(),
         new ElementsStress(),
         new StatesStress(),
         new PropagationStress(),
         new AttitudeStress(),
+        new TimeStress(),
+        new CoverStress(),
+        new EnginesStress(),
     ];
 }

@@ -29,7 +29,7 @@ public sealed class AttitudeStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        long steps = length == StressLength.Full ? 10_000_000 : 100_000;
+        long steps = length == StressLength.Full ? 10_000_000 : 30_000;
         Found all = new(steps);
         foreach (Found part in CaseParts.Run(steps / StepsAtOneRate, seed, (random, cases) => RunPart(random, cases, steps)))
         {

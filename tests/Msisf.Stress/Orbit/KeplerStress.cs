@@ -30,7 +30,7 @@ public sealed class KeplerStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        long cases = length == StressLength.Full ? 10_000_000 : 100_000;
+        long cases = length == StressLength.Full ? 10_000_000 : 30_000;
         Found all = new();
         foreach (Found part in CaseParts.Run(cases, seed, RunPart))
         {

@@ -27,7 +27,7 @@ public sealed class StatesStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        long cases = length == StressLength.Full ? 1_000_000 : 10_000;
+        long cases = length == StressLength.Full ? 1_000_000 : 3_000;
         Found all = new();
         foreach (Found part in CaseParts.Run(cases, seed, RunPart))
         {
