@@ -9,11 +9,11 @@ public sealed class ReferenceStress : IStressTest
     /// <summary>1: of the number, or of 1 for a sine near 0; some ten roundings of 2^-104.</summary>
     private const double Functions = 1e-30;
 
-    /// <summary>1, of the vector: the phase of up to 1e6 turns has 25 digits left.</summary>
-    private const double Orbits = 1e-24;
+    /// <summary>1, of the vector: a phase of up to 1e6 turns has 25 digits left.</summary>
+    private const double Orbits = 1e-25;
 
-    /// <summary>1, of M less its turns, which a multiple of 2 pi of 160 bits is taken from.</summary>
-    private const double Residuals = 1e-24;
+    /// <summary>1, of M less its turns: those are up to 1e13 times as long, and their multiple of 2 pi has 160 bits.</summary>
+    private const double Residuals = 1e-28;
 
     /// <inheritdoc/>
     public string Name => "reference";
@@ -32,22 +32,22 @@ public sealed class ReferenceStress : IStressTest
             Name,
             functions.Length + residuals.Length + orbits.Length,
             [
-                Worst(functions, FunctionError).ToFigure("sine, cosine, x - sin x, root, quotient", "", Functions),
-                Worst(residuals, ResidualError).ToFigure("residual of Kepler's equation, of M less its turns", "", Residuals),
-                Worst(orbits, OrbitError).ToFigure("position and velocity, of their length", "", Orbits),
+                Worst("functions.csv", functions, FunctionError).ToFigure("sine, cosine, x - sin x, root, quotient", "", Functions),
+                Worst("residuals.csv", residuals, ResidualError).ToFigure("residual of Kepler's equation, of M less its turns", "", Residuals),
+                Worst("orbits.csv", orbits, OrbitError).ToFigure("position and velocity, of their length", "", Orbits),
             ],
             []);
     }
 
-    private static WorstCase Worst(double[][] rows, Func<double[], double> errorOf)
+    private static WorstCase Worst(string fileName, double[][] rows, Func<double[], double> errorOf)
     {
         WorstCase worst = new();
-        foreach (double[] row in rows)
+        for (int index = 0; index < rows.Length; index++)
         {
-            double error = errorOf(row);
+            double error = errorOf(rows[index]);
             if (worst.IsBeatenBy(error))
             {
-                worst.Take(error, string.Join(", ", row.Select(number => FormattableString.Invariant($"{number:R}"))));
+                worst.Take(error, FormattableString.Invariant($"tests/golden/stress/{fileName}, line {index + 2}"));
             }
         }
 
