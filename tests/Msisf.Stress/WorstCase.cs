@@ -23,6 +23,17 @@ public sealed class WorstCase
         IsEmpty = false;
     }
 
+    /// <summary>Notes a case.</summary>
+    /// <param name="error">How wrong.</param>
+    /// <param name="input">Tells the input, complete, in round-trip numbers; asked only if it is the worst so far.</param>
+    public void Note(double error, Func<string> input)
+    {
+        if (IsBeatenBy(error))
+        {
+            Take(error, input());
+        }
+    }
+
     /// <summary>Notes the worst of another part of the cases; of two equal ones the first stays.</summary>
     public void Add(WorstCase other)
     {

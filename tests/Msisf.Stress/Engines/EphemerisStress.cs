@@ -3,6 +3,7 @@ using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Time;
+using Msisf.Stress.Time;
 using Msisf.TestSupport;
 
 namespace Msisf.Stress.Engines;
@@ -23,15 +24,15 @@ public sealed class EphemerisStress : IStressTest
         "The two ephemeris engines, CSPICE and the built-in reader: the Sun without and with light time and aberration, and the Moon's frame, over the whole cover of the shipped kernels; half of the times within 10 s of leap seconds, borders of records and the cover's ends.";
 
     /// <inheritdoc/>
-    public string? MissingPart => TestParts.CSpiceLibrary is null ? "CSPICE" : null;
+    public string? MissingPart => TestParts.CSpiceLibrary is null ? "CSPICE (scripts/get-cspice.sh)" : null;
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        int cases = length == StressLength.Full ? 500_000 : 20_000;
-        using OpenedEphemeris cspice = Open(EphemerisChoice.CSpice);
-        using OpenedEphemeris builtIn = Open(EphemerisChoice.BuiltIn);
-        EphemerisTimes times = new(((BuiltInEphemeris)builtIn.Engine).Cover);
+        int cases = length == StressLength.Full ? 500_000 : 10_000;
+        using OpenedEphemeris cspice = ProjectKernels.OpenCSpice();
+        using BuiltInKernels builtIn = ProjectKernels.Open();
+        EphemerisTimes times = new(builtIn.Ephemeris.Cover);
         Aberration[] aberrations = Enum.GetValues<Aberration>();
         WorstCase[] suns = [.. aberrations.Select(_ => new WorstCase())];
         WorstCase frame = new();
@@ -43,12 +44,12 @@ public sealed class EphemerisStress : IStressTest
             string Input() => string.Create(CultureInfo.InvariantCulture, $"MJD {time.Days:R}");
             for (int k = 0; k < suns.Length; k++)
             {
-                double error = SunDifference(cspice.Engine, builtIn.Engine, time, aberrations[k]);
-                Note(suns[k], error, Input);
+                double error = SunDifference(cspice.Engine, builtIn.Ephemeris, time, aberrations[k]);
+                suns[k].Note(error, Input);
                 overYears.Add(time.Days, error);
             }
 
-            Note(frame, FrameDifference(cspice.Engine, builtIn.Engine, time), Input);
+            frame.Note(FrameDifference(cspice.Engine, builtIn.Ephemeris, time), Input);
         }
 
         return new StressReport(
@@ -62,9 +63,6 @@ public sealed class EphemerisStress : IStressTest
             [overYears.ToSeries("difference of the Sun's position", "parts of its distance", "time", "MJD", Agreement)]);
     }
 
-    private static OpenedEphemeris Open(EphemerisChoice choice) => EphemerisFactory.Open(new EphemerisRequest(
-        choice, [Path.Combine(TestParts.Kernels, "msisf.tm")], TestParts.RepositoryRoot, TestParts.CSpiceLibrary));
-
     private static string OptionOf(Aberration aberration) => aberration switch
     {
         Aberration.None => "none",
@@ -72,24 +70,16 @@ public sealed class EphemerisStress : IStressTest
         _ => "lt+s",
     };
 
-    private static void Note(WorstCase worst, double error, Func<string> input)
+    private static double SunDifference(IEphemeris cspice, BuiltInEphemeris builtIn, ModifiedJulianDate time, Aberration aberration)
     {
-        if (worst.IsBeatenBy(error))
-        {
-            worst.Take(error, input());
-        }
+        Vector3D sun = cspice.SunPositionMoonMe(time, aberration);
+        return (builtIn.SunPositionMoonMe(time, aberration) - sun).Length / sun.Length;
     }
 
-    private static double SunDifference(IEphemeris one, IEphemeris other, ModifiedJulianDate time, Aberration aberration)
+    private static double FrameDifference(IEphemeris cspice, BuiltInEphemeris builtIn, ModifiedJulianDate time)
     {
-        Vector3D sun = one.SunPositionMoonMe(time, aberration);
-        return (other.SunPositionMoonMe(time, aberration) - sun).Length / sun.Length;
-    }
-
-    private static double FrameDifference(IEphemeris one, IEphemeris other, ModifiedJulianDate time)
-    {
-        RotationMatrix expected = one.MoonMeFromJ2000(time);
-        RotationMatrix found = other.MoonMeFromJ2000(time);
+        RotationMatrix expected = cspice.MoonMeFromJ2000(time);
+        RotationMatrix found = builtIn.MoonMeFromJ2000(time);
         return Math.Max(
             (found.Row0 - expected.Row0).Length,
             Math.Max((found.Row1 - expected.Row1).Length, (found.Row2 - expected.Row2).Length));

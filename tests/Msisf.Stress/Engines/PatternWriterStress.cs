@@ -11,7 +11,7 @@ namespace Msisf.Stress.Engines;
 /// <remarks>The PHP writer is driven from an image. That its database gives the same samples is shown by php <c>SamePatternsTest</c>.</remarks>
 public sealed class PatternWriterStress : IStressTest
 {
-    private const int RandomPixelsPerDegree = 16;
+    private const int RandomPixelsPerDegree = 8;
 
     /// <summary>Tiles at poles and seam: each has a form of its own.</summary>
     private static readonly TileId[] Corners =
@@ -22,10 +22,10 @@ public sealed class PatternWriterStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "The two pattern writers, PHP and C#: files compared byte by byte; LDEM_4 (all its tiles at full length) and a model of random heights at 16 px/deg, both forms of the mesh, margins of up to a degree.";
+        "The two pattern writers, PHP and C#: files compared byte by byte; LDEM_4 (all its tiles at full length) and a model of random heights at 8 px/deg, both forms of the mesh, margins of up to a degree.";
 
     /// <inheritdoc/>
-    public string? MissingPart => TestParts.Ldem4Label is null ? "LDEM_4" : TestParts.Program("php") is null ? "PHP" : null;
+    public string? MissingPart => TestParts.Ldem4Label is null ? "LDEM_4 (scripts/get-ldem.sh)" : TestParts.Program("php") is null ? "PHP" : null;
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -42,12 +42,12 @@ public sealed class PatternWriterStress : IStressTest
         PatternJob[] jobs =
         [
             new(real, realImage, PatternFormat.Mesh2, 0, isFull ? [.. TileId.All] : Tiles(200, 0)),
-            new(real, realImage, PatternFormat.Mesh2, 2, Tiles(20, 400)),
-            new(real, realImage, PatternFormat.Mesh, 2, Tiles(10, 200)),
-            new(real, realImage, PatternFormat.Mesh, 0, Tiles(10, 200)),
-            new(random, randomImage, PatternFormat.Mesh2, 0, Tiles(4, 100)),
-            new(random, randomImage, PatternFormat.Mesh2, RandomPixelsPerDegree, Tiles(2, 50)),
-            new(random, randomImage, PatternFormat.Mesh, 1, Tiles(2, 30)),
+            new(real, realImage, PatternFormat.Mesh2, 2, Tiles(20, 1000)),
+            new(real, realImage, PatternFormat.Mesh, 2, Tiles(10, 500)),
+            new(real, realImage, PatternFormat.Mesh, 0, isFull ? [.. TileId.All] : Tiles(10, 0)),
+            new(random, randomImage, PatternFormat.Mesh2, 0, Tiles(4, 400)),
+            new(random, randomImage, PatternFormat.Mesh2, RandomPixelsPerDegree, Tiles(2, 100)),
+            new(random, randomImage, PatternFormat.Mesh, 1, Tiles(2, 100)),
         ];
         WorstCase worst = new();
         long files = 0;

@@ -1,6 +1,7 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Terrain;
 using Msisf.Core.Tests.Support;
+using Msisf.Stress.Time;
 using Msisf.TestSupport;
 
 namespace Msisf.Stress.Engines;
@@ -26,7 +27,7 @@ public sealed class RendererStress : IStressTest
 
     /// <inheritdoc/>
     public string? MissingPart =>
-        TestParts.Ldem4Label is null ? "LDEM_4" : TestParts.Program("povray") is null ? "POV-Ray" : null;
+        TestParts.Ldem4Label is null ? "LDEM_4 (scripts/get-ldem.sh)" : TestParts.Program("povray") is null ? "POV-Ray" : null;
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -34,7 +35,7 @@ public sealed class RendererStress : IStressTest
         (int scenes, int size) = length == StressLength.Full ? (6 * CameraCases.Kinds, 256 * 256) : (2, 64 * 64);
         using TemporaryFolder folder = new();
         using LdemImage grid = LdemImage.Open(LdemLabelReader.ReadFile(TestParts.Ldem4Label!));
-        using BuiltInKernels kernels = new(KernelList.Expand([Path.Combine(TestParts.Kernels, "msisf.tm")]));
+        using BuiltInKernels kernels = ProjectKernels.Open();
         RendererScenes renderers = new(folder, grid, kernels.Ephemeris, size);
         CaseRandom random = new(seed, part: 0);
         WorstCase share = new();
@@ -47,8 +48,8 @@ public sealed class RendererStress : IStressTest
             double differing = (double)pictures.Differences.Count / pictures.PixelCount;
             pixels += pictures.PixelCount;
             overDistance.Add(pictures.Distance, differing);
-            Note(share, differing, () => Input(pictures));
-            Note(level, pictures.Differences.Select(pixel => Math.Abs(pixel.PovRay - pixel.Native)).DefaultIfEmpty().Max(), () => Input(pictures));
+            share.Note(differing, () => Input(pictures));
+            level.Note(pictures.Differences.Select(pixel => Math.Abs(pixel.PovRay - pixel.Native)).DefaultIfEmpty().Max(), () => Input(pictures));
         }
 
         return new StressReport(
@@ -68,12 +69,4 @@ public sealed class RendererStress : IStressTest
     private static string Input(RendererPictures pictures) =>
         $"{pictures.Scene}, {pictures.PixelCount} pixels; {pictures.Differences.Count} differ: "
         + string.Join("; ", pictures.Differences.Take(5).Select(pixel => $"({pixel.X}, {pixel.Y}) POV-Ray {pixel.PovRay}, native {pixel.Native}"));
-
-    private static void Note(WorstCase worst, double error, Func<string> input)
-    {
-        if (worst.IsBeatenBy(error))
-        {
-            worst.Take(error, input());
-        }
-    }
 }

@@ -25,10 +25,8 @@ internal sealed class TraceErrors
     private readonly SeriesBuilder _planeOverOrigin = new(0.0, 130_000.0, 13, isLogarithmic: false);
     private readonly SeriesBuilder _hitOverIncidence = new(0.0, 90.0, 18, isLogarithmic: false);
     private readonly SeriesBuilder _missedOverRounding = new(1e-6, 1e3, 18, isLogarithmic: true);
-    private double _missed;
-    private double _missedBeyond;
-    private string _firstMissed = "none";
-    private string _firstMissedBeyond = "none";
+    private readonly CaseCount _missed = new();
+    private readonly CaseCount _missedBeyond = new();
 
     /// <param name="form">For the report, e.g. "tile-local mesh2".</param>
     public TraceErrors(string form) => _form = form;
@@ -48,18 +46,18 @@ internal sealed class TraceErrors
             Vector3D.AngleBetween(normalFound, ray.Normal), Vector3D.AngleBetween(-normalFound, ray.Normal)));
         bool isMissed = normalFound == default || normal > SameFacetDegrees;
         _missedOverRounding.Add(ray.RoundedPastEdge, isMissed ? 1.0 : 0.0);
+        (ray.RoundedPastEdge > 1.0 ? _missedBeyond : _missed).Add(isMissed, Input);
         if (isMissed)
         {
-            NoteMissed(ray.RoundedPastEdge, Input);
             return;
         }
 
         double plane = MetresPerKilometre * Math.Abs(Vector3D.Dot(pointKm - ray.HitKm, ray.Normal));
         double hit = MetresPerKilometre * (pointKm - ray.HitKm).Length;
-        Note(_hit, hit, Input);
-        Note(_plane, plane, Input);
-        Note(_planeInFloats, plane / (MetresPerKilometre * ray.HitFromOriginKm * TracePrecisionStress.FloatUnit), Input);
-        Note(_normal, normal, Input);
+        _hit.Note(hit, Input);
+        _plane.Note(plane, Input);
+        _planeInFloats.Note(plane / (MetresPerKilometre * ray.HitFromOriginKm * TracePrecisionStress.FloatUnit), Input);
+        _normal.Note(normal, Input);
         _hitOverResolution.Add(pixelsPerDegree, hit);
         _normalOverResolution.Add(pixelsPerDegree, normal);
         _planeOverRayLength.Add(MetresPerKilometre * ray.LengthKm, plane);
@@ -72,10 +70,8 @@ internal sealed class TraceErrors
     public IEnumerable<StressFigure> Figures(bool isLimited)
     {
         double? Limit(double limit) => isLimited ? limit : null;
-        yield return new StressFigure(
-            $"{_form}: rays that miss their facet, although rounded to floats they would meet it", string.Empty, _missed, Limit(0.0), _firstMissed);
-        yield return new StressFigure(
-            $"{_form}: rays that miss their facet, and rounded to floats may miss it", string.Empty, _missedBeyond, null, _firstMissedBeyond);
+        yield return _missed.ToFigure($"{_form}: rays that miss their facet, although rounded to floats they would meet it", string.Empty, Limit(0.0));
+        yield return _missedBeyond.ToFigure($"{_form}: rays that miss their facet, and rounded to floats may miss it", string.Empty, null);
         yield return _hit.ToFigure($"{_form}: from the exact hit", "m", null);
         yield return _plane.ToFigure($"{_form}: from the facet's plane", "m", Limit(TracePrecisionStress.MostFromPlane));
         if (isLimited)
@@ -97,25 +93,4 @@ internal sealed class TraceErrors
         _hitOverIncidence.ToSeries($"{_form}: from the exact hit", "m", "angle to the normal", "degrees", null),
         _missedOverRounding.ToSeries($"{_form}: share of rays that miss their facet", "1", "ray's rounding to floats, in parts of the way to the facet's edge", "1", null),
     ];
-
-    private void NoteMissed(double roundedPastEdge, Func<string> input)
-    {
-        if (roundedPastEdge > 1.0)
-        {
-            _firstMissedBeyond = _missedBeyond == 0.0 ? input() : _firstMissedBeyond;
-            _missedBeyond++;
-            return;
-        }
-
-        _firstMissed = _missed == 0.0 ? input() : _firstMissed;
-        _missed++;
-    }
-
-    private static void Note(WorstCase worst, double error, Func<string> input)
-    {
-        if (worst.IsBeatenBy(error))
-        {
-            worst.Take(error, input());
-        }
-    }
 }
