@@ -2,10 +2,11 @@
 # Measures the native renderer, and POV-Ray's way beside it in the same run; writes the tables into docs/performance.md
 # and all figures into docs/benchmark/. As root, or as a user with sudo. Under 20 minutes, and some minutes and 4 GB more
 # in benchmark/ at the first run. Leave the machine alone meanwhile.
-#     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro]
+#     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick]]
 # --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., sequence).
 # With one of the two the results stay in benchmark/, and docs/ is left alone.
 # --micro: micro-benchmarks of single parts instead, into benchmark/micro/.
+# --stress: the stress tests at full length instead, into docs/accuracy.md and docs/benchmark/; with --quick at everyday length, docs/ is left alone.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
@@ -18,17 +19,24 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 choice=()
 is_partial=''
 is_micro=''
+is_stress=''
+scenes=''
 while [ $# -gt 0 ]; do
     case $1 in
         --quick) choice+=(--quick) is_partial=yes ;;
         --scenes) [ -n "${2:-}" ] || die '--scenes needs names, separated by commas'
-            choice+=(--scenes "$2") is_partial=yes
+            scenes=$2 is_partial=yes
+            choice+=(--scenes "$2")
             shift ;;
         --micro) is_micro=yes ;;
-        *) die "unknown argument $1. Usage: ./benchmark.sh [--quick] [--scenes NAME,...] [--micro]" ;;
+        --stress) is_stress=yes ;;
+        *) die "unknown argument $1. Usage: ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick]]" ;;
     esac
     shift
 done
+if [ -n "$is_stress" ] && [ -n "$is_micro$scenes" ]; then
+    die '--stress goes with --quick only'
+fi
 
 cd "$root"
 require_own_folders
@@ -67,7 +75,9 @@ get_model() {
     esac
 }
 
-install_parts povray downloader certificates
+parts=(povray downloader certificates)
+[ -z "$is_stress" ] || parts+=(matplotlib)
+install_parts "${parts[@]}"
 scripts/build.sh
 ensure_dotnet
 dotnet build tests/Msisf.Benchmarks -c Release -v quiet -nologo ||
@@ -76,6 +86,19 @@ get_base
 scripts/get-cspice.sh >/dev/null || say 'Going on without CSPICE, with the built-in kernel reader.'
 if [ -n "$is_micro" ]; then
     exec "$program" micro --artifacts "$folder/micro"
+fi
+if [ -n "$is_stress" ]; then
+    folder=$folder/stress
+    rm -rf "$folder"
+    "$program" stress --folder "$folder" "${choice[@]}"
+    /usr/bin/python3 tests/Msisf.Benchmarks/plots/accuracy.py "$folder/stress_series.csv" "$folder"
+    if [ -n "$is_partial" ]; then
+        say "The tables and plots are in $folder; docs/ is as it was."
+    else
+        publish_stress "$folder"
+        say 'The tables are in docs/accuracy.md, figures and plots in docs/benchmark/.'
+    fi
+    exit 0
 fi
 
 models=()

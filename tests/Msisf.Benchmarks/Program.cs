@@ -6,12 +6,14 @@ using Msisf.Benchmarks.Micro;
 using Msisf.Benchmarks.Programs;
 using Msisf.Benchmarks.Reports;
 using Msisf.Core.Errors;
+using Msisf.Stress;
 
 // benchmark.sh is the way to start it.
 const string Usage = """
     measure     [--quick] [--scenes NAME,...] --root DIR --folder DIR --model LABEL...    measures; writes tables.md, figures.csv, targets.csv
     resolutions [--quick] [--scenes NAME,...]                                             prints which elevation models that needs, px/deg
     fill        LABEL                                                                     completes a part of a model by flat ground
+    stress      [--quick] --folder DIR                                                    runs all stress tests; writes tables.md, stress.csv, stress_series.csv
     micro       [BenchmarkDotNet's options]                                               micro-benchmarks
     """;
 try
@@ -28,6 +30,11 @@ try
             return 0;
         case "fill" when args.Length == 2:
             FlatGround.Fill(args[1]);
+            return 0;
+        case "stress":
+            BenchmarkOptions stressOptions = BenchmarkOptions.Parse(args.Skip(1));
+            StressResult stressResult = StressRun.Measure(stressOptions.IsQuick ? StressLength.Everyday : StressLength.Full, StressTests.All, Console.Out);
+            StressFiles.Write(stressOptions.Folder, stressResult);
             return 0;
         case "micro":
             MicroBenchmarks.Run([.. args.Skip(1)]);

@@ -77,6 +77,8 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --res 4.0", 2, "--res is '4.0'")]
     [InlineData($"{Fixed} --res 5000", 2, "from 1 to 1024")]
     [InlineData($"{Fixed} --ephemeris jpl", 2, "cspice, builtin, auto")]
+    [InlineData($"{Fixed} --aberration cn", 2, "--aberration is 'cn'; one of none, lt, lt+s is needed")]
+    [InlineData($"{Fixed} --aberration lt --ignore-sun", 1, "--aberration has no meaning with --ignore-sun")]
     [InlineData($"{Orbit} --time 55289 --orbit-frame icrf", 2, "moon-me, moon-me-epoch, j2000")]
     [InlineData($"{Fixed} --timeout 0", 2, "--timeout is 0")]
     [InlineData($"{Fixed} --timeout soon", 2, "'soon' is not a number")]

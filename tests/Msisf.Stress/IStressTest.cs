@@ -9,6 +9,9 @@ public interface IStressTest
     /// <summary>What is driven, and how, in a sentence for the report.</summary>
     string Subject { get; }
 
+    /// <summary>What it can't run without and this machine lacks, e.g. "POV-Ray"; null if nothing is missing.</summary>
+    string? MissingPart => null;
+
     /// <summary>Runs it; the same length and seed give the same report, whatever the machine.</summary>
     /// <param name="length">How much of it.</param>
     /// <param name="seed">Of all random inputs.</param>

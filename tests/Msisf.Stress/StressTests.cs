@@ -1,3 +1,10 @@
+using Msisf.Stress.Attitude;
+using Msisf.Stress.Engines;
+using Msisf.Stress.Numerics;
+using Msisf.Stress.Orbit;
+using Msisf.Stress.Povray;
+using Msisf.Stress.Time;
+
 namespace Msisf.Stress;
 
 /// <summary>All stress tests.</summary>
@@ -9,5 +16,18 @@ public static class StressTests
     /// <summary>In the order of the report.</summary>
     public static IReadOnlyList<IStressTest> All { get; } =
     [
+        new ReferenceStress(),
+        new KeplerStress(),
+        new ElementsStress(),
+        new StatesStress(),
+        new PropagationStress(),
+        new AttitudeStress(),
+        new TimeStress(),
+        new CoverStress(),
+        new EnginesStress(),
+        new EphemerisStress(),
+        new PatternWriterStress(),
+        new RendererStress(),
+        new TracePrecisionStress(),
     ];
 }

@@ -45,15 +45,29 @@ case $1 in
         echo figures >benchmark/figures.csv
         echo targets >benchmark/targets.csv
         ;;
+    stress)
+        mkdir -p benchmark/stress
+        [ -z "${BROKEN:-}" ] || exit 1
+        echo '| kepler |' >benchmark/stress/tables.md
+        echo figures >benchmark/stress/stress.csv
+        echo series >benchmark/stress/stress_series.csv
+        ;;
 esac
 BENCHMARK
-    mkdir clone/docs
+    mkdir -p clone/docs clone/tests/Msisf.Benchmarks/plots
+    cat >clone/tests/Msisf.Benchmarks/plots/accuracy.py <<'PLOTS'
+import pathlib, sys
+pathlib.Path(sys.argv[2], "stress_kepler_1.svg").write_text(pathlib.Path(sys.argv[1]).read_text())
+PLOTS
+    echo 'install_parts() { echo "parts $*" >>"$CALLS"; }' >>clone/scripts/lib/packages.sh
     printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '| old |' '<!-- benchmark.sh: end -->' 'after' >clone/docs/performance.md
+    cp clone/docs/performance.md clone/docs/accuracy.md
     cp clone/docs/performance.md page
 }
 
 assert_page_untouched() {
     cmp clone/docs/performance.md page || fail 'docs/performance.md has changed'
+    cmp clone/docs/accuracy.md page || fail 'docs/accuracy.md has changed'
     assert_no_file clone/docs/benchmark
 }
 
@@ -111,6 +125,44 @@ test_benchmark_that_fails_leaves_the_docs_alone() {
     assert_page_untouched
 }
 
+test_benchmark_stress_replaces_tables_and_plots() {
+    make_benchmark_clone
+    mkdir clone/docs/benchmark
+    touch clone/docs/benchmark/stress_gone_1.svg clone/docs/benchmark/figures.csv
+    run clone/benchmark.sh --stress
+    assert_code 0
+    assert_same "$(cat clone/docs/accuracy.md)" \
+        "$(printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '' '| kepler |' '' '<!-- benchmark.sh: end -->' 'after')"
+    cmp clone/docs/performance.md page || fail 'docs/performance.md has changed'
+    assert_same "$(cd clone/docs/benchmark && echo *)" 'figures.csv stress.csv stress_kepler_1.svg stress_series.csv'
+    assert_same "$(cat clone/docs/benchmark/stress_kepler_1.svg)" series
+    assert_same "$(cat "$CALLS")" $'parts povray downloader certificates matplotlib\nstress --folder benchmark/stress'
+}
+
+test_benchmark_quick_stress_leaves_the_docs_alone() {
+    make_benchmark_clone
+    run clone/benchmark.sh --stress --quick
+    assert_code 0
+    assert_says 'benchmark/stress'
+    assert_file clone/benchmark/stress/stress_kepler_1.svg
+    assert_page_untouched
+    assert_same "$(tail -n 1 "$CALLS")" 'stress --folder benchmark/stress --quick'
+}
+
+test_benchmark_stress_that_fails_leaves_the_docs_alone() {
+    make_benchmark_clone
+    BROKEN=yes run clone/benchmark.sh --stress
+    assert_code 1
+    assert_page_untouched
+}
+
+test_benchmark_stress_without_matplotlib_says_what_to_install() {
+    # -S: without the packages of the system
+    run /usr/bin/python3 -S "$MSISF_TESTED_ROOT/tests/Msisf.Benchmarks/plots/accuracy.py" none.csv .
+    assert_code 1
+    assert_says 'apt-get install python3-matplotlib'
+}
+
 test_benchmark_unknown_argument_is_refused() {
     make_benchmark_clone
     run clone/benchmark.sh --fast
@@ -119,6 +171,12 @@ test_benchmark_unknown_argument_is_refused() {
     run clone/benchmark.sh --scenes
     assert_code 1
     assert_says '--scenes needs names'
+    run clone/benchmark.sh --stress --scenes far-4
+    assert_code 1
+    assert_says '--stress goes with --quick only'
+    run clone/benchmark.sh --micro --stress
+    assert_code 1
+    assert_says '--stress goes with --quick only'
     assert_same "$(cat "$CALLS")" ''
 }
 
@@ -137,4 +195,26 @@ test_benchmark_quick_run_measures() {
     assert_says '| orbit of 20 frames | pictures and meta files | at least 15.0 frames/s |'
     assert_says '| and all layers, FITS | 2 |'
     assert_says '| 0, 0 of '
+}
+
+# The real thing: every stress test at its everyday length, its tables and its plots.
+test_benchmark_quick_stress_run_keeps_all_limits() {
+    need dotnet
+    [ -e "$MSISF_TESTED_ROOT/input/ldem/LDEM_4.LBL" ] || {
+        echo 'missing: LDEM_4'
+        exit 77
+    }
+    . "$MSISF_TESTED_ROOT/scripts/lib/common.sh"
+    . "$MSISF_TESTED_ROOT/scripts/lib/packages.sh"
+    install_parts matplotlib povray || {
+        echo 'missing: matplotlib or povray'
+        exit 77
+    }
+    run "$MSISF_TESTED_ROOT/benchmark.sh" --stress --quick
+    assert_code 0
+    assert_says 'kepler: residual, in units of the last place of the M given: '
+    assert_silent_on ': missed'
+    local folder=$MSISF_TESTED_ROOT/benchmark/stress
+    assert_same "$(grep -c '^### kepler$' "$folder/tables.md")" 1
+    assert_same "$(grep -o 'stress_[a-z0-9-]*_[0-9]*.svg' "$folder/tables.md" | sort)" "$(cd "$folder" && printf '%s\n' stress_*.svg | sort)"
 }

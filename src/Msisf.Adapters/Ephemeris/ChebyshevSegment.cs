@@ -6,9 +6,9 @@ namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>
 /// A segment of SPK type 2 or 3 or PCK type 2: records of equal length, each with three Chebyshev series. A record is read
-/// when a time first needs it, and kept.
+/// when a time first needs it, and kept. SPK type 3 has three series for the velocities behind.
 /// </summary>
-/// <remarks>NAIF, SPK Required Reading, "Type 2" and "Type 3"; PCK Required Reading, "Type 2". Of type 3 the velocities are left unread.</remarks>
+/// <remarks>NAIF, SPK Required Reading, "Type 2" and "Type 3"; PCK Required Reading, "Type 2".</remarks>
 internal sealed class ChebyshevSegment : IEphemerisSegment
 {
     /// <summary>At the end of a segment: INIT, INTLEN, RSIZE, N.</summary>
@@ -17,7 +17,8 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
     /// <summary>At the start of a record: its middle and its half length.</summary>
     private const int WordsBeforeSeries = 2;
 
-    private const int Components = 3;
+    /// <summary>Of a record that has series of its own for the rates.</summary>
+    private const int SeriesWithRates = 6;
 
     private readonly DafFile _file;
     private readonly int _firstAddress;
@@ -25,6 +26,7 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
     private readonly double _recordSeconds;
     private readonly int _recordWords;
     private readonly int _coefficients;
+    private readonly bool _hasRates;
     private readonly double[]?[] _records;
 
     /// <summary>Reads the segment's directory.</summary>
@@ -66,6 +68,7 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
 
         _recordWords = (int)size;
         _coefficients = (_recordWords - WordsBeforeSeries) / seriesPerRecord;
+        _hasRates = seriesPerRecord == SeriesWithRates;
         _records = new double[(int)count][];
     }
 
@@ -81,22 +84,44 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
     /// <inheritdoc/>
     public Vector3D ValueAt(double tdbSeconds)
     {
+        ReadOnlySpan<double> record = RecordAt(tdbSeconds);
+        double x = (tdbSeconds - record[0]) / record[1];
+        return new Vector3D(
+            Chebyshev.Evaluate(Series(record, 0), x),
+            Chebyshev.Evaluate(Series(record, 1), x),
+            Chebyshev.Evaluate(Series(record, 2), x));
+    }
+
+    /// <inheritdoc/>
+    public Vector3D RateAt(double tdbSeconds)
+    {
+        ReadOnlySpan<double> record = RecordAt(tdbSeconds);
+        double x = (tdbSeconds - record[0]) / record[1];
+        return _hasRates
+            ? new Vector3D(
+                Chebyshev.Evaluate(Series(record, 3), x),
+                Chebyshev.Evaluate(Series(record, 4), x),
+                Chebyshev.Evaluate(Series(record, 5), x))
+            : new Vector3D(
+                Chebyshev.Derivative(Series(record, 0), x),
+                Chebyshev.Derivative(Series(record, 1), x),
+                Chebyshev.Derivative(Series(record, 2), x)) / record[1];
+    }
+
+    private ReadOnlySpan<double> RecordAt(double tdbSeconds)
+    {
         // As in SPICE the last record also serves the segment's very end.
         int index = (int)Math.Clamp((tdbSeconds - _start) / _recordSeconds, 0.0, _records.Length - 1.0);
-        ReadOnlySpan<double> record = Volatile.Read(ref _records[index]) ?? ReadRecord(index);
-        double x = (tdbSeconds - record[0]) / record[1];
-        ReadOnlySpan<double> series = record[WordsBeforeSeries..];
-        return new Vector3D(
-            Chebyshev.Evaluate(series[.._coefficients], x),
-            Chebyshev.Evaluate(series.Slice(_coefficients, _coefficients), x),
-            Chebyshev.Evaluate(series.Slice(2 * _coefficients, _coefficients), x));
+        return Volatile.Read(ref _records[index]) ?? ReadRecord(index);
     }
+
+    private ReadOnlySpan<double> Series(ReadOnlySpan<double> record, int index) =>
+        record.Slice(WordsBeforeSeries + (index * _coefficients), _coefficients);
 
     /// <summary>Two threads may read the same record at once; both get the same numbers, and one copy stays.</summary>
     private double[] ReadRecord(int index)
     {
-        // One array holds what ValueAt needs and no more: the middle, the half length and the first three series.
-        double[] record = new double[WordsBeforeSeries + (Components * _coefficients)];
+        double[] record = new double[_recordWords];
         _file.ReadDoubles(_firstAddress + ((long)index * _recordWords), record);
         foreach (double value in record)
         {

@@ -23,7 +23,8 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
     public string EngineName => _cspice.Version.Replace('_', ' ');
 
     /// <inheritdoc/>
-    public Vector3D SunPositionMoonMe(ModifiedJulianDate time) => Ask(_cspice.SunPositionMoonMe, time);
+    public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+        Ask((kernels, at) => _cspice.SunPositionMoonMe(kernels, at, aberration), time);
 
     /// <inheritdoc/>
     public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Ask(_cspice.MoonMeFromJ2000, time);

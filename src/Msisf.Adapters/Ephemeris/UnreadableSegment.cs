@@ -12,6 +12,10 @@ namespace Msisf.Adapters.Ephemeris;
 internal sealed record UnreadableSegment(int Body, int Center, TdbInterval Interval, string Reason) : IEphemerisSegment
 {
     /// <inheritdoc/>
-    public Vector3D ValueAt(double tdbSeconds) =>
-        throw new SpiceException($"{Reason}. Use --ephemeris cspice, or a kernel of another type.");
+    public Vector3D ValueAt(double tdbSeconds) => throw Unreadable();
+
+    /// <inheritdoc/>
+    public Vector3D RateAt(double tdbSeconds) => throw Unreadable();
+
+    private SpiceException Unreadable() => new($"{Reason}. Use --ephemeris cspice, or a kernel of another type.");
 }

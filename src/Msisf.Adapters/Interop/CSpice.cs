@@ -79,18 +79,26 @@ internal sealed class CSpice
         }
     }
 
-    /// <summary>Geometric position of the Sun relative to the Moon's centre: m, MOON_ME.</summary>
+    /// <summary>Position of the Sun relative to the Moon's centre: m, MOON_ME of the time (SPICE turns it by the light time from the frame's centre to the observer, which is 0).</summary>
     /// <param name="kernels">The kernels to work with.</param>
     /// <param name="time">UTC.</param>
+    /// <param name="aberration">What of light's finite speed is taken in.</param>
     /// <exception cref="SpiceException">CSPICE failed.</exception>
-    public Vector3D SunPositionMoonMe(IReadOnlyList<string> kernels, ModifiedJulianDate time)
+    public Vector3D SunPositionMoonMe(IReadOnlyList<string> kernels, ModifiedJulianDate time, Aberration aberration)
     {
+        string correction = aberration switch
+        {
+            Aberration.None => "NONE",
+            Aberration.LightTime => "LT",
+            Aberration.LightTimeAndStellar => "LT+S",
+            _ => throw new ArgumentOutOfRangeException(nameof(aberration)),
+        };
         Span<double> positionKm = stackalloc double[3];
         lock (_gate)
         {
             _furnished.Use(kernels);
             double ephemerisSeconds = EphemerisSeconds(time);
-            CSpiceNative.spkpos_c("SUN", ephemerisSeconds, "MOON_ME", "NONE", "MOON", ref positionKm[0], out _);
+            CSpiceNative.spkpos_c("SUN", ephemerisSeconds, "MOON_ME", correction, "MOON", ref positionKm[0], out _);
             CSpiceError.ThrowIfFailed("spkpos_c", time);
         }
 

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 
@@ -42,6 +43,8 @@ internal sealed record RenderSettings
     public required string? Ldem { get; init; }
 
     public required EphemerisChoice Ephemeris { get; init; }
+
+    public required Aberration Aberration { get; init; }
 
     public required string? Kernels { get; init; }
 

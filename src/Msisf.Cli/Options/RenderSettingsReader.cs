@@ -3,6 +3,7 @@ using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Render;
 using Msisf.Cli.Run;
 using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
@@ -59,6 +60,7 @@ internal sealed class RenderSettingsReader
                     engine,
                     [("cspice", EphemerisChoice.CSpice), ("builtin", EphemerisChoice.BuiltIn), ("auto", EphemerisChoice.Auto)])
                 : EphemerisChoice.Auto,
+            Aberration = Aberration(run.Aberration, picture.IgnoreSun),
             Kernels = PathOf(run.Kernels),
             PovPath = PathOf(run.PovPath),
             PovOptions = PovRayOptions.Parse(_line.GetValue(run.PovOptions) ?? string.Empty),
@@ -95,6 +97,25 @@ internal sealed class RenderSettingsReader
         return error is >= 0.0 and <= GreatestLevelOfDetailError
             ? error
             : throw new BadInputException($"--lod-error is {text}; 0 to {GreatestLevelOfDetailError} pixels are possible.");
+    }
+
+    private Aberration Aberration(Option<string?> option, Option<bool> ignoreSun)
+    {
+        if (_line.GetValue(option) is not string text)
+        {
+            return Core.Ephemeris.Aberration.None;
+        }
+
+        return _line.GetValue(ignoreSun)
+            ? throw new UsageException($"{option.Name} has no meaning with {ignoreSun.Name}, which lights the scene from the camera. Leave one out.")
+            : OptionText.Choice(
+                option,
+                text,
+                [
+                    ("none", Core.Ephemeris.Aberration.None),
+                    ("lt", Core.Ephemeris.Aberration.LightTime),
+                    ("lt+s", Core.Ephemeris.Aberration.LightTimeAndStellar),
+                ]);
     }
 
     private TimeSpan? Timeout(Option<string?> option)

@@ -10,6 +10,9 @@ internal sealed class RunOptions
     public Option<string?> Ephemeris { get; } = OptionFactory.Value(
         "--ephemeris", [], "cspice|builtin|auto", "Ephemeris engine (default auto: CSPICE if its library loads, else built-in)");
 
+    public Option<string?> Aberration { get; } = OptionFactory.Value(
+        "--aberration", [], "none|lt|lt+s", "Light's way from the Sun: none (default, geometric), light time, or with stellar aberration too");
+
     public Option<string?> Kernels { get; } = OptionFactory.Value(
         "--kernels", [], "FILE", "SPICE meta-kernel (default kernels/msisf.tm of the installation)");
 
@@ -27,5 +30,5 @@ internal sealed class RunOptions
 
     public Option<bool> Timing { get; } = OptionFactory.Flag("--timing", [], "Print run times as one line of JSON on standard error");
 
-    public IEnumerable<Option> All => [Batch, Ephemeris, Kernels, PovPath, PovOptions, Timeout, Jobs, ListPatterns, Timing];
+    public IEnumerable<Option> All => [Batch, Ephemeris, Aberration, Kernels, PovPath, PovOptions, Timeout, Jobs, ListPatterns, Timing];
 }

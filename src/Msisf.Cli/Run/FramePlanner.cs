@@ -36,7 +36,7 @@ internal static class FramePlanner
             PinholeCamera camera = new(state.PositionMoonMe, state.MoonFromCamera, fieldOfView, settings.Width, settings.Height);
             SceneLight light = ephemeris is null
                 ? new SceneLight(state.PositionMoonMe, IsSun: false)
-                : new SceneLight(ephemeris.SunPositionMoonMe(state.Time), IsSun: true);
+                : new SceneLight(ephemeris.SunPositionMoonMe(state.Time, settings.Aberration), IsSun: true);
             frames[index] = new Frame(index + 1, names[index], state.Time, camera, light);
         }
 

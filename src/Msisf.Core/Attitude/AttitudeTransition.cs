@@ -13,6 +13,7 @@ public sealed class AttitudeTransition
     private readonly UnitQuaternion _moonFromCameraAtEpoch;
     private readonly Vector3D _angularVelocityCamera;
     private readonly double _rate;
+    private readonly double _rateCorrection;
 
     /// <summary>Takes attitude and rate.</summary>
     /// <param name="moonFromCameraAtEpoch">Attitude at the epoch.</param>
@@ -29,6 +30,7 @@ public sealed class AttitudeTransition
         _moonFromCameraAtEpoch = moonFromCameraAtEpoch;
         _angularVelocityCamera = angularVelocityCamera;
         _rate = Guard.Finite(angularVelocityCamera.Length, "The angular velocity (rad/s)");
+        _rateCorrection = _rate == 0.0 ? 0.0 : LostInLength(angularVelocityCamera, _rate);
     }
 
     /// <summary>The attitude at a time: turns camera axes into Moon axes.</summary>
@@ -49,9 +51,24 @@ public sealed class AttitudeTransition
                 $"The attitude can't be followed for {secondsSinceEpoch:R} s at {_rate:R} rad/s; check the angular velocity and the epoch."));
         }
 
-        // The digits that the product loses are turns after some years.
-        double angleError = Math.FusedMultiplyAdd(_rate, secondsSinceEpoch, -angle);
+        // The digits that length and product lose are turns after some years.
+        double angleError = Math.FusedMultiplyAdd(_rate, secondsSinceEpoch, -angle) + (_rateCorrection * secondsSinceEpoch);
         return _moonFromCameraAtEpoch
             * UnitQuaternion.FromAxisAngle(_angularVelocityCamera, AngleReduction.ToHalfTurn(angle, angleError));
     }
+
+    /// <summary>What the rounding of a vector's length to a double has left out.</summary>
+    private static double LostInLength(Vector3D vector, double length)
+    {
+        // Scaled to about 1: no square overflows.
+        int exponent = Math.ILogB(length);
+        double scaledLength = Math.ScaleB(length, -exponent);
+        DoubleDouble defect = Square(Math.ScaleB(vector.X, -exponent))
+            + Square(Math.ScaleB(vector.Y, -exponent))
+            + Square(Math.ScaleB(vector.Z, -exponent))
+            + (new DoubleDouble(-scaledLength, 0.0) * new DoubleDouble(scaledLength, 0.0));
+        return Math.ScaleB(defect.High / (2.0 * scaledLength), exponent);
+    }
+
+    private static DoubleDouble Square(double a) => new DoubleDouble(a, 0.0) * new DoubleDouble(a, 0.0);
 }

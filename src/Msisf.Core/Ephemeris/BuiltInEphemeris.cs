@@ -41,19 +41,40 @@ public sealed class BuiltInEphemeris : IEphemeris
         _positions.CoverOfChain(Sun).Intersect(_positions.CoverOfChain(Moon)).Intersect(_orientations.CoverOf(_moonMe.OrientationBody)));
 
     /// <inheritdoc/>
-    public Vector3D SunPositionMoonMe(ModifiedJulianDate time)
+    public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None)
     {
         double tdbSeconds = _scale.FromUtc(time);
-        Vector3D sunFromMoonKm = PositionKm(Sun, tdbSeconds, time) - PositionKm(Moon, tdbSeconds, time);
+        Vector3D sunKm = PositionKm(Sun, tdbSeconds) ?? throw Cover.Outside(time);
+        Vector3D moonKm = PositionKm(Moon, tdbSeconds) ?? throw Cover.Outside(time);
+        Vector3D sunFromMoonKm = sunKm - moonKm;
+        if (aberration != Aberration.None)
+        {
+            // CSPICE's LT: one step only. More steps would move the Sun by 0.2 mm (tests/reference/sun_aberration.py).
+            double lightSeconds = LightSpeed.TimeOver(sunFromMoonKm.Length);
+            sunFromMoonKm = (PositionKm(Sun, tdbSeconds - lightSeconds) ?? throw Cover.LightFromOutside(time)) - moonKm;
+        }
+
+        if (aberration == Aberration.LightTimeAndStellar)
+        {
+            sunFromMoonKm = LightSpeed.SeenFromMoving(sunFromMoonKm, MoonVelocity(tdbSeconds, time));
+        }
+
         return MetresPerKilometre * (Rotation(tdbSeconds, time) * sunFromMoonKm);
     }
 
     /// <inheritdoc/>
     public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Rotation(_scale.FromUtc(time), time);
 
-    private Vector3D PositionKm(int body, double tdbSeconds, ModifiedJulianDate time)
+    /// <summary>Relative to the solar system's barycentre, J2000; null at a time that the kernels do not hold.</summary>
+    private Vector3D? PositionKm(int body, double tdbSeconds) => SumOfChain(body, tdbSeconds, segment => segment.ValueAt(tdbSeconds));
+
+    /// <summary>km/s relative to the solar system's barycentre, J2000.</summary>
+    private Vector3D MoonVelocity(double tdbSeconds, ModifiedJulianDate time) =>
+        SumOfChain(Moon, tdbSeconds, segment => segment.RateAt(tdbSeconds)) ?? throw Cover.Outside(time);
+
+    private Vector3D? SumOfChain(int body, double tdbSeconds, Func<IEphemerisSegment, Vector3D> valueOf)
     {
-        Vector3D positionKm = default;
+        Vector3D sum = default;
         int link = body;
         for (int count = 0; link != SegmentTable.SolarSystemBarycenter; count++)
         {
@@ -62,12 +83,16 @@ public sealed class BuiltInEphemeris : IEphemeris
                 throw new SpiceException($"The kernels' centres lead from body {body} nowhere: {MaximumLinks} links did not reach the solar system's barycentre. Use other kernels.");
             }
 
-            IEphemerisSegment segment = _positions.Find(link, tdbSeconds) ?? throw Cover.Outside(time);
-            positionKm += segment.ValueAt(tdbSeconds);
+            if (_positions.Find(link, tdbSeconds) is not IEphemerisSegment segment)
+            {
+                return null;
+            }
+
+            sum += valueOf(segment);
             link = segment.Center;
         }
 
-        return positionKm;
+        return sum;
     }
 
     private RotationMatrix Rotation(double tdbSeconds, ModifiedJulianDate time)

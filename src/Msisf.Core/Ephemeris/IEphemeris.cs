@@ -10,11 +10,12 @@ public interface IEphemeris
     /// <summary>Name and version of the engine for the run's log, e.g. "CSPICE N0067".</summary>
     string EngineName { get; }
 
-    /// <summary>Geometric position of the Sun relative to the Moon's centre, without light time or aberration.</summary>
-    /// <param name="time">UTC.</param>
-    /// <returns>m, MOON_ME.</returns>
-    /// <exception cref="SpiceException">The time is outside the kernels' cover, which the message names.</exception>
-    Vector3D SunPositionMoonMe(ModifiedJulianDate time);
+    /// <summary>Position of the Sun relative to the Moon's centre.</summary>
+    /// <param name="time">UTC, when the light arrives at the Moon.</param>
+    /// <param name="aberration">What of light's finite speed is taken in.</param>
+    /// <returns>m, in the axes that MOON_ME has at the time, whatever the light time.</returns>
+    /// <exception cref="SpiceException">The time, or with light time that of the light's start, is outside the kernels' cover, which the message names.</exception>
+    Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None);
 
     /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>
     /// <param name="time">UTC.</param>

@@ -19,4 +19,9 @@ public interface IEphemerisSegment
     /// <param name="tdbSeconds">TDB seconds past J2000, inside <see cref="Interval"/>.</param>
     /// <exception cref="SpiceException">The kernel is damaged, or holds the data in a form that can't be read.</exception>
     Vector3D ValueAt(double tdbSeconds);
+
+    /// <summary>How fast that changes: km/s, or rad/s.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000, inside <see cref="Interval"/>.</param>
+    /// <exception cref="SpiceException">The kernel is damaged, or holds the data in a form that can't be read.</exception>
+    Vector3D RateAt(double tdbSeconds);
 }

@@ -15,6 +15,12 @@ public sealed record KernelCover(TdbScale Scale, TdbCover Times)
     /// <param name="time">UTC.</param>
     public bool Contains(ModifiedJulianDate time) => Times.Contains(Scale.FromUtc(time));
 
+    /// <summary>The failure for a time inside whose sunlight left the Sun before.</summary>
+    /// <param name="time">UTC, when the light arrives.</param>
+    public SpiceException LightFromOutside(ModifiedJulianDate time) => new(string.Create(
+        CultureInfo.InvariantCulture,
+        $"The sunlight of {time.ToIsoUtc()} (MJD {time.Days:R}) left the Sun some 500 s earlier, outside the kernels' cover: the kernels cover {Describe()}. Choose a later time, other kernels, or --aberration none."));
+
     /// <summary>The failure for a time outside.</summary>
     /// <param name="time">UTC.</param>
     /// <param name="inner">What the engine said, if it said something.</param>

@@ -1,3 +1,5 @@
+using Msisf.Core.Numerics;
+
 namespace Msisf.Core.Orbit;
 
 /// <summary>
@@ -10,6 +12,8 @@ public readonly record struct EccentricAnomaly(double Angle, double Eccentricity
 {
     /// <summary>rad: below this E - sin E is summed as a series, above it the difference keeps its digits.</summary>
     private const double SeriesLimit = Math.PI / 2.0;
+
+    private static readonly DoubleDouble Sixth = DoubleDouble.Quotient(1.0, 6.0);
 
     /// <summary>Distance to the central body over a: r/a = 1 - e cos E (thesis eq. 6.5).</summary>
     public double Radius => (1.0 - Eccentricity) + (Eccentricity * OneMinusCosine);
@@ -45,26 +49,34 @@ public readonly record struct EccentricAnomaly(double Angle, double Eccentricity
     /// <summary>Minor over major axis: sqrt(1 - e^2).</summary>
     private double MinorAxis => Math.Sqrt((1.0 - Eccentricity) * (1.0 + Eccentricity));
 
-    /// <summary>E - e sin E - <paramref name="meanAnomaly"/>, rounded about once.</summary>
+    /// <summary>E - e sin E - <paramref name="meanAnomaly"/>, wrong by less than a unit in the last place of a mean anomaly near E - e sin E.</summary>
     internal double MeanAnomalyMinus(double meanAnomaly)
     {
         // e < 1/2: 1 - e would be rounded and E - e sin E does not cancel; e >= 1/2: 1 - e is exact.
-        return Eccentricity < 0.5 || Math.Abs(Angle) > SeriesLimit
-            ? Math.FusedMultiplyAdd(-Eccentricity, Math.Sin(Angle), Angle - meanAnomaly)
-            : Math.FusedMultiplyAdd(1.0 - Eccentricity, Angle, -meanAnomaly) + (Eccentricity * AngleMinusSine(Angle));
+        if (Eccentricity < 0.5 || Math.Abs(Angle) > SeriesLimit)
+        {
+            return Math.FusedMultiplyAdd(-Eccentricity, Math.Sin(Angle), Angle - meanAnomaly);
+        }
+
+        // For e near 1 a unit of E is up to 3 of M by itself: roundings of the sum would come on top of it.
+        DoubleDouble linear = new DoubleDouble(1.0 - Eccentricity, 0.0) * new DoubleDouble(Angle, 0.0);
+        DoubleDouble curved = new DoubleDouble(Eccentricity, 0.0) * AngleMinusSine(Angle);
+        return (linear + curved + new DoubleDouble(-meanAnomaly, 0.0)).High;
     }
 
-    /// <summary>x - sin x for |x| up to <see cref="SeriesLimit"/>, by the Taylor series in Horner's form.</summary>
-    private static double AngleMinusSine(double x)
+    /// <summary>x - sin x for |x| up to <see cref="SeriesLimit"/>, by the Taylor series: its first term to twice the digits of a double, the rest, an eighth of it at most, in doubles.</summary>
+    private static DoubleDouble AngleMinusSine(double x)
     {
         // The last factor, 23 * 22, leaves out terms below 1e-17 of the sum at the limit.
         double square = x * x;
-        double sum = 1.0;
-        for (int n = 23; n >= 5; n -= 2)
+        double rest = 1.0;
+        for (int n = 23; n >= 7; n -= 2)
         {
-            sum = 1.0 - (square / (n * (n - 1)) * sum);
+            rest = 1.0 - (square / (n * (n - 1)) * rest);
         }
 
-        return x * square / 6.0 * sum;
+        DoubleDouble wide = new(x, 0.0);
+        DoubleDouble cubic = wide * wide * wide * Sixth;
+        return cubic + new DoubleDouble(-cubic.High * square / 20.0 * rest, 0.0);
     }
 }

@@ -12,7 +12,7 @@ public static class KeplerSolver
     /// <summary>1: how far rounding may put an upper bound of the root below it.</summary>
     private const double BoundRounding = 1.0 + 2e-15;
 
-    /// <summary>The eccentric anomaly, right to the last digit (within 1.5 units of it) for the M and e given.</summary>
+    /// <summary>The eccentric anomaly, right to the last digit (within one unit of it) for the M and e given.</summary>
     /// <param name="meanAnomaly">M, rad, any finite number; full turns are taken off without loss.</param>
     /// <param name="eccentricity">e, 0 &lt;= e &lt; 1.</param>
     /// <returns>E in [-pi, pi], with position and velocity in units of the semi-major axis.</returns>
@@ -22,7 +22,10 @@ public static class KeplerSolver
     /// from an upper bound of the root every step stays above it. The bounds are M + e, pi, M / (1 - e), and the
     /// root of M = e E^3 / pi^2, since E - sin E >= E^3 / pi^2 on [0, pi].
     /// </remarks>
-    public static EccentricAnomaly Solve(double meanAnomaly, double eccentricity)
+    public static EccentricAnomaly Solve(double meanAnomaly, double eccentricity) => Solve(meanAnomaly, eccentricity, out _);
+
+    /// <summary>The same, and how many Newton steps it took; the stress test watches them.</summary>
+    internal static EccentricAnomaly Solve(double meanAnomaly, double eccentricity, out int steps)
     {
         if (!double.IsFinite(meanAnomaly))
         {
@@ -35,12 +38,13 @@ public static class KeplerSolver
         }
 
         double reduced = AngleReduction.ToHalfTurn(meanAnomaly);
-        double half = SolveUpperHalf(Math.Abs(reduced), eccentricity);
+        double half = SolveUpperHalf(Math.Abs(reduced), eccentricity, out steps);
         return new EccentricAnomaly(Math.CopySign(half, reduced), eccentricity);
     }
 
-    private static double SolveUpperHalf(double meanAnomaly, double eccentricity)
+    private static double SolveUpperHalf(double meanAnomaly, double eccentricity, out int steps)
     {
+        steps = 0;
         if (meanAnomaly == 0.0)
         {
             return 0.0;
@@ -51,8 +55,9 @@ public static class KeplerSolver
         double low = 0.0;
         double high = Math.Min(Math.PI, BoundRounding * Math.Min(lineBound, cubicBound));
         double angle = high;
-        for (int iteration = 0; iteration < MostIterations; iteration++)
+        while (steps < MostIterations)
         {
+            steps++;
             EccentricAnomaly candidate = new(angle, eccentricity);
             double excess = candidate.MeanAnomalyMinus(meanAnomaly);
             double next = angle - (excess / candidate.Radius);

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Time;
@@ -31,6 +32,31 @@ public sealed class BuiltInKernelsTests : IDisposable
         Vector3D sun = kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(mjd));
 
         Assert.InRange((sun - new Vector3D(x, y, z)).Length / sun.Length, 0.0, mjd == 55289.0 ? 1e-15 : 2e-12);
+    }
+
+    // tests/reference/sun_aberration.py: a reader of its own, 40 digits. TDB as a double is rounded by up to 0.24 microseconds in 1900, 0.1 m of the Sun's way.
+    [Theory]
+    [InlineData(55289.0, Aberration.None, 107495547328.10955, -104243073487.87562, 4036164305.5612552)]
+    [InlineData(55289.0, Aberration.LightTime, 107495552584.33277, -104243072240.34128, 4036164348.1696652)]
+    [InlineData(55289.0, Aberration.LightTimeAndStellar, 107484946064.26609, -104254008175.25747, 4036174812.4498082)]
+    [InlineData(15021.0, Aberration.None, -144899773050.3998, 23068662894.97253, 1383171535.6831909)]
+    [InlineData(15021.0, Aberration.LightTime, -144899778320.07427, 23068658274.460285, 1383171563.8543751)]
+    [InlineData(15021.0, Aberration.LightTimeAndStellar, -144897530579.96047, 23082791102.444086, 1382860121.5937862)]
+    [InlineData(33447.5, Aberration.LightTime, -151482357955.2543, 3361240482.6960928, 4072551880.4167607)]
+    [InlineData(33447.5, Aberration.LightTimeAndStellar, -151482041052.37138, 3375565363.3400181, 4072491273.2241893)]
+    [InlineData(52000.123456789, Aberration.LightTime, 1347603610.8659327, 149408027998.20195, -3968171292.1920138)]
+    [InlineData(52000.123456789, Aberration.LightTimeAndStellar, 1362446716.2003092, 149407894625.39335, -3968124463.8447728)]
+    [InlineData(57754.0, Aberration.LightTime, -117988310370.76381, 87231924440.16131, 3305399267.9933829)]
+    [InlineData(57754.0, Aberration.LightTimeAndStellar, -117979733405.02962, 87243517746.397364, 3305572100.9744199)]
+    [InlineData(70171.0, Aberration.LightTime, 129009845303.3278, -71280893659.32635, 3575734584.9533883)]
+    [InlineData(70171.0, Aberration.LightTimeAndStellar, 129002446335.89379, -71294293255.563085, 3575535264.4617218)]
+    public void SunPositionMoonMe_WithAberration_IsTheReferences(double mjd, Aberration aberration, double x, double y, double z)
+    {
+        using BuiltInKernels kernels = new(KernelList.Expand([Path.Combine(TestParts.Kernels, "msisf.tm")]));
+
+        Vector3D sun = kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(mjd), aberration);
+
+        Assert.InRange((sun - new Vector3D(x, y, z)).Length / sun.Length, 0.0, 2e-12);
     }
 
     [Fact]
@@ -75,6 +101,24 @@ public sealed class BuiltInKernelsTests : IDisposable
         // The sample scale below puts TDB = UTC + 0 s, and the series rise by 1 km from a record's middle to its end.
         Assert.Equal(new Vector3D(100_500.0, 200_500.0, 300_500.0), kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5)));
         Assert.Equal(new Vector3D(399_250.0, 499_250.0, 599_250.0), kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51546.0)));
+    }
+
+    [Theory]
+    [InlineData(2, 1.0 / Day)]
+    [InlineData(3, 99.0)]
+    public void SunPositionMoonMe_StellarAberration_TakesTheVelocitiesOfType3AndTheSlopesOfType2(int type, double kilometresPerSecond)
+    {
+        byte[] spk = new DafBuilder("DAF/SPK")
+            .AddSpk(10, 0, -Day, 2.0 * Day, type, [1e6, 0.0, 0.0])
+            .AddSpk(301, 0, -Day, 2.0 * Day, type, [0.0, 0.0, 0.0])
+            .ToArray();
+        using BuiltInKernels kernels = Open(spk, bigEndian: false);
+
+        // At a record's middle, seen along x: y and z are v/c of the distance.
+        Vector3D sun = kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5), Aberration.LightTimeAndStellar)
+            - kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5), Aberration.LightTime);
+        Assert.Equal(1e9 * kilometresPerSecond / 299_792.458, sun.Y, 1e-3 * kilometresPerSecond * 1e3);
+        Assert.Equal(sun.Y, sun.Z, 1e-3);
     }
 
     [Fact]

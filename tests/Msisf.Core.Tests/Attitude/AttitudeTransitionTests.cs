@@ -69,6 +69,25 @@ public class AttitudeTransitionTests
     }
 
     [Fact]
+    public void At_AfterAgesAboutASlantedAxis_HasNotDrifted()
+    {
+        // mpmath, 60 digits, of q = (sin(|w| t / 2) w / |w|, cos(|w| t / 2)). |w| rounded to a double turns it by up to 6e-8 rad.
+        UnitQuaternion found = new AttitudeTransition(UnitQuaternion.Identity, new Vector3D(0.3, 0.4, 0.7)).At(1e9);
+        double sign = Math.Sign(found.W) * -1.0;
+        AssertClose(new Vector3D(0.1742946706927612, 0.23239289425701495, 0.4066875649497761), sign * new Vector3D(found.X, found.Y, found.Z));
+        Assert.Equal(-0.8661524894510039, sign * found.W, UnitVector);
+    }
+
+    [Theory]
+    [InlineData(1e-200, 1e200)]
+    [InlineData(1e200, 1e-200)]
+    public void At_RateWhoseSquareIsNoDouble_TurnsAtThatRate(double rate, double seconds)
+    {
+        UnitQuaternion moonFromCamera = new AttitudeTransition(UnitQuaternion.Identity, new Vector3D(0.0, 0.0, rate)).At(seconds);
+        AssertClose(new Vector3D(Math.Cos(1.0), Math.Sin(1.0), 0.0), moonFromCamera * Vector3D.UnitX);
+    }
+
+    [Fact]
     public void Constructor_RateNotFinite_Refused() =>
         Assert.Throws<BadInputException>(() => new AttitudeTransition(UnitQuaternion.Identity, new Vector3D(double.NaN, 0.0, 0.0)));
 

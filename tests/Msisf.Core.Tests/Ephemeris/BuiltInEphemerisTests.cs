@@ -11,6 +11,9 @@ public class BuiltInEphemerisTests
     private static readonly TdbInterval Always = new(-1e10, 1e10);
     private static readonly ModifiedJulianDate Time = new(55289.0);
 
+    /// <summary>To 1 ms: TDB - UTC is 64.184 s in 2000.</summary>
+    private static readonly ModifiedJulianDate AtTdbZero = new(51544.5 - (64.184 / 86400.0));
+
     [Fact]
     public void SunPositionMoonMe_ChainOverEarthMoonBarycentre_IsSunMinusMoonInMetres()
     {
@@ -66,6 +69,53 @@ public class BuiltInEphemerisTests
     }
 
     [Fact]
+    public void SunPositionMoonMe_LightTime_IsTheSunWhenItSentTheLightFromTheMoonNow()
+    {
+        // The light from 300 s away; the Sun goes 10 km/s along x, the Moon 5 km/s along y.
+        const double Distance = 300.0 * 299_792.458;
+        BuiltInEphemeris ephemeris = Make([new StraightSegment(10, new(Distance, 0.0, 0.0), new(10.0, 0.0, 0.0)), new StraightSegment(301, default, new(0.0, 5.0, 0.0))], angles: default);
+
+        Vector3D sun = ephemeris.SunPositionMoonMe(AtTdbZero, Aberration.LightTime);
+
+        Assert.Equal((1000.0 * Distance) - 3_000_000.0, sun.X, 1.0);
+        Assert.Equal(0.0, sun.Y, 1.0);
+    }
+
+    [Fact]
+    public void SunPositionMoonMe_StellarAberration_TurnsTheSunTowardsTheMoonsMotion()
+    {
+        // The Moon goes at 1e-4 c along y, given in two links of the chain.
+        const double Speed = 29.9792458;
+        BuiltInEphemeris ephemeris = Make(
+            [
+                Position(10, 0, new(1e8, 0.0, 0.0)),
+                new FixedSegment(301, 3, Always, default, new(0.0, 0.25 * Speed, 0.0)),
+                new FixedSegment(3, 0, Always, default, new(0.0, 0.75 * Speed, 0.0)),
+            ],
+            angles: default);
+
+        Vector3D sun = ephemeris.SunPositionMoonMe(Time, Aberration.LightTimeAndStellar);
+
+        Assert.Equal(1e7, sun.Y, 1e-4);
+        Assert.Equal(1e11 * Math.Sqrt(1.0 - 1e-8), sun.X, 1e-4);
+        Assert.Equal(new Vector3D(1e11, 0.0, 0.0), ephemeris.SunPositionMoonMe(Time, Aberration.LightTime));
+    }
+
+    [Theory]
+    [InlineData(Aberration.LightTime)]
+    [InlineData(Aberration.LightTimeAndStellar)]
+    public void SunPositionMoonMe_LightFromBeforeTheCover_SaysSo(Aberration aberration)
+    {
+        FixedSegment sun = new(10, 0, new TdbInterval(-60.0, 864000.0), new(1.5e8, 0.0, 0.0));
+        BuiltInEphemeris ephemeris = Make([sun, Position(301, 0, default)], angles: default);
+
+        SpiceException failure = Assert.Throws<SpiceException>(() => ephemeris.SunPositionMoonMe(AtTdbZero, aberration));
+
+        Assert.Contains("left the Sun some 500 s earlier", failure.Message, StringComparison.Ordinal);
+        Assert.Equal(1.5e11, ephemeris.SunPositionMoonMe(AtTdbZero).X);
+    }
+
+    [Fact]
     public void SunPositionMoonMe_CentresInARing_FailsInsteadOfHanging()
     {
         BuiltInEphemeris ephemeris = Make([Position(10, 0, default), Position(301, 3, default), Position(3, 301, default)], angles: default);
@@ -82,4 +132,16 @@ public class BuiltInEphemerisTests
         new SegmentTable(positions),
         new SegmentTable([new FixedSegment(31006, 0, Always, angles)]),
         new BodyFixedFrame(31006, RotationMatrix.Identity));
+
+    /// <summary>Goes straight on, from a position at TDB = 0.</summary>
+    private sealed record StraightSegment(int Body, Vector3D Start, Vector3D Rate) : IEphemerisSegment
+    {
+        public int Center => 0;
+
+        public TdbInterval Interval => Always;
+
+        public Vector3D ValueAt(double tdbSeconds) => Start + (tdbSeconds * Rate);
+
+        public Vector3D RateAt(double tdbSeconds) => Rate;
+    }
 }

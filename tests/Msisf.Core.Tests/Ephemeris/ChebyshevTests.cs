@@ -24,6 +24,22 @@ public class ChebyshevTests
         Assert.Equal(expected, Chebyshev.Evaluate([1.0, 2.0, 3.0, 4.0], x));
 
     [Fact]
+    public void Derivative_FourTerms_IsTheSumByHand()
+    {
+        // x = 1/4: T1' = 1, T2' = 4x = 1, T3' = 12x^2 - 3 = -9/4.
+        Assert.Equal(2.0 + (3.0 * 1.0) - (4.0 * 9.0 / 4.0), Chebyshev.Derivative([1.0, 2.0, 3.0, 4.0], 0.25));
+    }
+
+    [Theory]
+    [InlineData(1.0, 50.0)]
+    [InlineData(-1.0, 26.0)]
+    public void Derivative_EndOfRange_IsTheSumOfSquares(double x, double expected) =>
+        Assert.Equal(expected, Chebyshev.Derivative([1.0, 2.0, 3.0, 4.0], x));
+
+    [Fact]
+    public void Derivative_OneTerm_IsNone() => Assert.Equal(0.0, Chebyshev.Derivative([7.5], 0.9));
+
+    [Fact]
     public void Evaluate_AnySeries_IsTheSumOfCosines()
     {
         Arbitrary<(int, int)> seedsAndThousandths = (from seed in Gen.Choose(0, 1_000_000)

@@ -31,6 +31,17 @@ public class KernelCoverTests
     }
 
     [Fact]
+    public void LightFromOutside_FirstMinutes_NamesTimeCoverAndWayOut()
+    {
+        KernelCover cover = new(SampleScale.Naif0012, TdbCover.Union([new TdbInterval(0.0, 86400.0)]));
+
+        Assert.Equal(
+            "The sunlight of 2000-01-01T12:00:00Z (MJD 51544.5) left the Sun some 500 s earlier, outside the kernels' cover: the kernels cover "
+            + "2000-01-01T11:58:56Z to 2000-01-02T11:58:55Z. Choose a later time, other kernels, or --aberration none.",
+            cover.LightFromOutside(new ModifiedJulianDate(51544.5)).Message);
+    }
+
+    [Fact]
     public void Describe_NoCommonTime_SaysWhatIsMissing() =>
         Assert.StartsWith("no time at all", new KernelCover(SampleScale.Naif0012, TdbCover.Empty).Describe(), StringComparison.Ordinal);
 

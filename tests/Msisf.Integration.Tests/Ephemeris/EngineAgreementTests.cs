@@ -32,6 +32,7 @@ public sealed class EngineAgreementTests
             .Check(Config.QuickThrowOnFailure.WithMaxTest(1000).WithReplay(20120222UL, 1UL));
     }
 
+    /// <summary>The Sun of the shipped kernels begins half a year before the Moon's orientation, so that the first light is covered too.</summary>
     [RequiresFact(Part.CSpice)]
     public void BothEngines_EndsOfTheCover_Agree()
     {
@@ -70,8 +71,11 @@ public sealed class EngineAgreementTests
     private static void AssertAgree(IEphemeris cspice, IEphemeris builtIn, double mjd)
     {
         ModifiedJulianDate time = new(mjd);
-        Vector3D sun = cspice.SunPositionMoonMe(time);
-        Assert.InRange((builtIn.SunPositionMoonMe(time) - sun).Length / sun.Length, 0.0, Agreement);
+        foreach (Aberration aberration in Enum.GetValues<Aberration>())
+        {
+            Vector3D sun = cspice.SunPositionMoonMe(time, aberration);
+            Assert.InRange((builtIn.SunPositionMoonMe(time, aberration) - sun).Length / sun.Length, 0.0, Agreement);
+        }
 
         RotationMatrix expected = cspice.MoonMeFromJ2000(time);
         RotationMatrix found = builtIn.MoonMeFromJ2000(time);

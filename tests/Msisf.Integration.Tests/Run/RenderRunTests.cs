@@ -122,6 +122,26 @@ public sealed class RenderRunTests : IClassFixture<RenderFixture>, IDisposable
         Assert.Equal("+2.000000000000000E+006", general.Element("SunPosition")!.Element("Vector3D")!.Attribute("x")!.Value);
     }
 
+    // tests/reference/sun_aberration.py, MJD 55289; without the option it is the thesis's, +1.074955473281...E+011.
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("none", 107495547328.10955)]
+    [InlineData("lt", 107495552584.33277)]
+    [InlineData("lt+s", 107484946064.26609)]
+    public void Run_Aberration_IsThatOfTheSunInTheMetaFile(string aberration, double x)
+    {
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            .. SmallView, "--renderer", "native", "--aberration", aberration,
+            "--ldem", TestParts.Ldem4Label!, "--output-dir", _folder.Path, "--ephemeris", "builtin",
+        ]);
+
+        Assert.True(run.ExitCode == 0, run.Error);
+        XElement general = XDocument.Load(_folder["MoonSurfIllumSim_step_00001.xml"]).Root!.Element("GeneralInformation")!;
+        string text = general.Element("SunPosition")!.Element("Vector3D")!.Attribute("x")!.Value;
+        Assert.Equal(x, double.Parse(text, CultureInfo.InvariantCulture), 0.2);
+        Assert.Contains($"--aberration {aberration}", general.Element("CommandLine")!.Value, StringComparison.Ordinal);
+    }
+
     [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void Run_MoonOutOfView_IsAValidBlackFrame()
     {

@@ -1,7 +1,3 @@
-using System.Diagnostics;
-using System.Globalization;
-using System.Text;
-using System.Text.RegularExpressions;
 using Msisf.Adapters.Tiles;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tiles;
@@ -11,7 +7,7 @@ using Xunit;
 namespace Msisf.Integration.Tests.Tiles;
 
 /// <summary>What POV-Ray itself makes of a pattern, asked by its own trace().</summary>
-public sealed partial class PatternPovRayTests : IDisposable
+public sealed class PatternPovRayTests : IDisposable
 {
     // km: POV-Ray keeps a triangle's normal and distance as 32-bit floats too, so a hit is off by up to 2^-24 of the
     // distance from the tile's origin (110 km); 2.0e-6 km were measured here, 9.7e-5 km with absolute coordinates.
@@ -38,13 +34,8 @@ public sealed partial class PatternPovRayTests : IDisposable
         TileId[] tiles = [new(0, 0), new(40, 130), new(-35, 355), new(85, 40), new(-90, 200)];
         TileMeshBuilder builder = new(Hills);
         PatternSet patterns = new PatternRepository(_folder["p"]).EnsurePatterns(tiles, Hills, new PatternOptions(0.0, format), maxParallelism: 2);
-        StringBuilder scene = new("#version 3.7;\n#declare moon = texture { pigment { color rgb 1 } }\ncamera { location 0 look_at z }\n#declare All = union {\n");
-        foreach (string path in patterns.Paths)
-        {
-            scene.Append(CultureInfo.InvariantCulture, $"#include \"{Path.GetRelativePath(_folder.Path, path)}\"\n");
-        }
-
-        scene.Append("}\n#declare N = <0,0,0>;\n");
+        PovRayTrace trace = new(_folder.Path);
+        trace.Declare("All", patterns.Paths);
         List<Vector3D> expectedKm = [];
         foreach (TileId tile in tiles)
         {
@@ -55,12 +46,12 @@ public sealed partial class PatternPovRayTests : IDisposable
                 Vector3D targetKm = BesideFirstCorner(mesh, face, inside);
                 Vector3D upward = targetKm.Normalized();
                 Vector3D startKm = targetKm + (distanceKm * upward);
-                scene.Append(CultureInfo.InvariantCulture, $"#declare H = trace(All, {Text(startKm)}, {Text(-upward)}, N);\n#debug concat(\"HIT \",vstr(3,H,\",\",0,12),\"\\n\")\n");
+                trace.Add("All", startKm, -upward);
                 expectedKm.Add(targetKm);
             }
         }
 
-        Vector3D[] hitsKm = Trace(scene.ToString());
+        Vector3D[] hitsKm = [.. trace.Run().Select(hit => hit.PointKm)];
 
         Assert.Equal(expectedKm.Count, hitsKm.Length);
         Assert.InRange(expectedKm.Zip(hitsKm, (expected, hit) => (expected - hit).Length).Max(), 0.0, toleranceKm);
@@ -73,26 +64,4 @@ public sealed partial class PatternPovRayTests : IDisposable
         Vector3D c = mesh.Vertex(mesh.Faces[(3 * face) + 2]).PositionMoonMe;
         return (a + (inside * (b - a)) + (inside * (c - a))) / 1000.0;
     }
-
-    private static string Text(Vector3D v) => string.Create(CultureInfo.InvariantCulture, $"<{v.X:R},{v.Y:R},{v.Z:R}>");
-
-    private Vector3D[] Trace(string scene)
-    {
-        File.WriteAllText(_folder["trace.pov"], scene);
-        ProcessStartInfo start = new(TestParts.Program("povray")!, ["+Itrace.pov", "-D", "-F", "+W1", "+H1"])
-        {
-            RedirectStandardError = true,
-            WorkingDirectory = _folder.Path,
-        };
-        using Process process = Process.Start(start)!;
-        string log = process.StandardError.ReadToEnd();
-        process.WaitForExit();
-        Assert.True(process.ExitCode == 0, log);
-        return [.. HitLine().Matches(log).Select(match => new Vector3D(Number(match, 1), Number(match, 2), Number(match, 3)))];
-    }
-
-    private static double Number(Match match, int group) => double.Parse(match.Groups[group].Value, CultureInfo.InvariantCulture);
-
-    [GeneratedRegex("^HIT ([-0-9.]+),([-0-9.]+),([-0-9.]+)$", RegexOptions.Multiline)]
-    private static partial Regex HitLine();
 }

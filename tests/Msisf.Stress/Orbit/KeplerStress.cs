@@ -1,0 +1,134 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+using Msisf.Stress.Numerics;
+
+namespace Msisf.Stress.Orbit;
+
+/// <summary>Kepler's equation for every eccentricity and any number of turns.</summary>
+public sealed class KeplerStress : IStressTest
+{
+    /// <summary>ulp of M: the project's plan.</summary>
+    private const double MostResidual = 4.0;
+
+    /// <summary>1: the program gives up after 100, which bisection alone would need; Newton's method doubles its digits in each.</summary>
+    private const double MostSteps = 10.0;
+
+    /// <summary>ulp of E: half for its own rounding, and half a one of the sine over the slope of the equation at e = 1/2; a sine may be wrong by a little more.</summary>
+    private const double MostAngleError = 1.1;
+
+    private const double LeastFromParabola = 1e-12;
+    private const double MostTurns = 1e6;
+    private const double LeastAnomaly = 1e-30; // rad
+
+    /// <inheritdoc/>
+    public string Name => "kepler";
+
+    /// <inheritdoc/>
+    public string Subject =>
+        "Kepler's equation: random e up to 1 - 1e-12 (even, and even in the logarithms of e and of 1 - e), |M| from 1e-30 rad to 1e6 turns; the residual E - e sin E - M in double-double.";
+
+    /// <inheritdoc/>
+    public StressReport Run(StressLength length, int seed)
+    {
+        long cases = length == StressLength.Full ? 10_000_000 : 30_000;
+        Found all = new();
+        foreach (Found part in CaseParts.Run(cases, seed, RunPart))
+        {
+            all.Add(part);
+        }
+
+        return new StressReport(
+            Name,
+            cases,
+            [
+                all.Given.ToFigure("residual, in units of the last place of the M given", "ulp", MostResidual),
+                all.Reduced.ToFigure("residual, in units of the last place of M less its turns", "ulp", MostResidual),
+                all.Angle.ToFigure("error of E, for M within half a turn", "ulp", MostAngleError),
+                all.Steps.ToFigure("steps to the solution", "", MostSteps),
+            ],
+            [
+                all.OverEccentricity.ToSeries("residual", "ulp of M less its turns", "1 - e", "", MostResidual),
+                all.OverAnomaly.ToSeries("residual", "ulp of M less its turns", "|M|", "rad", MostResidual),
+                all.StepsOverEccentricity.ToSeries("steps to the solution", "", "1 - e", "", MostSteps),
+            ]);
+    }
+
+    private static Found RunPart(CaseRandom random, long cases)
+    {
+        Found found = new();
+        for (long count = 0; count < cases; count++)
+        {
+            double eccentricity = random.Below(3) switch
+            {
+                0 => random.Between(0.0, 1.0 - LeastFromParabola),
+                1 => 1.0 - random.Logarithmic(LeastFromParabola, 1.0),
+                _ => random.Logarithmic(1e-300, 0.1),
+            };
+            double meanAnomaly = random.Sign() * random.Below(3) switch
+            {
+                0 => random.Between(0.0, Math.PI),
+                1 => random.Logarithmic(LeastAnomaly, Math.PI),
+                _ => 2.0 * Math.PI * random.Logarithmic(0.5, MostTurns),
+            };
+            found.Note(meanAnomaly, eccentricity);
+        }
+
+        return found;
+    }
+
+    private sealed class Found
+    {
+        public WorstCase Given { get; } = new();
+
+        public WorstCase Reduced { get; } = new();
+
+        public WorstCase Angle { get; } = new();
+
+        public WorstCase Steps { get; } = new();
+
+        public SeriesBuilder OverEccentricity { get; } = new(LeastFromParabola, 1.0, 48, isLogarithmic: true);
+
+        public SeriesBuilder OverAnomaly { get; } = new(LeastAnomaly, 2.0 * Math.PI * MostTurns, 74, isLogarithmic: true);
+
+        public SeriesBuilder StepsOverEccentricity { get; } = new(LeastFromParabola, 1.0, 48, isLogarithmic: true);
+
+        public void Note(double meanAnomaly, double eccentricity)
+        {
+            double angle = KeplerSolver.Solve(meanAnomaly, eccentricity, out int steps).Angle;
+            DoubleDouble reduced = WideMath.ToHalfTurn(WideMath.Of(meanAnomaly));
+            DoubleDouble wideAngle = WideMath.Of(angle);
+            double residual = Math.Abs(WideKepler.Residual(wideAngle, eccentricity, reduced).High);
+            double ulps = residual / Ulp.Of(reduced.High);
+            Note(Reduced, ulps, meanAnomaly, eccentricity);
+            Note(Given, residual / Ulp.Of(meanAnomaly), meanAnomaly, eccentricity);
+            if (Math.Abs(meanAnomaly) <= Math.PI)
+            {
+                Note(Angle, residual / WideKepler.Slope(wideAngle, eccentricity).High / Ulp.Of(angle), meanAnomaly, eccentricity);
+            }
+
+            Note(Steps, steps, meanAnomaly, eccentricity);
+            OverEccentricity.Add(1.0 - eccentricity, ulps);
+            OverAnomaly.Add(Math.Abs(meanAnomaly), ulps);
+            StepsOverEccentricity.Add(1.0 - eccentricity, steps);
+        }
+
+        public void Add(Found other)
+        {
+            Given.Add(other.Given);
+            Reduced.Add(other.Reduced);
+            Angle.Add(other.Angle);
+            Steps.Add(other.Steps);
+            OverEccentricity.Add(other.OverEccentricity);
+            OverAnomaly.Add(other.OverAnomaly);
+            StepsOverEccentricity.Add(other.StepsOverEccentricity);
+        }
+
+        private static void Note(WorstCase worst, double error, double meanAnomaly, double eccentricity)
+        {
+            if (worst.IsBeatenBy(error))
+            {
+                worst.Take(error, FormattableString.Invariant($"M = {meanAnomaly:R}, e = {eccentricity:R}"));
+            }
+        }
+    }
+}

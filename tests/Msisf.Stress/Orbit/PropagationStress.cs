@@ -1,0 +1,158 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+using Msisf.Core.Time;
+using Msisf.Stress.Numerics;
+
+namespace Msisf.Stress.Orbit;
+
+/// <summary>Orbits followed over up to a million turns.</summary>
+public sealed class PropagationStress : IStressTest
+{
+    /// <summary>rad: two units in the last place of pi, half a one for n dt less its turns, one for the sum with M0, half a one for the turn taken off that.</summary>
+    private const double Phase = 8.9e-16;
+
+    /// <summary>1, of the distance: what <see cref="ElementsStress"/> allows for a position whose phase is right.</summary>
+    private const double Position = 2e-15;
+
+    private const double MostOrbits = 1e6;
+
+    /// <summary>From here on the rounding of the time in seconds is what counts.</summary>
+    private const double ManyOrbits = 1e3;
+
+    private const double SecondsADay = 86400.0;
+
+    /// <inheritdoc/>
+    public string Name => "propagation";
+
+    /// <inheritdoc/>
+    public string Subject =>
+        "Orbits with e up to 0.9 followed over up to 1e6 turns forwards and backwards, by seconds and by MJD; phase and position against double-double.";
+
+    /// <inheritdoc/>
+    public StressReport Run(StressLength length, int seed)
+    {
+        long cases = length == StressLength.Full ? 1_000_000 : 3_000;
+        Found all = new();
+        foreach (Found part in CaseParts.Run(cases, seed, RunPart))
+        {
+            all.Add(part);
+        }
+
+        return new StressReport(
+            Name,
+            cases,
+            [
+                all.Phase.ToFigure("phase", "rad", Phase),
+                all.PhaseOfTime.ToFigure("phase after 1e3 turns and more, over what half a unit of the time in seconds sweeps", "", 1.0),
+                all.Position.ToFigure("position, over what the allowed phase and 2e-15 of the distance make", "", 1.0),
+                all.PositionOfDates.ToFigure("position by MJD, over what half a unit of both dates and of the seconds between them makes beside it", "", 1.0),
+                all.Metres.ToFigure("position by MJD", "m", limit: null),
+            ],
+            [
+                all.PhaseOverOrbits.ToSeries("phase", "rad", "turns", "", Phase),
+                all.MetresOverOrbits.ToSeries("position by MJD", "m", "turns", "", limit: null),
+            ]);
+    }
+
+    private static Found RunPart(CaseRandom random, long cases)
+    {
+        Found found = new();
+        for (long count = 0; count < cases; count++)
+        {
+            KeplerElements elements = new(
+                random.Logarithmic(1.75e6, 1e7),
+                random.Between(0.0, 0.9),
+                random.Between(-Math.PI, Math.PI),
+                random.Between(-Math.PI, Math.PI),
+                random.Between(0.0, Math.PI),
+                random.Between(-Math.PI, Math.PI));
+            double orbits = random.Sign() * random.Logarithmic(1.0, MostOrbits);
+            found.Note(elements, orbits, new ModifiedJulianDate(random.Between(41000.0, 62000.0)));
+        }
+
+        return found;
+    }
+
+    private sealed class Found
+    {
+        public WorstCase Phase { get; } = new();
+
+        public WorstCase PhaseOfTime { get; } = new();
+
+        public WorstCase Position { get; } = new();
+
+        public WorstCase PositionOfDates { get; } = new();
+
+        public WorstCase Metres { get; } = new();
+
+        public SeriesBuilder PhaseOverOrbits { get; } = new(1.0, MostOrbits, 48, isLogarithmic: true);
+
+        public SeriesBuilder MetresOverOrbits { get; } = new(1.0, MostOrbits, 48, isLogarithmic: true);
+
+        public void Note(KeplerElements elements, double orbits, ModifiedJulianDate epoch)
+        {
+            WideOrbit orbit = new(elements);
+            double motion = orbit.MeanMotion.High;
+            double seconds = orbits * 2.0 * Math.PI / motion;
+            NoteSeconds(elements, orbit, orbits, seconds);
+
+            double days = epoch.Days + (seconds / SecondsADay);
+            if (days is > -600_000.0 and < 2_900_000.0)
+            {
+                NoteDates(elements, orbit, orbits, epoch, new ModifiedJulianDate(days));
+            }
+        }
+
+        public void Add(Found other)
+        {
+            Phase.Add(other.Phase);
+            PhaseOfTime.Add(other.PhaseOfTime);
+            Position.Add(other.Position);
+            PositionOfDates.Add(other.PositionOfDates);
+            Metres.Add(other.Metres);
+            PhaseOverOrbits.Add(other.PhaseOverOrbits);
+            MetresOverOrbits.Add(other.MetresOverOrbits);
+        }
+
+        private static double Allowed(WideOrbit orbit, WideVector position, WideVector velocity) =>
+            (PropagationStress.Phase / orbit.MeanMotion.High * velocity.Length.High) + (PropagationStress.Position * position.Length.High);
+
+        private static void Note(WorstCase worst, double error, KeplerElements elements, FormattableString time)
+        {
+            if (worst.IsBeatenBy(error))
+            {
+                worst.Take(error, $"{OrbitText.Of(elements)}, {FormattableString.Invariant(time)}");
+            }
+        }
+
+        private void NoteSeconds(KeplerElements elements, WideOrbit orbit, double orbits, double seconds)
+        {
+            DoubleDouble time = WideMath.Of(seconds);
+            double found = new MeanMotion(elements.SemiMajorAxis).MeanAnomalyAt(elements.MeanAnomalyAtEpoch, seconds);
+            double phase = Math.Abs(WideMath.ToHalfTurn(WideMath.Subtract(WideMath.Of(found), orbit.MeanAnomalyAt(time))).High);
+            Note(Phase, phase, elements, $"{seconds:R} s");
+            PhaseOverOrbits.Add(Math.Abs(orbits), phase);
+            if (Math.Abs(orbits) >= ManyOrbits)
+            {
+                Note(PhaseOfTime, phase / (orbit.MeanMotion.High * Ulp.Of(seconds) / 2.0), elements, $"{seconds:R} s");
+            }
+
+            (WideVector position, WideVector velocity) = orbit.StateAt(time);
+            double distance = WideVector.Distance(WideVector.Of(new KeplerOrbit(elements).PositionAt(seconds)), position);
+            Note(Position, distance / Allowed(orbit, position, velocity), elements, $"{seconds:R} s");
+        }
+
+        private void NoteDates(KeplerElements elements, WideOrbit orbit, double orbits, ModifiedJulianDate epoch, ModifiedJulianDate date)
+        {
+            DoubleDouble time = WideMath.Multiply(SecondsADay, WideMath.Subtract(WideMath.Of(date.Days), WideMath.Of(epoch.Days)));
+            (WideVector position, WideVector velocity) = orbit.StateAt(time);
+            OrbitPropagator propagator = new(elements, epoch, OrbitFrame.MoonMe, ephemeris: null);
+            double distance = WideVector.Distance(WideVector.Of(propagator.PositionMoonMe(date)), position);
+            double timeUnits = (SecondsADay * (Ulp.Of(epoch.Days) + Ulp.Of(date.Days))) + Ulp.Of(time.High);
+            double ofTime = timeUnits / 2.0 * velocity.Length.High;
+            Note(PositionOfDates, distance / (ofTime + Allowed(orbit, position, velocity)), elements, $"MJD {epoch.Days:R} to {date.Days:R}");
+            Note(Metres, distance, elements, $"MJD {epoch.Days:R} to {date.Days:R}");
+            MetresOverOrbits.Add(Math.Abs(orbits), distance);
+        }
+    }
+}
