@@ -1,3 +1,5 @@
+using Msisf.Stress.Camera;
+
 namespace Msisf.Stress;
 
 /// <summary>All stress tests.</summary>
@@ -9,5 +11,6 @@ public static class StressTests
     /// <summary>In the order of the report.</summary>
     public static IReadOnlyList<IStressTest> All { get; } =
     [
+        new CameraStress(),
     ];
 }
