@@ -1,4 +1,5 @@
 using Msisf.Stress.Camera;
+using Msisf.Stress.Metadata;
 
 namespace Msisf.Stress;
 
@@ -12,5 +13,6 @@ public static class StressTests
     public static IReadOnlyList<IStressTest> All { get; } =
     [
         new CameraStress(),
+        new CoordinatesStress(),
     ];
 }

@@ -11,7 +11,7 @@ namespace Msisf.Stress.Camera;
 /// </remarks>
 internal static class HitBounds
 {
-    /// <summary>Roundings that a ray's place at the Moon may be off.</summary>
+    /// <summary>Roundings of the inputs that a ray's place at the Moon may be off; nearer to a tangent it may hit or miss.</summary>
     public const double Roundings = 8.0;
 
     /// <summary>m: what one rounding of the inputs moves a ray across itself at the Moon.</summary>

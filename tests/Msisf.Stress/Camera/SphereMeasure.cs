@@ -17,12 +17,9 @@ internal sealed class SphereMeasure : IMeasure<SphereMeasure>
     /// <summary>m: from <see cref="OrbitDistance"/>, at such emission angles.</summary>
     private const double PlainLimit = 1e-7;
 
-    /// <summary>Roundings of the inputs (<see cref="HitBounds.Carried"/>): nearer to the tangent a decision may go either way.</summary>
-    private const double DecisionLimit = 8.0;
-
     private readonly FigureBuilder _ratio = new("hit point on the reference sphere, to what its bound allows", "1", 1.0);
     private readonly FigureBuilder _metres = new("hit point on the reference sphere, camera within 1e7 m, emission below 84 degrees", "m", PlainLimit);
-    private readonly FigureBuilder _decision = new("distance from the tangent of a ray that is taken for a hit or a miss wrongly", "roundings of the inputs", DecisionLimit);
+    private readonly FigureBuilder _decision = new("distance from the tangent of a ray that is taken for a hit or a miss wrongly", "roundings of the inputs", HitBounds.Roundings);
     private readonly FigureBuilder _decisionMetres = new("the same, camera within 1e7 m", "m", null);
     private readonly FigureBuilder _wrong = new("hits that are not finite", string.Empty, 0.0);
     private readonly SeriesBuilder _byAltitude = new(1.0, 1e12, 48, isLogarithmic: true);
@@ -51,7 +48,7 @@ internal sealed class SphereMeasure : IMeasure<SphereMeasure>
         PrecisePixel? pixel = PrecisePixel.At(camera, input.Frame.X, input.Frame.Y);
         if (isHit != pixel is not null)
         {
-            double off = FromTangent(camera, input.Frame);
+            double off = PrecisePixel.FromTangent(camera, input.Frame.X, input.Frame.Y);
             _decision.Add(off / HitBounds.Carried(position), input.ToString);
             _decisionMetres.Add(position.Length < OrbitDistance ? off : 0.0, input.ToString);
         }
@@ -84,14 +81,6 @@ internal sealed class SphereMeasure : IMeasure<SphereMeasure>
         2 => MoonConstants.ReferenceRadius * (1.0 - cameras.Log(1e-16, 1e-2)),
         _ => MoonConstants.ReferenceRadius + (cameras.Between(-20.0, 20.0) * HitBounds.Carried(position)),
     };
-
-    /// <summary>m: how far from the sphere a pixel's ray passes.</summary>
-    private static double FromTangent(PreciseCamera camera, PixelFrame frame)
-    {
-        PreciseVector direction = camera.DirectionThrough(frame.X, frame.Y);
-        DoubleWord nearest = PreciseVector.Cross(camera.Position, direction).Length / direction.Length;
-        return Math.Abs((nearest - MoonConstants.ReferenceRadius).High);
-    }
 
     private void NoteHit(CameraInput input, Vector3D point, PrecisePixel pixel)
     {

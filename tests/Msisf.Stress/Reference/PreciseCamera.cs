@@ -31,6 +31,9 @@ public sealed class PreciseCamera
     /// <summary>m, MOON_ME.</summary>
     public PreciseVector Position { get; }
 
+    /// <summary>The viewing direction of length 1, MOON_ME.</summary>
+    public PreciseVector Forward => _direction.Normalized();
+
     /// <summary>The direction of a pixel's ray, MOON_ME (thesis eq. 8.15).</summary>
     public PreciseVector DirectionThrough(int x, int y) =>
         _direction

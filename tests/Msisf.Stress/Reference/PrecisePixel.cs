@@ -49,17 +49,23 @@ public sealed class PrecisePixel
         return new PrecisePixel(camera, x, y, direction, nearest + (parameter * direction));
     }
 
-    /// <summary>Along the ground towards the Sun; its length is the sine of the Sun's zenith angle.</summary>
-    public PreciseVector GroundLine(Vector3D sun)
+    /// <summary>m: how far from the sphere a pixel's ray passes.</summary>
+    public static double FromTangent(PreciseCamera camera, int x, int y)
     {
-        PreciseVector zenith = Point.Normalized();
-        PreciseVector toSun = (PreciseVector.From(sun) - Point).Normalized();
-        return toSun - (PreciseVector.Dot(toSun, zenith) * zenith);
+        PreciseVector direction = camera.DirectionThrough(x, y);
+        DoubleWord nearest = PreciseVector.Cross(camera.Position, direction).Length / direction.Length;
+        return Math.Abs((nearest - MoonConstants.ReferenceRadius).High);
     }
 
-    /// <summary>Sine of the Sun's zenith angle times the sine between ground line and line of sight: by it the illumination direction is known.</summary>
-    public double DirectionSine(Vector3D sun) =>
-        (PreciseVector.Cross(_direction, GroundLine(sun)).Length / _direction.Length).High;
+    /// <summary>
+    /// Sine of the Sun's zenith angle times the sine between ground line and line of sight, as much as the picture shows of it: by it the
+    /// illumination direction is known.
+    /// </summary>
+    public double DirectionSine(Vector3D sun)
+    {
+        PreciseVector normal = 1.0 / _direction.Length * PreciseVector.Cross(_direction, GroundLine(sun));
+        return PreciseVector.Cross(normal, _camera.Forward).Length.High;
+    }
 
     /// <summary>The illumination direction as a vector: its angle counts from down, (1, 0), to the right, (0, 1).</summary>
     public (DoubleWord Down, DoubleWord Right) IlluminationDirection(Vector3D sun)
@@ -78,4 +84,12 @@ public sealed class PrecisePixel
     /// <summary>Of a point with regard to the sphere: squared distance from its centre less its squared radius.</summary>
     private static DoubleWord Power(PreciseVector point) =>
         PreciseVector.Dot(point, point) - ((DoubleWord)MoonConstants.ReferenceRadius * MoonConstants.ReferenceRadius);
+
+    /// <summary>Along the ground towards the Sun; its length is the sine of the Sun's zenith angle.</summary>
+    private PreciseVector GroundLine(Vector3D sun)
+    {
+        PreciseVector zenith = Point.Normalized();
+        PreciseVector toSun = (PreciseVector.From(sun) - Point).Normalized();
+        return toSun - (PreciseVector.Dot(toSun, zenith) * zenith);
+    }
 }
