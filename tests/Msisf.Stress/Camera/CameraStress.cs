@@ -15,9 +15,17 @@ public sealed class CameraStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        (int rays, int hits) = length == StressLength.Full ? (1_000_000, 2_000_000) : (20_000, 40_000);
+        bool isFull = length == StressLength.Full;
+        (int rays, int hits, int traces) = isFull ? (1_000_000, 2_000_000, 500_000) : (10_000, 20_000, 5_000);
+        TerrainUnderTest terrain = TerrainUnderTest.Make();
         RayMeasure ray = SeededCases.Run(rays, seed, () => new RayMeasure());
         SphereMeasure sphere = SeededCases.Run(hits, seed + 1, () => new SphereMeasure());
-        return new StressReport(Name, rays + hits, [.. ray.Figures, .. sphere.Figures], [.. ray.Series, .. sphere.Series]);
+        TerrainMeasure trace = SeededCases.Run(traces, seed + 2, () => new TerrainMeasure(terrain));
+        BorderCases border = new(terrain);
+        return new StressReport(
+            Name,
+            rays + hits + traces + border.Count,
+            [.. ray.Figures, .. sphere.Figures, .. trace.Figures, .. border.Figures()],
+            [.. ray.Series, .. sphere.Series, .. trace.Series]);
     }
 }

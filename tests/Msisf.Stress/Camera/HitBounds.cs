@@ -28,4 +28,9 @@ internal static class HitBounds
         double change = 2.0 * MoonConstants.ReferenceRadius * across;
         return across + (change / (halfChord + Math.Sqrt((halfChord * halfChord) + change)));
     }
+
+    /// <summary>m: on a facet.</summary>
+    /// <param name="camera">m, MOON_ME.</param>
+    /// <param name="cosine">Of the angle between line of sight and the facet's normal.</param>
+    public static double OnFacet(Vector3D camera, double cosine) => Roundings * Carried(camera) / cosine;
 }
