@@ -1,5 +1,6 @@
 using Msisf.Stress.Camera;
 using Msisf.Stress.Metadata;
+using Msisf.Stress.Selection;
 
 namespace Msisf.Stress;
 
@@ -14,5 +15,6 @@ public static class StressTests
     [
         new CameraStress(),
         new CoordinatesStress(),
+        new SelectionStress(),
     ];
 }
