@@ -17,7 +17,7 @@ public sealed class CameraStress : IStressTest
     {
         bool isFull = length == StressLength.Full;
         (int rays, int hits, int traces) = isFull ? (1_000_000, 2_000_000, 500_000) : (10_000, 20_000, 5_000);
-        TerrainUnderTest terrain = TerrainUnderTest.Make();
+        TerrainUnderTest terrain = new(JudgedMoon.Real);
         RayMeasure ray = SeededCases.Run(rays, seed, () => new RayMeasure());
         SphereMeasure sphere = SeededCases.Run(hits, seed + 1, () => new SphereMeasure());
         TerrainMeasure trace = SeededCases.Run(traces, seed + 2, () => new TerrainMeasure(terrain));

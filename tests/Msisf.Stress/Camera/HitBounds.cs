@@ -11,8 +11,11 @@ namespace Msisf.Stress.Camera;
 /// </remarks>
 internal static class HitBounds
 {
-    /// <summary>Roundings of the inputs that a ray's place at the Moon may be off; nearer to a tangent it may hit or miss.</summary>
-    public const double Roundings = 8.0;
+    /// <summary>
+    /// Roundings of the inputs that a ray's place at the Moon may be off; nearer to a tangent it may hit or miss. Those of the direction,
+    /// and four of its length and of the products that give its nearest approach to the Moon's centre.
+    /// </summary>
+    public const double Roundings = RayMeasure.DirectionLimit + 4.0;
 
     /// <summary>m: what one rounding of the inputs moves a ray across itself at the Moon.</summary>
     /// <param name="camera">m, MOON_ME.</param>

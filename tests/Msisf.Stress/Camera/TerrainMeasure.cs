@@ -125,7 +125,7 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
         double length = direction.Length.High;
         double approach = -(PreciseVector.Dot(origin, direction) / direction.Length).High;
         double shift = Math.Max(0.0, Math.Min(approach, distance) - (2.0 * MoonConstants.ReferenceRadius)) / length;
-        (BruteForceMoon.FacetId Facet, double T)? hit = terrain.Moon.FirstHit((origin + (shift * direction)).Rounded, direction.Rounded);
+        (BruteForceMoon.FacetId Facet, double T)? hit = terrain.Facets.FirstHit((origin + (shift * direction)).Rounded, direction.Rounded);
         return hit is null ? null : TerrainUnderTest.FacetOf(hit.Value.Facet);
     }
 

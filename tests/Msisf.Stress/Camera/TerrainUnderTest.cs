@@ -1,32 +1,20 @@
 using Msisf.Core.Render.Tracing;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
-using Msisf.TestSupport;
 
 namespace Msisf.Stress.Camera;
 
-/// <summary>A model at 4 px/deg, its tracer, and what judges it: the vertices one by one, and rays against every facet.</summary>
-internal sealed class TerrainUnderTest
+/// <summary>A model, its tracer, and what judges it: the vertices one by one, and rays against every facet.</summary>
+/// <param name="moon">The model.</param>
+internal sealed class TerrainUnderTest(JudgedMoon moon)
 {
-    private TerrainUnderTest(IElevationGrid grid)
-    {
-        Grid = grid;
-        Tracer = new TerrainTracer(grid);
-        Vertices = new LatticeVertices(grid);
-        Moon = new BruteForceMoon(grid);
-    }
+    public IElevationGrid Grid => moon.Grid;
 
-    public IElevationGrid Grid { get; }
+    public TerrainTracer Tracer { get; } = new(moon.Grid);
 
-    public TerrainTracer Tracer { get; }
+    public LatticeVertices Vertices { get; } = new(moon.Grid);
 
-    public LatticeVertices Vertices { get; }
-
-    public BruteForceMoon Moon { get; }
-
-    /// <summary>The real LDEM_4 where it is; the mountains of <see cref="FunctionGrid.Rugged"/> elsewhere.</summary>
-    public static TerrainUnderTest Make() =>
-        new(TestParts.Ldem4Label is null ? MemoryElevationGrid.Of(FunctionGrid.Rugged(4)) : MemoryElevationGrid.Ldem4());
+    public BruteForceMoon Facets => moon.Facets;
 
     /// <summary>The facet as the program numbers it.</summary>
     public static FacetId FacetOf(BruteForceMoon.FacetId facet) => new(facet.Row - 1, facet.Column, (FacetHalf)facet.Half);

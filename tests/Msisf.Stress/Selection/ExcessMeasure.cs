@@ -1,5 +1,5 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
 
@@ -9,9 +9,10 @@ namespace Msisf.Stress.Selection;
 /// How many more tiles are kept than can be seen, with the light at the camera. A tile counts as seen if a corner, a middle or the middle of
 /// a side of one of its facets is (<see cref="TileSight"/>): pixels would miss slivers that antialiasing meets.
 /// </summary>
-/// <param name="model">The Moon, at 4 px/deg.</param>
+/// <param name="moon">The Moon, at 4 px/deg.</param>
+/// <param name="summary">What the selection goes by.</param>
 /// <param name="firstCamera">Number of the first of its <see cref="CameraCases"/>.</param>
-internal sealed class ExcessMeasure(SelectionModel model, int firstCamera) : IMeasure<ExcessMeasure>
+internal sealed class ExcessMeasure(JudgedMoon moon, ElevationSummary summary, int firstCamera) : IMeasure<ExcessMeasure>
 {
     /// <summary>Kept over seen, of all cameras together: what docs/tile-selection.md states, with room for other cameras.</summary>
     private const double TotalLimit = 1.15;
@@ -70,15 +71,15 @@ internal sealed class ExcessMeasure(SelectionModel model, int firstCamera) : IMe
     /// <inheritdoc/>
     public void Try(int number, Random random)
     {
-        (PinholeCamera camera, _, string kind) = CameraCases.Make(firstCamera + number, model.Grid, Pixels);
-        IReadOnlyList<TileChoice> kept = Dspsa.Select(camera, null, model.Grid, model.Summary).Kept;
-        int seen = kept.Count(choice => TileSight.IsSeen(model.Moon, camera, choice.Tile));
+        (PinholeCamera camera, _, string kind) = CameraCases.Make(firstCamera + number, moon.Grid, Pixels);
+        IReadOnlyList<TileChoice> kept = Dspsa.Select(camera, null, moon.Grid, summary).Kept;
+        int seen = kept.Count(choice => TileSight.IsSeen(moon.Facets, camera, choice.Tile));
         _kept += kept.Count;
         _seen += seen;
         _blind += seen == 0 && kept.Count > 0 ? 1 : 0;
         if (seen > 0)
         {
-            double altitude = Math.Abs(camera.PositionMoonMe.Length - Core.Terrain.MoonConstants.ReferenceRadius);
+            double altitude = Math.Abs(camera.PositionMoonMe.Length - MoonConstants.ReferenceRadius);
             _cameras.Add(((double)kept.Count / seen, altitude, $"CameraCases {firstCamera + number} ({kind}): {kept.Count} kept, {seen} seen"));
         }
     }

@@ -7,15 +7,16 @@ using Msisf.Core.Tiles;
 namespace Msisf.Stress.Selection;
 
 /// <summary>The tiles that the selection keeps, against pictures by rays through every facet.</summary>
-/// <param name="model">The Moon.</param>
+/// <param name="moon">The Moon.</param>
+/// <param name="summary">What the selection goes by.</param>
 /// <param name="firstCamera">Number of the first of its <see cref="CameraCases"/>.</param>
-internal sealed class SelectionMeasure(SelectionModel model, int firstCamera) : IMeasure<SelectionMeasure>
+internal sealed class SelectionMeasure(JudgedMoon moon, ElevationSummary summary, int firstCamera) : IMeasure<SelectionMeasure>
 {
     /// <summary>Of each picture, about.</summary>
     private const int Pixels = 600;
 
-    private readonly FigureBuilder _differences = new($"{model.Grid.ProductId}: pixels that differ from the picture with all tiles", string.Empty, 0.0);
-    private readonly FigureBuilder _missed = new($"{model.Grid.ProductId}: tiles that a pixel's ray meets and that are missed, light at the camera", string.Empty, 0.0);
+    private readonly FigureBuilder _differences = new($"{moon.Grid.ProductId}: pixels that differ from the picture with all tiles", string.Empty, 0.0);
+    private readonly FigureBuilder _missed = new($"{moon.Grid.ProductId}: tiles that a pixel's ray meets and that are missed, light at the camera", string.Empty, 0.0);
     private long _pixels;
     private long _lit;
     private long _kept;
@@ -25,7 +26,7 @@ internal sealed class SelectionMeasure(SelectionModel model, int firstCamera) : 
     [
         _differences.ToFigure(),
         _missed.ToFigure(),
-        new StressFigure($"{model.Grid.ProductId}: pixels compared", "pixels", _pixels, null, $"{_lit} lit, {_kept} tiles kept in all"),
+        new StressFigure($"{moon.Grid.ProductId}: pixels compared", "pixels", _pixels, null, $"{_lit} lit, {_kept} tiles kept in all"),
     ];
 
     /// <inheritdoc/>
@@ -34,17 +35,17 @@ internal sealed class SelectionMeasure(SelectionModel model, int firstCamera) : 
     /// <inheritdoc/>
     public void Try(int number, Random random)
     {
-        (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(firstCamera + number, model.Grid, Pixels);
-        TileSelection selection = Dspsa.Select(camera, sun, model.Grid, model.Summary);
-        BruteForcePicture whole = new(model.Moon, camera, sun, isThere: null);
-        BruteForcePicture selected = new(model.Moon, camera, sun, TilesThere.In(selection));
+        (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(firstCamera + number, moon.Grid, Pixels);
+        TileSelection selection = Dspsa.Select(camera, sun, moon.Grid, summary);
+        BruteForcePicture whole = new(moon.Facets, camera, sun, isThere: null);
+        BruteForcePicture selected = new(moon.Facets, camera, sun, TilesThere.In(selection));
         string Text() => $"CameraCases {firstCamera + number} ({kind})";
         for (int pixel = whole.DifferencesFrom(selected); pixel > 0; pixel--)
         {
             _differences.Count(Text);
         }
 
-        bool[] isKept = TilesThere.In(Dspsa.Select(camera, null, model.Grid, model.Summary));
+        bool[] isKept = TilesThere.In(Dspsa.Select(camera, null, moon.Grid, summary));
         for (int missed = isKept.Zip(whole.HitTiles).Count(tile => tile.Second && !tile.First); missed > 0; missed--)
         {
             _missed.Count(Text);

@@ -1,3 +1,5 @@
+using Msisf.Core.Terrain;
+
 namespace Msisf.Stress.Selection;
 
 /// <summary>The selection of tiles for random cameras: nothing missed, and how many too many.</summary>
@@ -17,13 +19,14 @@ public sealed class SelectionStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        bool isFull = length == StressLength.Full;
-        (int real, int madeUp, int excess) = isFull ? (10_000, 2_000, 1_000) : (60, 24, 12);
-        SelectionModel model = SelectionModel.Real();
-        SelectionModel rugged = SelectionModel.MadeUp();
-        SelectionMeasure onReal = SeededCases.Run(real, seed, () => new SelectionMeasure(model, FirstCamera));
-        SelectionMeasure onMadeUp = SeededCases.Run(madeUp, seed, () => new SelectionMeasure(rugged, FirstCamera));
-        ExcessMeasure tooMany = SeededCases.Run(excess, seed, () => new ExcessMeasure(model, FirstCamera));
+        (int real, int madeUp, int excess) = length == StressLength.Full ? (10_000, 2_000, 1_000) : (36, 12, 6);
+        JudgedMoon moon = JudgedMoon.Real;
+        JudgedMoon rugged = JudgedMoon.MadeUp();
+        ElevationSummary summary = ElevationSummary.Build(moon.Grid);
+        ElevationSummary ruggedSummary = ElevationSummary.Build(rugged.Grid);
+        SelectionMeasure onReal = SeededCases.Run(real, seed, () => new SelectionMeasure(moon, summary, FirstCamera));
+        SelectionMeasure onMadeUp = SeededCases.Run(madeUp, seed, () => new SelectionMeasure(rugged, ruggedSummary, FirstCamera));
+        ExcessMeasure tooMany = SeededCases.Run(excess, seed, () => new ExcessMeasure(moon, summary, FirstCamera));
         return new StressReport(
             Name, real + madeUp + excess, [.. onReal.Figures, .. onMadeUp.Figures, .. tooMany.Figures], [.. tooMany.Series]);
     }
