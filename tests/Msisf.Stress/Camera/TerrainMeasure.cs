@@ -23,6 +23,12 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
     /// <summary>m: how far below the reference sphere a camera "in a valley" stands at least.</summary>
     private const double ValleyDepth = 1000.0;
 
+    /// <summary>m: the tracer moves an origin that is farther from the Moon's centre along its ray.</summary>
+    private const double FarOrigin = MoonConstants.ReferenceRadius + MoonConstants.GreatestRelief;
+
+    /// <summary>m: rounding the moved origin to doubles moves the ray by up to 2e-10 m; so near to an edge either neighbour is right.</summary>
+    private const double MovedOrigin = 1e-9;
+
     private readonly FigureBuilder _wrong = new("terrain: rays that meet no facet or another than the first they enter", string.Empty, 0.0);
     private readonly FigureBuilder _ratio = new("hit point on the terrain, to what its bound allows", "1", 1.0);
     private readonly FigureBuilder _metres = new("hit point on the terrain, camera within 1e7 m, facet seen below 84 degrees", "m", PlainLimit);
@@ -51,7 +57,10 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
         Vector3D zenith = isInValley ? Valley(cameras) : cameras.Zenith(number);
         double ground = TerrainHeight.RadiusBelow(terrain.Grid, zenith);
         double height = cameras.Log(1.0, isInValley ? ValleyDepth / 2.0 : 1e12);
-        CameraInput input = cameras.Passing((ground + height) * zenith, Nearest(number, cameras, ground + height));
+        Vector3D position = (ground + height) * zenith;
+        CameraInput input = number % 5 == 0
+            ? cameras.Towards(position, VertexNear(cameras, zenith, height) - position)
+            : cameras.Passing(position, Nearest(number, cameras, ground + height));
         Ray ray = input.ToCamera().RayThrough(input.Frame.X, input.Frame.Y);
         bool isHit = terrain.Tracer.TryTrace(ray, out SurfaceHit hit);
         if (IsWrong(ray, isHit, hit))
@@ -86,6 +95,16 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
         distance,
         MoonConstants.ReferenceRadius * (number / 8 % 2 == 0 ? Math.Sqrt(cameras.Between(0.0, 1.0)) : cameras.Between(0.994, 1.006)));
 
+    /// <summary>m, MOON_ME: where six facets meet, within sight if nothing is in between. Rays to it pass its edges by less than a rounding.</summary>
+    private Vector3D VertexNear(AimedCameras cameras, Vector3D zenith, double height)
+    {
+        double reach = Math.Min(0.5, height / MoonConstants.ReferenceRadius);
+        SelenographicPoint place = SelenographicPoint.Below(zenith + (reach * cameras.Direction()));
+        int line = (int)((0.5 - (place.Latitude / Math.PI)) * terrain.Vertices.Lines);
+        int sample = (int)(place.Longitude / (2.0 * Math.PI) * terrain.Vertices.Samples);
+        return terrain.Vertices[Math.Min(line, terrain.Vertices.Lines - 1), Math.Min(sample, terrain.Vertices.Samples - 1)];
+    }
+
     private Vector3D Valley(AimedCameras cameras)
     {
         Vector3D zenith;
@@ -103,7 +122,8 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
     {
         PreciseVector origin = PreciseVector.From(ray.Origin);
         PreciseVector direction = PreciseVector.From(ray.Direction);
-        if (isHit && !(hit.PointMoonMe.IsFinite && FacetOf(hit.Facet).IsEntered(origin, direction, isStrict: false)))
+        double doubt = ray.Origin.Length > FarOrigin ? MovedOrigin : 0.0;
+        if (isHit && !(hit.PointMoonMe.IsFinite && FacetOf(hit.Facet).Inside(origin, direction) >= -doubt))
         {
             return true;
         }
@@ -114,7 +134,7 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
         }
 
         PreciseFacet other = FacetOf(first);
-        return other.IsEntered(origin, direction, isStrict: true)
+        return other.Inside(origin, direction) > doubt
             && !(isHit && FacetOf(hit.Facet).ParameterOn(origin, direction) < other.ParameterOn(origin, direction));
     }
 

@@ -22,19 +22,18 @@ public readonly record struct PreciseFacet(PreciseVector A, PreciseVector B, Pre
     public DoubleWord ParameterOn(PreciseVector origin, PreciseVector direction) =>
         PreciseVector.Dot(Normal, A - origin) / PreciseVector.Dot(Normal, direction);
 
-    /// <summary>Whether a ray from outside enters the ground here.</summary>
+    /// <summary>How far inside the facet a ray enters the ground, m from its nearest edge; below 0 outside; minus infinity if it comes from below or lies behind.</summary>
     /// <param name="origin">m, MOON_ME.</param>
     /// <param name="direction">Any length.</param>
-    /// <param name="isStrict">Edges and corners do not count.</param>
-    public bool IsEntered(PreciseVector origin, PreciseVector direction, bool isStrict)
-    {
-        double most = Math.Max(Side(origin, direction, A, B), Math.Max(Side(origin, direction, B, C), Side(origin, direction, C, A)));
-        return PreciseVector.Dot(Normal, direction).High < 0.0
-            && (isStrict ? most < 0.0 : most <= 0.0)
-            && ParameterOn(origin, direction).High > 0.0;
-    }
+    public double Inside(PreciseVector origin, PreciseVector direction) =>
+        PreciseVector.Dot(Normal, direction).High < 0.0 && ParameterOn(origin, direction).High > 0.0
+            ? Math.Min(Left(origin, direction, A, B), Math.Min(Left(origin, direction, B, C), Left(origin, direction, C, A)))
+            : double.NegativeInfinity;
 
-    /// <summary>Below 0 if a ray that enters the ground passes on the left of an edge, seen from outside.</summary>
-    private static double Side(PreciseVector origin, PreciseVector direction, PreciseVector from, PreciseVector to) =>
-        PreciseVector.Dot(direction, PreciseVector.Cross(from - origin, to - origin)).High;
+    /// <summary>m: how far on the left of an edge, seen from outside, a ray passes that enters the ground.</summary>
+    private static double Left(PreciseVector origin, PreciseVector direction, PreciseVector from, PreciseVector to)
+    {
+        DoubleWord volume = PreciseVector.Dot(direction, PreciseVector.Cross(from - origin, to - origin));
+        return -(volume / PreciseVector.Cross(direction, to - from).Length).High;
+    }
 }
