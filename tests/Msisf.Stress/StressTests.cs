@@ -1,8 +1,11 @@
 using Msisf.Stress.Attitude;
+using Msisf.Stress.Camera;
 using Msisf.Stress.Engines;
+using Msisf.Stress.Metadata;
 using Msisf.Stress.Numerics;
 using Msisf.Stress.Orbit;
 using Msisf.Stress.Povray;
+using Msisf.Stress.Selection;
 using Msisf.Stress.Time;
 
 namespace Msisf.Stress;
@@ -29,5 +32,8 @@ public static class StressTests
         new PatternWriterStress(),
         new RendererStress(),
         new TracePrecisionStress(),
+        new CameraStress(),
+        new CoordinatesStress(),
+        new SelectionStress(),
     ];
 }

@@ -10,9 +10,9 @@ namespace Msisf.Core.Metadata;
 public static class IlluminationDirection
 {
     /// <summary>The direction at the ground point that a line of sight shows.</summary>
-    /// <param name="camera">Its orientation turns the direction into the image plane.</param>
+    /// <param name="camera">Where the line of sight begins; its orientation turns the direction into the image plane.</param>
     /// <param name="lineOfSightMoonMe">From the camera to the ground point, any length; in the picture's half space.</param>
-    /// <param name="pointMoonMe">The ground point, m; the tangent plane is that of the sphere through it.</param>
+    /// <param name="pointMoonMe">The ground point, m, on that line; the tangent plane is that of the sphere through it.</param>
     /// <param name="sunPositionMoonMe">The Sun, or the light that stands for it, m.</param>
     /// <returns>rad, [0, 2 pi); null where there is none: the Sun in the zenith or nadir of the point, or its ground line seen end on.</returns>
     /// <remarks>
@@ -23,7 +23,12 @@ public static class IlluminationDirection
     /// </remarks>
     public static double? At(PinholeCamera camera, Vector3D lineOfSightMoonMe, Vector3D pointMoonMe, Vector3D sunPositionMoonMe)
     {
-        Vector3D toSun = sunPositionMoonMe - pointMoonMe;
+        Vector3D lineOfSight = lineOfSightMoonMe.Normalized();
+
+        // The point as the place on the line of sight: what its rounding moves it aside (1e-10 m) would turn the direction to a
+        // lamp at a camera 1 m above the ground by 1e-7 degrees.
+        double distance = Vector3D.Dot(pointMoonMe - camera.PositionMoonMe, lineOfSight);
+        Vector3D toSun = sunPositionMoonMe - camera.PositionMoonMe - (distance * lineOfSight);
         double sunDistance = toSun.Length;
         if (!(sunDistance > 0.0))
         {
@@ -32,7 +37,7 @@ public static class IlluminationDirection
 
         Vector3D zenith = pointMoonMe.Normalized();
         Vector3D alongGround = Vector3D.Cross(zenith, Vector3D.Cross(toSun / sunDistance, zenith));
-        Vector3D planeNormal = camera.MoonFromCamera.Conjugate * Vector3D.Cross(lineOfSightMoonMe.Normalized(), alongGround);
+        Vector3D planeNormal = camera.MoonFromCamera.Conjugate * Vector3D.Cross(lineOfSight, alongGround);
         double right = -planeNormal.Z;
         double down = -planeNormal.Y;
         return double.Hypot(right, down) < Tolerances.IlluminationDirectionSine

@@ -16,8 +16,8 @@ public static class Tolerances
     public const double LeastFieldOfView = 1e-12;
 
     /// <summary>
-    /// 1: sine of the Sun's zenith angle times the sine between ground line and line of sight, below which a pixel's illumination
-    /// direction counts as undefined. Hit point and Sun direction are rounded by about 1e-15 rad, so the angle that is left
+    /// 1: sine of the Sun's zenith angle times the sine between ground line and line of sight, as much as the picture shows of it (the
+    /// component across the viewing axis of the normal of their plane), below which a pixel's illumination direction counts as undefined. Hit point and Sun direction are rounded by about 1e-15 rad, so the angle that is left
     /// would be wrong by up to 1e-8 rad; on the ground it is 0.17 m around the sub-solar point.
     /// </summary>
     public const double IlluminationDirectionSine = 1e-7;

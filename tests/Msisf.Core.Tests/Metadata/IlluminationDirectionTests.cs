@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
 using Xunit;
 
 namespace Msisf.Core.Tests.Metadata;
@@ -81,5 +82,23 @@ public class IlluminationDirectionTests
         double? direction = IlluminationDirection.At(Nadir, north - Nadir.PositionMoonMe, north, Nadir.PositionMoonMe);
 
         Assert.Equal(0.0, double.RadiansToDegrees(direction!.Value), 12);
+    }
+
+    [Fact]
+    public void At_LampAtACamera1MetreUp_KeepsItsDigits()
+    {
+        // tests/reference/illumination.py, pixel(...) with these numbers; 1.6e-7 degrees off if the rounded point gives the way to the lamp.
+        PinholeCamera camera = new(
+            new Vector3D(-189699.6133239057, 281826.5093496118, 1703863.4395424302),
+            UnitQuaternion.FromComponents(0.04287626691315912, 0.1365091846156505, 0.6489259289773556, 0.7472763926098815),
+            2.2201833553492025,
+            114,
+            9152);
+        Ray ray = camera.RayThrough(76, 8738);
+        Assert.True(ReferenceSphere.Lola.TryFirstHit(ray, out Vector3D point));
+
+        double? direction = IlluminationDirection.At(camera, ray.Direction, point, camera.PositionMoonMe);
+
+        Assert.Equal(336.65459325519314, double.RadiansToDegrees(direction!.Value), 12);
     }
 }

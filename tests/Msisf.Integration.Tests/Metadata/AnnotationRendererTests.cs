@@ -37,11 +37,20 @@ public class AnnotationRendererTests
     [RequiresFact(Part.Cairo)]
     public void Write_TerrainPixels_HaveTheirDotsAndDirections()
     {
-        // A sphere would fill the picture: terrain in the left half only, and its point lies west of the lamp, not below it.
+        // A sphere would fill the picture: terrain in the left half only, on the plane x = 1700 km. At pixel (60, 60) it lies 46.6 km west
+        // and as far north; the lamp's latitude is the same there, so that its ground line runs east.
         PinholeCamera nadir = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 200, 200);
         FrameMetadata frame = ExampleFrame.OfSize(200, 200) with { Camera = nadir };
-        SurfaceHit west = new(new Vector3D(1.7e6, -1e5, 0.0), Vector3D.UnitX, default, 1.0);
-        FunctionTruth truth = new(nadir, 1e7 * Vector3D.UnitX, (x, _) => x <= 100 ? (west, new PixelLight(SunState.Lit, 1.0)) : null);
+        SurfaceHit OnPlane(Ray ray)
+        {
+            double parameter = (1.7e6 - ray.Origin.X) / ray.Direction.X;
+            return new SurfaceHit(ray.Origin + (parameter * ray.Direction), Vector3D.UnitX, default, parameter);
+        }
+
+        FunctionTruth truth = new(
+            nadir,
+            new Vector3D(1e7, 0.0, 2.74e5),
+            (x, y) => x <= 100 ? (OnPlane(nadir.RayThrough(x, y)), new PixelLight(SunState.Lit, 1.0)) : null);
 
         PngPixels picture = Annotate(frame, new PixelSampler(new PixelGrid(200, 200, 60, 60), truth, pixelsPerDegree: 4));
 

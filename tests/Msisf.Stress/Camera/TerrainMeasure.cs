@@ -1,0 +1,170 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tests.Support;
+using Msisf.Stress.Reference;
+
+namespace Msisf.Stress.Camera;
+
+/// <summary>Where pixels' rays meet the terrain: whether it is the right facet, and where on it.</summary>
+/// <param name="terrain">The model.</param>
+internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<TerrainMeasure>
+{
+    /// <summary>m: the range that the plain figure in metres is for; the far side of any orbit of the Moon.</summary>
+    private const double OrbitDistance = 1e7;
+
+    /// <summary>1: cosine of the angle to the facet's normal down to which the plain figures are; 84 degrees.</summary>
+    private const double PlainCosine = 0.1;
+
+    /// <summary>m: from <see cref="OrbitDistance"/>, at such angles.</summary>
+    private const double PlainLimit = 1e-7;
+
+    /// <summary>m: how far below the reference sphere a camera "in a valley" stands at least.</summary>
+    private const double ValleyDepth = 1000.0;
+
+    /// <summary>m: the tracer moves an origin that is farther from the Moon's centre along its ray.</summary>
+    private const double FarOrigin = MoonConstants.ReferenceRadius + MoonConstants.GreatestRelief;
+
+    /// <summary>m: rounding the moved origin to doubles moves the ray by up to 2e-10 m; so near to an edge either neighbour is right.</summary>
+    private const double MovedOrigin = 1e-9;
+
+    private readonly FigureBuilder _wrong = new("terrain: rays that meet no facet or another than the first they enter", string.Empty, 0.0);
+    private readonly FigureBuilder _ratio = new("hit point on the terrain, to what its bound allows", "1", 1.0);
+    private readonly FigureBuilder _metres = new("hit point on the terrain, camera within 1e7 m, facet seen below 84 degrees", "m", PlainLimit);
+    private readonly FigureBuilder _sphere = new("valleys: rays from under the reference sphere that it is said to show", string.Empty, 0.0);
+    private readonly SeriesBuilder _byAltitude = new(1.0, 1e12, 48, isLogarithmic: true);
+
+    /// <summary>Rays that met the ground.</summary>
+    private long _hits;
+
+    /// <inheritdoc/>
+    public IEnumerable<StressFigure> Figures =>
+    [
+        _wrong.ToFigure(), _ratio.ToFigure(), _metres.ToFigure(), _sphere.ToFigure(),
+        new StressFigure($"terrain: rays that meet {terrain.Grid.ProductId}", "rays", _hits, null, string.Empty),
+    ];
+
+    /// <inheritdoc/>
+    public IEnumerable<StressSeries> Series =>
+        [_byAltitude.ToSeries("hit point on the terrain, facet seen below 84 degrees", "m", "height of the camera over the ground", "m", null)];
+
+    /// <inheritdoc/>
+    public void Try(int number, Random random)
+    {
+        AimedCameras cameras = new(random);
+        bool isInValley = number % 7 == 0;
+        Vector3D zenith = isInValley ? Valley(cameras) : cameras.Zenith(number);
+        double ground = TerrainHeight.RadiusBelow(terrain.Grid, zenith);
+        double height = cameras.Log(1.0, isInValley ? ValleyDepth / 2.0 : 1e12);
+        Vector3D position = (ground + height) * zenith;
+        CameraInput input = number % 5 == 0
+            ? cameras.Towards(position, VertexNear(cameras, zenith, height) - position)
+            : cameras.Passing(position, Nearest(number, cameras, ground + height));
+        Ray ray = input.ToCamera().RayThrough(input.Frame.X, input.Frame.Y);
+        bool isHit = terrain.Tracer.TryTrace(ray, out SurfaceHit hit);
+        if (IsWrong(ray, isHit, hit))
+        {
+            _wrong.Count(input.ToString);
+        }
+        else if (isHit)
+        {
+            _hits++;
+            NoteHit(input, ray, hit, height);
+        }
+
+        if (isInValley && ReferenceSphere.Lola.TryFirstHit(ray, out _))
+        {
+            _sphere.Count(input.ToString);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Add(TerrainMeasure other)
+    {
+        _wrong.Add(other._wrong);
+        _ratio.Add(other._ratio);
+        _metres.Add(other._metres);
+        _sphere.Add(other._sphere);
+        _byAltitude.Add(other._byAltitude);
+        _hits += other._hits;
+    }
+
+    /// <summary>m: evenly over the disc, and about the limb, where mountains stand against the sky.</summary>
+    private static double Nearest(int number, AimedCameras cameras, double distance) => Math.Min(
+        distance,
+        MoonConstants.ReferenceRadius * (number / 8 % 2 == 0 ? Math.Sqrt(cameras.Between(0.0, 1.0)) : cameras.Between(0.994, 1.006)));
+
+    /// <summary>m, MOON_ME: where six facets meet, within sight if nothing is in between. Rays to it pass its edges by less than a rounding.</summary>
+    private Vector3D VertexNear(AimedCameras cameras, Vector3D zenith, double height)
+    {
+        double reach = Math.Min(0.5, height / MoonConstants.ReferenceRadius);
+        SelenographicPoint place = SelenographicPoint.Below(zenith + (reach * cameras.Direction()));
+        int line = (int)((0.5 - (place.Latitude / Math.PI)) * terrain.Vertices.Lines);
+        int sample = (int)(place.Longitude / (2.0 * Math.PI) * terrain.Vertices.Samples);
+        return terrain.Vertices[Math.Min(line, terrain.Vertices.Lines - 1), Math.Min(sample, terrain.Vertices.Samples - 1)];
+    }
+
+    private Vector3D Valley(AimedCameras cameras)
+    {
+        Vector3D zenith;
+        do
+        {
+            zenith = cameras.Direction();
+        }
+        while (TerrainHeight.RadiusBelow(terrain.Grid, zenith) > MoonConstants.ReferenceRadius - ValleyDepth);
+
+        return zenith;
+    }
+
+    /// <summary>The ray as the program has it, against every facet; where the brute force's own rounding shows, 30 digits decide.</summary>
+    private bool IsWrong(Ray ray, bool isHit, SurfaceHit hit)
+    {
+        PreciseVector origin = PreciseVector.From(ray.Origin);
+        PreciseVector direction = PreciseVector.From(ray.Direction);
+        double doubt = ray.Origin.Length > FarOrigin ? MovedOrigin : 0.0;
+        if (isHit && !(hit.PointMoonMe.IsFinite && FacetOf(hit.Facet).Inside(origin, direction) >= -doubt))
+        {
+            return true;
+        }
+
+        if (FirstByBruteForce(origin, direction) is not FacetId first || (isHit && first == hit.Facet))
+        {
+            return false;
+        }
+
+        PreciseFacet other = FacetOf(first);
+        return other.Inside(origin, direction) > doubt
+            && !(isHit && FacetOf(hit.Facet).ParameterOn(origin, direction) < other.ParameterOn(origin, direction));
+    }
+
+    private FacetId? FirstByBruteForce(PreciseVector origin, PreciseVector direction)
+    {
+        // From 1e12 m doubles would know the facets to 1e-4 m: a far origin is moved to the ray's nearest approach less a lunar diameter.
+        double distance = origin.Length.High;
+        double length = direction.Length.High;
+        double approach = -(PreciseVector.Dot(origin, direction) / direction.Length).High;
+        double shift = Math.Max(0.0, Math.Min(approach, distance) - (2.0 * MoonConstants.ReferenceRadius)) / length;
+        (BruteForceMoon.FacetId Facet, double T)? hit = terrain.Facets.FirstHit((origin + (shift * direction)).Rounded, direction.Rounded);
+        return hit is null ? null : TerrainUnderTest.FacetOf(hit.Value.Facet);
+    }
+
+    private PreciseFacet FacetOf(FacetId facet) => PreciseFacet.From(terrain.Vertices.CornersOf(facet));
+
+    /// <summary>The point against that of the exact ray on the facet's plane.</summary>
+    private void NoteHit(CameraInput input, Ray ray, SurfaceHit hit, double height)
+    {
+        PreciseCamera camera = input.ToPrecise();
+        PreciseVector direction = camera.DirectionThrough(input.Frame.X, input.Frame.Y);
+        PreciseFacet facet = FacetOf(hit.Facet);
+        PreciseVector exact = camera.Position + (facet.ParameterOn(camera.Position, direction) * direction);
+        double error = (PreciseVector.From(hit.PointMoonMe) - exact).Length.High;
+        double cosine = facet.Cosine(direction);
+        _ratio.Add(error / HitBounds.OnFacet(ray.Origin, cosine), input.ToString);
+        if (cosine > PlainCosine)
+        {
+            _byAltitude.Add(height, error);
+            _metres.Add(ray.Origin.Length < OrbitDistance ? error : 0.0, input.ToString);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+using Msisf.Core.Terrain;
+
+namespace Msisf.Stress.Selection;
+
+/// <summary>The selection of tiles for random cameras: nothing missed, and how many too many.</summary>
+public sealed class SelectionStress : IStressTest
+{
+    /// <summary>Number of the first camera: those of docs/tile-selection.md were others.</summary>
+    private const int FirstCamera = 100_000;
+
+    /// <inheritdoc/>
+    public string Name => "selection";
+
+    /// <inheritdoc/>
+    public string Subject =>
+        "Cameras of twelve kinds with the Sun anywhere, a third of them low, on LDEM_4 and on a made-up Moon with 40 km of relief: pictures with the "
+        + "selected tiles alone against pictures with all, by rays through every facet, pixel by pixel; and kept tiles against tiles seen.";
+
+    /// <inheritdoc/>
+    public StressReport Run(StressLength length, int seed)
+    {
+        (int real, int madeUp, int excess) = length == StressLength.Full ? (10_000, 2_000, 1_000) : (36, 12, 6);
+        JudgedMoon moon = JudgedMoon.Real;
+        JudgedMoon rugged = JudgedMoon.MadeUp();
+        ElevationSummary summary = ElevationSummary.Build(moon.Grid);
+        ElevationSummary ruggedSummary = ElevationSummary.Build(rugged.Grid);
+        SelectionMeasure onReal = SeededCases.Run(real, seed, () => new SelectionMeasure(moon, summary, FirstCamera));
+        SelectionMeasure onMadeUp = SeededCases.Run(madeUp, seed, () => new SelectionMeasure(rugged, ruggedSummary, FirstCamera));
+        ExcessMeasure tooMany = SeededCases.Run(excess, seed, () => new ExcessMeasure(moon, summary, FirstCamera));
+        return new StressReport(
+            Name, real + madeUp + excess, [.. onReal.Figures, .. onMadeUp.Figures, .. tooMany.Figures], [.. tooMany.Series]);
+    }
+}
