@@ -4,30 +4,23 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Keeps the tiles that can throw a shadow on what is seen of a tile: those that a ray from there to the Sun can meet, the nearest
-/// first, until the kept ones certainly darken the place or no more are left.
+/// Keeps the tiles that can throw a shadow on what is seen of a tile: all with a facet, turned away from the Sun, that a ray from there to the Sun can
+/// meet. That a kept ridge stands over the ray is no reason to stop: the ray may have entered the ground before it, through a tile that is not there.
 /// </summary>
 internal sealed class CasterVisitor : ISurfaceVisitor
 {
-    /// <summary>Vertices of kept tiles that are read at most to see what they darken: about a millisecond.</summary>
-    private const int VertexBudget = 5_000;
-
     /// <summary>Facets whose shadow rays are looked at; afterwards all that may throw a shadow on a block counts.</summary>
     private const int MostFacets = 3_000;
 
     private readonly SunView _sun;
     private readonly ElevationSummary _summary;
-    private readonly TerrainPatch _patch;
-    private readonly RidgeTracer _tracer;
     private readonly TurnedFacets _facets;
     private readonly bool[] _kept;
     private readonly List<int> _newlyKept;
     private readonly List<int>[] _candidates;
-    private readonly HashSet<int> _traced = [];
     private readonly AzimuthIndex _tiles = new(72);
     private readonly int[] _asked = new int[TileId.Count];
     private int _question;
-    private int _budget = VertexBudget;
     private int _facetBudget = MostFacets;
 
     /// <param name="sun">The Moon from the Sun.</param>
@@ -39,8 +32,6 @@ internal sealed class CasterVisitor : ISurfaceVisitor
     {
         _sun = sun;
         _summary = summary;
-        _patch = patch;
-        _tracer = new RidgeTracer(sun.KeptMap, sun.View, Math.PI / 180.0 / summary.PixelsPerDegree);
         _facets = new TurnedFacets(sun.Table, summary, sun.Position, patch);
         _kept = kept;
         _newlyKept = newlyKept;
@@ -55,9 +46,9 @@ internal sealed class CasterVisitor : ISurfaceVisitor
     public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place)
     {
         PolarBounds fromSun = _sun.View.Bounds(node);
-        if (_facets.AreAllOf(node, fromSun) || _sun.KeptMap.Hides(fromSun))
+        if (_facets.AreAllOf(node, fromSun))
         {
-            return Visit.Skip; // black without any shadow, or darkened already
+            return Visit.Skip; // black without any shadow
         }
 
         List<int> found = _candidates[place.Depth];
@@ -79,15 +70,10 @@ internal sealed class CasterVisitor : ISurfaceVisitor
             return Visit.Skip;
         }
 
-        if (place.Depth + 1 == _summary.Levels.Count)
+        if (place.Depth + 1 == _summary.Levels.Count && _facetBudget <= 0)
         {
-            if (_facetBudget <= 0)
-            {
-                KeepUntilDark(fromSun);
-                return Visit.Skip;
-            }
-
-            TraceAllKept(fromSun);
+            KeepCasters(fromSun);
+            return Visit.Skip;
         }
 
         return Visit.Descend;
@@ -101,27 +87,24 @@ internal sealed class CasterVisitor : ISurfaceVisitor
             return Visit.Descend;
         }
 
-        KeepUntilDark(SurfaceWalk.BoundsOf(_sun.View, part));
+        KeepCasters(SurfaceWalk.BoundsOf(_sun.View, part));
         return Visit.Descend;
     }
 
-    private void KeepUntilDark(in PolarBounds target)
+    private void KeepCasters(in PolarBounds target)
     {
-        while (!_sun.KeptMap.Hides(target) && Nearest(target) is int tile)
+        foreach (int tile in _candidates[^1])
         {
-            Keep(tile);
-            Trace(tile, target);
+            if (!_kept[tile] && IsBefore(_sun.Table[tile], target) && AnyFacetCasts(tile, target))
+            {
+                _kept[tile] = true;
+                _newlyKept.Add(tile);
+            }
         }
     }
 
     private static bool IsBefore(in PolarBounds caster, in PolarBounds target) =>
         caster.Near < target.Far && caster.CanShareRayWith(target);
-
-    private void Keep(int tile)
-    {
-        _kept[tile] = true;
-        _newlyKept.Add(tile);
-    }
 
     private void AddAllCasting(List<int> found, in PolarBounds target)
     {
@@ -134,20 +117,6 @@ internal sealed class CasterVisitor : ISurfaceVisitor
                 {
                     _asked[tile] = _question;
                     AddIfCasting(found, tile, target);
-                }
-            }
-        }
-    }
-
-    private void TraceAllKept(in PolarBounds target)
-    {
-        foreach (int bin in _tiles.Bins(target))
-        {
-            foreach (int tile in _tiles[bin])
-            {
-                if (_kept[tile] && _budget > 0)
-                {
-                    Trace(tile, target);
                 }
             }
         }
@@ -182,41 +151,5 @@ internal sealed class CasterVisitor : ISurfaceVisitor
         }
 
         return false;
-    }
-
-    private int? Nearest(in PolarBounds target)
-    {
-        int? nearest = null;
-        foreach (int tile in _candidates[^1])
-        {
-            if (!_kept[tile] && IsBefore(_sun.Table[tile], target) && AnyFacetCasts(tile, target)
-                && (nearest is null || _sun.Table[tile].Far > _sun.Table[nearest.Value].Far))
-            {
-                nearest = tile;
-            }
-        }
-
-        return nearest;
-    }
-
-    /// <summary>Adds those blocks of a kept tile to the map of kept terrain that can darken the target.</summary>
-    private void Trace(int tile, in PolarBounds target)
-    {
-        if (!IsBefore(_sun.Table[tile], target))
-        {
-            return;
-        }
-
-        ReadOnlySpan<PolarBounds> blocks = _sun.Table.Blocks(tile);
-        for (int block = 0; block < blocks.Length && _budget > 0; block++)
-        {
-            if (IsBefore(blocks[block], target) && _traced.Add((tile * blocks.Length) + block))
-            {
-                (int row, int column) = _sun.Table.BlockPlace(tile, block);
-                _patch.Load(_summary.Levels[1].Cells(row, column));
-                _tracer.Trace(_patch);
-                _budget -= _patch.Lines * _patch.Samples;
-            }
-        }
     }
 }

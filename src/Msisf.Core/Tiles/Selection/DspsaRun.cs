@@ -52,7 +52,7 @@ internal sealed class DspsaRun
         _patch = new TerrainPatch(mesh);
         HorizonSurvey survey = new(_view, summary, _patch);
         (double middle, double width) = FrameAzimuths();
-        _horizon = survey.EmptyMap(middle, width, withCore: true);
+        _horizon = survey.EmptyMap(middle, width);
         survey.Fill(_horizon, (in TerrainNode node, in PolarBounds _) => _frame.Classify(node) != FrameSide.Outside);
         _walk = new SurfaceWalk(summary, _frame, _view, _horizon, camera.PositionMoonMe, new TerrainPatch(mesh), slack);
     }

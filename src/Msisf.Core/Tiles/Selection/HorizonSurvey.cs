@@ -41,8 +41,7 @@ internal sealed class HorizonSurvey
     /// <summary>Makes a map without terrain.</summary>
     /// <param name="middle">rad, of the azimuths that matter.</param>
     /// <param name="width">rad.</param>
-    /// <param name="withCore">Whether the sphere below the lowest terrain hides: yes if all terrain is there.</param>
-    public HorizonMap EmptyMap(double middle, double width, bool withCore)
+    public HorizonMap EmptyMap(double middle, double width)
     {
         double least = (_summary.LeastRadius * MeshBounds.SagittaFactor(_summary.PixelsPerDegree)) - Tolerances.VertexLattice;
         double toTangent = AngleOfCosine(least / _view.Distance);
@@ -51,7 +50,7 @@ internal sealed class HorizonSurvey
         double firstAngle = Math.Max(0.0, AngleOfCosine(sight) - GreatestElevation);
         AzimuthWindow window = new(middle, width, _cellAngle / BinsPerCell / Math.Sin(Math.Min(lastAngle, 0.5 * Math.PI)), MostBins);
         HorizonMap map = new(window, Math.Sin(0.5 * firstAngle), Math.Sin(0.5 * lastAngle));
-        if (withCore && _view.Distance > least)
+        if (_view.Distance > least)
         {
             map.RaiseAll(Math.Sin(0.5 * toTangent), _view.TangentSlope(least));
         }

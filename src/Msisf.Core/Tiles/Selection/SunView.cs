@@ -25,9 +25,9 @@ internal sealed class SunView
         Position = sunMoonMe;
         View = new PolarView(sunMoonMe);
         Table = new BoundsTable(View, summary);
-        Survey = new HorizonSurvey(View, summary, patch);
+        HorizonSurvey survey = new(View, summary, patch);
         Array.Fill(_needNear, double.PositiveInfinity);
-        HorizonMap limits = Survey.EmptyMap(0.0, 0.0, withCore: true);
+        HorizonMap limits = survey.EmptyMap(0.0, 0.0);
         foreach (int tile in tiles)
         {
             PolarBounds bounds = Table[tile];
@@ -38,11 +38,10 @@ internal sealed class SunView
         }
 
         (double middle, double width) = Span();
-        Map = Survey.EmptyMap(middle, width, withCore: true);
-        KeptMap = Survey.EmptyMap(middle, width, withCore: false);
+        Map = survey.EmptyMap(middle, width);
         if (width > 0.0)
         {
-            Survey.Fill(Map, (in TerrainNode _, in PolarBounds bounds) => IsNeeded(bounds));
+            survey.Fill(Map, (in TerrainNode _, in PolarBounds bounds) => IsNeeded(bounds));
         }
     }
 
@@ -55,14 +54,8 @@ internal sealed class SunView
     /// <summary>Bounds of all tiles.</summary>
     public BoundsTable Table { get; }
 
-    /// <summary>Adds terrain to maps.</summary>
-    public HorizonSurvey Survey { get; }
-
     /// <summary>What the whole terrain hides from the Sun.</summary>
     public HorizonMap Map { get; }
-
-    /// <summary>What the terrain of the kept tiles hides, as far as it was added.</summary>
-    public HorizonMap KeptMap { get; }
 
     private void Note(in PolarBounds bounds)
     {
