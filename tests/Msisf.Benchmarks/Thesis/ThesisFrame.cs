@@ -56,7 +56,7 @@ internal static class ThesisFrame
         return new Dictionary<string, double>
         {
             ["tiles"] = patterns.Count,
-            ["tiles_selected"] = selected.Count,
+            [ThesisFrameJob.SelectedTiles] = selected.Count,
             ["start_up_s"] = startUp,
             ["selection_s"] = selection,
             ["patterns_s"] = making,

@@ -11,6 +11,9 @@ internal sealed record ThesisFrameJob(string Scene, string Label, string Pattern
     /// <summary>The command word for which this program does such a job.</summary>
     public const string Command = "thesis-frame";
 
+    /// <summary>Name of the count of all tiles of the picture, beside that of the measured ones.</summary>
+    public const string SelectedTiles = "tiles_selected";
+
     /// <summary>The picture's file in the output folder.</summary>
     public const string PictureName = "picture.png";
 }
