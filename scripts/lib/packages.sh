@@ -10,6 +10,7 @@ part_is_here() {
         cfitsio) library_is_here libcfitsio ;;
         astropy) python_package_is_here astropy ;;
         gdal) python_package_is_here osgeo ;;
+        matplotlib) python_package_is_here matplotlib ;;
         icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
         certificates) certificates_are_here ;;
         php) have php && php -r 'exit(PHP_VERSION_ID >= 80200 && extension_loaded("pdo_mysql") ? 0 : 1);' ;;
@@ -49,9 +50,11 @@ package_of() {
         apt-cfitsio) echo libcfitsio10 ;;
         apt-astropy) echo python3-astropy python3-numpy ;;
         apt-gdal) echo python3-gdal ;;
-        dnf-astropy | dnf-gdal) echo "python3-$2" ;;
-        pacman-astropy) echo python-astropy ;;
+        apt-matplotlib) echo python3-matplotlib ;;
+        dnf-astropy | dnf-gdal | dnf-matplotlib) echo "python3-$2" ;;
+        pacman-astropy | pacman-matplotlib) echo "python-$2" ;;
         brew-astropy) echo astropy ;;
+        brew-matplotlib) echo python-matplotlib ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
         apt-xmllint) echo libxml2-utils ;;
         apt-php) echo php-cli php-mysql ;;

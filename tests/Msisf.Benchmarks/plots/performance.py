@@ -1,0 +1,69 @@
+"""Plots time against error of each scene from the benchmark's front.csv.
+
+/usr/bin/python3 performance.py FRONT.CSV FOLDER    writes FOLDER/front-SCENE.svg
+
+A point is a way to make the scene's picture. The line is the Pareto front: the ways that no other one beats in both.
+"""
+import csv
+import os
+import sys
+
+from style import save
+from matplotlib import pyplot
+
+KINDS = {"Thesis": ("thesis", "black", "*"), "PovRay": ("POV-Ray", "tab:blue", "o"), "Native": ("native", "tab:orange", "s")}
+LEAST_ERROR = 1e-3  # levels: a picture without any error would have no place on a logarithmic axis
+
+
+def front_of(points):
+    """Of (seconds, error, ...) those that no other one beats in both, by time."""
+    front = []
+    for point in sorted(points):
+        if not front or point[1] < front[-1][1]:
+            front.append(point)
+    return front
+
+
+def read(path):
+    """Scenes in their order: name -> (about, [(seconds, error, setting, kind)])."""
+    scenes = {}
+    with open(path, newline="", encoding="utf-8") as lines:
+        for row in csv.DictReader(lines):
+            _, points = scenes.setdefault(row["scene"], (row["about"], []))
+            if row["grey_rms_levels"]:
+                error = max(float(row["grey_rms_levels"]), LEAST_ERROR)
+                points.append((float(row["seconds_median"]), error, row["setting"], row["kind"]))
+    return scenes
+
+
+def plot(about, points):
+    figure, axes = pyplot.subplots(figsize=(7.5, 4.2))
+    for kind, (label, colour, marker) in KINDS.items():
+        chosen = [point for point in points if point[3] == kind]
+        if chosen:
+            axes.plot([p[0] for p in chosen], [p[1] for p in chosen], marker, color=colour, label=label, markersize=6)
+    front = front_of(points)
+    axes.plot([p[0] for p in front], [p[1] for p in front], "-", color="tab:green", linewidth=1, zorder=1, label="Pareto front")
+    for index, (seconds, error, setting, _) in enumerate(sorted(points)):
+        # Above and below by turns: neighbours in time are often neighbours in error too.
+        axes.annotate(setting, (seconds, error), xytext=(4, 5 if index % 2 else -9), textcoords="offset points", fontsize=6)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.margins(x=0.15, y=0.15)
+    axes.set_xlabel("time of the picture, s")
+    axes.set_ylabel("rms error, levels of 255")
+    axes.set_title(about)
+    axes.legend(loc="upper right", fontsize=7)
+    return figure
+
+
+def main(path, folder):
+    for name, (about, points) in read(path).items():
+        if points:
+            figure = plot(about, points)
+            save(figure, os.path.join(folder, f"front-{name}.svg"))
+            pyplot.close(figure)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2])
