@@ -15,7 +15,7 @@ internal sealed class BenchmarkOptions
         Names = values["--scenes"].LastOrDefault() is string names
             ? names.Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
             : isQuick ? Scenes.QuickNames : [.. Scenes.All.Select(scene => scene.Name), Scenes.FromNothing, Scenes.Sequence];
-        Chosen = [.. Names.Where(name => name is not (Scenes.Sequence or Scenes.FromNothing)).Select(Scenes.Named)];
+        Chosen = [.. Names.Where(name => name is not (Scenes.Sequence or Scenes.FromNothing)).Select(Scenes.Named).Select(scene => isQuick ? Quick(scene) : scene)];
     }
 
     /// <summary>The repository's folder.</summary>
@@ -73,6 +73,8 @@ internal sealed class BenchmarkOptions
 
         return new BenchmarkOptions(values.ToLookup(pair => pair.Name, pair => pair.Value), isQuick);
     }
+
+    private static Scene Quick(Scene scene) => scene with { Settings = [.. scene.Settings.Intersect(Settings.Usual)] };
 
     private static string Single(ILookup<string, string> values, string name) => values[name].LastOrDefault() ?? ".";
 }

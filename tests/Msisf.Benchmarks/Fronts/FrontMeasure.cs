@@ -29,7 +29,7 @@ internal sealed class FrontMeasure
     /// <summary>Prepares.</summary>
     /// <param name="bench">Where things are.</param>
     /// <param name="ephemeris">For the Sun.</param>
-    /// <param name="pictures">How often to make a picture that takes seconds.</param>
+    /// <param name="pictures">How often to make a picture again that takes seconds.</param>
     public FrontMeasure(Workbench bench, IEphemeris ephemeris, int pictures)
     {
         _bench = bench;
@@ -73,7 +73,7 @@ internal sealed class FrontMeasure
         string output = _bench.NewOutputFolder();
         ProgramRun first = _maker.Make(scene, setting, output);
         List<ProgramRun> further = [];
-        int wanted = first.Seconds > MostRepeatedSeconds ? 0 : setting.IsRepeated ? _pictures : 1;
+        int wanted = first.Seconds > MostRepeatedSeconds ? 0 : setting.IsRepeated ? _pictures : Math.Min(_pictures, 1);
         for (int picture = 0; picture < wanted; picture++)
         {
             output = _bench.NewOutputFolder();

@@ -12,6 +12,9 @@ internal static class FrontVerdicts
     private const double MostOfThesisBytes = 0.2;
     private const double MostMemory = 500e6; // bytes
 
+    /// <summary>Of the error at full resolution: not above it, but for the jitter of antialiasing, which differs from run to run by a ten-thousandth.</summary>
+    private const double MostOfFullError = 1.001;
+
     /// <summary>How many times as fast as the thesis's way, by the scene's name.</summary>
     private static readonly Dictionary<string, double> TimesFaster = new() { ["far-64"] = 15.0, ["nadir-64"] = 8.0 };
 
@@ -56,7 +59,7 @@ internal static class FrontVerdicts
         {
             double error = usual?.Error?.Grey.Rms / front.Of(Settings.PovRayFull)?.Error?.Grey.Rms ?? double.NaN;
             yield return new Verdict(
-                scene.About, "rms error of POV-Ray's picture, to that at full resolution", 1.0, IsUpperLimit: true, error, error, Unit.Times);
+                scene.About, "rms error of POV-Ray's picture, to that at full resolution", MostOfFullError, IsUpperLimit: true, error, error, Unit.Times);
         }
 
         if (TimesFaster.ContainsKey(scene.Name))
