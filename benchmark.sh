@@ -85,7 +85,7 @@ for resolution in $resolutions; do
 done
 "$program" measure --root . --folder "$folder" "${models[@]}" "${choice[@]}"
 rm -f "$folder"/front-*.svg
-/usr/bin/python3 tests/Msisf.Benchmarks/plots/performance.py "$folder/front.csv" "$folder"
+/usr/bin/python3 -B tests/Msisf.Benchmarks/plots/performance.py "$folder/front.csv" "$folder"
 
 if [ -n "$is_partial" ]; then
     cat "$folder/tables.md"

@@ -19,7 +19,7 @@ internal sealed record Repeats(
     int SequencePixelsPerDegree,
     int LayeredFrames)
 {
-    public static Repeats Full { get; } = new(7, 3, 30, 30, 1000, 1000, 64, 20);
+    public static Repeats Full { get; } = new(5, 2, 20, 25, 1000, 1000, 64, 20);
 
     /// <summary>Shows that the benchmark works, no more.</summary>
     public static Repeats Quick { get; } = new(3, 0, 5, 5, 100, 20, 4, 2);

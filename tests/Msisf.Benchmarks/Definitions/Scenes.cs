@@ -11,8 +11,11 @@ internal static class Scenes
 
     private const double Megabyte = 1e6;
 
-    /// <summary>Tiles of the thesis's way, where all would take minutes: some 6 s of parsing at 64 px/deg, 30 s at 128.</summary>
-    private const int SomeTiles = 2;
+    /// <summary>Tiles of the thesis's way, where all would take too long: one takes half a second of parsing at 16 px/deg.</summary>
+    private const int CoarseTiles = 16;
+
+    /// <summary>The same at 64 px/deg, where one takes 6 s and more, and at 128.</summary>
+    private const int FineTiles = 1;
 
     /// <summary>What a quick run measures.</summary>
     public static IReadOnlyList<string> QuickNames { get; } = ["far-4", Sequence];
@@ -25,11 +28,11 @@ internal static class Scenes
             Name = "far-4", About = "far, LDEM_4", PixelsPerDegree = 4, State = Places.Far, Settings = Settings.All,
             Targets = new SceneTargets(0.12, 0.012, 100 * Megabyte, TimesFasterThanPovRay: 200.0),
         },
-        new() { Name = "far-16", About = "far, LDEM_16", PixelsPerDegree = 16, State = Places.Far, Settings = Settings.Costly },
+        new() { Name = "far-16", About = "far, LDEM_16", PixelsPerDegree = 16, State = Places.Far, Settings = Settings.Usual },
         new()
         {
             Name = "far-64", About = "far, LDEM_64", PixelsPerDegree = 64, State = Places.Far, IsExact = true,
-            Settings = Settings.Costly, MostThesisTiles = 4,
+            Settings = Settings.Antialiased, MostThesisTiles = 4,
             Targets = new SceneTargets(0.35, 0.060, 250 * Megabyte),
         },
         new()
@@ -38,7 +41,7 @@ internal static class Scenes
             Settings = [Settings.PovRayUsual, Settings.NativeUsual],
             Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
         },
-        new() { Name = "disc-16", About = "whole disc, LDEM_16", PixelsPerDegree = 16, State = Places.Disc, Settings = Settings.Usual, MostThesisTiles = 24 },
+        new() { Name = "disc-16", About = "whole disc, LDEM_16", PixelsPerDegree = 16, State = Places.Disc, Settings = Settings.Usual, MostThesisTiles = CoarseTiles },
         new()
         {
             Name = "nadir-64", About = "100 km, nadir, LDEM_64", PixelsPerDegree = 64, State = Places.LowNadir, Settings = Settings.All,
@@ -46,12 +49,12 @@ internal static class Scenes
         },
         new()
         {
-            Name = "nadir-128", About = "100 km, nadir, LDEM_128", PixelsPerDegree = 128, State = Places.LowNadir, Settings = Settings.Usual, MostThesisTiles = 1,
+            Name = "nadir-128", About = "100 km, nadir, LDEM_128", PixelsPerDegree = 128, State = Places.LowNadir, Settings = Settings.Few, MostThesisTiles = FineTiles,
         },
         new()
         {
             Name = "oblique-64", About = "20 km, oblique, LDEM_64", PixelsPerDegree = 64, State = Places.Oblique,
-            Settings = Settings.Usual, MostThesisTiles = SomeTiles,
+            Settings = Settings.Usual, MostThesisTiles = FineTiles,
             Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
         },
         new()
@@ -64,20 +67,24 @@ internal static class Scenes
             Name = "pole-64", About = "100 km over the north pole, LDEM_64", PixelsPerDegree = 64, State = Places.NorthPole,
             Targets = new SceneTargets(0.4, 0.100, 250 * Megabyte),
         },
-        new() { Name = "north-16", About = "100 km over the north pole, LDEM_16", PixelsPerDegree = 16, State = Places.NorthPole, Settings = Settings.Usual },
+        new()
+        {
+            Name = "north-16", About = "100 km over the north pole, LDEM_16", PixelsPerDegree = 16, State = Places.NorthPole,
+            Settings = Settings.Few, MostThesisTiles = CoarseTiles,
+        },
         new()
         {
             Name = "south-16", About = "100 km over the south pole, LDEM_16", PixelsPerDegree = 16, State = Places.SouthPole,
-            Settings = Settings.Usual, MostThesisTiles = 12,
+            Settings = Settings.Few, MostThesisTiles = CoarseTiles,
         },
         new()
         {
             Name = "prime-64", About = "100 km over the prime meridian, LDEM_64", PixelsPerDegree = 64, State = Places.PrimeMeridian,
-            Settings = Settings.Usual, MostThesisTiles = SomeTiles,
+            Settings = Settings.Few, MostThesisTiles = FineTiles,
         },
-        Landing("100km", 100e3),
-        Landing("5km", 5e3),
-        Landing("500m", 500.0),
+        Landing("landing-100km", "100 km", 100e3, Settings.Few),
+        Landing("landing-5km", "5 km", 5e3, Settings.Usual),
+        Landing("landing-500m", "500 m", 500.0, Settings.Few),
     ];
 
     /// <summary>A scene by its name.</summary>
@@ -86,9 +93,13 @@ internal static class Scenes
         ?? throw new BenchmarkException(
             $"there is no scene {name}; there are {string.Join(", ", All.Select(scene => scene.Name))}, {FromNothing} and {Sequence}.");
 
-    private static Scene Landing(string name, double altitude) => new()
+    private static Scene Landing(string name, string height, double altitude, IReadOnlyList<Setting> settings) => new()
     {
-        Name = $"landing-{name}", About = $"landing, {name.Insert(name.IndexOfAny(['k', 'm']), " ")}, LDEM_64", PixelsPerDegree = 64, State = Places.Landing(altitude),
-        Settings = Settings.Usual, MostThesisTiles = SomeTiles,
+        Name = name,
+        About = $"landing, {height}, LDEM_64",
+        PixelsPerDegree = 64,
+        State = Places.Landing(altitude),
+        Settings = settings,
+        MostThesisTiles = FineTiles,
     };
 }

@@ -7,11 +7,12 @@ internal static class Settings
 {
     private const string Auto = "auto";
     private const string Off = "off";
+    private const string AntialiasingOption = "--pov-options";
 
-    private static readonly string[] WithoutAntialiasing = ["--pov-options", "Antialias=Off"];
+    private static readonly string[] WithoutAntialiasing = [AntialiasingOption, "Antialias=Off"];
 
     /// <summary>Up to 4 x 4 samples a pixel wherever neighbours differ by 3 % of white, instead of 3 x 3 from 30 % on.</summary>
-    private static readonly string[] DeepAntialiasing = ["--pov-options", "Antialias_Depth=4 Antialias_Threshold=0.03"];
+    private static readonly string[] DeepAntialiasing = [AntialiasingOption, "Antialias_Depth=4 Antialias_Threshold=0.03"];
 
     /// <summary>The base line of every ratio.</summary>
     public static Setting Thesis { get; } = new("thesis", SettingKind.Thesis, [], IsRepeated: true);
@@ -25,45 +26,52 @@ internal static class Settings
     /// <summary>The native renderer's defaults.</summary>
     public static Setting NativeUsual { get; } = Native(1, Auto);
 
-    /// <summary>The program's ways that need no more than seconds for any picture.</summary>
-    public static IReadOnlyList<Setting> Quick { get; } =
+    /// <summary>What every scene is made in.</summary>
+    public static IReadOnlyList<Setting> Few { get; } =
     [
+        Thesis,
+        PovRayFull,
         PovRayUsual,
+        NativeUsual,
+        Native(1, Off),
+        Native(2, Auto),
+        Native(4, Auto),
+    ];
+
+    /// <summary>Those and other errors that the levels of detail are allowed, from which the default is chosen.</summary>
+    public static IReadOnlyList<Setting> Usual { get; } =
+    [
+        .. Few,
         PovRay("povray, 0.5 px", Auto, ["--lod-error", "0.5"]),
         PovRay("povray, 1 px", Auto, ["--lod-error", "1"]),
         PovRay("povray, 2 px", Auto, ["--lod-error", "2"]),
         PovRay("povray, 4 px", Auto, ["--lod-error", "4"]),
-        NativeUsual,
-        Native(1, Off),
-        Native(2, Auto),
         Native(2, Off),
-        Native(4, Auto),
         Native(4, Off),
     ];
 
-    /// <summary>Those and the full resolution by POV-Ray, which takes minutes where many tiles of a fine model are seen.</summary>
-    public static IReadOnlyList<Setting> Usual { get; } = [Thesis, PovRayFull, .. Quick];
-
-    /// <summary>Those and other antialiasing.</summary>
-    public static IReadOnlyList<Setting> All { get; } =
+    /// <summary>Those and other antialiasing with levels of detail.</summary>
+    public static IReadOnlyList<Setting> Antialiased { get; } =
     [
         .. Usual,
-        PovRay("povray, full, no antialiasing", Off, WithoutAntialiasing),
-        PovRay("povray, full, deep antialiasing", Off, DeepAntialiasing),
-        .. Antialiased,
-    ];
-
-    /// <summary>Those, but other antialiasing with levels of detail only.</summary>
-    public static IReadOnlyList<Setting> Costly { get; } = [.. Usual, .. Antialiased];
-
-    private static IReadOnlyList<Setting> Antialiased =>
-    [
         PovRay("povray, no antialiasing", Auto, WithoutAntialiasing),
         PovRay("povray, deep antialiasing", Auto, DeepAntialiasing),
     ];
 
+    /// <summary>Those and other antialiasing at full resolution, which takes minutes where many tiles of a fine model are seen.</summary>
+    public static IReadOnlyList<Setting> All { get; } =
+    [
+        .. Antialiased,
+        PovRay("povray, full, no antialiasing", Off, WithoutAntialiasing),
+        PovRay("povray, full, deep antialiasing", Off, DeepAntialiasing),
+    ];
+
     private static Setting PovRay(string name, string levels, string[] options, bool isRepeated = false) =>
-        new(name, SettingKind.PovRay, ["--lod", levels, .. options], isRepeated) { IsFull = levels == Off };
+        new(name, SettingKind.PovRay, ["--lod", levels, .. options], isRepeated)
+        {
+            IsFull = levels == Off,
+            HasOwnSurface = !options.Contains(AntialiasingOption),
+        };
 
     private static Setting Native(int samplesAcross, string levels)
     {

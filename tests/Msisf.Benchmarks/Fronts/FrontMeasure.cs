@@ -19,19 +19,22 @@ internal sealed class FrontMeasure
     private const double MostRepeatedSeconds = 6.0;
 
     /// <summary>s: POV-Ray parses a scene once more to trace single points in it.</summary>
-    private const double MostParseForHits = 6.0;
+    private const double MostParseForHits = 4.0;
 
     private readonly Workbench _bench;
     private readonly IEphemeris _ephemeris;
     private readonly int _pictures;
     private readonly PictureMaker _maker;
+    private readonly TextWriter _log;
 
     /// <summary>Prepares.</summary>
     /// <param name="bench">Where things are.</param>
     /// <param name="ephemeris">For the Sun.</param>
     /// <param name="pictures">How often to make a picture again that takes seconds.</param>
-    public FrontMeasure(Workbench bench, IEphemeris ephemeris, int pictures)
+    /// <param name="log">Is told of each way.</param>
+    public FrontMeasure(Workbench bench, IEphemeris ephemeris, int pictures, TextWriter log)
     {
+        _log = log;
         _bench = bench;
         _ephemeris = ephemeris;
         _pictures = pictures;
@@ -52,10 +55,13 @@ internal sealed class FrontMeasure
         {
             try
             {
-                results.Add(Measure(scene, setting, truth, pixels, model.Levels));
+                SettingResult result = Measure(scene, setting, truth, pixels, model.Levels);
+                _log.WriteLine(FormattableString.Invariant($"          {setting.Name}: {result.Seconds.Median:F2} s{(result.IsScaled ? ", scaled" : string.Empty)}"));
+                results.Add(result);
             }
             catch (BenchmarkException failure)
             {
+                _log.WriteLine($"          {setting.Name}: failed: {failure.Message}");
                 failures.Add((setting, failure.Message));
             }
             finally
@@ -73,7 +79,7 @@ internal sealed class FrontMeasure
         string output = _bench.NewOutputFolder();
         ProgramRun first = _maker.Make(scene, setting, output);
         List<ProgramRun> further = [];
-        int wanted = first.Seconds > MostRepeatedSeconds ? 0 : setting.IsRepeated ? _pictures : Math.Min(_pictures, 1);
+        int wanted = setting.IsRepeated && first.Seconds <= MostRepeatedSeconds ? _pictures : 0;
         for (int picture = 0; picture < wanted; picture++)
         {
             output = _bench.NewOutputFolder();
@@ -101,7 +107,7 @@ internal sealed class FrontMeasure
             Tiles = tiles,
             MeasuredTiles = measuredTiles,
             Error = truth is not null && isWhole ? PictureError.Of(truth, Single(output, "*.png")) : null,
-            Hits = isWhole && timing.SecondsOf("parse") < MostParseForHits ? Hits(scene, setting, output, pixels, levels) : null,
+            Hits = isWhole && setting.HasOwnSurface && timing.SecondsOf("parse") < MostParseForHits ? Hits(scene, setting, output, pixels, levels) : null,
         };
     }
 

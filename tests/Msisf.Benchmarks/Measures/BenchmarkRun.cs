@@ -46,7 +46,7 @@ internal sealed class BenchmarkRun
     private List<SceneFront> Fronts()
     {
         using Sun sun = Sun.Open(_bench.Root);
-        FrontMeasure measure = new(_bench, sun.Ephemeris, _options.Repeats.Pictures);
+        FrontMeasure measure = new(_bench, sun.Ephemeris, _options.Repeats.Pictures, _log);
         List<SceneFront> fronts = [];
         foreach (Scene scene in _options.Chosen.Where(scene => scene.Settings.Count > 0))
         {

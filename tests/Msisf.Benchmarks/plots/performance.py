@@ -2,16 +2,17 @@
 
 /usr/bin/python3 performance.py FRONT.CSV FOLDER    writes FOLDER/front-SCENE.svg
 
-A point is a way to make the scene's picture. The line is the Pareto front: the ways that no other one beats in both.
+A point is a way to make the scene's picture. The lines are Pareto fronts: the ways that no other one beats in both; of all, and of POV-Ray's alone.
 """
 import csv
 import os
 import sys
 
 from style import save
-from matplotlib import pyplot
+from matplotlib import pyplot, ticker
 
 KINDS = {"Thesis": ("thesis", "black", "*"), "PovRay": ("POV-Ray", "tab:blue", "o"), "Native": ("native", "tab:orange", "s")}
+OFFSETS = (4, -9, 12, -17)  # points: neighbours in time are often neighbours in error too, so labels take turns
 LEAST_ERROR = 1e-3  # levels: a picture without any error would have no place on a logarithmic axis
 
 
@@ -37,23 +38,29 @@ def read(path):
 
 
 def plot(about, points):
-    figure, axes = pyplot.subplots(figsize=(7.5, 4.2))
+    figure, axes = pyplot.subplots(figsize=(8.5, 4.2))
+    axes.set_xscale("log")
+    axes.set_yscale("log")
     for kind, (label, colour, marker) in KINDS.items():
         chosen = [point for point in points if point[3] == kind]
         if chosen:
             axes.plot([p[0] for p in chosen], [p[1] for p in chosen], marker, color=colour, label=label, markersize=6)
-    front = front_of(points)
-    axes.plot([p[0] for p in front], [p[1] for p in front], "-", color="tab:green", linewidth=1, zorder=1, label="Pareto front")
+    povray = [point for point in points if point[3] != "Native"]
+    for name, colour, chosen in (("front, all", "tab:green", points), ("front, POV-Ray", "tab:blue", povray)):
+        front = front_of(chosen)
+        axes.plot([p[0] for p in front], [p[1] for p in front], "--", color=colour, linewidth=1, zorder=1, label=name)
     for index, (seconds, error, setting, _) in enumerate(sorted(points)):
-        # Above and below by turns: neighbours in time are often neighbours in error too.
-        axes.annotate(setting, (seconds, error), xytext=(4, 5 if index % 2 else -9), textcoords="offset points", fontsize=6)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.margins(x=0.15, y=0.15)
+        offset = (4, OFFSETS[index % len(OFFSETS)])
+        axes.annotate(setting, (seconds, error), xytext=offset, textcoords="offset points", fontsize=6)
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_minor_locator(ticker.LogLocator(subs=(2, 5)))
+        axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.set_minor_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
+    axes.margins(x=0.15, y=0.2)
     axes.set_xlabel("time of the picture, s")
     axes.set_ylabel("rms error, levels of 255")
     axes.set_title(about)
-    axes.legend(loc="upper right", fontsize=7)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), fontsize=7)
     return figure
 
 
