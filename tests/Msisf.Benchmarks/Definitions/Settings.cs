@@ -26,10 +26,9 @@ internal static class Settings
     /// <summary>The native renderer's defaults.</summary>
     public static Setting NativeUsual { get; } = Native(1, Auto);
 
-    /// <summary>What every scene is made in.</summary>
-    public static IReadOnlyList<Setting> Few { get; } =
+    /// <summary>What every scene is made in, by the program itself.</summary>
+    public static IReadOnlyList<Setting> Own { get; } =
     [
-        Thesis,
         PovRayFull,
         PovRayUsual,
         NativeUsual,
@@ -37,6 +36,9 @@ internal static class Settings
         Native(2, Auto),
         Native(4, Auto),
     ];
+
+    /// <summary>Those and the base line.</summary>
+    public static IReadOnlyList<Setting> Few { get; } = [Thesis, .. Own];
 
     /// <summary>Those and other errors that the levels of detail are allowed, from which the default is chosen.</summary>
     public static IReadOnlyList<Setting> Usual { get; } =

@@ -22,7 +22,7 @@ internal static class PovRayHits
     public static IReadOnlyList<Vector3D?> Trace(string scenePath, string patternRoot, IEnumerable<Ray> rays, string folder)
     {
         StringBuilder scene = new("#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n#declare moon = texture { pigment { rgb 1 } }\n#declare N = <0, 0, 0>;\n#declare All = union {\n");
-        scene.AppendJoin('\n', File.ReadLines(scenePath).Where(line => line.StartsWith(Include, StringComparison.Ordinal))).Append("\n}\n");
+        scene.AppendJoin('\n', File.ReadLines(scenePath).Where(line => line.TrimStart().StartsWith(Include, StringComparison.Ordinal))).Append("\n}\n");
         foreach (Ray ray in rays)
         {
             scene.Append(CultureInfo.InvariantCulture, $"#declare H = trace(All, {Text(ray.Origin / 1000.0)}, {Text(ray.Direction)}, N);\n");
