@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Measures the native renderer, and POV-Ray's way beside it in the same run; writes the tables into docs/performance.md
-# and all figures into docs/benchmark/. As root, or as a user with sudo. Under 20 minutes, and some minutes and 4 GB more
-# in benchmark/ at the first run. Leave the machine alone meanwhile.
+# Measures run time against error of both renderers, with the thesis's own way as the base line of the same run; writes the
+# tables into docs/performance.md and all figures and plots into docs/benchmark/. As root, or as a user with sudo. Under 20
+# minutes, and some minutes and 4 GB more in benchmark/ at the first run. Leave the machine alone meanwhile.
 #     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick]]
-# --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., sequence).
+# --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., from-nothing, sequence).
 # With one of the two the results stay in benchmark/, and docs/ is left alone.
 # --micro: micro-benchmarks of single parts instead, into benchmark/micro/.
 # --stress: the stress tests at full length instead, into docs/accuracy.md and docs/benchmark/; with --quick at everyday length, docs/ is left alone.
@@ -41,9 +41,9 @@ fi
 cd "$root"
 require_own_folders
 folder=benchmark
-# latitudes and longitudes that the scenes of the finest model show, and from where shadows may fall into them
-finest_region=-16:18:14:62
-finest_name=LDEM_512_SYNTHETIC_16S_18N_014_062
+# latitudes and longitudes that the scenes of the finest models show, and from where shadows may fall into them
+fine_region=-16:18:14:62
+fine_ending=16S_18N_014_062
 program=tests/Msisf.Benchmarks/bin/Release/net10.0/Msisf.Benchmarks
 
 # The label of LDEM_4, the real one or what stands in for it, into $base.
@@ -62,9 +62,9 @@ get_model() {
     local ldem=$folder/ldem name=LDEM_$1_SYNTHETIC
     case $1 in
         4) models+=(--model "$base") ;;
-        512)
-            name=$finest_name
-            make_model "$ldem" "$name" "$base" --res 512 "--region=$finest_region"
+        128 | 512)
+            name=${name}_$fine_ending
+            make_model "$ldem" "$name" "$base" --res "$1" "--region=$fine_region"
             "$program" fill "$ldem/$name.LBL"
             models+=(--model "$ldem/$name.LBL")
             ;;
@@ -75,9 +75,7 @@ get_model() {
     esac
 }
 
-parts=(povray downloader certificates)
-[ -z "$is_stress" ] || parts+=(matplotlib)
-install_parts "${parts[@]}"
+install_parts povray matplotlib downloader certificates
 scripts/build.sh
 ensure_dotnet
 dotnet build tests/Msisf.Benchmarks -c Release -v quiet -nologo ||
@@ -107,13 +105,16 @@ for resolution in $resolutions; do
     get_model "$resolution"
 done
 "$program" measure --root . --folder "$folder" "${models[@]}" "${choice[@]}"
+rm -f "$folder"/front-*.svg
+/usr/bin/python3 -B tests/Msisf.Benchmarks/plots/performance.py "$folder/front.csv" "$folder"
 
 if [ -n "$is_partial" ]; then
     cat "$folder/tables.md"
-    say "The tables are in $folder/tables.md; docs/ is as it was."
+    say "The tables and plots are in $folder/; docs/ is as it was."
 else
     mkdir -p docs/benchmark
-    cp "$folder/figures.csv" "$folder/targets.csv" docs/benchmark/
+    rm -f docs/benchmark/front-*.svg
+    cp "$folder"/{figures,targets,front}.csv "$folder"/front-*.svg docs/benchmark/
     replace_block docs/performance.md "$folder/tables.md"
-    say 'The tables are in docs/performance.md, all figures in docs/benchmark/.'
+    say 'The tables are in docs/performance.md, all figures and plots in docs/benchmark/.'
 fi

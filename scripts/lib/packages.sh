@@ -53,8 +53,8 @@ package_of() {
         apt-matplotlib) echo python3-matplotlib ;;
         dnf-astropy | dnf-gdal | dnf-matplotlib) echo "python3-$2" ;;
         pacman-astropy | pacman-matplotlib) echo "python-$2" ;;
-        brew-matplotlib) echo python-matplotlib ;;
         brew-astropy) echo astropy ;;
+        brew-matplotlib) echo python-matplotlib ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
         apt-xmllint) echo libxml2-utils ;;
         apt-php) echo php-cli php-mysql ;;

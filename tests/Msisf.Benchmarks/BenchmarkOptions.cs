@@ -1,4 +1,5 @@
 using Msisf.Benchmarks.Definitions;
+using Msisf.Benchmarks.Fronts;
 
 namespace Msisf.Benchmarks;
 
@@ -13,8 +14,8 @@ internal sealed class BenchmarkOptions
         IsQuick = isQuick;
         Names = values["--scenes"].LastOrDefault() is string names
             ? names.Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
-            : isQuick ? Scenes.QuickNames : [.. Scenes.All.Select(scene => scene.Name), Scenes.Sequence];
-        Chosen = [.. Names.Where(name => name != Scenes.Sequence).Select(Scenes.Named)];
+            : isQuick ? Scenes.QuickNames : [.. Scenes.All.Select(scene => scene.Name), Scenes.FromNothing, Scenes.Sequence];
+        Chosen = [.. Names.Where(name => name is not (Scenes.Sequence or Scenes.FromNothing)).Select(Scenes.Named).Select(scene => isQuick ? Quick(scene) : scene)];
     }
 
     /// <summary>The repository's folder.</summary>
@@ -34,9 +35,15 @@ internal sealed class BenchmarkOptions
 
     public bool HasSequence => Names.Contains(Scenes.Sequence);
 
+    public bool HasFromNothing => Names.Contains(Scenes.FromNothing);
+
     /// <summary>Resolutions of the models that the run needs, px/deg.</summary>
     public IEnumerable<int> Resolutions =>
-        Chosen.Select(scene => scene.PixelsPerDegree).Concat(HasSequence ? [Repeats.SequencePixelsPerDegree] : []).Distinct().Order();
+        Chosen.Select(scene => scene.PixelsPerDegree)
+            .Concat(HasSequence ? [Repeats.SequencePixelsPerDegree] : [])
+            .Concat(HasFromNothing ? [FromNothing.Picture.PixelsPerDegree] : [])
+            .Distinct()
+            .Order();
 
     private IReadOnlyList<string> Names { get; }
 
@@ -66,6 +73,8 @@ internal sealed class BenchmarkOptions
 
         return new BenchmarkOptions(values.ToLookup(pair => pair.Name, pair => pair.Value), isQuick);
     }
+
+    private static Scene Quick(Scene scene) => scene with { Settings = [.. scene.Settings.Intersect(Settings.Usual)] };
 
     private static string Single(ILookup<string, string> values, string name) => values[name].LastOrDefault() ?? ".";
 }

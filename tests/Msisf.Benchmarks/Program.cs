@@ -5,6 +5,7 @@ using Msisf.Benchmarks.Measures;
 using Msisf.Benchmarks.Micro;
 using Msisf.Benchmarks.Programs;
 using Msisf.Benchmarks.Reports;
+using Msisf.Benchmarks.Thesis;
 using Msisf.Core.Errors;
 using Msisf.Stress;
 
@@ -44,6 +45,14 @@ try
             using (Sun sun = Sun.Open(Environment.CurrentDirectory))
             {
                 Console.WriteLine(JsonSerializer.Serialize(FurtherFramesChild.Run(job, sun.Ephemeris)));
+            }
+
+            return 0;
+        case ThesisFrameJob.Command:
+            ThesisFrameJob thesis = JsonSerializer.Deserialize<ThesisFrameJob>(args[1])!;
+            using (Sun sun = Sun.Open(Environment.CurrentDirectory))
+            {
+                Console.Error.WriteLine(JsonSerializer.Serialize(ThesisFrame.Run(thesis, sun.Ephemeris)));
             }
 
             return 0;

@@ -1,4 +1,4 @@
-"""When the Sun stands as the benchmark's scenes want it (tests/Msisf.Benchmarks/Scenes.cs), from CSPICE N0067 with the kernels in kernels/.
+"""When the Sun stands as the benchmark's scenes want it (tests/Msisf.Benchmarks/Definitions/Places.cs), from CSPICE N0067 with the kernels in kernels/.
 
 Run in the repository's folder: python3 tests/reference/benchmark_scenes.py [libcspice.so]
 """
@@ -41,11 +41,12 @@ def sunrise(wanted, latitude, longitude, start, end):
 
 
 print("far: MJD 55289, Sun %.2f degrees over the horizon of 0 N 45 E" % elevation(55289, 0, 45))
-for name, wanted, latitude, longitude in (("nadir", 10, 10, 20), ("oblique", 3, 11.16, 20)):
+for name, wanted, latitude, longitude in (("nadir", 10, 10, 20), ("oblique", 3, 11.16, 20), ("prime", 10, 0, 0)):
     first = next(day for day in range(55290, 55320)
                  if elevation(day, latitude, longitude) < 0 <= elevation(day + 2, latitude, longitude))
     mjd = round(sunrise(wanted, latitude, longitude, first, first + 4), 2)
     print("%s: MJD %.2f, Sun %.3f degrees over the horizon of %g N %g E, rising" % (
         name, mjd, elevation(mjd, latitude, longitude), latitude, longitude))
-best = max(range(55197, 55562), key=lambda day: elevation(day, 90, 0))
-print("pole: MJD %d, Sun %.3f degrees over the horizon of 90 N" % (best, elevation(best, 90, 0)))
+for latitude in (90, -90):
+    best = max(range(55197, 55562), key=lambda day: elevation(day, latitude, 0))
+    print("pole: MJD %d, Sun %.3f degrees over the horizon of %g N" % (best, elevation(best, latitude, 0), latitude))

@@ -4,9 +4,15 @@
 # A clone whose models are there; SDK, program and benchmark are stand-ins. Each line of "calls" is what the benchmark was asked.
 make_benchmark_clone() {
     need povray
+    /usr/bin/python3 -c 'import matplotlib' 2>/dev/null || {
+        echo 'missing: matplotlib'
+        exit 77
+    }
     export MSISF_LDEM_URLS='http://127.0.0.1:9/none.lbl' CALLS=$PWD/calls PATH="$PWD/sdk:$PATH"
     make_clone "$PWD/clone"
     cp "$MSISF_TESTED_ROOT/benchmark.sh" clone
+    mkdir -p clone/tests/Msisf.Benchmarks
+    cp -R "$MSISF_TESTED_ROOT/tests/Msisf.Benchmarks/plots" clone/tests/Msisf.Benchmarks
     make_model clone/input/ldem LDEM_4 IMG LBL
     make_model made LDEM IMG LBL
     : >"$CALLS"
@@ -28,7 +34,9 @@ SDK
 #!/usr/bin/env bash
 echo "msis $*" >>"$CALLS"
 name=LDEM_$4_SYNTHETIC
-[ "$4" != 512 ] || name=LDEM_512_SYNTHETIC_16S_18N_014_062
+case $4 in
+    128 | 512) name=${name}_16S_18N_014_062 ;;
+esac
 mkdir -p benchmark/ldem
 cp ../made/LDEM.IMG "benchmark/ldem/$name.IMG"
 cp ../made/LDEM.LBL "benchmark/ldem/$name.LBL"
@@ -44,6 +52,8 @@ case $1 in
         echo '| fresh |' >benchmark/tables.md
         echo figures >benchmark/figures.csv
         echo targets >benchmark/targets.csv
+        printf '%s\n' 'scene,about,setting,kind,seconds_median,grey_rms_levels' "${SCENE:-far-4},Far,thesis,Thesis,2,0.9" \
+            "${SCENE:-far-4},Far,native,Native,0.3,0" 'far-512,Far,native,Native,1,' >benchmark/front.csv
         ;;
     stress)
         mkdir -p benchmark/stress
@@ -81,6 +91,7 @@ test_benchmark_replaces_only_the_text_between_the_marks() {
     assert_same "$(cat clone/docs/performance.md)" \
         "$(printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '' '| fresh |' '' '<!-- benchmark.sh: end -->' 'after')"
     assert_same "$(cat clone/docs/benchmark/figures.csv clone/docs/benchmark/targets.csv)" $'figures\ntargets'
+    assert_same "$(cd clone/docs/benchmark && ls)" $'figures.csv\nfront-far-4.svg\nfront.csv\ntargets.csv'
     cp clone/docs/performance.md page
     run clone/benchmark.sh
     cmp clone/docs/performance.md page || fail 'a second run has added something'
@@ -96,17 +107,35 @@ test_benchmark_page_without_marks_stays_as_it_is() {
     cmp clone/docs/performance.md page || fail 'the page has changed'
 }
 
+test_benchmark_plots_of_scenes_that_are_gone_go() {
+    make_benchmark_clone
+    SCENE=old run clone/benchmark.sh
+    assert_code 0
+    run clone/benchmark.sh
+    assert_code 0
+    assert_same "$(cd clone/docs/benchmark && ls -- *.svg)" front-far-4.svg
+}
+
+test_benchmark_plots_are_the_same_for_the_same_figures() {
+    make_benchmark_clone
+    run clone/benchmark.sh
+    cp clone/docs/benchmark/front-far-4.svg first.svg
+    run clone/benchmark.sh
+    cmp clone/docs/benchmark/front-far-4.svg first.svg || fail 'the plot differs from run to run'
+}
+
 test_benchmark_models_are_made_once() {
     make_benchmark_clone
-    RESOLUTIONS='4 64 512' run clone/benchmark.sh
+    RESOLUTIONS='4 64 128 512' run clone/benchmark.sh
     assert_code 0
-    RESOLUTIONS='4 64 512' run clone/benchmark.sh
+    RESOLUTIONS='4 64 128 512' run clone/benchmark.sh
     assert_code 0
     assert_same "$(grep '^msis' "$CALLS")" "$(printf '%s\n' \
         'msis ldem synthesize --res 64 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch' \
+        'msis ldem synthesize --res 128 --region=-16:18:14:62 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch' \
         'msis ldem synthesize --res 512 --region=-16:18:14:62 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch')"
     assert_same "$(grep '^measure' "$CALLS" | tail -n 1)" \
-        'measure --root . --folder benchmark --model input/ldem/LDEM_4.LBL --model benchmark/ldem/LDEM_64_SYNTHETIC.LBL --model benchmark/ldem/LDEM_512_SYNTHETIC_16S_18N_014_062.LBL'
+        'measure --root . --folder benchmark --model input/ldem/LDEM_4.LBL --model benchmark/ldem/LDEM_64_SYNTHETIC.LBL --model benchmark/ldem/LDEM_128_SYNTHETIC_16S_18N_014_062.LBL --model benchmark/ldem/LDEM_512_SYNTHETIC_16S_18N_014_062.LBL'
 }
 
 test_benchmark_of_a_part_leaves_the_docs_alone() {
@@ -193,6 +222,10 @@ test_benchmark_quick_run_measures() {
     }
     run "$MSISF_TESTED_ROOT/benchmark.sh" --quick
     assert_code 0
+    assert_says '| far, LDEM_4 | POV-Ray'\''s picture, to the thesis'\''s way | at least 1.00 times |'
+    assert_says '| thesis | '
+    assert_says '| native, 16, full | '
+    [ -s "$MSISF_TESTED_ROOT/benchmark/front-far-4.svg" ] || fail 'there is no plot'
     assert_says '| far, LDEM_4 | first frame, from process start | at most 120 ms |'
     assert_says '| far, LDEM_4 | further frames | at most 12.0 ms |'
     assert_says '| orbit of 20 frames | pictures and meta files | at least 15.0 frames/s |'

@@ -2,7 +2,7 @@ namespace Msisf.Benchmarks.Definitions;
 
 /// <summary>How often things are measured.</summary>
 /// <param name="FirstFrames">Processes of one frame.</param>
-/// <param name="PovRayPictures">The same by POV-Ray's way, where it is measured repeatedly.</param>
+/// <param name="Pictures">Pictures of each way whose time and error are measured, after the first one, where one takes seconds.</param>
 /// <param name="WarmUpFrames">Further frames until the code is compiled for good.</param>
 /// <param name="FurtherFrames">Further frames that are measured.</param>
 /// <param name="CheckedPixels">Pixels that are compared with the exact tracer.</param>
@@ -11,7 +11,7 @@ namespace Msisf.Benchmarks.Definitions;
 /// <param name="LayeredFrames">Frames of the sequence with all layers.</param>
 internal sealed record Repeats(
     int FirstFrames,
-    int PovRayPictures,
+    int Pictures,
     int WarmUpFrames,
     int FurtherFrames,
     int CheckedPixels,
@@ -19,8 +19,8 @@ internal sealed record Repeats(
     int SequencePixelsPerDegree,
     int LayeredFrames)
 {
-    public static Repeats Full { get; } = new(9, 5, 40, 40, 1000, 1000, 64, 20);
+    public static Repeats Full { get; } = new(5, 2, 20, 25, 1000, 1000, 64, 20);
 
     /// <summary>Shows that the benchmark works, no more.</summary>
-    public static Repeats Quick { get; } = new(3, 1, 5, 5, 100, 20, 4, 2);
+    public static Repeats Quick { get; } = new(3, 0, 5, 5, 100, 20, 4, 2);
 }

@@ -23,13 +23,20 @@ internal sealed record Scene
     /// <summary>When, where and how the camera looks; the Sun follows from the time.</summary>
     public required SpacecraftState State { get; init; }
 
-    /// <summary>No coarser levels of the model (<c>--lod off</c>).</summary>
+    /// <summary>The native renderer's frames are timed without coarser levels of the model (<c>--lod off</c>).</summary>
     public bool IsExact { get; init; }
 
-    /// <summary>How POV-Ray is measured beside it.</summary>
-    public required PovRayUse PovRay { get; init; }
+    /// <summary>What the native renderer's frames may cost; null if its frames are not timed one by one.</summary>
+    public SceneTargets? Targets { get; init; }
 
-    public required SceneTargets Targets { get; init; }
+    /// <summary>The ways whose time and error are measured; none if they are not.</summary>
+    public IReadOnlyList<Setting> Settings { get; init; } = [];
+
+    /// <summary>Tiles of the picture that are measured in the thesis's way; with fewer than it takes its time is scaled, and it has no error.</summary>
+    public int MostThesisTiles { get; init; } = int.MaxValue;
+
+    /// <summary>Its truth can be drawn: 64 samples of the full model. At 512 px/deg that would take ten minutes.</summary>
+    public bool HasTruth { get; init; } = true;
 
     public PinholeCamera Camera => CameraAt(State.PositionMoonMe, State.MoonFromCamera);
 

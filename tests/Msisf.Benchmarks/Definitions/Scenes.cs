@@ -1,103 +1,105 @@
-using Msisf.Core.Attitude;
-using Msisf.Core.Numerics;
-using Msisf.Core.Scene;
-using Msisf.Core.Terrain;
-using Msisf.Core.Time;
-
 namespace Msisf.Benchmarks.Definitions;
 
-/// <summary>
-/// The measured scenes. The Sun is the ephemeris's at the time given; the times are those at which it stands as wanted
-/// (tests/reference/benchmark_scenes.py, CSPICE N0067).
-/// </summary>
+/// <summary>The measured scenes.</summary>
 internal static class Scenes
 {
     /// <summary>The name of the sequence, which is chosen like a scene.</summary>
     public const string Sequence = "sequence";
 
+    /// <summary>The name of the first picture from nothing but the model's file.</summary>
+    public const string FromNothing = "from-nothing";
+
     private const double Megabyte = 1e6;
 
+    /// <summary>Tiles of the thesis's way, where all would take too long: one takes half a second of parsing at 16 px/deg.</summary>
+    private const int CoarseTiles = 16;
 
-    /// <summary>The thesis's example place, 1 091 km over 0 N 45 E, straight down: the terminator runs through the picture (Sun 0.88 degrees up).</summary>
-    private static readonly SpacecraftState Far = Nadir(55289.0, new Vector3D(2e6, 2e6, 0.0));
-
-    /// <summary>100 km over 10 N 20 E, straight down; Sun 9.97 degrees up, in the east.</summary>
-    private static readonly SpacecraftState LowNadir = Nadir(55306.67, Above(10.0, 20.0, 100e3));
-
-    /// <summary>20 km over 10 N 20 E, 60 degrees off nadir to the north; Sun 3.01 degrees up, in the east, where the picture's middle is.</summary>
-    private static readonly SpacecraftState Oblique = Tilted(Nadir(55306.09, Above(10.0, 20.0, 20e3)), 60.0);
-
-    /// <summary>100 km over the north pole, straight down; Sun 1.56 degrees up, as high as it comes in 2010.</summary>
-    private static readonly SpacecraftState Pole = Nadir(55295.0, Above(90.0, 0.0, 100e3));
+    /// <summary>
+    /// The same at 64 px/deg, where one takes 6 s. At 128 px/deg one takes minutes, because POV-Ray's parser slows down with the size of a
+    /// <c>mesh</c>: the thesis's way is not measured there.
+    /// </summary>
+    private const int FineTiles = 2;
 
     /// <summary>What a quick run measures.</summary>
     public static IReadOnlyList<string> QuickNames { get; } = ["far-4", Sequence];
 
-    /// <summary>All, with the targets of the project's plan.</summary>
+    /// <summary>All, with the targets of the project's plan for the native renderer's times.</summary>
     public static IReadOnlyList<Scene> All { get; } =
     [
         new()
         {
-            Name = "far-4", About = "far, LDEM_4", PixelsPerDegree = 4, State = Far, PovRay = PovRayUse.Repeatedly,
+            Name = "far-4", About = "far, LDEM_4", PixelsPerDegree = 4, State = Places.Far, Settings = Settings.All,
             Targets = new SceneTargets(0.12, 0.012, 100 * Megabyte, TimesFasterThanPovRay: 200.0),
         },
+        new() { Name = "far-16", About = "far, LDEM_16", PixelsPerDegree = 16, State = Places.Far, Settings = Settings.Few },
         new()
         {
-            Name = "nadir-64", About = "100 km, nadir, LDEM_64", PixelsPerDegree = 64, State = LowNadir, PovRay = PovRayUse.Repeatedly,
-            Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
-        },
-        new()
-        {
-            Name = "oblique-64", About = "20 km, oblique, LDEM_64", PixelsPerDegree = 64, State = Oblique, PovRay = PovRayUse.Once,
-            Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
-        },
-        new()
-        {
-            Name = "far-64", About = "far, LDEM_64, exact", PixelsPerDegree = 64, State = Far, IsExact = true, PovRay = PovRayUse.Once,
+            Name = "far-64", About = "far, LDEM_64", PixelsPerDegree = 64, State = Places.Far, IsExact = true,
+            Settings = Settings.Antialiased, MostThesisTiles = 4,
             Targets = new SceneTargets(0.35, 0.060, 250 * Megabyte),
         },
         new()
         {
-            Name = "far-512", About = "far, LDEM_512, levels of detail", PixelsPerDegree = 512, State = Far, PovRay = PovRayUse.No,
+            Name = "far-512", About = "far, LDEM_512", PixelsPerDegree = 512, State = Places.Far, HasTruth = false,
+            Settings = [Settings.PovRayUsual, Settings.NativeUsual],
+            Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
+        },
+        new() { Name = "disc-16", About = "whole disc, LDEM_16", PixelsPerDegree = 16, State = Places.Disc, Settings = Settings.Usual, MostThesisTiles = CoarseTiles },
+        new()
+        {
+            Name = "nadir-64", About = "100 km, nadir, LDEM_64", PixelsPerDegree = 64, State = Places.LowNadir, Settings = Settings.All,
+            Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
+        },
+        new() { Name = "nadir-128", About = "100 km, nadir, LDEM_128", PixelsPerDegree = 128, State = Places.LowNadir, Settings = Settings.Own },
+        new()
+        {
+            Name = "oblique-64", About = "20 km, oblique, LDEM_64", PixelsPerDegree = 64, State = Places.Oblique,
+            Settings = Settings.Usual, MostThesisTiles = FineTiles,
+            Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
+        },
+        new()
+        {
+            Name = "oblique-512", About = "20 km, oblique, LDEM_512", PixelsPerDegree = 512, State = Places.Oblique,
             Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
         },
         new()
         {
-            Name = "oblique-512", About = "20 km, oblique, LDEM_512, levels of detail", PixelsPerDegree = 512, State = Oblique, PovRay = PovRayUse.No,
-            Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
-        },
-        new()
-        {
-            Name = "pole-64", About = "100 km over the north pole, LDEM_64", PixelsPerDegree = 64, State = Pole, PovRay = PovRayUse.Once,
+            Name = "pole-64", About = "100 km over the north pole, LDEM_64", PixelsPerDegree = 64, State = Places.NorthPole,
             Targets = new SceneTargets(0.4, 0.100, 250 * Megabyte),
         },
+        new()
+        {
+            Name = "north-16", About = "100 km over the north pole, LDEM_16", PixelsPerDegree = 16, State = Places.NorthPole,
+            Settings = Settings.Few, MostThesisTiles = CoarseTiles,
+        },
+        new()
+        {
+            Name = "south-16", About = "100 km over the south pole, LDEM_16", PixelsPerDegree = 16, State = Places.SouthPole,
+            Settings = Settings.Few, MostThesisTiles = CoarseTiles,
+        },
+        new()
+        {
+            Name = "prime-64", About = "100 km over the prime meridian, LDEM_64", PixelsPerDegree = 64, State = Places.PrimeMeridian,
+            Settings = Settings.Few, MostThesisTiles = FineTiles,
+        },
+        Landing("landing-100km", "100 km", 100e3, Settings.Few),
+        Landing("landing-5km", "5 km", 5e3, Settings.Usual),
+        Landing("landing-500m", "500 m", 500.0, Settings.Few),
     ];
 
     /// <summary>A scene by its name.</summary>
     /// <exception cref="BenchmarkException">There is none; the message has the names.</exception>
     public static Scene Named(string name) => All.FirstOrDefault(scene => scene.Name == name)
-        ?? throw new BenchmarkException($"there is no scene {name}; there are {string.Join(", ", All.Select(scene => scene.Name))} and {Sequence}.");
+        ?? throw new BenchmarkException(
+            $"there is no scene {name}; there are {string.Join(", ", All.Select(scene => scene.Name))}, {FromNothing} and {Sequence}.");
 
-    private static SpacecraftState Nadir(double mjd, Vector3D positionMoonMe) =>
-        new(new ModifiedJulianDate(mjd), positionMoonMe, NadirPointing.MoonFromCamera(positionMoonMe));
-
-    /// <summary>Turned about the picture's right, so that what lies above its middle comes into it.</summary>
-    private static SpacecraftState Tilted(SpacecraftState state, double degrees) => state with
+    private static Scene Landing(string name, string height, double altitude, IReadOnlyList<Setting> settings) => new()
     {
-        MoonFromCamera = state.MoonFromCamera * UnitQuaternion.FromAxisAngle(Vector3D.UnitY, double.DegreesToRadians(degrees)),
+        Name = name,
+        About = $"landing, {height}, LDEM_64",
+        PixelsPerDegree = 64,
+        State = Places.Landing(altitude),
+        Settings = settings,
+        MostThesisTiles = FineTiles,
     };
-
-    /// <summary>m, MOON_ME; the altitude is over the mean radius.</summary>
-    private static Vector3D Above(double latitudeDegrees, double longitudeDegrees, double altitude)
-    {
-        double radius = MoonConstants.MeanRadius + altitude;
-        if (latitudeDegrees == 90.0)
-        {
-            return radius * Vector3D.UnitZ; // the cosine of a right angle is not 0 in doubles
-        }
-
-        (double sinLatitude, double cosLatitude) = Math.SinCos(double.DegreesToRadians(latitudeDegrees));
-        (double sinLongitude, double cosLongitude) = Math.SinCos(double.DegreesToRadians(longitudeDegrees));
-        return radius * new Vector3D(cosLatitude * cosLongitude, cosLatitude * sinLongitude, sinLatitude);
-    }
 }

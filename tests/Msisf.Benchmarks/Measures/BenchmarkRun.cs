@@ -1,37 +1,86 @@
+using System.Diagnostics;
 using Msisf.Benchmarks.Definitions;
+using Msisf.Benchmarks.Fronts;
 using Msisf.Benchmarks.Programs;
 
 namespace Msisf.Benchmarks.Measures;
 
 /// <summary>Measures what was asked for, one thing after another.</summary>
-internal static class BenchmarkRun
+internal sealed class BenchmarkRun
 {
-    public static BenchmarkResult Measure(BenchmarkOptions options, TextWriter log)
+    private readonly BenchmarkOptions _options;
+    private readonly Workbench _bench;
+    private readonly TextWriter _log;
+    private readonly long _start = Stopwatch.GetTimestamp();
+
+    private BenchmarkRun(BenchmarkOptions options, TextWriter log)
     {
-        Workbench bench = new(options.Root, options.Folder, options.Models);
-        using Sun sun = Sun.Open(bench.Root);
-        string loadBefore = Machine.Load();
-        List<SceneResult> scenes = [];
-        foreach (Scene scene in options.Chosen)
-        {
-            log.WriteLine($"{scene.Name}: {scene.About}");
-            int? patterns = scene.PovRay == PovRayUse.No ? null : PatternMaker.Make(scene, bench, sun.Ephemeris);
-            FirstFrameResult first = new FirstFrames(bench, options.Repeats).Measure(scene);
-            scenes.Add(new SceneResult(scene, patterns, first, new FurtherFrames(bench, options.Repeats).Measure(scene)));
-        }
-
-        Sequences sequences = new(bench, options.Repeats);
-        SequenceResult? plain = null;
-        SequenceResult? layered = null;
-        if (options.HasSequence)
-        {
-            log.WriteLine(FormattableString.Invariant($"sequence: {options.Repeats.SequenceFrames} frames"));
-            plain = sequences.Plain();
-            log.WriteLine(FormattableString.Invariant($"sequence: {options.Repeats.LayeredFrames} frames with all layers"));
-            layered = sequences.WithLayers();
-        }
-
-        string machine = $"{Machine.Describe()} Load before and after the run: {loadBefore} and {Machine.Load()}.";
-        return new BenchmarkResult(machine, scenes, plain, layered);
+        _options = options;
+        _bench = new Workbench(options.Root, options.Folder, options.Models);
+        _log = log;
     }
+
+    /// <summary>Measures.</summary>
+    /// <param name="options">What.</param>
+    /// <param name="log">Is told what is being measured.</param>
+    public static BenchmarkResult Measure(BenchmarkOptions options, TextWriter log) => new BenchmarkRun(options, log).Measure();
+
+    private BenchmarkResult Measure()
+    {
+        string loadBefore = Machine.Load();
+        IReadOnlyList<SceneFront> fronts = Fronts();
+        FromNothingResult? fromNothing = null;
+        if (_options.HasFromNothing)
+        {
+            Say("the first picture from nothing but the model");
+            fromNothing = FromNothing.Measure(_bench);
+        }
+
+        IReadOnlyList<SceneResult> scenes = NativeFrames();
+        (SequenceResult? plain, SequenceResult? layered) = _options.HasSequence ? Sequence() : default;
+        string machine = FormattableString.Invariant(
+            $"{Machine.Describe()} Load before and after the run: {loadBefore} and {Machine.Load()}. The run took {Stopwatch.GetElapsedTime(_start).TotalMinutes:F1} minutes.");
+        return new BenchmarkResult(machine, scenes, fronts, fromNothing, plain, layered);
+    }
+
+    private List<SceneFront> Fronts()
+    {
+        using Sun sun = Sun.Open(_bench.Root);
+        FrontMeasure measure = new(_bench, sun.Ephemeris, _options.Repeats.Pictures, _log);
+        List<SceneFront> fronts = [];
+        foreach (Scene scene in _options.Chosen.Where(scene => scene.Settings.Count > 0))
+        {
+            Say($"{scene.Name}, time against error: {scene.About}");
+            fronts.Add(measure.Measure(scene));
+        }
+
+        return fronts;
+    }
+
+    private List<SceneResult> NativeFrames()
+    {
+        List<SceneResult> results = [];
+        foreach (Scene scene in _options.Chosen)
+        {
+            if (scene.Targets is SceneTargets targets)
+            {
+                Say($"{scene.Name}, native frames: {scene.About}");
+                FirstFrameResult first = new FirstFrames(_bench, _options.Repeats).Measure(scene);
+                results.Add(new SceneResult(scene, targets, first, new FurtherFrames(_bench, _options.Repeats).Measure(scene)));
+            }
+        }
+
+        return results;
+    }
+
+    private (SequenceResult Plain, SequenceResult Layered) Sequence()
+    {
+        Sequences sequences = new(_bench, _options.Repeats);
+        Say(FormattableString.Invariant($"sequence: {_options.Repeats.SequenceFrames} frames"));
+        SequenceResult plain = sequences.Plain();
+        Say(FormattableString.Invariant($"sequence: {_options.Repeats.LayeredFrames} frames with all layers"));
+        return (plain, sequences.WithLayers());
+    }
+
+    private void Say(string what) => _log.WriteLine(FormattableString.Invariant($"{Stopwatch.GetElapsedTime(_start).TotalSeconds,6:F0} s  {what}"));
 }

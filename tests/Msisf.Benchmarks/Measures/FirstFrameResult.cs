@@ -3,15 +3,13 @@ using Msisf.Benchmarks.Programs;
 
 namespace Msisf.Benchmarks.Measures;
 
-/// <summary>What processes of one frame cost.</summary>
-/// <param name="Native">The native renderer's runs.</param>
-/// <param name="PovRay">s; POV-Ray's way, with patterns in place and POV-Ray's usual antialiasing; null if not measured.</param>
-/// <param name="PovRayWithoutAntialiasing">s; null if not measured.</param>
-internal sealed record FirstFrameResult(IReadOnlyList<ProgramRun> Native, Samples? PovRay, Samples? PovRayWithoutAntialiasing)
+/// <summary>What processes of one frame by the native renderer cost.</summary>
+/// <param name="Runs">The processes.</param>
+internal sealed record FirstFrameResult(IReadOnlyList<ProgramRun> Runs)
 {
-    private RunTiming[] Timings { get; } = [.. Native.Select(RunTiming.Of)];
+    private RunTiming[] Timings { get; } = [.. Runs.Select(RunTiming.Of)];
 
-    public Samples Seconds => new(Native.Select(run => run.Seconds));
+    public Samples Seconds => new(Runs.Select(run => run.Seconds));
 
     public Samples PeakMemoryBytes => new(Timings.Select(timing => timing.PeakMemoryBytes));
 

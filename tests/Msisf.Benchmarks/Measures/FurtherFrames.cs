@@ -41,10 +41,9 @@ internal sealed class FurtherFrames
 
     private FurtherFramesResult Run(Scene scene, int threads, Dictionary<string, string>? environment)
     {
-        string self = Environment.ProcessPath ?? throw new BenchmarkException("the benchmark can't find its own program.");
         FurtherFramesJob job = new(
             scene.Name, _bench.LabelOf(scene.PixelsPerDegree), threads, _repeats.WarmUpFrames, _repeats.FurtherFrames, _repeats.CheckedPixels);
-        ProgramRun run = new ChildProgram(self, _bench.Root).Run([FurtherFramesJob.Command, JsonSerializer.Serialize(job)], environment);
+        ProgramRun run = ChildProgram.Self(_bench.Root).Run([FurtherFramesJob.Command, JsonSerializer.Serialize(job)], environment);
         return JsonSerializer.Deserialize<FurtherFramesResult>(run.Output[^1].Line)!;
     }
 }

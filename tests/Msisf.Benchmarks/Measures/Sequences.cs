@@ -41,9 +41,9 @@ internal sealed class Sequences
                 "--renderer", "native",
                 .. options,
             ],
-            watchesMemory: true);
+            watch: MemoryWatch.Own);
         long bytes = new DirectoryInfo(folder).EnumerateFiles().Sum(file => file.Length);
-        Workbench.DeleteOutput(folder); // gigabytes
+        Workbench.Delete(folder); // gigabytes
         return new SequenceResult(frames, run, bytes);
     }
 

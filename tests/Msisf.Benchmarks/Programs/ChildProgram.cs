@@ -6,7 +6,8 @@ namespace Msisf.Benchmarks.Programs;
 /// <summary>Runs a program to its end and watches it.</summary>
 internal sealed class ChildProgram
 {
-    private static readonly TimeSpan MemoryInterval = TimeSpan.FromMilliseconds(500);
+    private static readonly TimeSpan OwnInterval = TimeSpan.FromMilliseconds(500);
+    private static readonly TimeSpan ChildrenInterval = TimeSpan.FromMilliseconds(50);
 
     private const int ShownErrorLines = 5;
 
@@ -22,12 +23,17 @@ internal sealed class ChildProgram
         _folder = folder;
     }
 
+    /// <summary>This program itself.</summary>
+    /// <param name="folder">The working directory.</param>
+    public static ChildProgram Self(string folder) =>
+        new(Environment.ProcessPath ?? throw new BenchmarkException("the benchmark can't find its own program."), folder);
+
     /// <summary>Runs it.</summary>
     /// <param name="arguments">Its arguments.</param>
     /// <param name="environment">Variables that it gets beside this process's own.</param>
-    /// <param name="watchesMemory">Look at its memory twice a second; that would disturb a run of a fraction of a second.</param>
+    /// <param name="watch">Whose memory to look at meanwhile.</param>
     /// <exception cref="BenchmarkException">It can't be started or fails; the message has what it said.</exception>
-    public ProgramRun Run(IReadOnlyList<string> arguments, IReadOnlyDictionary<string, string>? environment = null, bool watchesMemory = false)
+    public ProgramRun Run(IReadOnlyList<string> arguments, IReadOnlyDictionary<string, string>? environment = null, MemoryWatch watch = MemoryWatch.None)
     {
         using Process process = new() { StartInfo = StartInfo(arguments, environment) };
         List<(double, string)> output = [];
@@ -47,7 +53,13 @@ internal sealed class ChildProgram
         process.BeginOutputReadLine();
         process.BeginErrorReadLine();
         List<MemorySample> memory = [];
-        while (watchesMemory && !process.WaitForExit(MemoryInterval))
+        ChildrenMemory children = new(process.Id);
+        while (watch == MemoryWatch.Children && !process.WaitForExit(ChildrenInterval))
+        {
+            children.Look();
+        }
+
+        while (watch == MemoryWatch.Own && !process.WaitForExit(OwnInterval))
         {
             if (MemorySample.Of(process, Stopwatch.GetElapsedTime(start).TotalSeconds) is MemorySample sample)
             {
@@ -58,7 +70,7 @@ internal sealed class ChildProgram
         process.WaitForExit(); // and for the end of both pipes
         double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
         return process.ExitCode == 0
-            ? new ProgramRun(seconds, output, errors, memory)
+            ? new ProgramRun(seconds, output, errors, memory, children.PeakBytes)
             : throw new BenchmarkException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{_file} {string.Join(' ', arguments)}: exit code {process.ExitCode}: {string.Join(" / ", errors.TakeLast(ShownErrorLines))}"));

@@ -5,8 +5,10 @@ namespace Msisf.Benchmarks.Programs;
 /// <param name="Output">Lines of standard output, each with the seconds since the start.</param>
 /// <param name="Errors">Lines of standard error.</param>
 /// <param name="Memory">Resident memory while it ran; empty if it was not watched.</param>
+/// <param name="ChildrenPeakBytes">Most that a program that it started held; 0 if it was not watched or started none.</param>
 internal sealed record ProgramRun(
     double Seconds,
     IReadOnlyList<(double Seconds, string Line)> Output,
     IReadOnlyList<string> Errors,
-    IReadOnlyList<MemorySample> Memory);
+    IReadOnlyList<MemorySample> Memory,
+    long ChildrenPeakBytes);

@@ -20,6 +20,12 @@ internal sealed class RunTiming
         where number.Key.EndsWith(SecondsEnding, StringComparison.Ordinal) && number.Key != "total_s" && number.Value > 0.0
         select (number.Key[..^SecondsEnding.Length], number.Value);
 
+    /// <summary>Seconds of a phase; 0 if there is none of this name.</summary>
+    public double SecondsOf(string phase) => _numbers.GetValueOrDefault(phase + SecondsEnding);
+
+    /// <summary>A count, e.g. "tiles"; null if msis names none.</summary>
+    public double? CountOf(string name) => _numbers.TryGetValue(name, out double value) ? value : null;
+
     private double this[string name] => _numbers.TryGetValue(name, out double value)
         ? value
         : throw new BenchmarkException($"msis --timing says nothing of {name}; it says {string.Join(", ", _numbers.Keys)}.");

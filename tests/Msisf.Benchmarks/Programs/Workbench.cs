@@ -30,18 +30,20 @@ internal sealed class Workbench
     /// <summary>The program as users start it.</summary>
     public ChildProgram Msis { get; }
 
-    public string Patterns => Path.Combine(Folder, "patterns");
+    /// <summary>Patterns of one way to make one picture, so that what they amount to can be counted.</summary>
+    public string PatternsOf(Scene scene, Setting setting) => Path.Combine(Folder, "patterns", scene.Name, setting.FolderName);
 
     /// <summary>The pictures; an empty folder for each measurement.</summary>
     public string NewOutputFolder()
     {
         string folder = Path.Combine(Folder, "output");
-        DeleteOutput(folder);
+        Delete(folder);
         Directory.CreateDirectory(folder);
         return folder;
     }
 
-    public static void DeleteOutput(string folder)
+    /// <summary>Removes a folder, if it is there.</summary>
+    public static void Delete(string folder)
     {
         if (Directory.Exists(folder))
         {
@@ -57,7 +59,11 @@ internal sealed class Workbench
     public string LabelOf(int pixelsPerDegree) => Model(pixelsPerDegree).Parts[0].LabelPath;
 
     /// <summary>The options of msis that all runs share.</summary>
-    public IReadOnlyList<string> PictureOptions(int pixelsPerDegree, string outputFolder)
+    public IReadOnlyList<string> PictureOptions(int pixelsPerDegree, string outputFolder) =>
+        PictureOptions(pixelsPerDegree, LabelOf(pixelsPerDegree), outputFolder);
+
+    /// <summary>The same with another label of the model.</summary>
+    public static IReadOnlyList<string> PictureOptions(int pixelsPerDegree, string label, string outputFolder)
     {
         string side = Scene.Side.ToString(CultureInfo.InvariantCulture);
         return
@@ -65,7 +71,7 @@ internal sealed class Workbench
             "--width", side, "--height", side,
             "--fov", Scene.FieldOfViewDegrees.ToString("R", CultureInfo.InvariantCulture),
             "--res", pixelsPerDegree.ToString(CultureInfo.InvariantCulture),
-            "--ldem", LabelOf(pixelsPerDegree),
+            "--ldem", label,
             "--output-dir", outputFolder,
             "--batch", "--timing",
         ];

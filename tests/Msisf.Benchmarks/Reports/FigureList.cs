@@ -45,16 +45,6 @@ internal static class FigureList
         }
 
         yield return new Figure(name, "peak memory", "native", "bytes", result.First.PeakMemoryBytes);
-        if (result.First.PovRay is Samples povRay)
-        {
-            yield return new Figure(name, "first frame", "povray", "s", povRay);
-        }
-
-        if (result.First.PovRayWithoutAntialiasing is Samples plain)
-        {
-            yield return new Figure(name, "first frame", "povray without antialiasing", "s", plain);
-        }
-
         foreach (FurtherFramesResult further in result.Further)
         {
             string setting = SettingOf(further);

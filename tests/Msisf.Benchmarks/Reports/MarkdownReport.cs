@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using Msisf.Benchmarks.Definitions;
+using Msisf.Benchmarks.Fronts;
 using Msisf.Benchmarks.Measures;
 using Msisf.Benchmarks.Programs;
 
@@ -16,11 +17,15 @@ internal static class MarkdownReport
         StringBuilder text = new();
         text.Append(result.Machine).Append("\n\n");
         Append(text, "Targets: times by their median, memory by its most.", Targets(result));
+        foreach (SceneFront front in result.Fronts)
+        {
+            FrontReport.Append(text, front);
+        }
+
         if (result.Scenes.Count > 0)
         {
-            Append(text, "The first frame: a process of its own, all files written; minimum / median. Phases are medians of `--timing`.", FirstFrames(result.Scenes));
-            Append(text, "Further frames in one process, ms to draw one; minimum / median.", FurtherFrames(result.Scenes));
-            Append(text, "POV-Ray's way to the same picture, patterns in place; minimum / median.", PovRay(result.Scenes));
+            Append(text, "The native renderer's first frame: a process of its own, all files written; minimum / median. Phases are medians of `--timing`.", FirstFrames(result.Scenes));
+            Append(text, "Its further frames in one process, ms to draw one; minimum / median.", FurtherFrames(result.Scenes));
         }
 
         if (result.Sequence is not null)
@@ -94,23 +99,6 @@ internal static class MarkdownReport
         return table;
     }
 
-    private static Table PovRay(IReadOnlyList<SceneResult> scenes)
-    {
-        Table table = new("scene", "patterns", "s", "without antialiasing, s", "to a first frame", "to a further frame");
-        foreach (SceneResult scene in scenes)
-        {
-            table.Add(
-                scene.Scene.About,
-                scene.Patterns?.ToString(CultureInfo.InvariantCulture) ?? NotMeasured,
-                scene.First.PovRay is Samples usual ? Range(Unit.Seconds, usual) : NotMeasured,
-                scene.First.PovRayWithoutAntialiasing is Samples plain ? Range(Unit.Seconds, plain) : NotMeasured,
-                Ratio(scene.TimesFasterThanPovRay(scene.First.Seconds.Median)),
-                Ratio(scene.TimesFasterThanPovRay(scene.UsualFurtherSeconds.Median)));
-        }
-
-        return table;
-    }
-
     private static Table Sequences(BenchmarkResult result)
     {
         Table table = new(
@@ -136,8 +124,6 @@ internal static class MarkdownReport
     }
 
     private static string OwnMemory(MemorySample? sample) => sample is MemorySample seen ? Unit.Megabytes.Number(seen.OwnBytes) : NotMeasured;
-
-    private static string Ratio(double? times) => times is double value ? Unit.Times.Text(value) : NotMeasured;
 
     private static string Range(Unit unit, Samples values) => values.Count == 1
         ? unit.Number(values.Median)

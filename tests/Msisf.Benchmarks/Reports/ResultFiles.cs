@@ -12,6 +12,7 @@ internal static class ResultFiles
         Directory.CreateDirectory(folder);
         AtomicFile.WriteText(Path.Combine(folder, "tables.md"), writer => writer.Write(MarkdownReport.Write(result)));
         AtomicFile.WriteText(Path.Combine(folder, "figures.csv"), writer => writer.Write(FigureList.ToTable(result).ToCsv()));
+        AtomicFile.WriteText(Path.Combine(folder, "front.csv"), writer => writer.Write(FrontFigures.ToTable(result.Fronts).ToCsv()));
         AtomicFile.WriteText(Path.Combine(folder, "targets.csv"), writer => writer.Write(Targets(result).ToCsv()));
     }
 

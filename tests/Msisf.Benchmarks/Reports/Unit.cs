@@ -17,11 +17,24 @@ internal sealed record Unit(string Name, double PerSi)
 
     public static Unit Times { get; } = new("times", 1.0);
 
+    public static Unit Thousands { get; } = new("thousand", 1e-3);
+
+    public static Unit Percent { get; } = new("%", 100.0);
+
+    public static Unit Levels { get; } = new("levels", 1.0);
+
+    public static Unit Pixels { get; } = new("px", 1.0);
+
     public static Unit FramesPerSecond { get; } = new("frames/s", 1.0);
 
-    /// <summary>Three digits, never in powers of ten.</summary>
+    /// <summary>Three digits, never in powers of ten; a dash for NaN, which is what was not measured.</summary>
     public string Number(double value)
     {
+        if (double.IsNaN(value))
+        {
+            return "-";
+        }
+
         double shown = value * PerSi;
         int decimals = shown == 0.0 ? 0 : Math.Clamp(Digits - 1 - (int)Math.Floor(Math.Log10(Math.Abs(shown))), 0, Digits);
         return shown.ToString(string.Create(CultureInfo.InvariantCulture, $"F{decimals}"), CultureInfo.InvariantCulture);

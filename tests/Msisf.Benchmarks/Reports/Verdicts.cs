@@ -7,24 +7,25 @@ namespace Msisf.Benchmarks.Reports;
 internal static class Verdicts
 {
     public static IEnumerable<Verdict> Of(BenchmarkResult result) =>
-        [.. result.Scenes.SelectMany(Of), .. OfSequence(result.Sequence), .. OfLayers(result.Layers)];
+        [.. FrontVerdicts.Of(result), .. result.Scenes.SelectMany(scene => Of(scene, result)), .. OfSequence(result.Sequence), .. OfLayers(result.Layers)];
 
-    private static IEnumerable<Verdict> Of(SceneResult result)
+    private static IEnumerable<Verdict> Of(SceneResult result, BenchmarkResult all)
     {
         Scene scene = result.Scene;
         Samples first = result.First.Seconds;
         Samples further = result.UsualFurtherSeconds;
         Samples memory = result.First.PeakMemoryBytes;
         yield return new Verdict(
-            scene.About, "first frame, from process start", scene.Targets.FirstSeconds, IsUpperLimit: true, first.Median, first.Minimum, Unit.Milliseconds);
+            scene.About, "first frame, from process start", result.Targets.FirstSeconds, IsUpperLimit: true, first.Median, first.Minimum, Unit.Milliseconds);
         yield return new Verdict(
-            scene.About, "further frames", scene.Targets.FurtherSeconds, IsUpperLimit: true, further.Median, further.Minimum, Unit.Milliseconds);
+            scene.About, "further frames", result.Targets.FurtherSeconds, IsUpperLimit: true, further.Median, further.Minimum, Unit.Milliseconds);
         yield return new Verdict(
-            scene.About, "memory", scene.Targets.MemoryBytes, IsUpperLimit: true, memory.Maximum, memory.Minimum, Unit.Megabytes);
-        if (scene.Targets.TimesFasterThanPovRay is double times && result.TimesFasterThanPovRay(further.Median) is double measured)
+            scene.About, "memory", result.Targets.MemoryBytes, IsUpperLimit: true, memory.Maximum, memory.Minimum, Unit.Megabytes);
+        if (result.Targets.TimesFasterThanPovRay is double times)
         {
+            double full = all.Fronts.FirstOrDefault(front => front.Scene == scene)?.Of(Settings.PovRayFull)?.Seconds.Median ?? double.NaN;
             yield return new Verdict(
-                scene.About, "POV-Ray's way to a further frame", times, IsUpperLimit: false, measured, result.TimesFasterThanPovRay(further.Minimum)!.Value, Unit.Times);
+                scene.About, "a further frame, to POV-Ray's at full resolution", times, IsUpperLimit: false, full / further.Median, full / further.Minimum, Unit.Times);
         }
     }
 
