@@ -8,15 +8,6 @@ namespace Msisf.Stress.Camera;
 /// <summary>Where pixels' rays meet the reference sphere, from 1 m above it to 1e12 m, and whether they meet it at the limb.</summary>
 internal sealed class SphereMeasure : IMeasure<SphereMeasure>
 {
-    /// <summary>m: the range that the plain figure in metres is for; the far side of any orbit of the Moon.</summary>
-    private const double OrbitDistance = 1e7;
-
-    /// <summary>1: cosine of the emission angle down to which the plain figures are; 84 degrees.</summary>
-    private const double PlainCosEmission = 0.1;
-
-    /// <summary>m: from <see cref="OrbitDistance"/>, at such emission angles.</summary>
-    private const double PlainLimit = 1e-7;
-
     private readonly WorstCase _ratio = new();
     private readonly WorstCase _metres = new();
     private readonly WorstCase _decision = new();
@@ -29,7 +20,7 @@ internal sealed class SphereMeasure : IMeasure<SphereMeasure>
     public IEnumerable<StressFigure> Figures =>
     [
         _ratio.ToFigure("hit point on the reference sphere, to what its bound allows", "1", 1.0),
-        _metres.ToFigure("hit point on the reference sphere, camera within 1e7 m, emission below 84 degrees", "m", PlainLimit),
+        _metres.ToFigure("hit point on the reference sphere, camera within 1e7 m, emission below 84 degrees", "m", HitBounds.PlainLimit),
         _decision.ToFigure("distance from the tangent of a ray that is taken for a hit or a miss wrongly", "roundings of the inputs", HitBounds.Roundings),
         _decisionMetres.ToFigure("the same, camera within 1e7 m", "m", null),
         _wrong.ToFigure("hits that are not finite", string.Empty, 0.0),
@@ -54,7 +45,7 @@ internal sealed class SphereMeasure : IMeasure<SphereMeasure>
         PrecisePixel? pixel = PrecisePixel.At(camera, input.Frame.X, input.Frame.Y);
         double off = isHit == pixel is not null ? 0.0 : PrecisePixel.FromTangent(camera, input.Frame.X, input.Frame.Y);
         _decision.Note(off / HitBounds.Carried(position), input.ToString);
-        _decisionMetres.Note(position.Length < OrbitDistance ? off : 0.0, input.ToString);
+        _decisionMetres.Note(position.Length < HitBounds.OrbitDistance ? off : 0.0, input.ToString);
         bool isNoPoint = isHit && !point.IsFinite;
         _wrong.Note(isNoPoint, input.ToString);
         if (isHit && pixel is not null && !isNoPoint)
@@ -90,10 +81,10 @@ internal sealed class SphereMeasure : IMeasure<SphereMeasure>
         double ratio = error / HitBounds.OnSphere(input.Position, cosEmission);
         _ratio.Note(ratio, input.ToString);
         _byEmission.Add(Math.Max(cosEmission, 1e-8), ratio);
-        if (cosEmission > PlainCosEmission)
+        if (cosEmission > HitBounds.PlainCosine)
         {
             _byAltitude.Add(input.Position.Length - MoonConstants.ReferenceRadius, error);
-            _metres.Note(input.Position.Length < OrbitDistance ? error : 0.0, input.ToString);
+            _metres.Note(input.Position.Length < HitBounds.OrbitDistance ? error : 0.0, input.ToString);
         }
     }
 }

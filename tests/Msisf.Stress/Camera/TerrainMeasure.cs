@@ -11,15 +11,6 @@ namespace Msisf.Stress.Camera;
 /// <param name="terrain">The model.</param>
 internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<TerrainMeasure>
 {
-    /// <summary>m: the range that the plain figure in metres is for; the far side of any orbit of the Moon.</summary>
-    private const double OrbitDistance = 1e7;
-
-    /// <summary>1: cosine of the angle to the facet's normal down to which the plain figures are; 84 degrees.</summary>
-    private const double PlainCosine = 0.1;
-
-    /// <summary>m: from <see cref="OrbitDistance"/>, at such angles.</summary>
-    private const double PlainLimit = 1e-7;
-
     /// <summary>m: how far below the reference sphere a camera "in a valley" stands at least.</summary>
     private const double ValleyDepth = 1000.0;
 
@@ -43,7 +34,7 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
     [
         _wrong.ToFigure("terrain: rays that meet no facet or another than the first they enter", string.Empty, 0.0),
         _ratio.ToFigure("hit point on the terrain, to what its bound allows", "1", 1.0),
-        _metres.ToFigure("hit point on the terrain, camera within 1e7 m, facet seen below 84 degrees", "m", PlainLimit),
+        _metres.ToFigure("hit point on the terrain, camera within 1e7 m, facet seen below 84 degrees", "m", HitBounds.PlainLimit),
         _sphere.ToFigure("valleys: rays from under the reference sphere that it is said to show", string.Empty, 0.0),
         new StressFigure($"terrain: rays that meet {terrain.Grid.ProductId}", "rays", _hits, null, string.Empty),
     ];
@@ -162,10 +153,10 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
         double error = (PreciseVector.From(hit.PointMoonMe) - exact).Length.High;
         double cosine = facet.Cosine(direction);
         _ratio.Note(error / HitBounds.OnFacet(ray.Origin, cosine), input.ToString);
-        if (cosine > PlainCosine)
+        if (cosine > HitBounds.PlainCosine)
         {
             _byAltitude.Add(height, error);
-            _metres.Note(ray.Origin.Length < OrbitDistance ? error : 0.0, input.ToString);
+            _metres.Note(ray.Origin.Length < HitBounds.OrbitDistance ? error : 0.0, input.ToString);
         }
     }
 }

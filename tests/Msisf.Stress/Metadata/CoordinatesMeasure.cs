@@ -11,12 +11,6 @@ namespace Msisf.Stress.Metadata;
 /// <summary>The numbers of single pixels as they stand in the meta file: latitude, longitude, illumination direction.</summary>
 internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
 {
-    /// <summary>m: the series over what else makes errors grow are of cameras within it.</summary>
-    private const double OrbitDistance = 1e7;
-
-    /// <summary>1: cosine of the emission angle down to which these series go, 84 degrees.</summary>
-    private const double PlainCosEmission = 0.1;
-
     private readonly AngleMeasure _latitude = new("latitude", PixelBounds.PromisedCoordinate, new SeriesBuilder(1e-8, 1.0, 32, isLogarithmic: true));
     private readonly AngleMeasure _longitude = new("longitude", PixelBounds.PromisedCoordinate, new SeriesBuilder(1e-12, 1.0, 24, isLogarithmic: true));
     private readonly AngleMeasure _direction = new(
@@ -93,8 +87,8 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
         DoubleWord across = DoubleWord.Sqrt((point.X * point.X) + (point.Y * point.Y));
         double cosEmission = pixel.CosEmission;
         double cosLatitude = across.High / MoonConstants.ReferenceRadius;
-        bool isPlain = cosEmission > PlainCosEmission;
-        bool isNear = camera.Length < OrbitDistance;
+        bool isPlain = cosEmission > HitBounds.PlainCosine;
+        bool isNear = camera.Length < HitBounds.OrbitDistance;
         double latitude = Written(found.Latitude);
         double latitudeError = Error(latitude, across, point.Z);
         _latitude.Note(latitudeError, PixelBounds.Coordinate(camera, cosEmission, 1.0), isNear ? cosEmission : null, text);
@@ -125,7 +119,7 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
         {
             double degrees = Written(angle);
             (DoubleWord down, DoubleWord right) = pixel.IlluminationDirection(light);
-            bool isInSeries = camera.Length < OrbitDistance && cosEmission > PlainCosEmission;
+            bool isInSeries = camera.Length < HitBounds.OrbitDistance && cosEmission > HitBounds.PlainCosine;
             _direction.Note(Error(degrees, down, right), PixelBounds.Direction(camera, cosEmission, sine), isInSeries ? sine : null, text);
             _outOfRange.Note(!(degrees >= 0.0 && degrees < 360.0), text);
         }

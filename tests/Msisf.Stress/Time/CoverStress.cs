@@ -87,19 +87,19 @@ public sealed class CoverStress : IStressTest
             string? refusal = Refusals.Of(() => sun = engine.SunPositionMoonMe(new ModifiedJulianDate(mjd)));
             bool isPosition = refusal is null && sun.Length is > LeastSunDistance and < MostSunDistance;
             bool namesCover = Says(refusal, "is outside the kernels' cover: the kernels cover 1899-12-31");
-            string input = FormattableString.Invariant($"MJD {mjd:R}");
+            string Input() => MjdText.Of(mjd);
             if (!(mjd >= -678_575.0 && mjd < 2_973_484.0))
             {
-                NoDates.Note(!Says(refusal, "is not a date; a number from -678575 (year 1)"), () => input);
+                NoDates.Note(!Says(refusal, "is not a date; a number from -678575 (year 1)"), Input);
             }
             else if (mjd > Start + EndWidth && mjd < End - EndWidth)
             {
-                Inside.Note(!isPosition, () => input);
+                Inside.Note(!isPosition, Input);
             }
             else
             {
                 bool isAtAnEnd = mjd > Start - EndWidth && mjd < End + EndWidth;
-                Outside.Note(!(namesCover || (isAtAnEnd && isPosition)), () => input);
+                Outside.Note(!(namesCover || (isAtAnEnd && isPosition)), Input);
             }
         }
     }

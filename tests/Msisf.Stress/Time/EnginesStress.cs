@@ -69,16 +69,14 @@ public sealed class EnginesStress : IStressTest
             double utcSeconds = (SecondsADay * (time.DayNumber - 51544.5)) + time.SecondsOfDay;
             CSpiceNative.deltet_c(utcSeconds, "UTC", out double deltaSeconds);
             double tdbSeconds = utcSeconds + deltaSeconds;
-            Tdb.Note(Math.Abs(_scale.FromUtc(time) - tdbSeconds) / Ulp.Of(tdbSeconds), () => MjdText(time));
+            Tdb.Note(Math.Abs(_scale.FromUtc(time) - tdbSeconds) / Ulp.Of(tdbSeconds), () => MjdText.Of(time.Days));
         }
 
         public void NoteOutside(ModifiedJulianDate time)
         {
             string? builtInError = Refusals.Of(() => builtIn.SunPositionMoonMe(time));
             string? cspiceError = Refusals.Of(() => cspice.SunPositionMoonMe(time));
-            Errors.Note(builtInError is null || builtInError != cspiceError, () => MjdText(time));
+            Errors.Note(builtInError is null || builtInError != cspiceError, () => MjdText.Of(time.Days));
         }
-
-        private static string MjdText(ModifiedJulianDate time) => FormattableString.Invariant($"MJD {time.Days:R}");
     }
 }

@@ -83,12 +83,12 @@ public sealed class TimeStress : IStressTest
             foreach (double[] row in rows)
             {
                 double found = scale.FromUtc(new ModifiedJulianDate(row[0]));
-                Tdb.Note(Math.Abs(found - row[1]) / Ulp.Of(row[1]), () => MjdText(row[0]));
+                Tdb.Note(Math.Abs(found - row[1]) / Ulp.Of(row[1]), () => MjdText.Of(row[0]));
                 if (row[0] == Math.Floor(row[0]))
                 {
                     double before = Math.BitDecrement(row[0]);
                     double seconds = found - scale.FromUtc(new ModifiedJulianDate(before)) - (SecondsADay * (row[0] - before));
-                    Leap.Note(Math.Abs(seconds - 1.0), () => MjdText(before));
+                    Leap.Note(Math.Abs(seconds - 1.0), () => MjdText.Of(before));
                 }
             }
         }
@@ -111,16 +111,6 @@ public sealed class TimeStress : IStressTest
             OverDate.Add(other.OverDate);
         }
 
-        private static string MjdText(double mjd) => FormattableString.Invariant($"MJD {mjd:R}");
-
-        private void NoteCoarseInterval(double start)
-        {
-            double step = Microsecond / SecondsADay;
-            string? refusal = Refusals.Of(
-                () => new TimeInterval(new ModifiedJulianDate(start), step, new ModifiedJulianDate(start + (StepsOfAnInterval * step))));
-            Refusal.Note(refusal?.Contains("is below what an MJD", StringComparison.Ordinal) != true, () => MjdText(start));
-        }
-
         private void NoteInterval(double start)
         {
             double step = Microsecond / SecondsADay;
@@ -131,13 +121,21 @@ public sealed class TimeStress : IStressTest
                 ModifiedJulianDate time = interval[index];
                 double days = time.Days - previous.Days;
                 double tdbSeconds = scale.FromUtc(time) - scale.FromUtc(previous);
-                Place.Note(Math.Abs((SecondsADay * (time.Days - start)) - (index * Microsecond)), () => MjdText(time.Days));
-                Step.Note(Math.Abs((SecondsADay * days) - Microsecond), () => MjdText(time.Days));
-                TdbStep.Note(Math.Abs(tdbSeconds - Microsecond), () => MjdText(time.Days));
-                Order.Note(days <= 0.0 || tdbSeconds <= 0.0, () => MjdText(time.Days));
+                Place.Note(Math.Abs((SecondsADay * (time.Days - start)) - (index * Microsecond)), () => MjdText.Of(time.Days));
+                Step.Note(Math.Abs((SecondsADay * days) - Microsecond), () => MjdText.Of(time.Days));
+                TdbStep.Note(Math.Abs(tdbSeconds - Microsecond), () => MjdText.Of(time.Days));
+                Order.Note(days <= 0.0 || tdbSeconds <= 0.0, () => MjdText.Of(time.Days));
                 OverDate.Add(start, Math.Abs(tdbSeconds - Microsecond));
                 previous = time;
             }
+        }
+
+        private void NoteCoarseInterval(double start)
+        {
+            double step = Microsecond / SecondsADay;
+            string? refusal = Refusals.Of(
+                () => new TimeInterval(new ModifiedJulianDate(start), step, new ModifiedJulianDate(start + (StepsOfAnInterval * step))));
+            Refusal.Note(refusal?.Contains("is below what an MJD", StringComparison.Ordinal) != true, () => MjdText.Of(start));
         }
     }
 }
