@@ -8,22 +8,29 @@ public sealed class WorstCaseTests
     public void ToFigure_NoCase_KeepsNoLimit() => Assert.False(new WorstCase().ToFigure("q", "", 1.0).IsKept);
 
     [Fact]
-    public void Take_LesserAfterGreater_TheGreaterStays()
+    public void Note_SeveralCases_KeepsTheWorstAndItsInput()
     {
-        WorstCase worst = With(2.0, "two");
-        Assert.False(worst.IsBeatenBy(1.0));
-        Assert.False(worst.IsBeatenBy(2.0));
-        Assert.True(worst.IsBeatenBy(3.0));
-        Assert.Equal("two", worst.ToFigure("q", "", 1.0).WorstInput);
+        StressFigure figure = Noted((0.5, "first"), (2.0, "second"), (1.0, "third")).ToFigure("error", "m", 1.0);
+        Assert.Equal(new StressFigure("error", "m", 2.0, 1.0, "second"), figure);
+        Assert.False(figure.IsKept);
+    }
+
+    [Theory]
+    [InlineData(1.0)]
+    [InlineData(2.0)]
+    public void Note_NotGreaterThanTheWorst_AsksForNoInput(double error)
+    {
+        WorstCase worst = Noted((2.0, "the greater"));
+        worst.Note(error, () => throw new InvalidOperationException("asked"));
+        Assert.Equal("the greater", worst.ToFigure("error", "m", 3.0).WorstInput);
     }
 
     [Fact]
-    public void Take_NotANumber_StaysTheWorst()
+    public void Note_NotANumber_StaysTheWorst()
     {
-        Assert.True(With(1e300, "large").IsBeatenBy(double.NaN));
-        WorstCase worst = With(double.NaN, "none");
-        Assert.False(worst.IsBeatenBy(double.PositiveInfinity));
-        Assert.False(worst.ToFigure("q", "", double.PositiveInfinity).IsKept);
+        StressFigure figure = Noted((1e300, "large"), (double.NaN, "none"), (double.PositiveInfinity, "infinite")).ToFigure("q", "", double.PositiveInfinity);
+        Assert.Equal("none", figure.WorstInput);
+        Assert.False(figure.IsKept);
     }
 
     [Fact]
@@ -31,28 +38,22 @@ public sealed class WorstCaseTests
     {
         WorstCase all = new();
         all.Add(new WorstCase());
-        all.Add(With(1.0, "first"));
-        all.Add(With(1.0, "second"));
+        all.Add(Noted((1.0, "first")));
+        all.Add(Noted((1.0, "second")));
         Assert.Equal("first", all.ToFigure("q", "", 1.0).WorstInput);
-        all.Add(With(double.NaN, "none"));
-        all.Add(With(5.0, "five"));
+        all.Add(Noted((double.NaN, "none")));
+        all.Add(Noted((5.0, "five")));
         Assert.Equal("none", all.ToFigure("q", "", 1.0).WorstInput);
     }
 
-    [Fact]
-    public void Note_LesserError_KeepsTheGreaterAndAsksForNoInput()
+    private static WorstCase Noted(params (double Error, string Input)[] cases)
     {
         WorstCase worst = new();
-        worst.Note(2.0, () => "the greater");
-        worst.Note(1.0, () => throw new InvalidOperationException("asked"));
+        foreach ((double error, string input) in cases)
+        {
+            worst.Note(error, () => input);
+        }
 
-        Assert.Equal(new StressFigure("error", "m", 2.0, 3.0, "the greater"), worst.ToFigure("error", "m", 3.0));
-    }
-
-    private static WorstCase With(double error, string input)
-    {
-        WorstCase worst = new();
-        worst.Take(error, input);
         return worst;
     }
 }

@@ -5,17 +5,11 @@ namespace Msisf.Stress;
 public interface IMeasure<TSelf>
     where TSelf : IMeasure<TSelf>
 {
-    /// <summary>The worst of each quantity.</summary>
-    IEnumerable<StressFigure> Figures { get; }
-
-    /// <summary>Errors over the range of an input.</summary>
-    IEnumerable<StressSeries> Series { get; }
-
     /// <summary>Tries a case.</summary>
     /// <param name="number">Of the case, from 0: kinds take turns by it.</param>
     /// <param name="random">Draws the input.</param>
-    void Try(int number, Random random);
+    void Try(int number, CaseRandom random);
 
-    /// <summary>Notes the cases of another.</summary>
+    /// <summary>Notes the cases of another, which come after its own.</summary>
     void Add(TSelf other);
 }

@@ -2,9 +2,9 @@ using Msisf.Stress.Attitude;
 using Msisf.Stress.Camera;
 using Msisf.Stress.Engines;
 using Msisf.Stress.Metadata;
-using Msisf.Stress.Numerics;
 using Msisf.Stress.Orbit;
 using Msisf.Stress.Povray;
+using Msisf.Stress.Reference;
 using Msisf.Stress.Selection;
 using Msisf.Stress.Time;
 

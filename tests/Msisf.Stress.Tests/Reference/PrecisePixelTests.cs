@@ -55,9 +55,9 @@ public sealed class PrecisePixelTests
         (DoubleWord down, DoubleWord right) = pixel.IlluminationDirection(sun);
         double[] radians =
         [
-            PreciseTrigonometry.AngleError(Angle(fields[3]), across, point.Z),
-            across.High > 0.0 ? PreciseTrigonometry.AngleError(Angle(fields[4]), point.X, point.Y) * (across.High / point.Length.High) : 0.0,
-            PreciseTrigonometry.AngleError(Angle(fields[5]), down, right) * pixel.DirectionSine(sun),
+            PreciseMath.AngleError(Angle(fields[3]), across, point.Z),
+            across.High > 0.0 ? PreciseMath.AngleError(Angle(fields[4]), point.X, point.Y) * (across.High / point.Length.High) : 0.0,
+            PreciseMath.AngleError(Angle(fields[5]), down, right) * pixel.DirectionSine(sun),
         ];
         return [.. radians.Select(error => Math.Abs(double.RadiansToDegrees(error)))];
     }
@@ -68,6 +68,6 @@ public sealed class PrecisePixelTests
         const double Parts = 1e12;
         decimal all = decimal.Parse(degrees, NumberStyles.Float, CultureInfo.InvariantCulture);
         decimal whole = decimal.Truncate(all * (decimal)Parts);
-        return PreciseTrigonometry.Degree * (((DoubleWord)(double)whole / Parts) + (double)(all - (whole / (decimal)Parts)));
+        return PreciseMath.Degree * (((DoubleWord)(double)whole / Parts) + (double)(all - (whole / (decimal)Parts)));
     }
 }

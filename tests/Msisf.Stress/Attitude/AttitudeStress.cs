@@ -1,6 +1,5 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Numerics;
-using Msisf.Stress.Numerics;
 
 namespace Msisf.Stress.Attitude;
 
@@ -29,14 +28,9 @@ public sealed class AttitudeStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        long steps = length == StressLength.Full ? 10_000_000 : 30_000;
-        Found all = new(steps);
-        foreach (Found part in CaseParts.Run(steps / StepsAtOneRate, seed, (random, cases) => RunPart(random, cases, steps)))
-        {
-            all.Add(part);
-        }
-
-        all.MultiplySteps(new CaseRandom(seed, part: -1), steps);
+        int steps = length == StressLength.Full ? 10_000_000 : 30_000;
+        Found all = SeededCases.Run(steps / StepsAtOneRate, seed, () => new Found(steps));
+        all.MultiplySteps(new CaseRandom(seed, part: -1));
         return new StressReport(
             Name,
             steps,
@@ -52,25 +46,7 @@ public sealed class AttitudeStress : IStressTest
             ]);
     }
 
-    /// <summary>Each case is an attitude with its rate, seen at some of the steps from the first to the last.</summary>
-    private static Found RunPart(CaseRandom random, long cases, long steps)
-    {
-        Found found = new(steps);
-        for (long count = 0; count < cases; count++)
-        {
-            TurningAttitude right = TurningAttitude.Random(random);
-            AttitudeTransition transition = new(right.AtEpoch, right.Rate);
-            for (int step = 0; step < StepsAtOneRate; step++)
-            {
-                double seconds = StepSeconds * Math.Floor(random.Logarithmic(1.0, steps + 1.0));
-                found.Note(right, seconds, transition.At(seconds));
-            }
-        }
-
-        return found;
-    }
-
-    private sealed class Found(long steps)
+    private sealed class Found(int steps) : IMeasure<Found>
     {
         public WorstCase Transition { get; } = new();
 
@@ -84,32 +60,36 @@ public sealed class AttitudeStress : IStressTest
 
         public SeriesBuilder ProductOverSteps { get; } = new(1.0, steps, 48, isLogarithmic: true);
 
-        public void Note(TurningAttitude right, double seconds, UnitQuaternion found)
-        {
-            double error = right.DistanceAt(seconds, found);
-            Note(Transition, error, right, seconds);
-            Note(Norm, TurningAttitude.LengthError(found), right, seconds);
-            OverSteps.Add(seconds / StepSeconds, error);
-        }
-
         /// <summary>One attitude, multiplied on and on; the closed form is asked at powers of 2^(1/8) only.</summary>
-        public void MultiplySteps(CaseRandom random, long count)
+        public void MultiplySteps(CaseRandom random)
         {
             TurningAttitude right = TurningAttitude.Random(random);
             UnitQuaternion single = new AttitudeTransition(UnitQuaternion.Identity, right.Rate).At(StepSeconds);
             UnitQuaternion product = right.AtEpoch;
             double next = 1.0;
-            for (long step = 1; step <= count; step++)
+            for (int step = 1; step <= steps; step++)
             {
                 product *= single;
-                Note(ProductNorm, TurningAttitude.LengthError(product), right, step * StepSeconds);
-                if (step >= next || step == count)
+                ProductNorm.Note(TurningAttitude.LengthError(product), Input(right, step * StepSeconds));
+                if (step >= next || step == steps)
                 {
                     double error = right.DistanceAt(step * StepSeconds, product);
-                    Note(Product, error / step, right, step * StepSeconds);
+                    Product.Note(error / step, Input(right, step * StepSeconds));
                     ProductOverSteps.Add(step, error);
                     next *= Math.Pow(2.0, 1.0 / 8.0);
                 }
+            }
+        }
+
+        /// <summary>An attitude with its rate, seen at some of the steps from the first to the last.</summary>
+        public void Try(int number, CaseRandom random)
+        {
+            TurningAttitude right = TurningAttitude.Random(random);
+            AttitudeTransition transition = new(right.AtEpoch, right.Rate);
+            for (int step = 0; step < StepsAtOneRate; step++)
+            {
+                double seconds = StepSeconds * Math.Floor(random.Logarithmic(1.0, steps + 1.0));
+                Note(right, seconds, transition.At(seconds));
             }
         }
 
@@ -120,12 +100,15 @@ public sealed class AttitudeStress : IStressTest
             OverSteps.Add(other.OverSteps);
         }
 
-        private static void Note(WorstCase worst, double error, TurningAttitude right, double seconds)
+        private static Func<string> Input(TurningAttitude right, double seconds) =>
+            () => FormattableString.Invariant($"q0 = {right.AtEpoch}, w = {right.Rate} rad/s, {seconds:R} s");
+
+        private void Note(TurningAttitude right, double seconds, UnitQuaternion found)
         {
-            if (worst.IsBeatenBy(error))
-            {
-                worst.Take(error, FormattableString.Invariant($"q0 = {right.AtEpoch}, w = {right.Rate} rad/s, {seconds:R} s"));
-            }
+            double error = right.DistanceAt(seconds, found);
+            Transition.Note(error, Input(right, seconds));
+            Norm.Note(TurningAttitude.LengthError(found), Input(right, seconds));
+            OverSteps.Add(seconds / StepSeconds, error);
         }
     }
 }

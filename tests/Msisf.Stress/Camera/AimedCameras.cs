@@ -6,7 +6,7 @@ namespace Msisf.Stress.Camera;
 
 /// <summary>Draws cameras of all kinds, turned so that a pixel of theirs, not the middle, looks where it is told to.</summary>
 /// <param name="random">Draws.</param>
-internal sealed class AimedCameras(Random random)
+internal sealed class AimedCameras(CaseRandom random)
 {
     /// <summary>px: the longest side of a picture.</summary>
     private const int LongestSide = 16384;
@@ -20,28 +20,13 @@ internal sealed class AimedCameras(Random random)
     /// <summary>Kinds of place that <see cref="Zenith"/> goes through.</summary>
     private const int Kinds = 6;
 
-    /// <summary>Evenly in the logarithm.</summary>
-    public double Log(double low, double high) => low * Math.Pow(high / low, random.NextDouble());
-
-    /// <summary>Evenly.</summary>
-    public double Between(double low, double high) => low + ((high - low) * random.NextDouble());
-
-    /// <summary>Evenly over the sphere.</summary>
-    public Vector3D Direction()
-    {
-        double z = Between(-1.0, 1.0);
-        double longitude = Between(0.0, 2.0 * Math.PI);
-        double across = Math.Sqrt((1.0 - z) * (1.0 + z));
-        return new Vector3D(across * Math.Cos(longitude), across * Math.Sin(longitude), z);
-    }
-
     /// <summary>Where a camera stands: on the polar axis exactly, near it, on a tile's corner, or anywhere.</summary>
     public Vector3D Zenith(int number) => (number % Kinds) switch
     {
-        0 => new Vector3D(0.0, 0.0, random.Next(2) == 0 ? 1.0 : -1.0),
-        1 => new Vector3D(Log(1e-17, 1e-2), Log(1e-17, 1e-2), random.Next(2) == 0 ? 1.0 : -1.0).Normalized(),
+        0 => new Vector3D(0.0, 0.0, random.Sign()),
+        1 => new Vector3D(random.Logarithmic(1e-17, 1e-2), random.Logarithmic(1e-17, 1e-2), random.Sign()).Normalized(),
         2 => TileCorner(),
-        _ => Direction(),
+        _ => random.Direction(),
     };
 
     /// <summary>A camera over a place whose pixel's ray passes the Moon's centre at a distance.</summary>
@@ -51,7 +36,7 @@ internal sealed class AimedCameras(Random random)
     {
         double distance = position.Length;
         Vector3D zenith = position / distance;
-        Vector3D sideward = Vector3D.Cross(zenith, Direction()).Normalized();
+        Vector3D sideward = Vector3D.Cross(zenith, random.Direction()).Normalized();
         double sine = nearest / distance;
         double cosine = Math.Sqrt(Math.Max(0.0, (distance - nearest) * (distance + nearest))) / distance;
         return Towards(position, (sine * sideward) - (cosine * zenith));
@@ -60,10 +45,10 @@ internal sealed class AimedCameras(Random random)
     /// <summary>A camera whose pixel looks along a direction, the picture turned at random about it.</summary>
     public CameraInput Towards(Vector3D position, Vector3D direction)
     {
-        double fov = double.DegreesToRadians(random.Next(2) == 0 ? Log(LeastFovDegrees, GreatestFovDegrees) : Between(1.0, GreatestFovDegrees));
-        int width = (int)Log(1.0, LongestSide + 1);
-        int height = (int)Log(Math.Max(1.0, (double)width / GreatestAspect), Math.Min(LongestSide, (double)width * GreatestAspect) + 1.0);
-        PixelFrame frame = new(width, height, random.Next(width) + 1, random.Next(height) + 1);
+        double fov = double.DegreesToRadians(random.Below(2) == 0 ? random.Logarithmic(LeastFovDegrees, GreatestFovDegrees) : random.Between(1.0, GreatestFovDegrees));
+        int width = (int)random.Logarithmic(1.0, LongestSide + 1);
+        int height = (int)random.Logarithmic(Math.Max(1.0, (double)width / GreatestAspect), Math.Min(LongestSide, (double)width * GreatestAspect) + 1.0);
+        PixelFrame frame = new(width, height, random.Below(width) + 1, random.Below(height) + 1);
         return new CameraInput(position, Aimed(frame, fov, direction), fov, frame);
     }
 
@@ -75,8 +60,8 @@ internal sealed class AimedCameras(Random random)
 
     private Vector3D TileCorner()
     {
-        double latitude = double.DegreesToRadians(TileId.SizeDegrees * random.Next(-TileId.Rows / 2, (TileId.Rows / 2) + 1));
-        double longitude = double.DegreesToRadians(TileId.SizeDegrees * random.Next(TileId.Columns));
+        double latitude = double.DegreesToRadians(TileId.SizeDegrees * (random.Below(TileId.Rows + 1) - (TileId.Rows / 2)));
+        double longitude = double.DegreesToRadians(TileId.SizeDegrees * random.Below(TileId.Columns));
         return new SelenographicPoint(latitude, longitude).ToDirectionMoonMe();
     }
 
@@ -88,8 +73,8 @@ internal sealed class AimedCameras(Random random)
             aspect * ((2.0 * frame.X) - 1.0 - frame.Width) / (2.0 * frame.Width),
             (1.0 + frame.Height - (2.0 * frame.Y)) / (2.0 * frame.Height)).Normalized();
         Vector3D inMoon = direction.Normalized();
-        (Vector3D u, Vector3D v) = Across(inCamera, Direction());
-        (Vector3D p, Vector3D q) = Across(inMoon, Direction());
+        (Vector3D u, Vector3D v) = Across(inCamera, random.Direction());
+        (Vector3D p, Vector3D q) = Across(inMoon, random.Direction());
 
         // The matrix that turns (inCamera, u, v) into (inMoon, p, q).
         Vector3D Row(double a, double b, double c) => (a * inCamera) + (b * u) + (c * v);

@@ -28,26 +28,24 @@ internal sealed class BorderCases(TerrainUnderTest terrain)
     /// <summary>Tries all.</summary>
     public IEnumerable<StressFigure> Figures()
     {
-        FigureBuilder allowed = new("inputs at the border, allowed: refused, or a number that is not finite", string.Empty, 0.0);
+        CaseCount allowed = new();
         foreach (PinholeCamera camera in Allowed())
         {
             string? failure = FailureOf(camera);
-            if (failure is not null)
-            {
-                allowed.Count(() => $"camera {camera.PositionMoonMe} FOV {camera.FieldOfView:R} rad {camera.Width} x {camera.Height} px: {failure}");
-            }
+            allowed.Note(failure is not null, () => $"camera {camera.PositionMoonMe} FOV {camera.FieldOfView:R} rad {camera.Width} x {camera.Height} px: {failure}");
         }
 
-        FigureBuilder refused = new("inputs that are none: not refused by one clear line", string.Empty, 0.0);
+        CaseCount refused = new();
         foreach ((string what, Action use) in Refused())
         {
-            if (!IsRefused(use))
-            {
-                refused.Count(() => what);
-            }
+            refused.Note(!IsRefused(use), () => what);
         }
 
-        return [allowed.ToFigure(), refused.ToFigure()];
+        return
+        [
+            allowed.ToFigure("inputs at the border, allowed: refused, or a number that is not finite", string.Empty, 0.0),
+            refused.ToFigure("inputs that are none: not refused by one clear line", string.Empty, 0.0),
+        ];
     }
 
     private static IEnumerable<PinholeCamera> Allowed() =>

@@ -17,6 +17,15 @@ internal static class HitBounds
     /// </summary>
     public const double Roundings = RayMeasure.DirectionLimit + 4.0;
 
+    /// <summary>m: the range that figures in plain metres or degrees are for; the far side of any orbit of the Moon.</summary>
+    public const double OrbitDistance = 1e7;
+
+    /// <summary>1: cosine of the angle to the surface's normal down to which these figures are; 84 degrees.</summary>
+    public const double PlainCosine = 0.1;
+
+    /// <summary>m: a hit point's, from <see cref="OrbitDistance"/>, at such angles.</summary>
+    public const double PlainLimit = 1e-7;
+
     /// <summary>m: what one rounding of the inputs moves a ray across itself at the Moon.</summary>
     /// <param name="camera">m, MOON_ME.</param>
     public static double Carried(Vector3D camera) => RayMeasure.Rounding * (camera.Length + MoonConstants.ReferenceRadius);

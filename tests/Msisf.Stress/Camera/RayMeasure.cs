@@ -19,17 +19,23 @@ internal sealed class RayMeasure : IMeasure<RayMeasure>
     /// <summary>Roundings: the direction's own, and those of the turn back into the camera and of the division.</summary>
     public const double PlaceLimit = 12.0;
 
-    private readonly FigureBuilder _direction = new("direction of a pixel's ray", "2^-53 rad", DirectionLimit);
-    private readonly FigureBuilder _place = new("place in the picture of a direction, to what 2^-53 rad move it", "2^-53 rad", PlaceLimit);
-    private readonly FigureBuilder _pixels = new("direction of a pixel's ray", "px", null);
-    private readonly FigureBuilder _wrong = new("rays that are not finite, or not seen by their own camera", string.Empty, 0.0);
+    private readonly WorstCase _direction = new();
+    private readonly WorstCase _place = new();
+    private readonly WorstCase _pixels = new();
+    private readonly CaseCount _wrong = new();
     private readonly SeriesBuilder _byFov = new(1e-4, 180.0, 36, isLogarithmic: true);
     private readonly SeriesBuilder _pixelsByFov = new(1e-4, 180.0, 36, isLogarithmic: true);
 
-    /// <inheritdoc/>
-    public IEnumerable<StressFigure> Figures => [_direction.ToFigure(), _place.ToFigure(), _pixels.ToFigure(), _wrong.ToFigure()];
+    /// <summary>The worst of each quantity.</summary>
+    public IEnumerable<StressFigure> Figures =>
+    [
+        _direction.ToFigure("direction of a pixel's ray", "2^-53 rad", DirectionLimit),
+        _place.ToFigure("place in the picture of a direction, to what 2^-53 rad move it", "2^-53 rad", PlaceLimit),
+        _pixels.ToFigure("direction of a pixel's ray", "px", null),
+        _wrong.ToFigure("rays that are not finite, or not seen by their own camera", string.Empty, 0.0),
+    ];
 
-    /// <inheritdoc/>
+    /// <summary>Errors over the range of an input.</summary>
     public IEnumerable<StressSeries> Series =>
     [
         _byFov.ToSeries("direction of a pixel's ray", "2^-53 rad", "field of view", "degrees", DirectionLimit),
@@ -37,31 +43,32 @@ internal sealed class RayMeasure : IMeasure<RayMeasure>
     ];
 
     /// <inheritdoc/>
-    public void Try(int number, Random random)
+    public void Try(int number, CaseRandom random)
     {
         AimedCameras cameras = new(random);
-        CameraInput input = cameras.Towards(cameras.Zenith(number), cameras.Direction());
+        CameraInput input = cameras.Towards(cameras.Zenith(number), random.Direction());
         PinholeCamera camera = input.ToCamera();
         Vector3D direction = camera.RayThrough(input.Frame.X, input.Frame.Y).Direction;
         PreciseVector exact = input.ToPrecise().DirectionThrough(input.Frame.X, input.Frame.Y);
-        if (!direction.IsFinite || !camera.TryProject(direction, out RenderingPoint place))
+        bool isSeen = camera.TryProject(direction, out RenderingPoint place) && direction.IsFinite;
+        _wrong.Note(!isSeen, input.ToString);
+        if (!isSeen)
         {
-            _wrong.Count(input.ToString);
             return;
         }
 
         double angle = PreciseVector.Cross(PreciseVector.From(direction), exact).Length.High / exact.Length.High / direction.Length;
         double pixelAngle = LeastPixelAngle(camera, direction.Length);
         double degrees = double.RadiansToDegrees(input.FieldOfView);
-        _direction.Add(angle / Rounding, input.ToString);
-        _pixels.Add(angle / pixelAngle, input.ToString);
+        _direction.Note(angle / Rounding, input.ToString);
+        _pixels.Note(angle / pixelAngle, input.ToString);
         _byFov.Add(degrees, angle / Rounding);
         _pixelsByFov.Add(degrees, angle / pixelAngle);
 
         // Beside what the angle moves the place, a coordinate is rounded itself.
         double moved = double.Hypot(place.X - input.Frame.X, place.Y - input.Frame.Y);
         double perRounding = Rounding * ((1.0 / pixelAngle) + camera.Width + camera.Height);
-        _place.Add(moved / perRounding, input.ToString);
+        _place.Note(moved / perRounding, input.ToString);
     }
 
     /// <inheritdoc/>

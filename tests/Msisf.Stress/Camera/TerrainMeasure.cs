@@ -11,15 +11,6 @@ namespace Msisf.Stress.Camera;
 /// <param name="terrain">The model.</param>
 internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<TerrainMeasure>
 {
-    /// <summary>m: the range that the plain figure in metres is for; the far side of any orbit of the Moon.</summary>
-    private const double OrbitDistance = 1e7;
-
-    /// <summary>1: cosine of the angle to the facet's normal down to which the plain figures are; 84 degrees.</summary>
-    private const double PlainCosine = 0.1;
-
-    /// <summary>m: from <see cref="OrbitDistance"/>, at such angles.</summary>
-    private const double PlainLimit = 1e-7;
-
     /// <summary>m: how far below the reference sphere a camera "in a valley" stands at least.</summary>
     private const double ValleyDepth = 1000.0;
 
@@ -29,53 +20,54 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
     /// <summary>m: rounding the moved origin to doubles moves the ray by up to 2e-10 m; so near to an edge either neighbour is right.</summary>
     private const double MovedOrigin = 1e-9;
 
-    private readonly FigureBuilder _wrong = new("terrain: rays that meet no facet or another than the first they enter", string.Empty, 0.0);
-    private readonly FigureBuilder _ratio = new("hit point on the terrain, to what its bound allows", "1", 1.0);
-    private readonly FigureBuilder _metres = new("hit point on the terrain, camera within 1e7 m, facet seen below 84 degrees", "m", PlainLimit);
-    private readonly FigureBuilder _sphere = new("valleys: rays from under the reference sphere that it is said to show", string.Empty, 0.0);
+    private readonly CaseCount _wrong = new();
+    private readonly WorstCase _ratio = new();
+    private readonly WorstCase _metres = new();
+    private readonly CaseCount _sphere = new();
     private readonly SeriesBuilder _byAltitude = new(1.0, 1e12, 48, isLogarithmic: true);
 
     /// <summary>Rays that met the ground.</summary>
     private long _hits;
 
-    /// <inheritdoc/>
+    /// <summary>The worst of each quantity.</summary>
     public IEnumerable<StressFigure> Figures =>
     [
-        _wrong.ToFigure(), _ratio.ToFigure(), _metres.ToFigure(), _sphere.ToFigure(),
+        _wrong.ToFigure("terrain: rays that meet no facet or another than the first they enter", string.Empty, 0.0),
+        _ratio.ToFigure("hit point on the terrain, to what its bound allows", "1", 1.0),
+        _metres.ToFigure("hit point on the terrain, camera within 1e7 m, facet seen below 84 degrees", "m", HitBounds.PlainLimit),
+        _sphere.ToFigure("valleys: rays from under the reference sphere that it is said to show", string.Empty, 0.0),
         new StressFigure($"terrain: rays that meet {terrain.Grid.ProductId}", "rays", _hits, null, string.Empty),
     ];
 
-    /// <inheritdoc/>
+    /// <summary>Errors over the range of an input.</summary>
     public IEnumerable<StressSeries> Series =>
         [_byAltitude.ToSeries("hit point on the terrain, facet seen below 84 degrees", "m", "height of the camera over the ground", "m", null)];
 
     /// <inheritdoc/>
-    public void Try(int number, Random random)
+    public void Try(int number, CaseRandom random)
     {
         AimedCameras cameras = new(random);
         bool isInValley = number % 7 == 0;
-        Vector3D zenith = isInValley ? Valley(cameras) : cameras.Zenith(number);
+        Vector3D zenith = isInValley ? Valley(random) : cameras.Zenith(number);
         double ground = TerrainHeight.RadiusBelow(terrain.Grid, zenith);
-        double height = cameras.Log(1.0, isInValley ? ValleyDepth / 2.0 : 1e12);
+        double height = random.Logarithmic(1.0, isInValley ? ValleyDepth / 2.0 : 1e12);
         Vector3D position = (ground + height) * zenith;
         CameraInput input = number % 5 == 0
-            ? cameras.Towards(position, VertexNear(cameras, zenith, height) - position)
-            : cameras.Passing(position, Nearest(number, cameras, ground + height));
+            ? cameras.Towards(position, VertexNear(random, zenith, height) - position)
+            : cameras.Passing(position, Nearest(number, random, ground + height));
         Ray ray = input.ToCamera().RayThrough(input.Frame.X, input.Frame.Y);
         bool isHit = terrain.Tracer.TryTrace(ray, out SurfaceHit hit);
-        if (IsWrong(ray, isHit, hit))
-        {
-            _wrong.Count(input.ToString);
-        }
-        else if (isHit)
+        bool isWrong = IsWrong(ray, isHit, hit);
+        _wrong.Note(isWrong, input.ToString);
+        if (isHit && !isWrong)
         {
             _hits++;
             NoteHit(input, ray, hit, height);
         }
 
-        if (isInValley && ReferenceSphere.Lola.TryFirstHit(ray, out _))
+        if (isInValley)
         {
-            _sphere.Count(input.ToString);
+            _sphere.Note(ReferenceSphere.Lola.TryFirstHit(ray, out _), input.ToString);
         }
     }
 
@@ -91,26 +83,26 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
     }
 
     /// <summary>m: evenly over the disc, and about the limb, where mountains stand against the sky.</summary>
-    private static double Nearest(int number, AimedCameras cameras, double distance) => Math.Min(
+    private static double Nearest(int number, CaseRandom random, double distance) => Math.Min(
         distance,
-        MoonConstants.ReferenceRadius * (number / 8 % 2 == 0 ? Math.Sqrt(cameras.Between(0.0, 1.0)) : cameras.Between(0.994, 1.006)));
+        MoonConstants.ReferenceRadius * (number / 8 % 2 == 0 ? Math.Sqrt(random.Between(0.0, 1.0)) : random.Between(0.994, 1.006)));
 
     /// <summary>m, MOON_ME: where six facets meet, within sight if nothing is in between. Rays to it pass its edges by less than a rounding.</summary>
-    private Vector3D VertexNear(AimedCameras cameras, Vector3D zenith, double height)
+    private Vector3D VertexNear(CaseRandom random, Vector3D zenith, double height)
     {
         double reach = Math.Min(0.5, height / MoonConstants.ReferenceRadius);
-        SelenographicPoint place = SelenographicPoint.Below(zenith + (reach * cameras.Direction()));
+        SelenographicPoint place = SelenographicPoint.Below(zenith + (reach * random.Direction()));
         int line = (int)((0.5 - (place.Latitude / Math.PI)) * terrain.Vertices.Lines);
         int sample = (int)(place.Longitude / (2.0 * Math.PI) * terrain.Vertices.Samples);
         return terrain.Vertices[Math.Min(line, terrain.Vertices.Lines - 1), Math.Min(sample, terrain.Vertices.Samples - 1)];
     }
 
-    private Vector3D Valley(AimedCameras cameras)
+    private Vector3D Valley(CaseRandom random)
     {
         Vector3D zenith;
         do
         {
-            zenith = cameras.Direction();
+            zenith = random.Direction();
         }
         while (TerrainHeight.RadiusBelow(terrain.Grid, zenith) > MoonConstants.ReferenceRadius - ValleyDepth);
 
@@ -160,11 +152,11 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
         PreciseVector exact = camera.Position + (facet.ParameterOn(camera.Position, direction) * direction);
         double error = (PreciseVector.From(hit.PointMoonMe) - exact).Length.High;
         double cosine = facet.Cosine(direction);
-        _ratio.Add(error / HitBounds.OnFacet(ray.Origin, cosine), input.ToString);
-        if (cosine > PlainCosine)
+        _ratio.Note(error / HitBounds.OnFacet(ray.Origin, cosine), input.ToString);
+        if (cosine > HitBounds.PlainCosine)
         {
             _byAltitude.Add(height, error);
-            _metres.Add(ray.Origin.Length < OrbitDistance ? error : 0.0, input.ToString);
+            _metres.Note(ray.Origin.Length < HitBounds.OrbitDistance ? error : 0.0, input.ToString);
         }
     }
 }

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
@@ -41,7 +40,7 @@ public sealed class EphemerisStress : IStressTest
         for (int i = 0; i < cases; i++)
         {
             ModifiedJulianDate time = times.Draw(random);
-            string Input() => string.Create(CultureInfo.InvariantCulture, $"MJD {time.Days:R}");
+            string Input() => MjdText.Of(time.Days);
             for (int k = 0; k < suns.Length; k++)
             {
                 double error = SunDifference(cspice.Engine, builtIn.Ephemeris, time, aberrations[k]);

@@ -1,5 +1,6 @@
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Time;
+using Msisf.Stress.Reference;
 
 namespace Msisf.Stress.Engines;
 
@@ -15,11 +16,7 @@ internal sealed class EphemerisTimes
     private const double J2000 = 51544.5;
 
     /// <summary>First days of a new count of leap seconds, MJD.</summary>
-    private static readonly int[] LeapDays =
-    [
-        41317, 41499, 41683, 42048, 42413, 42778, 43144, 43509, 43874, 44239, 44786, 45151, 45516, 46247,
-        47161, 47892, 48257, 48804, 49169, 49534, 50083, 50630, 51179, 53736, 54832, 56109, 57204, 57754,
-    ];
+    private static readonly double[] LeapDays = [.. StressTable.Rows("leap_seconds.csv").Select(row => row[0]).Where(double.IsInteger)];
 
     private readonly KernelCover _cover;
     private readonly double _first;

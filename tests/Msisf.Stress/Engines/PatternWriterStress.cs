@@ -77,10 +77,7 @@ public sealed class PatternWriterStress : IStressTest
             using MemoryStream expected = new();
             PatternWriter.Write(expected, builder.Build(layout, builder.ReadRadii(layout)), job.Grid.ProductId, job.Format);
             double differing = DifferingBytes(expected.GetBuffer().AsSpan(0, (int)expected.Length), File.ReadAllBytes(repository.PathOf(tile, resolution)));
-            if (worst.IsBeatenBy(differing))
-            {
-                worst.Take(differing, $"{job.Grid.ProductId} at {resolution} px/deg, {tile.RangeText}, {job.Format}, margin of {job.MarginSamples} samples");
-            }
+            worst.Note(differing, () => $"{job.Grid.ProductId} at {resolution} px/deg, {tile.RangeText}, {job.Format}, margin of {job.MarginSamples} samples");
         }
 
         return job.Tiles.Count;

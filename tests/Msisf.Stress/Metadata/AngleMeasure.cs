@@ -6,16 +6,16 @@ namespace Msisf.Stress.Metadata;
 /// <param name="series">Errors over what makes them grow.</param>
 internal sealed class AngleMeasure(string quantity, double promised, SeriesBuilder series)
 {
-    private readonly FigureBuilder _plain = new(quantity, "degrees", promised);
-    private readonly FigureBuilder _ratio = new($"{quantity}, to what its bound allows, everywhere", "1", 1.0);
+    private readonly WorstCase _plain = new();
+    private readonly WorstCase _ratio = new();
     private long _plainCases;
     private long _cases;
 
     /// <summary>The worst, and how many of the cases the promise is for.</summary>
     public IEnumerable<StressFigure> Figures =>
     [
-        _plain.ToFigure(),
-        _ratio.ToFigure(),
+        _plain.ToFigure(quantity, "degrees", promised),
+        _ratio.ToFigure($"{quantity}, to what its bound allows, everywhere", "1", 1.0),
         new StressFigure($"{quantity}, cases that are held to {promised:R} degrees", "1", (double)_plainCases / _cases, null, $"{_plainCases} of {_cases}"),
     ];
 
@@ -27,14 +27,14 @@ internal sealed class AngleMeasure(string quantity, double promised, SeriesBuild
     /// <param name="bound">degrees.</param>
     /// <param name="input">For the series; null keeps it out.</param>
     /// <param name="text">Tells the input.</param>
-    public void Add(double error, double bound, double? input, Func<string> text)
+    public void Note(double error, double bound, double? input, Func<string> text)
     {
         _cases++;
-        _ratio.Add(error / bound, text);
+        _ratio.Note(error / bound, text);
         if (bound <= promised)
         {
             _plainCases++;
-            _plain.Add(error, text);
+            _plain.Note(error, text);
         }
 
         if (input is double place)

@@ -11,30 +11,26 @@ namespace Msisf.Stress.Metadata;
 /// <summary>The numbers of single pixels as they stand in the meta file: latitude, longitude, illumination direction.</summary>
 internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
 {
-    /// <summary>m: the series over what else makes errors grow are of cameras within it.</summary>
-    private const double OrbitDistance = 1e7;
-
-    /// <summary>1: cosine of the emission angle down to which these series go, 84 degrees.</summary>
-    private const double PlainCosEmission = 0.1;
-
     private readonly AngleMeasure _latitude = new("latitude", PixelBounds.PromisedCoordinate, new SeriesBuilder(1e-8, 1.0, 32, isLogarithmic: true));
     private readonly AngleMeasure _longitude = new("longitude", PixelBounds.PromisedCoordinate, new SeriesBuilder(1e-12, 1.0, 24, isLogarithmic: true));
     private readonly AngleMeasure _direction = new(
         "illumination direction", PixelBounds.PromisedDirection, new SeriesBuilder(Tolerances.IlluminationDirectionSine, 1.0, 28, isLogarithmic: true));
 
     private readonly SeriesBuilder _byDistance = new(MoonConstants.ReferenceRadius, PixelCases.Highest, 36, isLogarithmic: true);
-    private readonly FigureBuilder _undefined = new("illumination directions that are there or missing against the rule", string.Empty, 0.0);
-    private readonly FigureBuilder _outOfRange = new("numbers out of their range", string.Empty, 0.0);
-    private readonly FigureBuilder _decisions = new("pixels that show the Moon or not, wrongly, beyond what rounding explains", string.Empty, 0.0);
+    private readonly CaseCount _undefined = new();
+    private readonly CaseCount _outOfRange = new();
+    private readonly CaseCount _decisions = new();
 
-    /// <inheritdoc/>
+    /// <summary>The worst of each quantity.</summary>
     public IEnumerable<StressFigure> Figures =>
     [
         .. _latitude.Figures, .. _longitude.Figures, .. _direction.Figures,
-        _undefined.ToFigure(), _outOfRange.ToFigure(), _decisions.ToFigure(),
+        _undefined.ToFigure("illumination directions that are there or missing against the rule", string.Empty, 0.0),
+        _outOfRange.ToFigure("numbers out of their range", string.Empty, 0.0),
+        _decisions.ToFigure("pixels that show the Moon or not, wrongly, beyond what rounding explains", string.Empty, 0.0),
     ];
 
-    /// <inheritdoc/>
+    /// <summary>Errors over the range of an input.</summary>
     public IEnumerable<StressSeries> Series =>
     [
         _byDistance.ToSeries("latitude, emission below 84 degrees", "degrees", "distance of the camera from the Moon's centre", "m", PixelBounds.PromisedCoordinate),
@@ -44,9 +40,9 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
     ];
 
     /// <inheritdoc/>
-    public void Try(int number, Random random)
+    public void Try(int number, CaseRandom random)
     {
-        PixelCases cases = new(new AimedCameras(random));
+        PixelCases cases = new(random);
         CameraInput input = cases.Camera(number);
         (int x, int y) = (input.Frame.X, input.Frame.Y);
         PreciseCamera precise = input.ToPrecise();
@@ -59,11 +55,10 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
             NoteCoordinates(input.Position, record.Point, pixel, Text);
             NoteDirection(input.Position, light, record.IlluminationDirection, pixel, Text);
         }
-        else if (isThere != pixel is not null
-            && PrecisePixel.FromTangent(precise, x, y) > HitBounds.Roundings * HitBounds.Carried(input.Position))
-        {
-            _decisions.Count(Text);
-        }
+
+        bool isWrong = isThere != pixel is not null
+            && PrecisePixel.FromTangent(precise, x, y) > HitBounds.Roundings * HitBounds.Carried(input.Position);
+        _decisions.Note(isWrong, Text);
     }
 
     /// <inheritdoc/>
@@ -84,7 +79,7 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
 
     /// <summary>degrees between a written angle and that of a vector.</summary>
     private static double Error(double degrees, DoubleWord x, DoubleWord y) =>
-        double.RadiansToDegrees(Math.Abs(PreciseTrigonometry.AngleError(degrees * PreciseTrigonometry.Degree, x, y)));
+        double.RadiansToDegrees(Math.Abs(PreciseMath.AngleError(degrees * PreciseMath.Degree, x, y)));
 
     private void NoteCoordinates(Vector3D camera, SelenographicPoint found, PrecisePixel pixel, Func<string> text)
     {
@@ -92,11 +87,11 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
         DoubleWord across = DoubleWord.Sqrt((point.X * point.X) + (point.Y * point.Y));
         double cosEmission = pixel.CosEmission;
         double cosLatitude = across.High / MoonConstants.ReferenceRadius;
-        bool isPlain = cosEmission > PlainCosEmission;
-        bool isNear = camera.Length < OrbitDistance;
+        bool isPlain = cosEmission > HitBounds.PlainCosine;
+        bool isNear = camera.Length < HitBounds.OrbitDistance;
         double latitude = Written(found.Latitude);
         double latitudeError = Error(latitude, across, point.Z);
-        _latitude.Add(latitudeError, PixelBounds.Coordinate(camera, cosEmission, 1.0), isNear ? cosEmission : null, text);
+        _latitude.Note(latitudeError, PixelBounds.Coordinate(camera, cosEmission, 1.0), isNear ? cosEmission : null, text);
         if (isPlain)
         {
             _byDistance.Add(camera.Length, latitudeError);
@@ -106,13 +101,10 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
         if (cosLatitude > 0.0)
         {
             double error = Error(longitude, point.X, point.Y);
-            _longitude.Add(error, PixelBounds.Coordinate(camera, cosEmission, cosLatitude), isNear && isPlain ? cosLatitude : null, text);
+            _longitude.Note(error, PixelBounds.Coordinate(camera, cosEmission, cosLatitude), isNear && isPlain ? cosLatitude : null, text);
         }
 
-        if (!(latitude >= -90.0 && latitude <= 90.0 && longitude >= 0.0 && longitude < 360.0))
-        {
-            _outOfRange.Count(text);
-        }
+        _outOfRange.Note(!(latitude >= -90.0 && latitude <= 90.0 && longitude >= 0.0 && longitude < 360.0), text);
     }
 
     private void NoteDirection(Vector3D camera, Vector3D light, double? found, PrecisePixel pixel, Func<string> text)
@@ -121,21 +113,15 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
         double cosEmission = pixel.CosEmission;
         double doubt = PixelBounds.DirectionSine(camera, cosEmission);
         double beyondRule = found is null ? sine - Tolerances.IlluminationDirectionSine : Tolerances.IlluminationDirectionSine - sine;
-        if (beyondRule > doubt)
-        {
-            _undefined.Count(() => $"{text()}: {found:R}, exact sine {sine:R}");
-        }
+        _undefined.Note(beyondRule > doubt, () => $"{text()}: {found:R}, exact sine {sine:R}");
 
         if (found is double angle)
         {
             double degrees = Written(angle);
             (DoubleWord down, DoubleWord right) = pixel.IlluminationDirection(light);
-            bool isInSeries = camera.Length < OrbitDistance && cosEmission > PlainCosEmission;
-            _direction.Add(Error(degrees, down, right), PixelBounds.Direction(camera, cosEmission, sine), isInSeries ? sine : null, text);
-            if (!(degrees >= 0.0 && degrees < 360.0))
-            {
-                _outOfRange.Count(text);
-            }
+            bool isInSeries = camera.Length < HitBounds.OrbitDistance && cosEmission > HitBounds.PlainCosine;
+            _direction.Note(Error(degrees, down, right), PixelBounds.Direction(camera, cosEmission, sine), isInSeries ? sine : null, text);
+            _outOfRange.Note(!(degrees >= 0.0 && degrees < 360.0), text);
         }
     }
 }

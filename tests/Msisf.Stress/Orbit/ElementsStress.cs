@@ -1,6 +1,5 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
-using Msisf.Stress.Numerics;
+using Msisf.Stress.Reference;
 
 namespace Msisf.Stress.Orbit;
 
@@ -29,35 +28,9 @@ public sealed class ElementsStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        long cases = length == StressLength.Full ? 1_000_000 : 3_000;
-        Found all = new();
-        foreach (Found part in CaseParts.Run(cases, seed, RunPart))
-        {
-            all.Add(part);
-        }
-
+        int cases = length == StressLength.Full ? 1_000_000 : 3_000;
+        Found all = SeededCases.Run(cases, seed, () => new Found());
         return all.ToReport(Name, cases);
-    }
-
-    private static Found RunPart(CaseRandom random, long cases)
-    {
-        Found found = new();
-        for (long count = 0; count < cases; count++)
-        {
-            double eccentricity = NearZero(random, 0.5);
-            double tilt = NearZero(random, Math.PI / 2.0);
-            found.Note(
-                new KeplerElements(
-                    random.Logarithmic(1.75e6, 1e8),
-                    eccentricity,
-                    random.Between(-Math.PI, Math.PI),
-                    random.Between(-Math.PI, Math.PI),
-                    random.Below(2) == 0 ? tilt : Math.PI - tilt,
-                    random.Between(-Math.PI, Math.PI)),
-                tilt);
-        }
-
-        return found;
     }
 
     private static double NearZero(CaseRandom random, double most) => random.Below(8) switch
@@ -67,49 +40,26 @@ public sealed class ElementsStress : IStressTest
         _ => random.Between(Farthest, most),
     };
 
-    private sealed class Found
+    private sealed class Found : IMeasure<Found>
     {
         private readonly WorstCase[] _worst = [.. Enumerable.Range(0, 7).Select(_ => new WorstCase())];
         private readonly SeriesBuilder _overEccentricity = new(Nearest, Farthest, 52, isLogarithmic: true);
         private readonly SeriesBuilder _overTilt = new(Nearest, Farthest, 52, isLogarithmic: true);
         private readonly SeriesBuilder _overRetrogradeTilt = new(Nearest, Farthest, 52, isLogarithmic: true);
 
-        public void Note(KeplerElements elements, double tilt)
+        public void Try(int number, CaseRandom random)
         {
-            WideOrbit orbit = new(elements);
-            (WideVector position, WideVector velocity) = orbit.StateAt(default);
-            StateVector state = new KeplerOrbit(elements).StateAt(0.0);
-            KeplerElements back = StateConversion.ToElements(state);
-            StateVector again = new KeplerOrbit(back).StateAt(0.0);
-            WideOrbit backOrbit = new(back);
-            double roundTrip = WideVector.RelativeError(again.Position, position);
-            double[] errors =
-            [
-                WideVector.RelativeError(state.Position, position),
-                WideVector.RelativeError(state.Velocity, velocity),
-                roundTrip,
-                WideVector.RelativeError(again.Velocity, velocity),
-                WideVector.Distance(backOrbit.EccentricityVector, orbit.EccentricityVector),
-                WideVector.Distance(backOrbit.Normal, orbit.Normal),
-                Math.Abs(TurnBetween(back, elements)),
-            ];
-            for (int index = 0; index < errors.Length; index++)
-            {
-                if (_worst[index].IsBeatenBy(errors[index]))
-                {
-                    _worst[index].Take(errors[index], OrbitText.Of(elements));
-                }
-            }
-
-            if (elements.Eccentricity is >= Nearest and <= Farthest)
-            {
-                _overEccentricity.Add(elements.Eccentricity, roundTrip);
-            }
-
-            if (tilt is >= Nearest and <= Farthest)
-            {
-                (elements.Inclination < 1.0 ? _overTilt : _overRetrogradeTilt).Add(tilt, roundTrip);
-            }
+            double eccentricity = NearZero(random, 0.5);
+            double tilt = NearZero(random, Math.PI / 2.0);
+            Note(
+                new KeplerElements(
+                    random.Logarithmic(1.75e6, 1e8),
+                    eccentricity,
+                    random.Between(-Math.PI, Math.PI),
+                    random.Between(-Math.PI, Math.PI),
+                    random.Below(2) == 0 ? tilt : Math.PI - tilt,
+                    random.Between(-Math.PI, Math.PI)),
+                tilt);
         }
 
         public void Add(Found other)
@@ -145,12 +95,44 @@ public sealed class ElementsStress : IStressTest
         /// <summary>By how much the spacecraft would move about the orbit's normal if one set of angles took the place of the other, rad. Next to the equator only this sum has a meaning.</summary>
         private static double TurnBetween(KeplerElements a, KeplerElements b)
         {
-            DoubleDouble inPlane = WideMath.Subtract(
-                WideMath.Of(a.MeanAnomalyAtEpoch) + WideMath.Of(a.ArgumentOfPeriapsis),
-                WideMath.Of(b.MeanAnomalyAtEpoch) + WideMath.Of(b.ArgumentOfPeriapsis));
-            DoubleDouble ofNode = WideMath.ToHalfTurn(
-                WideMath.Subtract(WideMath.Of(a.LongitudeOfAscendingNode), WideMath.Of(b.LongitudeOfAscendingNode)));
-            return WideMath.ToHalfTurn(inPlane + (WideMath.SinCos(WideMath.Of(b.Inclination)).Cos * ofNode)).High;
+            DoubleWord inPlane = (DoubleWord)a.MeanAnomalyAtEpoch + a.ArgumentOfPeriapsis - b.MeanAnomalyAtEpoch - b.ArgumentOfPeriapsis;
+            DoubleWord ofNode = PreciseMath.ToHalfTurn((DoubleWord)a.LongitudeOfAscendingNode - b.LongitudeOfAscendingNode);
+            return PreciseMath.ToHalfTurn(inPlane + (PreciseMath.SinCos(b.Inclination).Cos * ofNode)).High;
+        }
+
+        private void Note(KeplerElements elements, double tilt)
+        {
+            PreciseOrbit orbit = new(elements);
+            (PreciseVector position, PreciseVector velocity) = orbit.StateAt(default);
+            StateVector state = new KeplerOrbit(elements).StateAt(0.0);
+            KeplerElements back = StateConversion.ToElements(state);
+            StateVector again = new KeplerOrbit(back).StateAt(0.0);
+            PreciseOrbit backOrbit = new(back);
+            double roundTrip = PreciseVector.RelativeError(PreciseVector.From(again.Position), position);
+            double[] errors =
+            [
+                PreciseVector.RelativeError(PreciseVector.From(state.Position), position),
+                PreciseVector.RelativeError(PreciseVector.From(state.Velocity), velocity),
+                roundTrip,
+                PreciseVector.RelativeError(PreciseVector.From(again.Velocity), velocity),
+                PreciseVector.Distance(backOrbit.EccentricityVector, orbit.EccentricityVector),
+                PreciseVector.Distance(backOrbit.Normal, orbit.Normal),
+                Math.Abs(TurnBetween(back, elements)),
+            ];
+            for (int index = 0; index < errors.Length; index++)
+            {
+                _worst[index].Note(errors[index], () => OrbitText.Of(elements));
+            }
+
+            if (elements.Eccentricity is >= Nearest and <= Farthest)
+            {
+                _overEccentricity.Add(elements.Eccentricity, roundTrip);
+            }
+
+            if (tilt is >= Nearest and <= Farthest)
+            {
+                (elements.Inclination < 1.0 ? _overTilt : _overRetrogradeTilt).Add(tilt, roundTrip);
+            }
         }
     }
 }

@@ -1,6 +1,5 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
-using Msisf.Stress.Numerics;
+using Msisf.Stress.Reference;
 
 namespace Msisf.Stress.Orbit;
 
@@ -30,13 +29,8 @@ public sealed class KeplerStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        long cases = length == StressLength.Full ? 10_000_000 : 30_000;
-        Found all = new();
-        foreach (Found part in CaseParts.Run(cases, seed, RunPart))
-        {
-            all.Add(part);
-        }
-
+        int cases = length == StressLength.Full ? 10_000_000 : 30_000;
+        Found all = SeededCases.Run(cases, seed, () => new Found());
         return new StressReport(
             Name,
             cases,
@@ -53,30 +47,7 @@ public sealed class KeplerStress : IStressTest
             ]);
     }
 
-    private static Found RunPart(CaseRandom random, long cases)
-    {
-        Found found = new();
-        for (long count = 0; count < cases; count++)
-        {
-            double eccentricity = random.Below(3) switch
-            {
-                0 => random.Between(0.0, 1.0 - LeastFromParabola),
-                1 => 1.0 - random.Logarithmic(LeastFromParabola, 1.0),
-                _ => random.Logarithmic(1e-300, 0.1),
-            };
-            double meanAnomaly = random.Sign() * random.Below(3) switch
-            {
-                0 => random.Between(0.0, Math.PI),
-                1 => random.Logarithmic(LeastAnomaly, Math.PI),
-                _ => 2.0 * Math.PI * random.Logarithmic(0.5, MostTurns),
-            };
-            found.Note(meanAnomaly, eccentricity);
-        }
-
-        return found;
-    }
-
-    private sealed class Found
+    private sealed class Found : IMeasure<Found>
     {
         public WorstCase Given { get; } = new();
 
@@ -92,24 +63,21 @@ public sealed class KeplerStress : IStressTest
 
         public SeriesBuilder StepsOverEccentricity { get; } = new(LeastFromParabola, 1.0, 48, isLogarithmic: true);
 
-        public void Note(double meanAnomaly, double eccentricity)
+        public void Try(int number, CaseRandom random)
         {
-            double angle = KeplerSolver.Solve(meanAnomaly, eccentricity, out int steps).Angle;
-            DoubleDouble reduced = WideMath.ToHalfTurn(WideMath.Of(meanAnomaly));
-            DoubleDouble wideAngle = WideMath.Of(angle);
-            double residual = Math.Abs(WideKepler.Residual(wideAngle, eccentricity, reduced).High);
-            double ulps = residual / Ulp.Of(reduced.High);
-            Note(Reduced, ulps, meanAnomaly, eccentricity);
-            Note(Given, residual / Ulp.Of(meanAnomaly), meanAnomaly, eccentricity);
-            if (Math.Abs(meanAnomaly) <= Math.PI)
+            double eccentricity = random.Below(3) switch
             {
-                Note(Angle, residual / WideKepler.Slope(wideAngle, eccentricity).High / Ulp.Of(angle), meanAnomaly, eccentricity);
-            }
-
-            Note(Steps, steps, meanAnomaly, eccentricity);
-            OverEccentricity.Add(1.0 - eccentricity, ulps);
-            OverAnomaly.Add(Math.Abs(meanAnomaly), ulps);
-            StepsOverEccentricity.Add(1.0 - eccentricity, steps);
+                0 => random.Between(0.0, 1.0 - LeastFromParabola),
+                1 => 1.0 - random.Logarithmic(LeastFromParabola, 1.0),
+                _ => random.Logarithmic(1e-300, 0.1),
+            };
+            double meanAnomaly = random.Sign() * random.Below(3) switch
+            {
+                0 => random.Between(0.0, Math.PI),
+                1 => random.Logarithmic(LeastAnomaly, Math.PI),
+                _ => 2.0 * Math.PI * random.Logarithmic(0.5, MostTurns),
+            };
+            Note(meanAnomaly, eccentricity);
         }
 
         public void Add(Found other)
@@ -123,12 +91,24 @@ public sealed class KeplerStress : IStressTest
             StepsOverEccentricity.Add(other.StepsOverEccentricity);
         }
 
-        private static void Note(WorstCase worst, double error, double meanAnomaly, double eccentricity)
+        private void Note(double meanAnomaly, double eccentricity)
         {
-            if (worst.IsBeatenBy(error))
+            double angle = KeplerSolver.Solve(meanAnomaly, eccentricity, out int steps).Angle;
+            DoubleWord reduced = PreciseMath.ToHalfTurn(meanAnomaly);
+            double residual = Math.Abs(PreciseKepler.Residual(angle, eccentricity, reduced).High);
+            double ulps = residual / Ulp.Of(reduced.High);
+            string Input() => FormattableString.Invariant($"M = {meanAnomaly:R}, e = {eccentricity:R}");
+            Reduced.Note(ulps, Input);
+            Given.Note(residual / Ulp.Of(meanAnomaly), Input);
+            if (Math.Abs(meanAnomaly) <= Math.PI)
             {
-                worst.Take(error, FormattableString.Invariant($"M = {meanAnomaly:R}, e = {eccentricity:R}"));
+                Angle.Note(residual / PreciseKepler.Slope(angle, eccentricity).High / Ulp.Of(angle), Input);
             }
+
+            Steps.Note(steps, Input);
+            OverEccentricity.Add(1.0 - eccentricity, ulps);
+            OverAnomaly.Add(Math.Abs(meanAnomaly), ulps);
+            StepsOverEccentricity.Add(1.0 - eccentricity, steps);
         }
     }
 }

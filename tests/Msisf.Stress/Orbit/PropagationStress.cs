@@ -1,7 +1,6 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Time;
-using Msisf.Stress.Numerics;
+using Msisf.Stress.Reference;
 
 namespace Msisf.Stress.Orbit;
 
@@ -31,13 +30,8 @@ public sealed class PropagationStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        long cases = length == StressLength.Full ? 1_000_000 : 3_000;
-        Found all = new();
-        foreach (Found part in CaseParts.Run(cases, seed, RunPart))
-        {
-            all.Add(part);
-        }
-
+        int cases = length == StressLength.Full ? 1_000_000 : 3_000;
+        Found all = SeededCases.Run(cases, seed, () => new Found());
         return new StressReport(
             Name,
             cases,
@@ -54,26 +48,7 @@ public sealed class PropagationStress : IStressTest
             ]);
     }
 
-    private static Found RunPart(CaseRandom random, long cases)
-    {
-        Found found = new();
-        for (long count = 0; count < cases; count++)
-        {
-            KeplerElements elements = new(
-                random.Logarithmic(1.75e6, 1e7),
-                random.Between(0.0, 0.9),
-                random.Between(-Math.PI, Math.PI),
-                random.Between(-Math.PI, Math.PI),
-                random.Between(0.0, Math.PI),
-                random.Between(-Math.PI, Math.PI));
-            double orbits = random.Sign() * random.Logarithmic(1.0, MostOrbits);
-            found.Note(elements, orbits, new ModifiedJulianDate(random.Between(41000.0, 62000.0)));
-        }
-
-        return found;
-    }
-
-    private sealed class Found
+    private sealed class Found : IMeasure<Found>
     {
         public WorstCase Phase { get; } = new();
 
@@ -89,18 +64,17 @@ public sealed class PropagationStress : IStressTest
 
         public SeriesBuilder MetresOverOrbits { get; } = new(1.0, MostOrbits, 48, isLogarithmic: true);
 
-        public void Note(KeplerElements elements, double orbits, ModifiedJulianDate epoch)
+        public void Try(int number, CaseRandom random)
         {
-            WideOrbit orbit = new(elements);
-            double motion = orbit.MeanMotion.High;
-            double seconds = orbits * 2.0 * Math.PI / motion;
-            NoteSeconds(elements, orbit, orbits, seconds);
-
-            double days = epoch.Days + (seconds / SecondsADay);
-            if (days is > -600_000.0 and < 2_900_000.0)
-            {
-                NoteDates(elements, orbit, orbits, epoch, new ModifiedJulianDate(days));
-            }
+            KeplerElements elements = new(
+                random.Logarithmic(1.75e6, 1e7),
+                random.Between(0.0, 0.9),
+                random.Between(-Math.PI, Math.PI),
+                random.Between(-Math.PI, Math.PI),
+                random.Between(0.0, Math.PI),
+                random.Between(-Math.PI, Math.PI));
+            double orbits = random.Sign() * random.Logarithmic(1.0, MostOrbits);
+            Note(elements, orbits, new ModifiedJulianDate(random.Between(41000.0, 62000.0)));
         }
 
         public void Add(Found other)
@@ -114,44 +88,51 @@ public sealed class PropagationStress : IStressTest
             MetresOverOrbits.Add(other.MetresOverOrbits);
         }
 
-        private static double Allowed(WideOrbit orbit, WideVector position, WideVector velocity) =>
+        private static double Allowed(PreciseOrbit orbit, PreciseVector position, PreciseVector velocity) =>
             (PropagationStress.Phase / orbit.MeanMotion.High * velocity.Length.High) + (PropagationStress.Position * position.Length.High);
 
-        private static void Note(WorstCase worst, double error, KeplerElements elements, FormattableString time)
+        private void Note(KeplerElements elements, double orbits, ModifiedJulianDate epoch)
         {
-            if (worst.IsBeatenBy(error))
+            PreciseOrbit orbit = new(elements);
+            double motion = orbit.MeanMotion.High;
+            double seconds = orbits * 2.0 * Math.PI / motion;
+            NoteSeconds(elements, orbit, orbits, seconds);
+
+            double days = epoch.Days + (seconds / SecondsADay);
+            if (days is > -600_000.0 and < 2_900_000.0)
             {
-                worst.Take(error, $"{OrbitText.Of(elements)}, {FormattableString.Invariant(time)}");
+                NoteDates(elements, orbit, orbits, epoch, new ModifiedJulianDate(days));
             }
         }
 
-        private void NoteSeconds(KeplerElements elements, WideOrbit orbit, double orbits, double seconds)
+        private void NoteSeconds(KeplerElements elements, PreciseOrbit orbit, double orbits, double seconds)
         {
-            DoubleDouble time = WideMath.Of(seconds);
+            string Input() => FormattableString.Invariant($"{OrbitText.Of(elements)}, {seconds:R} s");
             double found = new MeanMotion(elements.SemiMajorAxis).MeanAnomalyAt(elements.MeanAnomalyAtEpoch, seconds);
-            double phase = Math.Abs(WideMath.ToHalfTurn(WideMath.Subtract(WideMath.Of(found), orbit.MeanAnomalyAt(time))).High);
-            Note(Phase, phase, elements, $"{seconds:R} s");
+            double phase = Math.Abs(PreciseMath.ToHalfTurn(found - orbit.MeanAnomalyAt(seconds)).High);
+            Phase.Note(phase, Input);
             PhaseOverOrbits.Add(Math.Abs(orbits), phase);
             if (Math.Abs(orbits) >= ManyOrbits)
             {
-                Note(PhaseOfTime, phase / (orbit.MeanMotion.High * Ulp.Of(seconds) / 2.0), elements, $"{seconds:R} s");
+                PhaseOfTime.Note(phase / (orbit.MeanMotion.High * Ulp.Of(seconds) / 2.0), Input);
             }
 
-            (WideVector position, WideVector velocity) = orbit.StateAt(time);
-            double distance = WideVector.Distance(WideVector.Of(new KeplerOrbit(elements).PositionAt(seconds)), position);
-            Note(Position, distance / Allowed(orbit, position, velocity), elements, $"{seconds:R} s");
+            (PreciseVector position, PreciseVector velocity) = orbit.StateAt(seconds);
+            double distance = PreciseVector.Distance(PreciseVector.From(new KeplerOrbit(elements).PositionAt(seconds)), position);
+            Position.Note(distance / Allowed(orbit, position, velocity), Input);
         }
 
-        private void NoteDates(KeplerElements elements, WideOrbit orbit, double orbits, ModifiedJulianDate epoch, ModifiedJulianDate date)
+        private void NoteDates(KeplerElements elements, PreciseOrbit orbit, double orbits, ModifiedJulianDate epoch, ModifiedJulianDate date)
         {
-            DoubleDouble time = WideMath.Multiply(SecondsADay, WideMath.Subtract(WideMath.Of(date.Days), WideMath.Of(epoch.Days)));
-            (WideVector position, WideVector velocity) = orbit.StateAt(time);
+            DoubleWord time = SecondsADay * ((DoubleWord)date.Days - epoch.Days);
+            (PreciseVector position, PreciseVector velocity) = orbit.StateAt(time);
+            string Input() => FormattableString.Invariant($"{OrbitText.Of(elements)}, MJD {epoch.Days:R} to {date.Days:R}");
             OrbitPropagator propagator = new(elements, epoch, OrbitFrame.MoonMe, ephemeris: null);
-            double distance = WideVector.Distance(WideVector.Of(propagator.PositionMoonMe(date)), position);
+            double distance = PreciseVector.Distance(PreciseVector.From(propagator.PositionMoonMe(date)), position);
             double timeUnits = (SecondsADay * (Ulp.Of(epoch.Days) + Ulp.Of(date.Days))) + Ulp.Of(time.High);
             double ofTime = timeUnits / 2.0 * velocity.Length.High;
-            Note(PositionOfDates, distance / (ofTime + Allowed(orbit, position, velocity)), elements, $"MJD {epoch.Days:R} to {date.Days:R}");
-            Note(Metres, distance, elements, $"MJD {epoch.Days:R} to {date.Days:R}");
+            PositionOfDates.Note(distance / (ofTime + Allowed(orbit, position, velocity)), Input);
+            Metres.Note(distance, Input);
             MetresOverOrbits.Add(Math.Abs(orbits), distance);
         }
     }

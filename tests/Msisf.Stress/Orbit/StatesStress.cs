@@ -1,7 +1,7 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Terrain;
-using Msisf.Stress.Numerics;
+using Msisf.Stress.Reference;
 
 namespace Msisf.Stress.Orbit;
 
@@ -27,20 +27,20 @@ public sealed class StatesStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        long cases = length == StressLength.Full ? 1_000_000 : 3_000;
-        Found all = new();
-        foreach (Found part in CaseParts.Run(cases, seed, RunPart))
-        {
-            all.Add(part);
-        }
-
+        int cases = length == StressLength.Full ? 1_000_000 : 3_000;
+        Found all = SeededCases.Run(cases, seed, () => new Found());
         return all.ToReport(Name, cases);
     }
 
-    private static Found RunPart(CaseRandom random, long cases)
+    private static double Missing(CaseRandom random) => random.Below(4) == 0 ? 0.0 : random.Sign() * random.Logarithmic(Nearest, Farthest);
+
+    private sealed class Found : IMeasure<Found>
     {
-        Found found = new();
-        for (long count = 0; count < cases; count++)
+        private readonly WorstCase[] _worst = [.. Enumerable.Range(0, 5).Select(_ => new WorstCase())];
+        private readonly SeriesBuilder _overEccentricity = new(Nearest, Farthest, 52, isLogarithmic: true);
+        private readonly SeriesBuilder _overTilt = new(Nearest, Farthest, 52, isLogarithmic: true);
+
+        public void Try(int number, CaseRandom random)
         {
             double radius = random.Logarithmic(1.75e6, 1e8);
             double speed = Math.Sqrt(MoonConstants.GravitationalParameter / radius);
@@ -50,45 +50,7 @@ public sealed class StatesStress : IStressTest
             double tilt = Missing(random);
             Vector3D position = radius * new Vector3D(cos, sin, Missing(random));
             Vector3D velocity = speed * new Vector3D((-sense * sin) + (climb * cos), (sense * cos) + (climb * sin), tilt);
-            found.Note(new StateVector(position, (1.0 + Missing(random)) * velocity));
-        }
-
-        return found;
-    }
-
-    private static double Missing(CaseRandom random) => random.Below(4) == 0 ? 0.0 : random.Sign() * random.Logarithmic(Nearest, Farthest);
-
-    private sealed class Found
-    {
-        private readonly WorstCase[] _worst = [.. Enumerable.Range(0, 5).Select(_ => new WorstCase())];
-        private readonly SeriesBuilder _overEccentricity = new(Nearest, Farthest, 52, isLogarithmic: true);
-        private readonly SeriesBuilder _overTilt = new(Nearest, Farthest, 52, isLogarithmic: true);
-
-        public void Note(StateVector state)
-        {
-            KeplerElements elements = StateConversion.ToElements(state);
-            StateVector again = new KeplerOrbit(elements).StateAt(0.0);
-            WideState right = new(state);
-            WideOrbit orbit = new(elements);
-            double roundTrip = WideVector.RelativeError(again.Position, WideVector.Of(state.Position));
-            double[] errors =
-            [
-                roundTrip,
-                WideVector.RelativeError(again.Velocity, WideVector.Of(state.Velocity)),
-                Math.Abs(WideMath.Subtract(WideMath.Of(elements.SemiMajorAxis), right.SemiMajorAxis).High / elements.SemiMajorAxis),
-                WideVector.Distance(orbit.EccentricityVector, right.EccentricityVector),
-                WideVector.Distance(orbit.Normal, right.Normal),
-            ];
-            for (int index = 0; index < errors.Length; index++)
-            {
-                if (_worst[index].IsBeatenBy(errors[index]))
-                {
-                    _worst[index].Take(errors[index], OrbitText.Of(state));
-                }
-            }
-
-            _overEccentricity.Add(right.EccentricityVector.Length.High, roundTrip);
-            _overTilt.Add(double.Hypot(right.Normal.X.High, right.Normal.Y.High), roundTrip);
+            Note(new StateVector(position, (1.0 + Missing(random)) * velocity));
         }
 
         public void Add(Found other)
@@ -116,5 +78,29 @@ public sealed class StatesStress : IStressTest
                 _overEccentricity.ToSeries("position after the way back", "of its length", "e", "", RoundTrip),
                 _overTilt.ToSeries("position after the way back", "of its length", "sin i", "", RoundTrip),
             ]);
+
+        private void Note(StateVector state)
+        {
+            KeplerElements elements = StateConversion.ToElements(state);
+            StateVector again = new KeplerOrbit(elements).StateAt(0.0);
+            PreciseState right = new(state);
+            PreciseOrbit orbit = new(elements);
+            double roundTrip = PreciseVector.RelativeError(PreciseVector.From(again.Position), PreciseVector.From(state.Position));
+            double[] errors =
+            [
+                roundTrip,
+                PreciseVector.RelativeError(PreciseVector.From(again.Velocity), PreciseVector.From(state.Velocity)),
+                Math.Abs((elements.SemiMajorAxis - right.SemiMajorAxis).High / elements.SemiMajorAxis),
+                PreciseVector.Distance(orbit.EccentricityVector, right.EccentricityVector),
+                PreciseVector.Distance(orbit.Normal, right.Normal),
+            ];
+            for (int index = 0; index < errors.Length; index++)
+            {
+                _worst[index].Note(errors[index], () => OrbitText.Of(state));
+            }
+
+            _overEccentricity.Add(right.EccentricityVector.Length.High, roundTrip);
+            _overTilt.Add(double.Hypot(right.Normal.X.High, right.Normal.Y.High), roundTrip);
+        }
     }
 }

@@ -46,7 +46,7 @@ internal sealed class TraceErrors
             Vector3D.AngleBetween(normalFound, ray.Normal), Vector3D.AngleBetween(-normalFound, ray.Normal)));
         bool isMissed = normalFound == default || normal > SameFacetDegrees;
         _missedOverRounding.Add(ray.RoundedPastEdge, isMissed ? 1.0 : 0.0);
-        (ray.RoundedPastEdge > 1.0 ? _missedBeyond : _missed).Add(isMissed, Input);
+        (ray.RoundedPastEdge > 1.0 ? _missedBeyond : _missed).Note(isMissed, Input);
         if (isMissed)
         {
             return;

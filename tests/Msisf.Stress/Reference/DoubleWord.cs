@@ -2,7 +2,7 @@ namespace Msisf.Stress.Reference;
 
 /// <summary>
 /// A number of some 32 digits as the unevaluated sum of two doubles; <c>default</c> is zero. By fused multiply-add and so no relative of the
-/// program's own <c>DoubleDouble</c>; held against 50 digits by tests/golden/stress_pixels.tsv.
+/// program's own <c>DoubleDouble</c>; held against mpmath by tests/golden/stress_pixels.tsv and tests/golden/stress.
 /// </summary>
 /// <param name="High">The sum, rounded to a double.</param>
 /// <param name="Low">What the rounding lost.</param>
@@ -50,7 +50,7 @@ public readonly record struct DoubleWord(double High, double Low)
     public static DoubleWord Sqrt(DoubleWord value)
     {
         double root = Math.Sqrt(value.High);
-        return root > 0.0 ? Renormalized(root, (value - ((DoubleWord)root * root)).High / (2.0 * root)) : default;
+        return root == 0.0 ? default : Renormalized(root, (value - ((DoubleWord)root * root)).High / (2.0 * root));
     }
 
     /// <summary>a + b exactly.</summary>

@@ -21,7 +21,7 @@ public sealed class PreciseCamera
         _width = width;
         _height = height;
         Position = PreciseVector.From(positionMoonMe);
-        (DoubleWord sine, DoubleWord cosine) = PreciseTrigonometry.SinCos(fieldOfView / 2.0);
+        (DoubleWord sine, DoubleWord cosine) = PreciseMath.SinCos(fieldOfView / 2.0);
         DoubleWord aspect = (DoubleWord)width / height;
         _direction = aspect * 0.5 * cosine / sine * Rotated(moonFromCamera, new PreciseVector(-1.0, 0.0, 0.0));
         _right = aspect * Rotated(moonFromCamera, new PreciseVector(0.0, 1.0, 0.0));

@@ -25,6 +25,12 @@ public readonly record struct PreciseVector(DoubleWord X, DoubleWord Y, DoubleWo
     public static PreciseVector Cross(PreciseVector u, PreciseVector v) =>
         new((u.Y * v.Z) - (u.Z * v.Y), (u.Z * v.X) - (u.X * v.Z), (u.X * v.Y) - (u.Y * v.X));
 
+    /// <summary>How far apart two vectors are.</summary>
+    public static double Distance(PreciseVector u, PreciseVector v) => (u - v).Rounded.Length;
+
+    /// <summary>The distance over the length of the right one.</summary>
+    public static double RelativeError(PreciseVector found, PreciseVector right) => Distance(found, right) / right.Length.High;
+
     /// <summary>The vector of length 1 in the same direction.</summary>
     public PreciseVector Normalized() => (1.0 / Length) * this;
 }

@@ -25,7 +25,7 @@ internal sealed class ExcessMeasure(JudgedMoon moon, ElevationSummary summary, i
     private long _seen;
     private long _blind;
 
-    /// <inheritdoc/>
+    /// <summary>The worst of each quantity.</summary>
     public IEnumerable<StressFigure> Figures
     {
         get
@@ -46,7 +46,7 @@ internal sealed class ExcessMeasure(JudgedMoon moon, ElevationSummary summary, i
         }
     }
 
-    /// <inheritdoc/>
+    /// <summary>Errors over the range of an input.</summary>
     public IEnumerable<StressSeries> Series
     {
         get
@@ -69,7 +69,7 @@ internal sealed class ExcessMeasure(JudgedMoon moon, ElevationSummary summary, i
     }
 
     /// <inheritdoc/>
-    public void Try(int number, Random random)
+    public void Try(int number, CaseRandom random)
     {
         (PinholeCamera camera, _, string kind) = CameraCases.Make(firstCamera + number, moon.Grid, Pixels);
         IReadOnlyList<TileChoice> kept = Dspsa.Select(camera, null, moon.Grid, summary).Kept;

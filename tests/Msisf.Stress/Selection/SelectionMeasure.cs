@@ -15,41 +15,32 @@ internal sealed class SelectionMeasure(JudgedMoon moon, ElevationSummary summary
     /// <summary>Of each picture, about.</summary>
     private const int Pixels = 600;
 
-    private readonly FigureBuilder _differences = new($"{moon.Grid.ProductId}: pixels that differ from the picture with all tiles", string.Empty, 0.0);
-    private readonly FigureBuilder _missed = new($"{moon.Grid.ProductId}: tiles that a pixel's ray meets and that are missed, light at the camera", string.Empty, 0.0);
+    private readonly CaseCount _differences = new();
+    private readonly CaseCount _missed = new();
     private long _pixels;
     private long _lit;
     private long _kept;
 
-    /// <inheritdoc/>
+    /// <summary>The worst of each quantity.</summary>
     public IEnumerable<StressFigure> Figures =>
     [
-        _differences.ToFigure(),
-        _missed.ToFigure(),
+        _differences.ToFigure($"{moon.Grid.ProductId}: pixels that differ from the picture with all tiles", string.Empty, 0.0),
+        _missed.ToFigure($"{moon.Grid.ProductId}: tiles that a pixel's ray meets and that are missed, light at the camera", string.Empty, 0.0),
         new StressFigure($"{moon.Grid.ProductId}: pixels compared", "pixels", _pixels, null, $"{_lit} lit, {_kept} tiles kept in all"),
     ];
 
     /// <inheritdoc/>
-    public IEnumerable<StressSeries> Series => [];
-
-    /// <inheritdoc/>
-    public void Try(int number, Random random)
+    public void Try(int number, CaseRandom random)
     {
         (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(firstCamera + number, moon.Grid, Pixels);
         TileSelection selection = Dspsa.Select(camera, sun, moon.Grid, summary);
         BruteForcePicture whole = new(moon.Facets, camera, sun, isThere: null);
         BruteForcePicture selected = new(moon.Facets, camera, sun, TilesThere.In(selection));
         string Text() => $"CameraCases {firstCamera + number} ({kind})";
-        for (int pixel = whole.DifferencesFrom(selected); pixel > 0; pixel--)
-        {
-            _differences.Count(Text);
-        }
+        _differences.Note(whole.DifferencesFrom(selected), camera.Width * camera.Height, Text);
 
         bool[] isKept = TilesThere.In(Dspsa.Select(camera, null, moon.Grid, summary));
-        for (int missed = isKept.Zip(whole.HitTiles).Count(tile => tile.Second && !tile.First); missed > 0; missed--)
-        {
-            _missed.Count(Text);
-        }
+        _missed.Note(isKept.Zip(whole.HitTiles).Count(tile => tile.Second && !tile.First), whole.HitTiles.Count(isHit => isHit), Text);
 
         _pixels += camera.Width * camera.Height;
         _lit += whole.Lit;

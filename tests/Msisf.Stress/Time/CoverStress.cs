@@ -29,15 +29,10 @@ public sealed class CoverStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        long cases = length == StressLength.Full ? 200_000 : 2_000;
+        int cases = length == StressLength.Full ? 200_000 : 2_000;
         using BuiltInKernels kernels = ProjectKernels.Open();
         IEphemeris engine = kernels.Ephemeris;
-        Found all = new(engine);
-        foreach (Found part in CaseParts.Run(cases, seed, (random, count) => RunPart(random, count, engine)))
-        {
-            all.Add(part);
-        }
-
+        Found all = SeededCases.Run(cases, seed, () => new Found(engine));
         return new StressReport(
             Name,
             cases,
@@ -49,24 +44,6 @@ public sealed class CoverStress : IStressTest
             []);
     }
 
-    private static Found RunPart(CaseRandom random, long cases, IEphemeris engine)
-    {
-        Found found = new(engine);
-        for (long count = 0; count < cases; count++)
-        {
-            double away = random.Logarithmic(1e-6 / 86400.0, 1e6);
-            found.Note(random.Below(4) switch
-            {
-                0 => random.Between(Start, End),
-                1 => Start - away,
-                2 => End + away,
-                _ => NoDate(random),
-            });
-        }
-
-        return found;
-    }
-
     private static double NoDate(CaseRandom random) => random.Below(8) switch
     {
         0 => double.NaN,
@@ -75,7 +52,7 @@ public sealed class CoverStress : IStressTest
         _ => random.Sign() * random.Logarithmic(2_973_484.0, 1e300),
     };
 
-    private sealed class Found(IEphemeris engine)
+    private sealed class Found(IEphemeris engine) : IMeasure<Found>
     {
         public CaseCount Inside { get; } = new();
 
@@ -83,26 +60,16 @@ public sealed class CoverStress : IStressTest
 
         public CaseCount NoDates { get; } = new();
 
-        public void Note(double mjd)
+        public void Try(int number, CaseRandom random)
         {
-            Vector3D sun = default;
-            string? refusal = Refusals.Of(() => sun = engine.SunPositionMoonMe(new ModifiedJulianDate(mjd)));
-            bool isPosition = refusal is null && sun.Length is > LeastSunDistance and < MostSunDistance;
-            bool namesCover = Says(refusal, "is outside the kernels' cover: the kernels cover 1899-12-31");
-            string input = FormattableString.Invariant($"MJD {mjd:R}");
-            if (!(mjd >= -678_575.0 && mjd < 2_973_484.0))
+            double away = random.Logarithmic(1e-6 / 86400.0, 1e6);
+            Note(random.Below(4) switch
             {
-                NoDates.Add(!Says(refusal, "is not a date; a number from -678575 (year 1)"), () => input);
-            }
-            else if (mjd > Start + EndWidth && mjd < End - EndWidth)
-            {
-                Inside.Add(!isPosition, () => input);
-            }
-            else
-            {
-                bool isAtAnEnd = mjd > Start - EndWidth && mjd < End + EndWidth;
-                Outside.Add(!(namesCover || (isAtAnEnd && isPosition)), () => input);
-            }
+                0 => random.Between(Start, End),
+                1 => Start - away,
+                2 => End + away,
+                _ => NoDate(random),
+            });
         }
 
         public void Add(Found other)
@@ -113,5 +80,27 @@ public sealed class CoverStress : IStressTest
         }
 
         private static bool Says(string? refusal, string text) => refusal?.Contains(text, StringComparison.Ordinal) == true;
+
+        private void Note(double mjd)
+        {
+            Vector3D sun = default;
+            string? refusal = Refusals.Of(() => sun = engine.SunPositionMoonMe(new ModifiedJulianDate(mjd)));
+            bool isPosition = refusal is null && sun.Length is > LeastSunDistance and < MostSunDistance;
+            bool namesCover = Says(refusal, "is outside the kernels' cover: the kernels cover 1899-12-31");
+            string Input() => MjdText.Of(mjd);
+            if (!(mjd >= -678_575.0 && mjd < 2_973_484.0))
+            {
+                NoDates.Note(!Says(refusal, "is not a date; a number from -678575 (year 1)"), Input);
+            }
+            else if (mjd > Start + EndWidth && mjd < End - EndWidth)
+            {
+                Inside.Note(!isPosition, Input);
+            }
+            else
+            {
+                bool isAtAnEnd = mjd > Start - EndWidth && mjd < End + EndWidth;
+                Outside.Note(!(namesCover || (isAtAnEnd && isPosition)), Input);
+            }
+        }
     }
 }

@@ -1,6 +1,6 @@
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Time;
-using Msisf.Stress.Numerics;
+using Msisf.Stress.Reference;
 
 namespace Msisf.Stress.Time;
 
@@ -43,13 +43,8 @@ public sealed class TimeStress : IStressTest
         int intervals = length == StressLength.Full ? 10_000 : 100;
         TdbScale scale = ProjectKernels.ReadScale();
         double[][] leapSeconds = StressTable.Rows("leap_seconds.csv");
-        Found all = new(scale);
+        Found all = SeededCases.Run(intervals, seed, () => new Found(scale));
         all.NoteLeapSeconds(leapSeconds);
-        foreach (Found part in CaseParts.Run(intervals, seed, (random, cases) => RunPart(random, cases, scale)))
-        {
-            all.Add(part);
-        }
-
         return new StressReport(
             Name,
             leapSeconds.Length + ((long)intervals * (StepsOfAnInterval + 1)),
@@ -65,19 +60,7 @@ public sealed class TimeStress : IStressTest
             [all.OverDate.ToSeries("length of a step of 1e-6 s in TDB: difference", "s", "MJD", "", TdbStepError)]);
     }
 
-    private static Found RunPart(CaseRandom random, long intervals, TdbScale scale)
-    {
-        Found found = new(scale);
-        for (long count = 0; count < intervals; count++)
-        {
-            found.NoteInterval(random.Between(41317.0, CoarseMjd - 1.0));
-            found.NoteCoarseInterval(random.Between(CoarseMjd, 88000.0));
-        }
-
-        return found;
-    }
-
-    private sealed class Found(TdbScale scale)
+    private sealed class Found(TdbScale scale) : IMeasure<Found>
     {
         public WorstCase Tdb { get; } = new();
 
@@ -100,41 +83,20 @@ public sealed class TimeStress : IStressTest
             foreach (double[] row in rows)
             {
                 double found = scale.FromUtc(new ModifiedJulianDate(row[0]));
-                Note(Tdb, Math.Abs(found - row[1]) / Ulp.Of(row[1]), row[0]);
+                Tdb.Note(Math.Abs(found - row[1]) / Ulp.Of(row[1]), () => MjdText.Of(row[0]));
                 if (row[0] == Math.Floor(row[0]))
                 {
                     double before = Math.BitDecrement(row[0]);
                     double seconds = found - scale.FromUtc(new ModifiedJulianDate(before)) - (SecondsADay * (row[0] - before));
-                    Note(Leap, Math.Abs(seconds - 1.0), before);
+                    Leap.Note(Math.Abs(seconds - 1.0), () => MjdText.Of(before));
                 }
             }
         }
 
-        public void NoteInterval(double start)
+        public void Try(int number, CaseRandom random)
         {
-            double step = Microsecond / SecondsADay;
-            TimeInterval interval = new(new ModifiedJulianDate(start), step, new ModifiedJulianDate(start + (StepsOfAnInterval * step)));
-            ModifiedJulianDate previous = interval[0];
-            for (int index = 1; index < interval.Count; index++)
-            {
-                ModifiedJulianDate time = interval[index];
-                double days = time.Days - previous.Days;
-                double tdbSeconds = scale.FromUtc(time) - scale.FromUtc(previous);
-                Note(Place, Math.Abs((SecondsADay * (time.Days - start)) - (index * Microsecond)), time.Days);
-                Note(Step, Math.Abs((SecondsADay * days) - Microsecond), time.Days);
-                Note(TdbStep, Math.Abs(tdbSeconds - Microsecond), time.Days);
-                Order.Add(days <= 0.0 || tdbSeconds <= 0.0, () => MjdText(time.Days));
-                OverDate.Add(start, Math.Abs(tdbSeconds - Microsecond));
-                previous = time;
-            }
-        }
-
-        public void NoteCoarseInterval(double start)
-        {
-            double step = Microsecond / SecondsADay;
-            string? refusal = Refusals.Of(
-                () => new TimeInterval(new ModifiedJulianDate(start), step, new ModifiedJulianDate(start + (StepsOfAnInterval * step))));
-            Refusal.Add(refusal?.Contains("is below what an MJD", StringComparison.Ordinal) != true, () => MjdText(start));
+            NoteInterval(random.Between(41317.0, CoarseMjd - 1.0));
+            NoteCoarseInterval(random.Between(CoarseMjd, 88000.0));
         }
 
         public void Add(Found other)
@@ -149,14 +111,31 @@ public sealed class TimeStress : IStressTest
             OverDate.Add(other.OverDate);
         }
 
-        private static void Note(WorstCase worst, double error, double mjd)
+        private void NoteInterval(double start)
         {
-            if (worst.IsBeatenBy(error))
+            double step = Microsecond / SecondsADay;
+            TimeInterval interval = new(new ModifiedJulianDate(start), step, new ModifiedJulianDate(start + (StepsOfAnInterval * step)));
+            ModifiedJulianDate previous = interval[0];
+            for (int index = 1; index < interval.Count; index++)
             {
-                worst.Take(error, MjdText(mjd));
+                ModifiedJulianDate time = interval[index];
+                double days = time.Days - previous.Days;
+                double tdbSeconds = scale.FromUtc(time) - scale.FromUtc(previous);
+                Place.Note(Math.Abs((SecondsADay * (time.Days - start)) - (index * Microsecond)), () => MjdText.Of(time.Days));
+                Step.Note(Math.Abs((SecondsADay * days) - Microsecond), () => MjdText.Of(time.Days));
+                TdbStep.Note(Math.Abs(tdbSeconds - Microsecond), () => MjdText.Of(time.Days));
+                Order.Note(days <= 0.0 || tdbSeconds <= 0.0, () => MjdText.Of(time.Days));
+                OverDate.Add(start, Math.Abs(tdbSeconds - Microsecond));
+                previous = time;
             }
         }
 
-        private static string MjdText(double mjd) => FormattableString.Invariant($"MJD {mjd:R}");
+        private void NoteCoarseInterval(double start)
+        {
+            double step = Microsecond / SecondsADay;
+            string? refusal = Refusals.Of(
+                () => new TimeInterval(new ModifiedJulianDate(start), step, new ModifiedJulianDate(start + (StepsOfAnInterval * step))));
+            Refusal.Note(refusal?.Contains("is below what an MJD", StringComparison.Ordinal) != true, () => MjdText.Of(start));
+        }
     }
 }

@@ -1,7 +1,6 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 
-namespace Msisf.Stress.Numerics;
+namespace Msisf.Stress.Reference;
 
 /// <summary>The references of the other stress tests, held against mpmath.</summary>
 public sealed class ReferenceStress : IStressTest
@@ -44,11 +43,7 @@ public sealed class ReferenceStress : IStressTest
         WorstCase worst = new();
         for (int index = 0; index < rows.Length; index++)
         {
-            double error = errorOf(rows[index]);
-            if (worst.IsBeatenBy(error))
-            {
-                worst.Take(error, FormattableString.Invariant($"tests/golden/stress/{fileName}, line {index + 2}"));
-            }
+            worst.Note(errorOf(rows[index]), () => $"tests/golden/stress/{fileName}, line {index + 2}");
         }
 
         return worst;
@@ -56,37 +51,35 @@ public sealed class ReferenceStress : IStressTest
 
     private static double FunctionError(double[] row)
     {
-        DoubleDouble x = WideMath.Of(row[0]);
-        DoubleDouble y = WideMath.Of(row[7]);
-        (DoubleDouble sin, DoubleDouble cos) = WideMath.SinCos(x);
+        DoubleWord x = row[0];
+        DoubleWord y = row[7];
+        (DoubleWord sin, DoubleWord cos) = PreciseMath.SinCos(x);
         return new[]
         {
-            Math.Abs(WideMath.Subtract(sin, StressTable.Wide(row, 1)).High),
-            Math.Abs(WideMath.Subtract(cos, StressTable.Wide(row, 3)).High),
-            RelativeError(WideMath.MinusSine(x), StressTable.Wide(row, 5)),
-            RelativeError(WideMath.SquareRoot(y), StressTable.Wide(row, 8)),
-            RelativeError(WideMath.Divide(x, y), StressTable.Wide(row, 10)),
+            Math.Abs((sin - StressTable.Number(row, 1)).High),
+            Math.Abs((cos - StressTable.Number(row, 3)).High),
+            RelativeError(PreciseMath.MinusSine(x), StressTable.Number(row, 5)),
+            RelativeError(DoubleWord.Sqrt(y), StressTable.Number(row, 8)),
+            RelativeError(x / y, StressTable.Number(row, 10)),
         }.Aggregate(Math.Max); // unlike Max it keeps NaN
     }
 
     private static double ResidualError(double[] row)
     {
-        DoubleDouble reduced = WideMath.ToHalfTurn(WideMath.Of(row[1]));
-        DoubleDouble residual = WideKepler.Residual(WideMath.Of(row[0]), row[2], reduced);
-        double difference = WideMath.Subtract(residual, StressTable.Wide(row, 3)).High;
-        return Math.Max(Math.Abs(difference / row[5]), RelativeError(reduced, StressTable.Wide(row, 5)));
+        DoubleWord reduced = PreciseMath.ToHalfTurn(row[1]);
+        DoubleWord residual = PreciseKepler.Residual(row[0], row[2], reduced);
+        double difference = (residual - StressTable.Number(row, 3)).High;
+        return Math.Max(Math.Abs(difference / row[5]), RelativeError(reduced, StressTable.Number(row, 5)));
     }
 
     private static double OrbitError(double[] row)
     {
-        WideOrbit orbit = new(new KeplerElements(row[0], row[1], row[2], row[3], row[4], row[5]));
-        (WideVector position, WideVector velocity) = orbit.StateAt(WideMath.Of(row[6]));
-        WideVector rightPosition = new(StressTable.Wide(row, 7), StressTable.Wide(row, 9), StressTable.Wide(row, 11));
-        WideVector rightVelocity = new(StressTable.Wide(row, 13), StressTable.Wide(row, 15), StressTable.Wide(row, 17));
-        return Math.Max(
-            WideVector.Distance(position, rightPosition) / rightPosition.Length.High,
-            WideVector.Distance(velocity, rightVelocity) / rightVelocity.Length.High);
+        PreciseOrbit orbit = new(new KeplerElements(row[0], row[1], row[2], row[3], row[4], row[5]));
+        (PreciseVector position, PreciseVector velocity) = orbit.StateAt(row[6]);
+        PreciseVector rightPosition = new(StressTable.Number(row, 7), StressTable.Number(row, 9), StressTable.Number(row, 11));
+        PreciseVector rightVelocity = new(StressTable.Number(row, 13), StressTable.Number(row, 15), StressTable.Number(row, 17));
+        return Math.Max(PreciseVector.RelativeError(position, rightPosition), PreciseVector.RelativeError(velocity, rightVelocity));
     }
 
-    private static double RelativeError(DoubleDouble found, DoubleDouble right) => Math.Abs(WideMath.Subtract(found, right).High / right.High);
+    private static double RelativeError(DoubleWord found, DoubleWord right) => Math.Abs((found - right).High / right.High);
 }

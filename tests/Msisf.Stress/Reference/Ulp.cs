@@ -1,4 +1,4 @@
-namespace Msisf.Stress.Numerics;
+namespace Msisf.Stress.Reference;
 
 /// <summary>Units in the last place: the distance from a double to the next one away from zero.</summary>
 internal static class Ulp

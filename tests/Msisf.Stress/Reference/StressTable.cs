@@ -1,8 +1,7 @@
 using System.Globalization;
-using Msisf.Core.Numerics;
 using Msisf.TestSupport;
 
-namespace Msisf.Stress.Numerics;
+namespace Msisf.Stress.Reference;
 
 /// <summary>The tables of tests/golden/stress, which tests/golden/README.md describes: rows of doubles under a header.</summary>
 internal static class StressTable
@@ -15,5 +14,5 @@ internal static class StressTable
     ];
 
     /// <summary>The number that a column and the next one hold.</summary>
-    public static DoubleDouble Wide(double[] row, int column) => new(row[column], row[column + 1]);
+    public static DoubleWord Number(double[] row, int column) => new(row[column], row[column + 1]);
 }
