@@ -32,7 +32,7 @@ public static class PngWriter
     public static void Write(Stream destination, ReadOnlySpan<byte> levels, int width, GreyTransfer transfer)
     {
         WriteHead(destination, width, levels.Length / width, bitDepth: 8, transfer);
-        WriteRows(destination, levels, width);
+        WriteRows(destination, levels, width, RunsOnly());
         PngChunk.Write(destination, "IEND"u8, []);
     }
 
@@ -50,10 +50,13 @@ public static class PngWriter
             levels.CopyTo(networkOrder);
         }
 
-        WriteRows(destination, MemoryMarshal.AsBytes(networkOrder.AsSpan(0, levels.Length)), 2 * width);
+        WriteRows(destination, MemoryMarshal.AsBytes(networkOrder.AsSpan(0, levels.Length)), 2 * width, RunsOnly());
         ArrayPool<ushort>.Shared.Return(networkOrder);
         PngChunk.Write(destination, "IEND"u8, []);
     }
+
+    private static ZLibCompressionOptions RunsOnly() =>
+        new() { CompressionLevel = 1, CompressionStrategy = ZLibCompressionStrategy.RunLengthEncoding };
 
     private static void WriteHead(Stream destination, int width, int height, byte bitDepth, GreyTransfer transfer)
     {
@@ -77,11 +80,11 @@ public static class PngWriter
         }
     }
 
-    private static void WriteRows(Stream destination, ReadOnlySpan<byte> rows, int rowLength)
+    /// <summary>Writes the pixels as the difference from the row above.</summary>
+    internal static void WriteRows(Stream destination, ReadOnlySpan<byte> rows, int rowLength, ZLibCompressionOptions compression)
     {
         using PngDataStream data = new(destination);
-        using ZLibStream compressor = new(
-            data, new ZLibCompressionOptions { CompressionLevel = 1, CompressionStrategy = ZLibCompressionStrategy.RunLengthEncoding });
+        using ZLibStream compressor = new(data, compression);
         int rowsPerBatch = Math.Max(1, BatchLength / (rowLength + 1));
         byte[] batch = ArrayPool<byte>.Shared.Rent(rowsPerBatch * (rowLength + 1));
         int used = 0;

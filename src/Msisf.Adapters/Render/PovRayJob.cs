@@ -1,3 +1,5 @@
+using Msisf.Core.Camera;
+
 namespace Msisf.Adapters.Render;
 
 /// <summary>One run of POV-Ray.</summary>
@@ -6,6 +8,7 @@ namespace Msisf.Adapters.Render;
 /// <param name="WorkFolder">An existing folder on the disk of the outputs, for POV-Ray's own files.</param>
 /// <param name="Width">Picture width, px.</param>
 /// <param name="Height">Picture height, px.</param>
+/// <param name="Rows">The rows to draw, the others stay black; null for all.</param>
 /// <param name="Threads">Threads that POV-Ray may use.</param>
 /// <param name="Options">POV-Ray options after the usual ones, which they overrule.</param>
 /// <param name="Timeout">Longest allowed run, or null for no limit.</param>
@@ -15,6 +18,7 @@ public sealed record PovRayJob(
     string WorkFolder,
     int Width,
     int Height,
+    PixelRows? Rows,
     int Threads,
     IReadOnlyList<string> Options,
     TimeSpan? Timeout);

@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using Msisf.Adapters.Terrain;
 using Msisf.Adapters.Terrain.Lod;
+using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Tracing;
@@ -90,8 +91,9 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>The pieces of surface that a frame needs.</summary>
     /// <param name="frame">The frame.</param>
     /// <param name="errorPixels">So far may levels of detail move what is seen; null for the tiles' whole patterns and no levels.</param>
-    public IReadOnlyList<SurfacePart> SelectParts(Frame frame, double? errorPixels) => errorPixels is double error
-        ? _selectors.GetOrAdd(error, NewSelector).Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null).Parts
+    /// <param name="rows">The rows of the picture that matter; null for all.</param>
+    public IReadOnlyList<SurfacePart> SelectParts(Frame frame, double? errorPixels, PixelRows? rows = null) => errorPixels is double error
+        ? _selectors.GetOrAdd(error, NewSelector).Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, rows).Parts
         : [.. Select(frame).Kept.Select(choice => SurfacePart.Whole(choice.Tile))];
 
     private PartSelector NewSelector(double errorPixels) => new(Levels, _summary.Value, errorPixels);

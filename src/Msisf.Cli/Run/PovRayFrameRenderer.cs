@@ -1,6 +1,7 @@
 using Msisf.Adapters.Render;
 using Msisf.Adapters.Scene;
 using Msisf.Cli.Options;
+using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
@@ -11,6 +12,9 @@ namespace Msisf.Cli.Run;
 /// <summary>POV-Ray's way: selection, patterns, scene, POV-Ray itself, files.</summary>
 internal sealed class PovRayFrameRenderer : IFrameRenderer
 {
+    /// <summary>Below this a second process would cost more (0.65 s of sleeping, and what both parse) than it saves: a triangle takes some 2 microseconds.</summary>
+    private const long LeastFacesOfStrip = 250_000;
+
     private readonly RenderSettings _settings;
     private readonly ElevationModel _model;
     private readonly ScenePatterns _patterns;
@@ -50,24 +54,20 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// <inheritdoc/>
     public async Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation)
     {
-        IReadOnlyList<SurfacePart> parts = _times.Measure(Phase.Selection, () => _model.SelectParts(frame, _settings.LevelOfDetailError));
+        double? error = _settings.LevelOfDetailError;
+        IReadOnlyList<SurfacePart> parts = _times.Measure(Phase.Selection, () => _model.SelectParts(frame, error));
         int made = _times.Measure(Phase.Patterns, () => _patterns.Ensure(parts, cancellation));
-        RenderScene scene = new(frame.Camera, frame.Light, _model.Grid.PixelsPerDegree, parts);
-        void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, scene, _patterns.FileNameOf);
-
-        PovRayJob job = new(
-            WriteScene,
-            _patterns.Folder,
-            _settings.OutputFolder,
-            frame.Camera.Width,
-            frame.Camera.Height,
-            threads,
-            _settings.PovOptions,
-            _settings.Timeout);
+        IReadOnlyList<PixelRows> strips = PixelRows.Strips(frame.Camera.Height, error is null ? 1 : StripsFor(parts, threads), PovRayProcess.BlockRows);
+        PovRayJob[] jobs = strips.Count == 1
+            ? [JobOf(frame, parts, null, threads)]
+            : Jobs(frame, strips, threads / strips.Count, cancellation);
         await _processes.WaitAsync(cancellation).ConfigureAwait(false);
         try
         {
-            return new FrameOutputs(await DrawAsync(frame, job, WriteScene, cancellation).ConfigureAwait(false), parts.Count, made);
+            using Stream picture = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);
+            void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, parts), _patterns.FileNameOf);
+            RenderedFrame rendered = new(RendererKind.PovRay, picture, "POV-Ray's picture", WriteScene, _model.Grid.PixelsPerDegree, TruthOf(frame));
+            return new FrameOutputs(_files.Write(frame, rendered, cancellation), parts.Count, made);
         }
         finally
         {
@@ -78,23 +78,65 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// <inheritdoc/>
     public void Dispose() => _processes.Dispose();
 
-    /// <returns>The paths of the frame's files.</returns>
-    private async Task<IReadOnlyList<string>> DrawAsync(Frame frame, PovRayJob job, Action<TextWriter> writeScene, CancellationToken cancellation)
+    /// <summary>POV-Ray parses with one thread: a scene that takes long is drawn in strips, one a core, each with the parts that it needs.</summary>
+    private int StripsFor(IReadOnlyList<SurfacePart> parts, int threads) =>
+        (int)Math.Clamp(_patterns.CountFaces(parts) / LeastFacesOfStrip, 1, threads);
+
+    private PovRayJob[] Jobs(Frame frame, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
     {
-        IReadOnlyList<string> outputs = [];
+        IReadOnlyList<SurfacePart>[] parts = _times.Measure(
+            Phase.Selection,
+            () => strips.AsParallel().AsOrdered().WithCancellation(cancellation)
+                .Select(rows => _model.SelectParts(frame, _settings.LevelOfDetailError, rows)).ToArray());
+        _times.Measure(Phase.Patterns, () => _patterns.Ensure(parts.SelectMany(ofStrip => ofStrip), cancellation));
+        return [.. strips.Zip(parts).Select(strip => JobOf(frame, strip.Second, strip.First, threads))];
+    }
+
+    private PovRayJob JobOf(Frame frame, IReadOnlyList<SurfacePart> parts, PixelRows? rows, int threads) => new(
+        writer => PovSceneWriter.Write(writer, SceneOf(frame, parts), _patterns.FileNameOf),
+        _patterns.Folder,
+        _settings.OutputFolder,
+        frame.Camera.Width,
+        frame.Camera.Height,
+        rows,
+        threads,
+        _settings.PovOptions,
+        _settings.Timeout);
+
+    private RenderScene SceneOf(Frame frame, IReadOnlyList<SurfacePart> parts) =>
+        new(frame.Camera, frame.Light, _model.Grid.PixelsPerDegree, parts);
+
+    /// <returns>The whole picture as PNG; the same bytes however many strips it was drawn in.</returns>
+    private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)
+    {
         long start = System.Diagnostics.Stopwatch.GetTimestamp();
-        PovRayTimes povRayTimes = await _povRay.RenderAsync(
-            job,
-            picture =>
+        using CancellationTokenSource others = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        Task<PovRayPicture>[] runs = [.. jobs.Select(job => _povRay.RenderAsync(job, others.Token))];
+        PovRayPicture[] pictures = await AllOrNone(runs, others).ConfigureAwait(false);
+        MemoryStream picture = new();
+        PngRaster.Join([.. pictures.Select(strip => strip.Raster)], [.. strips.Select(strip => strip.First)]).Write(picture);
+        picture.Position = 0;
+        _times.Add(Phase.PovRay, System.Diagnostics.Stopwatch.GetElapsedTime(start).TotalSeconds);
+        _times.Add(Phase.Parse, pictures.Max(strip => strip.Times.ParseSeconds) ?? 0.0);
+        _times.Add(Phase.Trace, pictures.Max(strip => strip.Times.TraceSeconds) ?? 0.0);
+        return picture;
+    }
+
+    /// <summary>When one run fails, the others are ended, and its own error is thrown.</summary>
+    private static async Task<PovRayPicture[]> AllOrNone(Task<PovRayPicture>[] runs, CancellationTokenSource others)
+    {
+        await foreach (Task<PovRayPicture> run in Task.WhenEach(runs).ConfigureAwait(false))
+        {
+            if (!run.IsCompletedSuccessfully)
             {
-                _times.Add(Phase.PovRay, System.Diagnostics.Stopwatch.GetElapsedTime(start).TotalSeconds);
-                RenderedFrame rendered = new(RendererKind.PovRay, picture, "POV-Ray's picture", writeScene, _model.Grid.PixelsPerDegree, TruthOf(frame));
-                outputs = _files.Write(frame, rendered, cancellation);
-            },
-            cancellation).ConfigureAwait(false);
-        _times.Add(Phase.Parse, povRayTimes.ParseSeconds ?? 0.0);
-        _times.Add(Phase.Trace, povRayTimes.TraceSeconds ?? 0.0);
-        return outputs;
+                await others.CancelAsync().ConfigureAwait(false);
+                await Task.WhenAll(runs.Select(other => other.ContinueWith(
+                    _ => { }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default))).ConfigureAwait(false);
+                return [await run.ConfigureAwait(false)];
+            }
+        }
+
+        return await Task.WhenAll(runs).ConfigureAwait(false);
     }
 
     private TracedFrameTruth? TruthOf(Frame frame) =>

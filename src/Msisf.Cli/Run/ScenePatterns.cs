@@ -23,6 +23,10 @@ internal sealed class ScenePatterns
     /// <summary>File name of a part's mesh, without folder.</summary>
     public string FileNameOf(SurfacePart part) => Path.GetFileName(_repository.PathOf(part, _builders.PixelsPerDegree));
 
+    /// <summary>Triangles of some parts.</summary>
+    public long CountFaces(IEnumerable<SurfacePart> parts) =>
+        parts.Sum(part => (long)TileMesh.CountsOf(TileMeshLayout.For(part, _builders.PixelsPerDegree)).Faces);
+
     /// <summary>Makes sure that the patterns are there.</summary>
     /// <returns>How many had to be made.</returns>
     public int Ensure(IEnumerable<SurfacePart> parts, CancellationToken cancellation)

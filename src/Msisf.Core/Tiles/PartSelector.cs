@@ -49,16 +49,17 @@ public sealed class PartSelector
     /// <summary>Selects the parts.</summary>
     /// <param name="camera">The camera, above the surface.</param>
     /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it throws no shadow that is seen.</param>
+    /// <param name="rows">The rows of the picture that matter; null for all.</param>
     /// <exception cref="BadInputException">The camera is inside the Moon, or the Sun is no higher than the terrain.</exception>
-    public PartSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe)
+    public PartSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows = null)
     {
         Dspsa.Check(camera, sunPositionMoonMe, _grid, _summary);
         DetailRule rule = new(camera, _errorPixels, _grid.PixelsPerDegree, _levels.Count);
 
         // Where all that is in sight is the model itself, the selection is exact: nothing has to be kept in reserve.
         DspsaRun run = rule.CoarsestLevel(_summary) == 0
-            ? new DspsaRun(camera, sunPositionMoonMe, _grid, _summary)
-            : new DspsaRun(camera, sunPositionMoonMe, _grid, _summary, rule.MarginPixels, rule.Slack);
+            ? new DspsaRun(camera, sunPositionMoonMe, _grid, _summary, rows: rows)
+            : new DspsaRun(camera, sunPositionMoonMe, _grid, _summary, rule.MarginPixels, rule.Slack, rows);
         TileSelection tiles = run.Select();
         PartDivision division = new(run, rule, _summary, level => SurfacePart.SubdivisionsAt(_grid.PixelsPerDegree >> level, _cells), DeviationOf);
         return new PartSelection(tiles, division.Divide(tiles));

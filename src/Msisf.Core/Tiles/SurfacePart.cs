@@ -16,7 +16,7 @@ public readonly record struct SurfacePart(TileId Tile, int Level, int Subdivisio
     /// Cells to a part's edge: a tile of 16 px/deg has as many. Smaller parts follow the picture's borders better, but each costs a file and, where
     /// levels meet, a wall around it.
     /// </summary>
-    public const int UsualCells = 80;
+    public const int UsualCells = 40;
 
     /// <summary>The tile as its pattern draws it.</summary>
     public static SurfacePart Whole(TileId tile, int level = 0) => new(tile, level, 1, 0, 0);

@@ -7,6 +7,7 @@ namespace Msisf.Core.Tests.Support;
 internal sealed class BruteForcePicture
 {
     private readonly BruteForceMoon.FacetId?[] _lit;
+    private readonly int _width;
 
     /// <param name="moon">All facets.</param>
     /// <param name="camera">A ray through the middle of each pixel.</param>
@@ -14,6 +15,7 @@ internal sealed class BruteForcePicture
     /// <param name="isThere">By tile (row 0 northernmost); null: all.</param>
     public BruteForcePicture(BruteForceMoon moon, PinholeCamera camera, Vector3D sun, bool[]? isThere)
     {
+        _width = camera.Width;
         HitTiles = new bool[moon.TileCount];
         _lit = new BruteForceMoon.FacetId?[camera.Width * camera.Height];
         for (int pixel = 0; pixel < _lit.Length; pixel++)
@@ -45,4 +47,8 @@ internal sealed class BruteForcePicture
 
     /// <summary>Pixels that differ.</summary>
     public int DifferencesFrom(BruteForcePicture other) => _lit.Zip(other._lit).Count(pair => pair.First != pair.Second);
+
+    /// <summary>Pixels of some rows that differ.</summary>
+    public int DifferencesFrom(BruteForcePicture other, PixelRows rows) =>
+        _lit.Zip(other._lit).Skip(rows.First * _width).Take((rows.End - rows.First) * _width).Count(pair => pair.First != pair.Second);
 }

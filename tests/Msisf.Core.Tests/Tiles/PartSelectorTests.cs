@@ -28,6 +28,31 @@ public sealed class PartSelectorTests(Ldem4Fixture ldem4, RuggedMoon rugged) : I
     public void Select_ExactPartsOfARuggedMoon_EveryPixelIsAsWithAllOfIt() =>
         CheckExactParts(rugged.Grid, rugged.Summary, subdivisions: 2, cells: 5);
 
+    [Fact]
+    public void Select_StripsOfAPicture_HaveTheirRowsAsWithAllOfTheMoon()
+    {
+        BruteForceMoon moon = new(rugged.Grid, 2);
+        PartSelector selector = new(LodLevels.Open(rugged.Grid), rugged.Summary, 0.0, cells: 5);
+        int whole = 0;
+        int inStrips = 0;
+        for (int number = 0; number < 36; number++)
+        {
+            (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, rugged.Grid, PixelsEach);
+            BruteForcePicture all = new(moon, camera, sun, isThere: null);
+            whole += selector.Select(camera, sun).Parts.Count;
+            IReadOnlyList<PixelRows> strips = PixelRows.Strips(camera.Height, 2, unit: 4);
+            foreach (PixelRows rows in strips)
+            {
+                PartSelection parts = selector.Select(camera, sun, rows);
+                inStrips += parts.Parts.Count;
+                BruteForcePicture strip = new(moon, camera, sun, TilesThere.In(parts, 2));
+                Assert.True(all.DifferencesFrom(strip, rows) == 0, $"camera {number} ({kind}), {rows}: {all.DifferencesFrom(strip, rows)} pixels");
+            }
+        }
+
+        Assert.True(inStrips < 1.6 * whole, $"{inStrips} parts in strips, {whole} in whole pictures: strips save nothing");
+    }
+
     [RequiresFact(Part.Ldem4)]
     public void Select_NoErrorAllowed_TakesTheModelItself()
     {

@@ -7,12 +7,12 @@ public class SurfacePartTests
 {
     [Theory]
     [InlineData(1, 1)]
-    [InlineData(16, 1)]
-    [InlineData(32, 2)]
-    [InlineData(64, 4)]
-    [InlineData(128, 8)]
-    [InlineData(1024, 64)]
-    [InlineData(360, 8)] // a sixteenth of a tile's 1800 cells would be 112.5 of them
+    [InlineData(8, 1)]
+    [InlineData(16, 2)]
+    [InlineData(64, 8)]
+    [InlineData(512, 64)]
+    [InlineData(1024, 128)]
+    [InlineData(360, 8)] // 45 parts are wanted, but a tile's 1800 cells are no whole number of times 16
     [InlineData(75, 1)]
     public void SubdivisionsAt_AnyResolution_GivesWholeCells(int pixelsPerDegree, int expected) =>
         Assert.Equal(expected, SurfacePart.SubdivisionsAt(pixelsPerDegree));

@@ -32,17 +32,19 @@ internal sealed class DspsaRun
     /// <param name="summary">Of the same model.</param>
     /// <param name="marginPixels">So much wider is the picture taken to be on each side.</param>
     /// <param name="slack">rad: what is hidden by less than this counts as seen.</param>
+    /// <param name="rows">The rows that matter; null for the whole picture.</param>
     public DspsaRun(
         PinholeCamera camera,
         Vector3D? sunPositionMoonMe,
         IElevationGrid grid,
         ElevationSummary summary,
         double marginPixels = AntialiasingPixels,
-        double slack = 0.0)
+        double slack = 0.0,
+        PixelRows? rows = null)
     {
         _summary = summary;
         _tiles = summary.Levels[0];
-        _frame = new FramePyramid(camera, marginPixels);
+        _frame = new FramePyramid(camera, marginPixels, rows);
         _view = new PolarView(camera.PositionMoonMe);
         _sunPosition = sunPositionMoonMe;
         _camera = camera.PositionMoonMe;
@@ -112,7 +114,7 @@ internal sealed class DspsaRun
         }
 
         // The picture is a convex cone without the axis, so less than half a turn, and its edges bound it.
-        double middle = _view.AzimuthOf(_frame.Forward);
+        double middle = _view.AzimuthOf(_frame.Middle);
         double least = 0.0;
         double greatest = 0.0;
         foreach (Vector3D edge in _frame.Edges)

@@ -13,12 +13,16 @@ internal sealed class FramePyramid
 
     /// <param name="camera">The camera.</param>
     /// <param name="marginPixels">So much wider on each side: a pixel for antialiasing's jitter, more where the surface that is drawn may differ from the model's.</param>
-    public FramePyramid(PinholeCamera camera, double marginPixels)
+    /// <param name="rows">The rows that matter; null for the whole picture.</param>
+    public FramePyramid(PinholeCamera camera, double marginPixels, PixelRows? rows = null)
     {
         _camera = camera.PositionMoonMe;
         double focalLength = camera.Direction.Length;
         double right = camera.Right.Length / (2.0 * focalLength) * (1.0 + (2.0 * marginPixels / camera.Width));
-        double up = camera.Up.Length / (2.0 * focalLength) * (1.0 + (2.0 * marginPixels / camera.Height));
+        double halfHeight = camera.Up.Length / (2.0 * focalLength);
+        PixelRows wanted = rows ?? new PixelRows(0, camera.Height);
+        double top = halfHeight * (1.0 - (2.0 * (wanted.First - marginPixels) / camera.Height));
+        double bottom = halfHeight * (1.0 - (2.0 * (wanted.End + marginPixels) / camera.Height));
         Vector3D forward = camera.ForwardMoonMe;
         Vector3D unitRight = camera.Right.Normalized();
         Vector3D unitUp = camera.Up.Normalized();
@@ -26,21 +30,21 @@ internal sealed class FramePyramid
         [
             ((right * forward) + unitRight).Normalized(),
             ((right * forward) - unitRight).Normalized(),
-            ((up * forward) + unitUp).Normalized(),
-            ((up * forward) - unitUp).Normalized(),
+            (unitUp - (bottom * forward)).Normalized(),
+            ((top * forward) - unitUp).Normalized(),
         ];
         _edges =
         [
-            forward + (right * unitRight) + (up * unitUp),
-            forward + (right * unitRight) - (up * unitUp),
-            forward - (right * unitRight) + (up * unitUp),
-            forward - (right * unitRight) - (up * unitUp),
+            forward + (right * unitRight) + (top * unitUp),
+            forward + (right * unitRight) + (bottom * unitUp),
+            forward - (right * unitRight) + (top * unitUp),
+            forward - (right * unitRight) + (bottom * unitUp),
         ];
-        Forward = forward;
+        Middle = (forward + (0.5 * (top + bottom) * unitUp)).Normalized();
     }
 
-    /// <summary>Viewing direction, MOON_ME.</summary>
-    public Vector3D Forward { get; }
+    /// <summary>Direction of the middle of the rows, MOON_ME.</summary>
+    public Vector3D Middle { get; }
 
     /// <summary>Directions of the four edges, MOON_ME.</summary>
     public ReadOnlySpan<Vector3D> Edges => _edges;

@@ -1,0 +1,149 @@
+using System.Buffers.Binary;
+using System.IO.Compression;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Render;
+
+/// <summary>A PNG picture (ISO/IEC 15948) as its samples: to join strips of one picture, and to write equal pictures as equal bytes.</summary>
+public sealed class PngRaster
+{
+    private const int ChunkFrame = 12; // length, type, check value
+    private const int HeaderLength = 13;
+    private const int SignatureLength = 8;
+
+    private readonly byte[] _head;
+    private readonly byte[] _rows;
+    private readonly int _rowLength;
+
+    private PngRaster(byte[] head, byte[] rows, int rowLength)
+    {
+        _head = head;
+        _rows = rows;
+        _rowLength = rowLength;
+    }
+
+    private int Height => _rows.Length / _rowLength;
+
+    /// <summary>Reads a picture.</summary>
+    /// <param name="source">The file, from its first byte to its end.</param>
+    /// <param name="name">The file's name for the message.</param>
+    /// <exception cref="BadInputException">Not a PNG, cut off, damaged, or interlaced.</exception>
+    public static PngRaster Read(Stream source, string name)
+    {
+        using MemoryStream copy = new();
+        PngHeader header = PngFile.CopyPicture(source, copy, name);
+        ReadOnlySpan<byte> file = copy.GetBuffer().AsSpan(0, (int)copy.Length);
+        if (file[SignatureLength + ChunkFrame + HeaderLength - 5] != 0)
+        {
+            throw new BadInputException($"{name}: an interlaced PNG picture; leave that option out.");
+        }
+
+        int sampleBits = header.BitDepth * Channels(header.ColorType, name);
+        int rowLength = ((header.Width * sampleBits) + 7) / 8;
+        byte[] filtered = new byte[header.Height * (rowLength + 1)];
+        int headLength = Inflate(file, filtered, name);
+        byte[] rows = new byte[header.Height * rowLength];
+        for (int row = 0; row < header.Height; row++)
+        {
+            ReadOnlySpan<byte> line = filtered.AsSpan(row * (rowLength + 1), rowLength + 1);
+            Span<byte> target = rows.AsSpan(row * rowLength, rowLength);
+            ReadOnlySpan<byte> above = row == 0 ? new byte[rowLength] : rows.AsSpan((row - 1) * rowLength, rowLength);
+            line[1..].CopyTo(target);
+            Unfilter(line[0], target, above, Math.Max(1, sampleBits / 8), name);
+        }
+
+        return new PngRaster(file[..headLength].ToArray(), rows, rowLength);
+    }
+
+    /// <summary>The picture of some of whose rows each strip has, and the rest black.</summary>
+    /// <param name="strips">Pictures of one size and kind, from the topmost strip to the lowest.</param>
+    /// <param name="firstRows">The first row of each; it ends where the next begins.</param>
+    public static PngRaster Join(IReadOnlyList<PngRaster> strips, IReadOnlyList<int> firstRows)
+    {
+        byte[] rows = new byte[strips[0]._rows.Length];
+        for (int strip = 0; strip < strips.Count; strip++)
+        {
+            int start = firstRows[strip] * strips[strip]._rowLength;
+            int end = strip + 1 < strips.Count ? firstRows[strip + 1] * strips[strip]._rowLength : rows.Length;
+            strips[strip]._rows.AsSpan(start, end - start).CopyTo(rows.AsSpan(start));
+        }
+
+        return new PngRaster(strips[0]._head, rows, strips[0]._rowLength);
+    }
+
+    /// <summary>Writes the picture: the same samples give the same bytes, whoever compressed them before.</summary>
+    public void Write(Stream destination)
+    {
+        destination.Write(_head);
+        PngWriter.WriteRows(destination, _rows, _rowLength, new ZLibCompressionOptions { CompressionLevel = 6 });
+        PngChunk.Write(destination, "IEND"u8, []);
+    }
+
+    /// <returns>Length of all that stands before the pixels.</returns>
+    private static int Inflate(ReadOnlySpan<byte> file, byte[] filtered, string name)
+    {
+        using MemoryStream compressed = new();
+        int head = 0;
+        for (int position = SignatureLength; position < file.Length;)
+        {
+            int length = BinaryPrimitives.ReadInt32BigEndian(file[position..]);
+            if (file.Slice(position + 4, 4).SequenceEqual("IDAT"u8))
+            {
+                head = head == 0 ? position : head;
+                compressed.Write(file.Slice(position + 8, length));
+            }
+
+            position += length + ChunkFrame;
+        }
+
+        compressed.Position = 0;
+        try
+        {
+            using ZLibStream rows = new(compressed, CompressionMode.Decompress);
+            rows.ReadExactly(filtered);
+        }
+        catch (Exception exception) when (exception is InvalidDataException or EndOfStreamException)
+        {
+            throw new BadInputException($"{name}: not a whole PNG picture: its pixels can't be unpacked. Render it again.", exception);
+        }
+
+        return head;
+    }
+
+    private static int Channels(int colorType, string name) => colorType switch
+    {
+        0 or 3 => 1,
+        2 => 3,
+        4 => 2,
+        6 => 4,
+        _ => throw new BadInputException($"{name}: a PNG picture of the unknown colour type {colorType}."),
+    };
+
+    /// <summary>Section 9 of the standard.</summary>
+    private static void Unfilter(byte filter, Span<byte> row, ReadOnlySpan<byte> above, int pixel, string name)
+    {
+        for (int i = 0; i < row.Length; i++)
+        {
+            int left = i >= pixel ? row[i - pixel] : 0;
+            int corner = i >= pixel ? above[i - pixel] : 0;
+            row[i] += filter switch
+            {
+                0 => 0,
+                1 => (byte)left,
+                2 => above[i],
+                3 => (byte)((left + above[i]) / 2),
+                4 => (byte)Paeth(left, above[i], corner),
+                _ => throw new BadInputException($"{name}: a PNG picture with the unknown filter {filter}."),
+            };
+        }
+    }
+
+    private static int Paeth(int left, int above, int corner)
+    {
+        int estimate = left + above - corner;
+        int toLeft = Math.Abs(estimate - left);
+        int toAbove = Math.Abs(estimate - above);
+        int toCorner = Math.Abs(estimate - corner);
+        return toLeft <= toAbove && toLeft <= toCorner ? left : toAbove <= toCorner ? above : corner;
+    }
+}

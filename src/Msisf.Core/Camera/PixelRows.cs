@@ -1,0 +1,19 @@
+namespace Msisf.Core.Camera;
+
+/// <summary>Some neighbouring rows of a picture.</summary>
+/// <param name="First">0: the topmost row of the picture.</param>
+/// <param name="End">One past the lowest row.</param>
+public readonly record struct PixelRows(int First, int End)
+{
+    /// <summary>Cuts a picture into strips of about equal height.</summary>
+    /// <param name="height">Rows of the picture.</param>
+    /// <param name="strips">How many are wanted; fewer come out of a low picture.</param>
+    /// <param name="unit">Each strip but the last begins at a multiple of this.</param>
+    public static IReadOnlyList<PixelRows> Strips(int height, int strips, int unit)
+    {
+        int units = (height + unit - 1) / unit;
+        int count = Math.Clamp(strips, 1, units);
+        int Border(int strip) => Math.Min(height, units * strip / count * unit);
+        return [.. Enumerable.Range(0, count).Select(strip => new PixelRows(Border(strip), Border(strip + 1)))];
+    }
+}
