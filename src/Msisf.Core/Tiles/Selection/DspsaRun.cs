@@ -79,6 +79,9 @@ internal sealed class DspsaRun
     public CoverVisitor CoverOf(IReadOnlyList<int> tiles) =>
         new(_summary, _frame, new BoundsTable(_view, _summary), _camera, _patch, tiles);
 
+    /// <summary>Nodes of the summary's tree that were entered so far.</summary>
+    public int NodesVisited => _walk.NodesVisited;
+
     /// <summary>Walks what may be seen of a tile.</summary>
     public void Walk(int tile, ISurfaceVisitor visitor) => _walk.Walk(tile / TileId.Columns, tile % TileId.Columns, visitor);
 

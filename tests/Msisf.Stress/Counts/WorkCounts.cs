@@ -1,0 +1,81 @@
+using System.Globalization;
+using Msisf.Adapters.Tiles;
+using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Surface;
+using Msisf.Core.Render.Visibility;
+using Msisf.Core.Terrain;
+using Msisf.Core.Terrain.Lod;
+using Msisf.Core.Tests.Support;
+using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
+using Msisf.TestSupport;
+
+namespace Msisf.Stress.Counts;
+
+/// <summary>What some pictures cost in counts that don't depend on the machine: a change that makes the program do more work shows here, however noisy the times.</summary>
+public static class WorkCounts
+{
+    /// <summary>m, MOON_ME, at MJD 55289.</summary>
+    private static readonly Vector3D Sun = new(1.074955473280880E+011, -1.042430734878980E+011, 4.036164305561260E+009);
+
+    private static readonly (string Name, Vector3D Position, double Degrees)[] Views =
+    [
+        ("far", new Vector3D(2e6, 2e6, 0.0), 40.0),
+        ("pole", new Vector3D(0.0, 0.0, 1.85e6), 60.0),
+        ("nadir", new Vector3D(1.6e6, 8e5, 4e5), 40.0),
+        ("disc", new Vector3D(8.66e6, 5e6, 0.0), 22.0),
+    ];
+
+    /// <summary>Counts of pictures of the real model.</summary>
+    public static IEnumerable<string> OfLdem4() => Of("LDEM_4", MemoryElevationGrid.Ldem4(), Views, side: 512);
+
+    /// <summary>Counts of pictures of a made-up model, fine enough for parts of tiles, and with few enough pixels for levels of detail.</summary>
+    public static IEnumerable<string> OfRuggedMoon() => Of("RUGGED_16", FunctionGrid.Rugged(16), Views[..2], side: 96);
+
+    private static IEnumerable<string> Of(string model, IElevationGrid grid, (string Name, Vector3D Position, double Degrees)[] views, int side)
+    {
+        LodLevels levels = LodLevels.Open(grid);
+        ElevationSummary summary = ElevationSummary.Build(grid);
+        string Line(string name, string count, long value) => string.Create(CultureInfo.InvariantCulture, $"{model}\t{name}\t{count}\t{value}");
+        foreach ((string name, Vector3D position, double degrees) in views)
+        {
+            PinholeCamera camera = new(position, NadirPointing.MoonFromCamera(position), double.DegreesToRadians(degrees), side, side);
+            foreach ((string count, long value) in Of(camera, levels, summary))
+            {
+                yield return Line(name, count, value);
+            }
+        }
+
+        yield return Line("tile 10 N 20 E", "bytes of its pattern", BytesOfAPattern(grid));
+    }
+
+    private static IEnumerable<(string Count, long Value)> Of(PinholeCamera camera, LodLevels levels, ElevationSummary summary)
+    {
+        IElevationGrid grid = levels.Level(0);
+        DspsaRun run = new(camera, Sun, grid, summary);
+        yield return ("tiles", run.Select().Kept.Count);
+        yield return ("nodes visited", run.NodesVisited);
+        foreach ((string name, double error) in new[] { ("exact parts", 0.0), ("parts", PartSelector.UsualErrorPixels) })
+        {
+            IReadOnlyList<SurfacePart> parts = new PartSelector(levels, summary, error).Select(camera, Sun).Parts;
+            yield return (name, parts.Count);
+            yield return ($"triangles of {name}", parts.Sum(part => (long)TileMesh.CountsOf(TileMeshLayout.For(part, grid.PixelsPerDegree)).Faces));
+        }
+
+        VisibilityCounts counts = new VisibilityPass(new SurfaceModel(grid)).Run(camera, 1, CancellationToken.None).Counts;
+        yield return ("blocks read", counts.BlocksRead);
+        yield return ("cells sieved", counts.CellsSieved);
+        yield return ("facets drawn", counts.FacetsDrawn);
+    }
+
+    private static long BytesOfAPattern(IElevationGrid grid)
+    {
+        TileMeshBuilder builder = new(grid);
+        TileMeshLayout layout = TileMeshLayout.For(new TileId(10, 20), grid.PixelsPerDegree);
+        using MemoryStream file = new();
+        PatternWriter.Write(file, builder.Build(layout, builder.ReadRadii(layout)), grid.ProductId, PatternFormat.Mesh2);
+        return file.Length;
+    }
+}
