@@ -26,7 +26,7 @@ internal sealed class PictureOptions
         "--lod", [], "auto|off", "Coarser levels of the model where its cells are below a pixel (default auto), or always the model itself");
 
     public Option<string?> LevelOfDetailError { get; } = OptionFactory.Value(
-        "--lod-error", [], "PX", "How far, in pixels, they may move what is seen, 0 to 100 (default 0.3; native 0.35): a cell is at most twice as wide");
+        "--lod-error", [], "PX", "How far, in pixels, they may move what is seen, 0 to 100 (default 0.33; native 0.35): a cell is at most twice as wide");
 
     public Option<bool> IgnoreSun { get; } = OptionFactory.Flag("--ignore-sun", [], "Light the scene from the camera instead of the Sun");
 

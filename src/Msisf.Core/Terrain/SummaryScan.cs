@@ -1,4 +1,5 @@
 using Msisf.Core.Numerics;
+using Msisf.Core.Terrain.Lod;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Terrain;
@@ -9,6 +10,7 @@ internal sealed class SummaryScan
     /// <summary>Added to slopes: a cell's legs are neither quite straight nor quite at right angles (below 1 percent at 1 px/deg).</summary>
     private const double SlopeMargin = 1.02;
 
+    private readonly IElevationGrid _grid;
     private readonly FacetMesh _mesh;
     private readonly int _subdivisions;
     private readonly int _tileCells;
@@ -18,6 +20,7 @@ internal sealed class SummaryScan
 
     public SummaryScan(IElevationGrid grid, int subdivisions)
     {
+        _grid = grid;
         _mesh = new FacetMesh(grid);
         _subdivisions = subdivisions;
         _tileCells = TileId.SizeDegrees * grid.PixelsPerDegree;
@@ -46,6 +49,10 @@ internal sealed class SummaryScan
             }
 
             (previous, current) = (current, previous);
+            if (line % Math.Max(1, ReducedGrid.SamplesBetweenForgetting / _mesh.Samples) == 0)
+            {
+                _grid.Forget(); // the lines above are not read again, and are much
+            }
         }
 
         return Array.ConvertAll(_blocks, block => block.ToBounds());

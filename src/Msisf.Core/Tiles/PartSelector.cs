@@ -15,7 +15,7 @@ namespace Msisf.Core.Tiles;
 public sealed class PartSelector
 {
     /// <summary>px: the error that is allowed if nothing else is asked for. Measured (docs/levels-of-detail.md).</summary>
-    public const double UsualErrorPixels = 0.3;
+    public const double UsualErrorPixels = 0.33;
 
     private readonly LodLevels _levels;
     private readonly IElevationGrid _grid;

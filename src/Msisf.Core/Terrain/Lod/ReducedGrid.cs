@@ -8,8 +8,8 @@ namespace Msisf.Core.Terrain.Lod;
 /// </summary>
 public sealed class ReducedGrid : BlockedGrid
 {
-    /// <summary>128 MB of 16-bit samples.</summary>
-    private const int SamplesBetweenForgetting = 1 << 26;
+    /// <summary>8 MB of 16-bit samples; the system maps many times that, as it reads around what is asked for.</summary>
+    internal const int SamplesBetweenForgetting = 1 << 22;
 
     private readonly LodCache _cache;
     private readonly IElevationGrid _source;
