@@ -42,14 +42,15 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
     /// <param name="pixelsPerDegree">The resolution.</param>
+    /// <param name="isSparing">Take little memory rather than little time: POV-Ray, which is waited for anyway, needs much.</param>
     /// <param name="host">Where the installation is, and where notes go.</param>
-    public static ElevationModel Open(string? explicitPath, int pixelsPerDegree, ProgramHost host)
+    public static ElevationModel Open(string? explicitPath, int pixelsPerDegree, bool isSparing, ProgramHost host)
     {
         LdemImage image = LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)));
         host.Log.Note(image.Set.IsSynthetic
             ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
             : $"Elevation: {image.ProductId} ({image.Set.Description}).");
-        return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, host));
+        return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, isSparing, host));
     }
 
     /// <summary>Where models are looked for if none is named, first choice first.</summary>
@@ -73,9 +74,12 @@ internal sealed class ElevationModel : IDisposable
         return summary;
     }
 
-    private static ModelLevels OpenLevels(LdemImage image, ProgramHost host)
+    private static ModelLevels OpenLevels(LdemImage image, bool isSparing, ProgramHost host)
     {
-        ModelLevels levels = ModelLevels.Open(image, CacheFolder.Of(host));
+        ModelLevels levels = ModelLevels.Open(
+            image,
+            CacheFolder.Of(host),
+            samplesBetweenForgetting: isSparing ? LodLevels.SparingSamplesBetweenForgetting : LodLevels.UsualSamplesBetweenForgetting);
         if (levels.Warning is not null)
         {
             host.Log.Warning(levels.Warning);

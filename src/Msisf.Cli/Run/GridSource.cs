@@ -38,7 +38,7 @@ internal sealed class GridSource : IDisposable
             throw new UsageException("--defaults-file is for --source mysql only. Leave it out, or give --source mysql.");
         }
 
-        ElevationModel model = ElevationModel.Open(ldem, resolution, host);
+        ElevationModel model = ElevationModel.Open(ldem, resolution, isSparing: true, host);
         return new GridSource(model.Grid, model);
     }
 

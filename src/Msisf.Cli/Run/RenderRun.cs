@@ -52,7 +52,7 @@ internal sealed class RenderRun : IDisposable
         IReadOnlyList<SpacecraftState> states = _times.Measure(Phase.States, readStates);
         Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, _settings, Ephemeris, cancellation));
         using ElevationModel model = _times.Measure(Phase.Model, () => ElevationModel.Open(
-            _settings.Ldem, _settings.PixelsPerDegree, _host));
+            _settings.Ldem, _settings.PixelsPerDegree, isSparing: _settings.Renderer == RendererKind.PovRay, _host));
         FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
         if (_settings.ListPatterns)
         {

@@ -49,7 +49,7 @@ internal sealed class SummaryScan
             }
 
             (previous, current) = (current, previous);
-            if (line % Math.Max(1, ReducedGrid.SamplesBetweenForgetting / _mesh.Samples) == 0)
+            if (line % Math.Max(1, LodLevels.SparingSamplesBetweenForgetting / _mesh.Samples) == 0)
             {
                 _grid.Forget(); // the lines above are not read again, and are much
             }

@@ -44,7 +44,7 @@ internal static class Scenes
             Settings = [Settings.PovRayUsual, Settings.NativeUsual],
             Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
         },
-        new() { Name = "disc-16", About = "whole disc, LDEM_16", PixelsPerDegree = 16, State = Places.Disc, Settings = Settings.Usual, MostThesisTiles = CoarseTiles },
+        new() { Name = "disc-16", About = "whole disc, LDEM_16", PixelsPerDegree = 16, State = Places.Disc, Settings = Settings.Few, MostThesisTiles = CoarseTiles },
         new()
         {
             Name = "nadir-64", About = "100 km, nadir, LDEM_64", PixelsPerDegree = 64, State = Places.LowNadir, Settings = Settings.All,
@@ -83,7 +83,7 @@ internal static class Scenes
             Settings = Settings.Few, MostThesisTiles = FineTiles,
         },
         Landing("landing-100km", "100 km", 100e3, Settings.Few),
-        Landing("landing-5km", "5 km", 5e3, Settings.Usual),
+        Landing("landing-5km", "5 km", 5e3, Settings.Few),
         Landing("landing-500m", "500 m", 500.0, Settings.Few),
     ];
 

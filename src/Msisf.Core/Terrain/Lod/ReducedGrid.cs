@@ -8,9 +8,6 @@ namespace Msisf.Core.Terrain.Lod;
 /// </summary>
 public sealed class ReducedGrid : BlockedGrid
 {
-    /// <summary>8 MB of 16-bit samples; the system maps many times that, as it reads around what is asked for.</summary>
-    internal const int SamplesBetweenForgetting = 1 << 22;
-
     private readonly LodCache _cache;
     private readonly IElevationGrid _source;
     private readonly int _blocksBetweenForgetting;
@@ -26,12 +23,13 @@ public sealed class ReducedGrid : BlockedGrid
     /// <param name="halvings">At least 1.</param>
     /// <param name="below">The level of one halving less, if it is computed from the same source; its blocks are used if they are there.</param>
     /// <param name="cache">Bounds the memory.</param>
-    internal ReducedGrid(IElevationGrid source, int halvings, ReducedGrid? below, LodCache cache)
+    /// <param name="samplesBetweenForgetting">Samples of the model after which it may give their memory back.</param>
+    internal ReducedGrid(IElevationGrid source, int halvings, ReducedGrid? below, LodCache cache, int samplesBetweenForgetting)
         : base(source, source.PixelsPerDegree >> halvings)
     {
         _cache = cache;
         _source = source;
-        _blocksBetweenForgetting = Math.Max(1, (SamplesBetweenForgetting / LodLayout.BlockSamples) >> (2 * halvings));
+        _blocksBetweenForgetting = Math.Max(1, (samplesBetweenForgetting / LodLayout.BlockSamples) >> (2 * halvings));
         _below = below;
         _fromSource = new BlockReducer(source, halvings);
         _fromBelow = below is null ? null : new BlockReducer(below, 1);
