@@ -68,7 +68,7 @@ public sealed class PictureTests : IClassFixture<RenderFixture>, IDisposable
         CommandLineRun run = CommandLineRun.Of(
         [
             "--fixed-state", state, "--width", "128", "--height", "128", "--output-name", "view",
-            "--pov-options", "Antialias=Off", .. more, .. _fixture.Common(_folder.Path),
+            "--lod", "off", "--pov-options", "Antialias=Off", .. more, .. _fixture.Common(_folder.Path),
         ]);
         Assert.True(run.ExitCode == 0, run.Error);
         return PngPixels.Read(_folder["view.png"]);
