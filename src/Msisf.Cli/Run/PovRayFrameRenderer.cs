@@ -110,9 +110,12 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)
     {
         long start = System.Diagnostics.Stopwatch.GetTimestamp();
-        using CancellationTokenSource others = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-        Task<PovRayPicture>[] runs = [.. jobs.Select(job => _povRay.RenderAsync(job, others.Token))];
-        PovRayPicture[] pictures = await AllOrNone(runs, others).ConfigureAwait(false);
+        PovRayPicture[] pictures = new PovRayPicture[jobs.Length];
+
+        // When one run fails, the others are ended, and its own error is thrown.
+        ParallelOptions allAtOnce = new() { MaxDegreeOfParallelism = jobs.Length, CancellationToken = cancellation };
+        await Parallel.ForAsync(0, jobs.Length, allAtOnce, async (strip, stop) =>
+            pictures[strip] = await _povRay.RenderAsync(jobs[strip], stop).ConfigureAwait(false)).ConfigureAwait(false);
         MemoryStream picture = new();
         PngRaster.Join([.. pictures.Select(strip => strip.Raster)], [.. strips.Select(strip => strip.First)]).Write(picture);
         picture.Position = 0;
@@ -120,23 +123,6 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _times.Add(Phase.Parse, pictures.Max(strip => strip.Times.ParseSeconds) ?? 0.0);
         _times.Add(Phase.Trace, pictures.Max(strip => strip.Times.TraceSeconds) ?? 0.0);
         return picture;
-    }
-
-    /// <summary>When one run fails, the others are ended, and its own error is thrown.</summary>
-    private static async Task<PovRayPicture[]> AllOrNone(Task<PovRayPicture>[] runs, CancellationTokenSource others)
-    {
-        await foreach (Task<PovRayPicture> run in Task.WhenEach(runs).ConfigureAwait(false))
-        {
-            if (!run.IsCompletedSuccessfully)
-            {
-                await others.CancelAsync().ConfigureAwait(false);
-                await Task.WhenAll(runs.Select(other => other.ContinueWith(
-                    _ => { }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default))).ConfigureAwait(false);
-                return [await run.ConfigureAwait(false)];
-            }
-        }
-
-        return await Task.WhenAll(runs).ConfigureAwait(false);
     }
 
     private TracedFrameTruth? TruthOf(Frame frame) =>
