@@ -25,7 +25,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
 
     /// <param name="settings">Of the run.</param>
     /// <param name="model">The elevation model.</param>
-    /// <param name="patterns">The scenes' meshes.</param>
+    /// <param name="patterns">The scenes' meshes; disposed with this.</param>
     /// <param name="povRay">Starts POV-Ray.</param>
     /// <param name="processes">So many POV-Rays run at once; the next frame's meshes are made meanwhile.</param>
     /// <param name="files">Writes a frame's files.</param>
@@ -76,7 +76,11 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     }
 
     /// <inheritdoc/>
-    public void Dispose() => _processes.Dispose();
+    public void Dispose()
+    {
+        _patterns.Dispose();
+        _processes.Dispose();
+    }
 
     /// <summary>POV-Ray parses with one thread: a scene that takes long is drawn in strips, one a core, each with the parts that it needs.</summary>
     private int StripsFor(IReadOnlyList<SurfacePart> parts, int threads) =>
