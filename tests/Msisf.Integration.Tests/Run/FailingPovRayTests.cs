@@ -60,6 +60,34 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
         AssertHoldsTheManifestOnly();
     }
 
+    /// <summary>Half of the Moon has half a million triangles, so where there are two cores it is drawn in strips; the uppermost fails while the others work.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_PovRayFailsInAStrip_EndsTheOthersAndIsOneError()
+    {
+        string marker = _folder["started"];
+        string script = $"""
+            case "$*" in
+                *"+SR1 "*) for i in $(seq 200); do [ -e '{marker}' ] && exit 4; sleep 0.05; done; exit 5 ;;
+                *"+SR"*) echo $$ > '{marker}.new'; mv '{marker}.new' '{marker}'; sleep 20; touch '{marker}.end' ;;
+                *) exit 4 ;;
+            esac
+            """;
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "--state-vectors", "{8.66e6,5e6,0,0,0,100}", "--epoch", "55289", "--time", "55289", "--fov", "22", "--width", "160", "--height", "160",
+            "--lod-error", "0", "--pov-path", StandIn(script), .. _fixture.Common(_folder["out"]),
+        ]);
+
+        Assert.Equal(3, run.ExitCode);
+        Assert.Contains("exit code 4", Assert.Single(run.Error.Split('\n'), line => line.StartsWith("msis: error:", StringComparison.Ordinal)), StringComparison.Ordinal);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder["out"]));
+        if (Environment.ProcessorCount > 1)
+        {
+            Assert.False(File.Exists(marker + ".end"), "POV-Ray of another strip was waited for");
+            Assert.False(Directory.Exists($"/proc/{File.ReadAllText(marker).Trim()}"), "POV-Ray of another strip still runs");
+        }
+    }
+
     [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void Run_OneFrameOfThreeFails_TheOthersAreComplete()
     {
