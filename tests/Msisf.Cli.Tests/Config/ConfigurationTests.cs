@@ -74,6 +74,7 @@ public sealed class ConfigurationTests : IDisposable
     [InlineData("missing.yaml", "there is no such file")]
     [InlineData(".", "is a folder")]
     [InlineData("", "--config is empty")]
+    [InlineData("/proc/self/mem", "the configuration file can't be read")] // for root too
     public void Run_NoSuchFile_IsRefused(string name, string message)
     {
         CommandLineRun run = Run($"{Fixed} --config", name.Length > 1 ? _folder[name] : name);
