@@ -15,13 +15,9 @@ internal static class RenderCommand
     /// <summary>Declares the command and its options.</summary>
     public static RootCommand Create(ProgramHost host)
     {
-        ModeOptions mode = new();
-        PictureOptions picture = new();
-        SourceOptions source = new();
-        RunOptions run = new();
-        NativeOptions native = new();
+        RenderOptions options = new();
         RootCommand command = new(About);
-        foreach (Option option in (Option[])[.. mode.All, .. picture.All, .. source.All, .. native.All, .. run.All])
+        foreach (Option option in options.All)
         {
             command.Options.Add(option);
         }
@@ -30,35 +26,24 @@ internal static class RenderCommand
         HelpOption help = command.Options.OfType<HelpOption>().Single();
         help.Aliases.Remove("-h");
         help.Aliases.Remove("/h");
-        command.SetAction((line, cancellation) => RunAsync(line, mode, picture, source, run, native, host, cancellation));
+        command.SetAction((line, cancellation) => RunAsync(line, options, host, cancellation));
         return command;
     }
 
-    private static async Task<int> RunAsync(
-        ParseResult line,
-        ModeOptions modeOptions,
-        PictureOptions picture,
-        SourceOptions source,
-        RunOptions run,
-        NativeOptions native,
-        ProgramHost host,
-        CancellationToken cancellation)
+    private static async Task<int> RunAsync(ParseResult line, RenderOptions options, ProgramHost host, CancellationToken cancellation)
     {
-        StrayOptions.Refuse(line, run.PovOptions);
-        bool IsGiven(Option option) => line.GetResult(option) is { Implicit: false };
-        if (ModeRules.Check(modeOptions, IsGiven) is not Mode mode)
+        (Mode? mode, RenderSettings settings) = options.Read(line);
+        if (mode is null)
         {
             new HelpAction().Invoke(line);
             return line.Tokens.Count == 0
                 ? 0
-                : throw new UsageException($"nothing says where the camera is. Give exactly one of {ModeRules.ModeNames(modeOptions)}.");
+                : throw new UsageException($"nothing says where the camera is. Give exactly one of {ModeRules.ModeNames(options.Mode)}.");
         }
 
-        RenderSettings settings = new RenderSettingsReader(line).Read(picture, source, run, native);
-        RendererRules.Check(settings.Renderer, native, source, run, IsGiven);
         using RenderRun rendering = new(settings, host);
-        StateSource states = new(modeOptions, line, rendering.Ephemeris, host.StandardInput, host.Log);
-        await rendering.RunAsync(() => states.Read(mode, cancellation), cancellation).ConfigureAwait(false);
+        StateSource states = new(options.Mode, line, rendering.Ephemeris, host.StandardInput, host.Log);
+        await rendering.RunAsync(() => states.Read(mode.Value, cancellation), cancellation).ConfigureAwait(false);
         return 0;
     }
 }

@@ -1,6 +1,7 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
+using Msisf.Core.Scene;
 using Msisf.Core.Render;
 
 namespace Msisf.Cli.Options;
@@ -55,6 +56,16 @@ internal sealed record RenderSettings
     public required TimeSpan? Timeout { get; init; }
 
     public required int? Jobs { get; init; }
+
+    /// <summary>The steps to make; null for all.</summary>
+    public required StepRanges? Frames { get; init; }
+
+    public required bool Overwrite { get; init; }
+
+    public required bool FailFast { get; init; }
+
+    /// <summary>File for the times of single frames; null for none.</summary>
+    public required string? FrameTimes { get; init; }
 
     public required bool Unattended { get; init; }
 

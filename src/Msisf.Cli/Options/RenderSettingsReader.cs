@@ -7,6 +7,7 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Options;
@@ -66,6 +67,10 @@ internal sealed class RenderSettingsReader
             PovOptions = PovRayOptions.Parse(_line.GetValue(run.PovOptions) ?? string.Empty),
             Timeout = Timeout(run.Timeout),
             Jobs = _line.GetValue(run.Jobs) is null ? null : WholeNumber(run.Jobs, 1, MostJobs),
+            Frames = _line.GetValue(run.Frames) is string steps ? OptionText.Named(run.Frames, () => StepRanges.Parse(steps)) : null,
+            Overwrite = _line.GetValue(run.Overwrite),
+            FailFast = _line.GetValue(run.FailFast),
+            FrameTimes = PathOf(run.FrameTimes),
             Unattended = _line.GetValue(run.Batch),
             ListPatterns = _line.GetValue(run.ListPatterns),
             Timing = _line.GetValue(run.Timing),

@@ -25,10 +25,21 @@ internal sealed class RunOptions
 
     public Option<string?> Jobs { get; } = OptionFactory.Value("--jobs", ["-j"], "N", "Frames at once (default: as many as cores allow)");
 
+    public Option<string?> Frames { get; } = OptionFactory.Value(
+        "--frames", [], "LIST", "Only these steps of the run, e.g. 1001:2000 or 3:5,17; numbers and names stay those of the whole run");
+
+    public Option<bool> Overwrite { get; } = OptionFactory.Flag(
+        "--overwrite", [], "Make all frames again, also those that are there and right");
+
+    public Option<bool> FailFast { get; } = OptionFactory.Flag("--fail-fast", [], "Stop at the first frame that fails (default: go on with the others)");
+
+    public Option<string?> FrameTimes { get; } = OptionFactory.Value(
+        "--frame-times", [], "FILE", "Write a line for each frame made: step, name, seconds; separated by tabs");
+
     public Option<bool> ListPatterns { get; } = OptionFactory.Flag(
         "--list-patterns", [], "Print the tiles of each frame and why each is taken or left out; render nothing");
 
     public Option<bool> Timing { get; } = OptionFactory.Flag("--timing", [], "Print run times as one line of JSON on standard error");
 
-    public IEnumerable<Option> All => [Batch, Ephemeris, Aberration, Kernels, PovPath, PovOptions, Timeout, Jobs, ListPatterns, Timing];
+    public IEnumerable<Option> All => [Batch, Ephemeris, Aberration, Kernels, PovPath, PovOptions, Timeout, Jobs, Frames, Overwrite, FailFast, FrameTimes, ListPatterns, Timing];
 }

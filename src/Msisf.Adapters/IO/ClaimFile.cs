@@ -1,0 +1,98 @@
+using System.Buffers.Binary;
+using System.Collections.Concurrent;
+using System.Security.Cryptography;
+using System.Text;
+
+namespace Msisf.Adapters.IO;
+
+/// <summary>
+/// Says which process works on what, so that several in one folder share the work: a claim is a lock on one byte of a file that stays
+/// empty, chosen by the name of what is claimed. The system frees the claims of a process that dies, over NFS those of a node too.
+/// Where the file system (or macOS's .NET) knows no such locks, every claim is granted: work is then done twice, with the same bytes as result. Safe for several threads.
+/// </summary>
+public sealed class ClaimFile : IDisposable
+{
+    private readonly ConcurrentDictionary<long, bool> _own = new();
+    private readonly FileStream? _locks;
+
+    private ClaimFile(FileStream? locks) => _locks = locks;
+
+    /// <summary>Opens the file; makes it if it is not there.</summary>
+    /// <param name="path">In the folder of what is claimed. A folder that can't be written to has no claims but those within the process.</param>
+    public static ClaimFile Open(string path)
+    {
+        try
+        {
+            // Sharing both ways takes no lock on the whole file over NFS, which would be in the way of the claims.
+            return new ClaimFile(new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0));
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            return new ClaimFile(null);
+        }
+    }
+
+    /// <summary>Claims a name; does not wait.</summary>
+    /// <param name="name">What is claimed, the same text in all processes.</param>
+    /// <returns>Gives the claim back when disposed; null if another process or thread has it.</returns>
+    public IDisposable? TryTake(string name)
+    {
+        long place = PlaceOf(name);
+        if (!_own.TryAdd(place, true))
+        {
+            return null;
+        }
+
+        try
+        {
+            if (!OperatingSystem.IsMacOS())
+            {
+                _locks?.Lock(place, 1);
+            }
+
+            return new Claim(this, place);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            if (!FileLock.IsHeldByAnother(exception))
+            {
+                return new Claim(this, place); // this file system knows no locks
+            }
+
+            _own.TryRemove(place, out _);
+            return null;
+        }
+    }
+
+    /// <summary>Gives all claims back.</summary>
+    public void Dispose() => _locks?.Dispose();
+
+    private static long PlaceOf(string name) =>
+        BinaryPrimitives.ReadInt64LittleEndian(SHA256.HashData(Encoding.UTF8.GetBytes(name))) & (long.MaxValue >> 1);
+
+    private void GiveBack(long place)
+    {
+        try
+        {
+            if (!OperatingSystem.IsMacOS())
+            {
+                _locks?.Unlock(place, 1);
+            }
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            return; // there was no lock: the claim held within the process only
+        }
+        finally
+        {
+            _own.TryRemove(place, out _);
+        }
+    }
+
+    private sealed class Claim(ClaimFile file, long place) : IDisposable
+    {
+        private ClaimFile? _file = file;
+
+        public void Dispose() => Interlocked.Exchange(ref _file, null)?.GiveBack(place);
+    }
+}
