@@ -24,6 +24,9 @@ internal sealed class FrameFolder
         ? File.ReadLines(ManifestPath).Count(line => line.StartsWith("""{"record":"frame",""", StringComparison.Ordinal))
         : 0;
 
+    /// <summary>How many files there are beside the manifest.</summary>
+    public int Files => Entries().Count(IsOutput);
+
     /// <summary>What a killed run may leave but a finished one may not.</summary>
     public IReadOnlyList<string> Leftovers => [.. Entries().Where(entry => IsHidden(entry) && !Stays.Contains(entry) || entry.Contains(".partial", StringComparison.Ordinal))];
 
@@ -39,10 +42,12 @@ internal sealed class FrameFolder
     private string ManifestPath => System.IO.Path.Combine(Path, ManifestName);
 
     private Dictionary<string, string> Sums() => Entries()
-        .Where(entry => !IsHidden(entry) && entry != ManifestName)
+        .Where(IsOutput)
         .ToDictionary(entry => entry, entry => Convert.ToHexString(SHA256.HashData(File.ReadAllBytes(System.IO.Path.Combine(Path, entry)))));
 
     private IEnumerable<string> Entries() => Directory.EnumerateFileSystemEntries(Path).Select(entry => System.IO.Path.GetFileName(entry));
+
+    private static bool IsOutput(string entry) => !IsHidden(entry) && entry != ManifestName;
 
     private static bool IsHidden(string entry) => entry.StartsWith('.');
 }
