@@ -15,6 +15,7 @@ internal enum Part
     Astropy,
     Gdal,
     Slurm,
+    Python,
 }
 
 /// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
@@ -55,6 +56,7 @@ internal static class MissingParts
         Part.Astropy => TestParts.PythonPackage("astropy") is not null,
         Part.Gdal => TestParts.PythonPackage("osgeo") is not null,
         Part.Slurm => TestParts.Program("sbatch") is not null,
+        Part.Python => TestParts.Python is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };
