@@ -37,5 +37,8 @@ public static class StressTests
         new CoordinatesStress(),
         new SelectionStress(),
         new KillStress(),
+        new StorageStress(),
+        new CrowdStress(),
+        new LongSeriesStress(),
     ];
 }
