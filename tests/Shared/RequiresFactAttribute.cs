@@ -14,6 +14,8 @@ internal enum Part
     Fitsverify,
     Astropy,
     Gdal,
+    Shellcheck,
+    Parallel,
 }
 
 /// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
@@ -53,6 +55,8 @@ internal static class MissingParts
         Part.Fitsverify => TestParts.Program("fitsverify") is not null,
         Part.Astropy => TestParts.PythonPackage("astropy") is not null,
         Part.Gdal => TestParts.PythonPackage("osgeo") is not null,
+        Part.Shellcheck => TestParts.Program("shellcheck") is not null,
+        Part.Parallel => TestParts.Program("parallel") is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

@@ -1,0 +1,30 @@
+namespace Msisf.Cli.Options;
+
+/// <summary>What Slurm is asked for, and what its last job does.</summary>
+internal sealed record SlurmSettings
+{
+    /// <summary>Pieces at once; null for as many as Slurm likes.</summary>
+    public required int? Concurrency { get; init; }
+
+    /// <summary>CPUs of a piece; if the run does not say --jobs, as many frames at once.</summary>
+    public required int CpusPerTask { get; init; }
+
+    /// <summary>As sbatch takes it, e.g. "4G"; null for the cluster's default.</summary>
+    public required string? Memory { get; init; }
+
+    /// <summary>As sbatch takes it, e.g. "2:00:00"; null for the partition's default.</summary>
+    public required string? TimeLimit { get; init; }
+
+    public required string? Partition { get; init; }
+
+    public required string? Account { get; init; }
+
+    /// <summary>More options of sbatch, without their dashes.</summary>
+    public required IReadOnlyList<string> MoreOptions { get; init; }
+
+    /// <summary>How often missing frames are submitted again.</summary>
+    public required int Retries { get; init; }
+
+    /// <summary>Options of <c>msis merge</c> at the end.</summary>
+    public required IReadOnlyList<string> MergeOptions { get; init; }
+}
