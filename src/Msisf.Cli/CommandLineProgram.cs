@@ -27,6 +27,8 @@ internal static class CommandLineProgram
             RootCommand root = RenderCommand.Create(host);
             root.Subcommands.Add(PatternsCommand.Create(host));
             root.Subcommands.Add(LdemCommand.Create(host));
+            root.Subcommands.Add(CheckCommand.CreateStatus(host));
+            root.Subcommands.Add(CheckCommand.CreateVerify(host));
             root.Subcommands.Add(BatchConvertCommand.Create(host));
             ParseResult line = root.Parse([.. arguments], new ParserConfiguration { ResponseFileTokenReplacer = ResponseFile.TryRead });
             if (line.Errors.Count > 0)

@@ -9,5 +9,5 @@ using PosixSignalRegistration registration = PosixSignalRegistration.Create(Posi
     context.Cancel = true;
     hangUp.Cancel();
 });
-ProgramHost host = new(Console.Out, Console.Error, () => Console.In, TimeProvider.System, args, Environment.GetEnvironmentVariable);
+ProgramHost host = new(Console.Out, Console.Error, () => Console.In, TimeProvider.System, Environment.GetEnvironmentVariable);
 return await CommandLineProgram.RunAsync(args, host, hangUp.Token).ConfigureAwait(false);

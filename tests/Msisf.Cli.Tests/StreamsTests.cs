@@ -33,7 +33,7 @@ public sealed class StreamsTests : IDisposable
         using SilentReader input = new(stop);
         using StringWriter error = new();
         string[] arguments = ["--batch-file", "-"];
-        ProgramHost host = new(TextWriter.Null, error, () => input, TimeProvider.System, arguments, _ => null);
+        ProgramHost host = new(TextWriter.Null, error, () => input, TimeProvider.System, _ => null);
 
         Task<int> run = Task.Run(() => CommandLineProgram.RunAsync(arguments, host, stop.Token));
 
@@ -65,7 +65,7 @@ public sealed class StreamsTests : IDisposable
     }
 
     private static int Run(string[] arguments, TextWriter output, TextWriter error) => CommandLineProgram
-        .RunAsync(arguments, new ProgramHost(output, error, () => TextReader.Null, TimeProvider.System, arguments, _ => null))
+        .RunAsync(arguments, new ProgramHost(output, error, () => TextReader.Null, TimeProvider.System, _ => null))
         .GetAwaiter()
         .GetResult();
 

@@ -4,12 +4,20 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.IO;
 
 /// <summary>
-/// Files that belong together: each is written under a name of its own in its folder, flushed to disk; all get their final names
+/// Files that belong together: each is written under a name of its own, flushed to disk; all get their final names
 /// at the end, or none does. Not for several threads.
 /// </summary>
 public sealed class AtomicFileSet : IDisposable
 {
     private readonly List<(string Temporary, string Path)> _pending = [];
+    private readonly string? _folder;
+
+    /// <summary>Begins a set.</summary>
+    /// <param name="folder">
+    /// Where files are until they get their names, on the disk of the final ones: that of a <see cref="WorkFolder"/>, which does not outlast
+    /// a killed process. Null for the folder of each file.
+    /// </param>
+    public AtomicFileSet(string? folder = null) => _folder = folder;
 
     /// <summary>Writes one file; its final name appears with <see cref="Commit"/>.</summary>
     /// <param name="path">The final name.</param>
@@ -18,7 +26,7 @@ public sealed class AtomicFileSet : IDisposable
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
     public void Write(string path, Action<Stream> write, bool flushToDisk = true)
     {
-        string temporary = AtomicFile.TemporaryNameFor(path);
+        string temporary = AtomicFile.TemporaryNameFor(_folder is null ? path : Path.Combine(_folder, Path.GetFileName(path)));
         _pending.Add((temporary, path));
         Wrapped(path, () =>
         {
@@ -38,6 +46,17 @@ public sealed class AtomicFileSet : IDisposable
         writer.NewLine = "\n";
         write(writer);
     });
+
+    /// <summary>Checksum and length of a file that is written, but has not got its name yet.</summary>
+    /// <param name="path">Its final name.</param>
+    /// <exception cref="ExternalPartException">It can't be read.</exception>
+    public (long Bytes, string Sha256) Measure(string path)
+    {
+        string temporary = _pending.Single(file => file.Path == path).Temporary;
+        (long, string) measured = default;
+        Wrapped(path, () => measured = (new FileInfo(temporary).Length, FileHash.Sha256Of(temporary)));
+        return measured;
+    }
 
     /// <summary>Gives all files their final names, in the order in which they were written; existing files are replaced.</summary>
     /// <exception cref="ExternalPartException">The file system refuses.</exception>

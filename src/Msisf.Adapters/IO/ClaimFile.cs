@@ -12,9 +12,6 @@ namespace Msisf.Adapters.IO;
 /// </summary>
 public sealed class ClaimFile : IDisposable
 {
-    private const int LinuxWouldBlock = 11;
-    private const int WindowsLockViolation = unchecked((int)0x80070021);
-
     private readonly ConcurrentDictionary<long, bool> _own = new();
     private readonly FileStream? _locks;
 
@@ -57,10 +54,9 @@ public sealed class ClaimFile : IDisposable
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
-            bool isTaken = exception is UnauthorizedAccessException || exception.HResult is LinuxWouldBlock or WindowsLockViolation;
-            if (!isTaken)
+            if (!FileLock.IsHeldByAnother(exception))
             {
-                return new Claim(this, place);
+                return new Claim(this, place); // this file system knows no locks
             }
 
             _own.TryRemove(place, out _);

@@ -15,6 +15,9 @@ public sealed class Installation
     /// <summary>The meta-kernel that the project ships.</summary>
     public string MetaKernel => Path.Combine(Root, "kernels", "msisf.tm");
 
+    /// <summary>The grammar of the meta files.</summary>
+    public string MetaFileDtd => Path.Combine(Root, "lib", "MSISRendering.dtd");
+
     /// <summary>Elevation models that the set-up script put here.</summary>
     public string ElevationModels => Path.Combine(Root, "input", "ldem");
 

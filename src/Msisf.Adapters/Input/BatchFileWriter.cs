@@ -1,5 +1,4 @@
 using System.Globalization;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 
 namespace Msisf.Adapters.Input;
@@ -17,11 +16,7 @@ public static class BatchFileWriter
         writer.WriteLine($"# {string.Join(' ', SpacecraftState.NumberNames)}");
         foreach (SpacecraftState state in states)
         {
-            Vector3D position = state.PositionMoonMe;
-            UnitQuaternion q = state.MoonFromCamera;
-            writer.WriteLine(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{state.Time.Days:R} {position.X:R} {position.Y:R} {position.Z:R} {q.X:R} {q.Y:R} {q.Z:R} {q.W:R}"));
+            writer.WriteLine(string.Join(' ', state.ToNumbers().Select(number => number.ToString("R", CultureInfo.InvariantCulture))));
         }
     }
 }

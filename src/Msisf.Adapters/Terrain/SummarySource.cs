@@ -14,7 +14,7 @@ namespace Msisf.Adapters.Terrain;
 public sealed record SummarySource(string ProductId, int PixelsPerDegree, long ImageBytes, DateTimeOffset ImageWritten, string LabelText)
 {
     /// <summary>A label is a few kB; of an image with an attached one, more need not be read.</summary>
-    private const int LongestLabel = 65536;
+    internal const int LongestLabel = 65536;
 
     /// <summary>The source that a model's labels describe, as its files are now.</summary>
     /// <exception cref="ExternalPartException">They can't be read.</exception>

@@ -9,6 +9,12 @@ internal sealed record NativeSettings
 {
     public required NativeRenderOptions Render { get; init; }
 
+    /// <summary>The reflectance law as text: its name, and the parameters that were given in the order of their names.</summary>
+    public required string ReflectanceText { get; init; }
+
+    /// <summary>Albedo that was given; null for the law's own.</summary>
+    public required double? Albedo { get; init; }
+
     public required GreyScale Grey { get; init; }
 
     public required int BitDepth { get; init; }

@@ -27,17 +27,24 @@ internal sealed class NativeSettingsReader
     /// <param name="needsTruth">The meta file wants the terrain.</param>
     public NativeSettings Read(bool needsTruth)
     {
+        (string law, SortedDictionary<string, double> parameters) = Reflectance();
+        double? albedo = Number(_options.Albedo);
         LayerSet? layers = Text(_options.Layers) is string names ? LayerSet.Parse(names) : null;
         return new NativeSettings
         {
             Render = new NativeRenderOptions
             {
-                Reflectance = Reflectance(),
+                Reflectance = OptionText.Named(
+                    albedo is null ? _options.Reflectance : _options.Albedo, () => ReflectanceFactory.Create(law, parameters, albedo)),
                 Sun = Choice(_options.Sun, [("point", SunModel.Point), ("disc", SunModel.Disc)]),
                 Normals = Choice(_options.Shading, [("facet", NormalModel.Facet), ("smooth", NormalModel.Smooth)]),
                 SamplesAcross = SamplesAcross(),
                 KeepTruth = needsTruth || layers is not null,
             },
+            ReflectanceText = parameters.Count == 0
+                ? law
+                : $"{law}:{string.Join(',', parameters.Select(pair => string.Create(CultureInfo.InvariantCulture, $"{pair.Key}={pair.Value:R}")))}",
+            Albedo = albedo,
             Grey = OptionText.Named(_options.Exposure, () => new GreyScale(
                 Number(_options.Exposure) ?? 1.0, Choice(_options.Transfer, [("srgb", GreyTransfer.Srgb), ("linear", GreyTransfer.Linear)]))),
             BitDepth = Choice(_options.BitDepth, [("8", 8), ("16", 16)]),
@@ -64,10 +71,10 @@ internal sealed class NativeSettingsReader
     }
 
     /// <summary>"hapke:w=0.3,b0=1.2": the law, and its parameters by name.</summary>
-    private IReflectance Reflectance()
+    private (string Law, SortedDictionary<string, double> Parameters) Reflectance()
     {
         string[] parts = (Text(_options.Reflectance) ?? "lambert").Split(':', 2);
-        Dictionary<string, double> parameters = new(StringComparer.Ordinal);
+        SortedDictionary<string, double> parameters = new(StringComparer.Ordinal);
         foreach (string parameter in parts.Length == 2 ? parts[1].Split(',') : [])
         {
             string[] pair = parameter.Split('=', 2, StringSplitOptions.TrimEntries);
@@ -82,9 +89,7 @@ internal sealed class NativeSettingsReader
             }
         }
 
-        double? albedo = Number(_options.Albedo);
-        return OptionText.Named(
-            albedo is null ? _options.Reflectance : _options.Albedo, () => ReflectanceFactory.Create(parts[0].Trim(), parameters, albedo));
+        return (parts[0].Trim(), parameters);
     }
 
     private string? Text(Option<string?> option) => _line.GetValue(option);

@@ -112,10 +112,10 @@ internal sealed partial class SlurmOptions
             : word;
     }
 
-    [GeneratedRegex(@"^\d+[KMGT]?\z")]
+    [GeneratedRegex(@"^[0-9]{1,6}[KMGT]?\z")]
     private static partial Regex SizeText();
 
-    [GeneratedRegex(@"^(\d+-)?\d+(:\d+){0,2}\z")]
+    [GeneratedRegex(@"^([0-9]+-)?[0-9]+(:[0-9]+){0,2}\z")]
     private static partial Regex TimeText();
 
     [GeneratedRegex(@"^[\w.,@+-]+\z")]

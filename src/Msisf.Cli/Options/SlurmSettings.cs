@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Msisf.Cli.Options;
 
 /// <summary>What Slurm is asked for, and what its last job does.</summary>
@@ -11,6 +13,16 @@ internal sealed record SlurmSettings
 
     /// <summary>As sbatch takes it, e.g. "4G"; null for the cluster's default.</summary>
     public required string? Memory { get; init; }
+
+    /// <summary><see cref="Memory"/> in bytes; null for the cluster's default.</summary>
+    public long? MemoryBytes => Memory is null ? null : Memory[^1] switch
+    {
+        'K' => Count(Memory[..^1], 10),
+        'M' => Count(Memory[..^1], 20),
+        'G' => Count(Memory[..^1], 30),
+        'T' => Count(Memory[..^1], 40),
+        _ => Count(Memory, 20),
+    };
 
     /// <summary>As sbatch takes it, e.g. "2:00:00"; null for the partition's default.</summary>
     public required string? TimeLimit { get; init; }
@@ -27,4 +39,6 @@ internal sealed record SlurmSettings
 
     /// <summary>Options of <c>msis merge</c> at the end.</summary>
     public required IReadOnlyList<string> MergeOptions { get; init; }
+
+    private static long Count(string digits, int powerOfTwo) => long.Parse(digits, CultureInfo.InvariantCulture) << powerOfTwo;
 }

@@ -34,22 +34,23 @@ internal sealed class RunConversion
     {
         CutSettings cut = _cut.Read(line);
         SlurmSettings? slurm = format == ScriptFormat.Slurm ? _slurm.Read(line) : null;
-        PieceArguments arguments = new(line, _options);
+        PieceArguments arguments = new(line, _options, endsWithCheck: format is ScriptFormat.Parallel or ScriptFormat.Slurm);
         using PlannedRun run = RunPlanner.Plan(line, _options, _host, cancellation);
+        CheckResources(run, slurm);
         string path = Path.GetFullPath(scriptPath(run.Settings));
         string? statesFile = run.Mode == Mode.BatchFile ? null : $"{path}.states.tab";
         string batchFile = statesFile ?? line.GetValue(_options.Mode.BatchFile)!;
         PieceScript script = new()
         {
             Path = path,
-            Call = Call(),
-            Version = _host.Identity.Version,
+            Call = CallOf(line),
+            Version = _host.Version,
             Launcher = _host.Installation.Launcher,
             WorkingFolder = Directory.GetCurrentDirectory(),
-            Arguments = arguments.OfPiece(batchFile),
+            Arguments = arguments.OfPiece(batchFile, run.Engine),
             HasJobs = run.Settings.Jobs is not null,
             NeedsPatterns = run.Settings.Renderer == RendererKind.PovRay,
-            PatternArguments = arguments.OfPatterns(batchFile),
+            PatternArguments = arguments.OfPatterns(batchFile, run.Engine),
             OutputFolder = run.Settings.OutputFolder,
             Pieces = Cut(run, cut),
         };
@@ -64,10 +65,24 @@ internal sealed class RunConversion
         return cut.FramesPerPiece is int size ? RunCutter.BySize(steps, size) : RunCutter.ByCount(steps, cut.Pieces!.Value);
     }
 
-    private string Call()
+    private static string CallOf(ParseResult line)
     {
-        string call = string.Concat(_host.Identity.CommandLine.Select(character => char.IsControl(character) ? '?' : character));
+        string words = string.Join(' ', line.Tokens.Select(token => PosixWord.Of(token.Value)));
+        string call = string.Concat(words.Select(character => char.IsControl(character) ? '?' : character));
         return call.Length <= LongestCall ? call : $"{call[..LongestCall]}...";
+    }
+
+    /// <summary>Refuses what a piece would refuse for want of memory, and what the whole run would need of the disk.</summary>
+    private static void CheckResources(PlannedRun run, SlurmSettings? slurm)
+    {
+        int atOnce = run.Settings.Jobs ?? slurm?.CpusPerTask ?? 1;
+        string folder = Path.GetFullPath(run.Settings.OutputFolder);
+        while (!Directory.Exists(folder))
+        {
+            folder = Path.GetDirectoryName(folder)!;
+        }
+
+        ResourceCheck.Check(run.Settings, run.Frames.Count, atOnce, slurm?.MemoryBytes ?? long.MaxValue, new DriveInfo(folder).AvailableFreeSpace);
     }
 
     private static void Write(PieceScript script, string text, string? statesFile, IReadOnlyList<SpacecraftState> states, bool hasLogs)

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.Globalization;
 using Msisf.Cli.Options;
 using Msisf.Cli.Run;
 using Msisf.Core.Errors;
@@ -28,19 +27,13 @@ internal static class RunPlanner
 
         using RenderRun run = new(settings, host);
         IReadOnlyList<SpacecraftState> states = new StateSource(options.Mode, line, run.Ephemeris, host.StandardInput, host.Log).Read(mode, cancellation);
-        if (settings.Frames?.Last > states.Count)
-        {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"{options.Run.Frames.Name}: step {settings.Frames.Last} is beyond the run, which has {states.Count}."));
-        }
-
-        Frame[] all = FramePlanner.Plan(states, settings, run.Ephemeris, cancellation);
-        Frame[] frames = settings.Frames is StepRanges chosen ? [.. chosen.Steps.Select(step => all[step - 1])] : all;
+        IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
+        Frame[] frames = FramePlanner.Plan(states, names, settings, run.Ephemeris, cancellation);
         ElevationModel model = ElevationModel.Open(settings.Ldem, settings.PixelsPerDegree, isSparing: settings.Renderer == RendererKind.PovRay, host);
         try
         {
             FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
-            return new PlannedRun(mode, settings, states, frames, model);
+            return new PlannedRun(mode, settings, run.EphemerisEngine, states, frames, model);
         }
         catch (MsisfException)
         {

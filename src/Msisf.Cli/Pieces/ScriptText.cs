@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Manifest;
 using Msisf.Cli.Options;
 using Msisf.Core.Errors;
 
@@ -53,6 +54,7 @@ internal static class ScriptText
             ["JOBS"] = script.HasJobs ? string.Empty : "--jobs \"$SLURM_CPUS_PER_TASK\"",
             ["NEEDS_PATTERNS"] = script.NeedsPatterns ? "yes" : "no",
             ["PATTERN_ARGUMENTS"] = Words(script.PatternArguments),
+            ["MANIFEST"] = ManifestFile.Name,
             ["MERGE_OPTIONS"] = Words(slurm.MergeOptions),
         });
     }

@@ -33,6 +33,9 @@ internal sealed class ElevationModel : IDisposable
 
     public IElevationGrid Grid => _image;
 
+    /// <summary>Tells this model from others, the same on every computer.</summary>
+    public LdemFingerprint Fingerprint() => LdemFingerprint.Of(_image.Set);
+
     /// <summary>Traces single rays; made when it is first needed.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
 

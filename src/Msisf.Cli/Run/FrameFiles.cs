@@ -10,21 +10,21 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Cli.Run;
 
-/// <summary>Writes a frame's files for any renderer. They appear when all are complete, the picture last. Safe for several threads.</summary>
+/// <summary>Writes a frame's files for any renderer. They appear when all are complete and the manifest knows them, the picture last. Safe for several threads.</summary>
 internal sealed class FrameFiles
 {
     private readonly RenderSettings _settings;
     private readonly string _product;
     private readonly int _pixelsPerDegree;
-    private readonly ProgramIdentity _identity;
+    private readonly FrameLedger _ledger;
     private readonly RunTimes _times;
 
-    public FrameFiles(RenderSettings settings, IElevationGrid model, ProgramIdentity identity, RunTimes times)
+    public FrameFiles(RenderSettings settings, IElevationGrid model, FrameLedger ledger, RunTimes times)
     {
         _settings = settings;
         _product = model.ProductId;
         _pixelsPerDegree = model.PixelsPerDegree;
-        _identity = identity;
+        _ledger = ledger;
         _times = times;
     }
 
@@ -40,7 +40,7 @@ internal sealed class FrameFiles
         PixelSampler pixels = Sampler(frame, rendered);
         string? annotated = _settings.Annotate ? $"{stem}.annotated.png" : null;
         List<string> paths = annotated is null ? [$"{stem}.png"] : [$"{stem}.png", annotated];
-        using AtomicFileSet files = new();
+        using AtomicFileSet files = new(_ledger.Staging);
         if (rendered.WriteScene is Action<TextWriter> writeScene)
         {
             _times.Measure(Phase.Output, () => files.WriteText($"{stem}.pov", writeScene));
@@ -64,6 +64,7 @@ internal sealed class FrameFiles
 
             files.Write($"{stem}.png", stream => PngFile.CopyPicture(rendered.Picture, stream, rendered.PictureName));
             cancellation.ThrowIfCancellationRequested();
+            _ledger.Made(frame, files, paths);
             files.Commit();
         });
         return paths;
@@ -90,8 +91,8 @@ internal sealed class FrameFiles
         _settings.FieldOfViewDegrees,
         frame.Light.PositionMoonMe,
         rendered.PixelsPerDegree,
-        _identity.Version,
-        _identity.CommandLine,
+        _ledger.Plan.Identity.Version,
+        _ledger.Plan.ArgumentsOf(frame.Step),
         rendered.Renderer);
 
     private PixelSampler Sampler(Frame frame, RenderedFrame rendered)

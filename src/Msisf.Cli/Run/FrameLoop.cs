@@ -1,72 +1,97 @@
+using System.Collections.Concurrent;
 using Msisf.Cli.Progress;
 using Msisf.Core.Errors;
+using Msisf.Core.Scene;
 
 namespace Msisf.Cli.Run;
 
 /// <summary>
-/// Makes many frames, several at once, so that what draws them uses the cores once. A frame that fails is recorded, and the rest goes on.
+/// Makes many frames, several at once, so that what draws them uses the cores once. A frame that fails is recorded, and the rest goes on;
+/// one that another process is making is put off to the end.
 /// </summary>
 internal sealed class FrameLoop
 {
-    private readonly Func<Frame, int, CancellationToken, Task<FrameOutputs>> _render;
+    private readonly FrameMaker _maker;
     private readonly int _ahead;
+    private readonly bool _failFast;
     private readonly IRunProgress _progress;
     private readonly TextWriter _results;
     private readonly Log _log;
 
-    /// <param name="render">Makes one frame with some threads; keeps by itself to the number of frames that are drawn at once.</param>
+    /// <param name="maker">Makes one frame; what draws keeps by itself to the number of frames that are drawn at once.</param>
     /// <param name="ahead">So many frames more are begun (<see cref="IFrameRenderer.FramesAhead"/>).</param>
+    /// <param name="failFast">The first frame that fails ends all.</param>
     /// <param name="progress">Is told of each frame.</param>
     /// <param name="results">Gets the paths.</param>
     /// <param name="log">Gets the errors of single frames.</param>
-    public FrameLoop(
-        Func<Frame, int, CancellationToken, Task<FrameOutputs>> render, int ahead, IRunProgress progress, TextWriter results, Log log)
+    public FrameLoop(FrameMaker maker, int ahead, bool failFast, IRunProgress progress, TextWriter results, Log log)
     {
+        _maker = maker;
         _ahead = ahead;
-        _render = render;
+        _failFast = failFast;
         _progress = progress;
         _results = results;
         _log = log;
     }
 
-    /// <summary>How many frames run at once: as many as there are cores, unless the user says otherwise.</summary>
-    public static int AtOnce(int frames, int? jobs, int cores) => Math.Clamp(jobs ?? cores, 1, Math.Max(1, frames));
-
     /// <summary>Makes all frames; the paths of a frame's files are printed as soon as those of all frames before it are.</summary>
-    /// <exception cref="MsisfException">The only frame of the run failed: its own error. Several frames: an <see cref="ExternalPartException"/> that counts them.</exception>
-    public async Task<IReadOnlyList<FrameOutputs>> RunAsync(IReadOnlyList<Frame> frames, int? jobs, int cores, CancellationToken cancellation)
+    /// <param name="frames">The frames.</param>
+    /// <param name="known">The outputs of each that is there and right; null for each that is to be made.</param>
+    /// <param name="atOnce">So many are drawn at once.</param>
+    /// <param name="cores">Shared by them.</param>
+    /// <param name="cancellation">Leaves finished frames and no other files.</param>
+    /// <exception cref="MsisfException">The only frame of the run failed: its own error. Several frames: an <see cref="ExternalPartException"/> that names them.</exception>
+    public async Task<IReadOnlyList<FrameOutputs>> RunAsync(
+        IReadOnlyList<Frame> frames, IReadOnlyList<FrameOutputs?> known, int atOnce, int cores, CancellationToken cancellation)
     {
-        int atOnce = AtOnce(frames.Count, jobs, cores);
         int threads = Math.Max(1, cores / atOnce);
-        FrameOutputs[] outputs = new FrameOutputs[frames.Count];
-        List<int> failed = [];
+        FrameOutputs?[] outputs = [.. known];
         OrderedPrinter printer = new(_results, frames.Count);
-        await Parallel.ForAsync(0, frames.Count, Options(Math.Min(atOnce + _ahead, Math.Max(1, frames.Count)), cancellation), async (index, stop) =>
+        ConcurrentQueue<int> failed = new();
+        ConcurrentQueue<int> elsewhere = new();
+
+        async ValueTask Make(int index, Func<Frame, int, CancellationToken, Task<FrameOutputs?>> make, CancellationToken stop)
         {
             Frame frame = frames[index];
-            IReadOnlyList<string> paths = [];
             try
             {
-                outputs[index] = await _render(frame, threads, stop).ConfigureAwait(false);
-                paths = outputs[index].Paths;
+                outputs[index] = await make(frame, threads, stop).ConfigureAwait(false);
+                if (outputs[index] is null)
+                {
+                    elsewhere.Enqueue(index);
+                    return;
+                }
             }
             catch (MsisfException exception) when (frames.Count > 1)
             {
-                _log.Error($"step {frame.Step} ({frame.Name}): {exception.Message}");
-                lock (failed)
+                failed.Enqueue(frame.Step);
+                string message = $"step {frame.Step} ({frame.Name}): {exception.Message}";
+                if (_failFast)
                 {
-                    failed.Add(frame.Step);
+                    throw new ExternalPartException($"{message} Stopped there, as --fail-fast asks; finished frames are complete.", exception);
                 }
+
+                _log.Error(message);
             }
 
-            printer.Done(index, paths);
+            printer.Done(index, outputs[index]?.Paths ?? []);
             _progress.Advance(frame.Name);
-        }).ConfigureAwait(false);
-        return failed.Count == 0
-            ? outputs
-            : throw new ExternalPartException($"{failed.Count} of {frames.Count} frames failed: steps {string.Join(", ", failed.Order())}. The others are complete.");
-    }
+        }
 
-    private static ParallelOptions Options(int atOnce, CancellationToken cancellation) =>
-        new() { MaxDegreeOfParallelism = atOnce, CancellationToken = cancellation };
+        ParallelOptions options = new() { MaxDegreeOfParallelism = Math.Min(atOnce + _ahead, Math.Max(1, frames.Count)), CancellationToken = cancellation };
+        int[] missing = [.. Enumerable.Range(0, frames.Count).Where(index => known[index] is null)];
+        foreach (int index in Enumerable.Range(0, frames.Count).Except(missing))
+        {
+            printer.Done(index, known[index]!.Paths);
+        }
+
+        await Parallel.ForEachAsync(missing, options, (index, stop) => Make(index, _maker.TryMakeAsync, stop)).ConfigureAwait(false);
+        await Parallel.ForEachAsync(
+            elsewhere.Order().ToArray(),
+            options,
+            (index, stop) => Make(index, async (frame, share, end) => await _maker.MakeAsync(frame, share, end).ConfigureAwait(false), stop)).ConfigureAwait(false);
+        return failed.IsEmpty
+            ? [.. outputs.OfType<FrameOutputs>()]
+            : throw new ExternalPartException($"{failed.Count} of {frames.Count} frames failed: --frames {StepRanges.Of(failed)}. The others are complete.");
+    }
 }

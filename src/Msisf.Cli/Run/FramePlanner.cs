@@ -16,31 +16,38 @@ internal static class FramePlanner
     /// <summary>Cameras that lie in the ground and are named in the message.</summary>
     private const int NamedSteps = 5;
 
-    /// <summary>Names, cameras and lights of all frames. The Sun's positions are computed here, one after another: CSPICE is not thread-safe.</summary>
-    /// <param name="states">In the order of the input.</param>
-    /// <param name="settings">The options.</param>
+    /// <summary>Cameras and lights of the frames that are to be made. The Sun's positions are computed here, one after another: CSPICE is not thread-safe.</summary>
+    /// <param name="states">Of the whole run, in the order of the input.</param>
+    /// <param name="names">Of all its frames.</param>
+    /// <param name="settings">The options; they say which steps are to be made.</param>
     /// <param name="sun">The ephemeris; not asked if the Sun is ignored.</param>
     /// <param name="cancellation">Stops between two states.</param>
-    /// <exception cref="MsisfException">A name twice, a time outside the kernels' cover, ...</exception>
-    public static Frame[] Plan(IReadOnlyList<SpacecraftState> states, RenderSettings settings, Func<IEphemeris> sun, CancellationToken cancellation)
+    /// <exception cref="MsisfException">A step that the run does not have, a time outside the kernels' cover, ...</exception>
+    public static Frame[] Plan(
+        IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, Func<IEphemeris> sun, CancellationToken cancellation)
     {
-        IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
+        if (settings.Frames is { } chosen && chosen.Last > states.Count)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture, $"--frames {chosen}: step {chosen.Last} is wanted, but the run has {states.Count} only. Name steps that it has."));
+        }
+
         IEphemeris? ephemeris = settings.IgnoreSun ? null : sun();
         double fieldOfView = settings.FieldOfViewDegrees * Math.PI / 180.0;
-        Frame[] frames = new Frame[states.Count];
-        for (int index = 0; index < frames.Length; index++)
+        List<Frame> frames = [];
+        foreach (int step in settings.Frames?.Steps ?? Enumerable.Range(1, states.Count))
         {
             cancellation.ThrowIfCancellationRequested();
-            SpacecraftState state = states[index];
-            RefuseUndrawable(index + 1, state, settings.Renderer);
+            SpacecraftState state = states[step - 1];
+            RefuseUndrawable(step, state, settings.Renderer);
             PinholeCamera camera = new(state.PositionMoonMe, state.MoonFromCamera, fieldOfView, settings.Width, settings.Height);
             SceneLight light = ephemeris is null
                 ? new SceneLight(state.PositionMoonMe, IsSun: false)
                 : new SceneLight(ephemeris.SunPositionMoonMe(state.Time, settings.Aberration), IsSun: true);
-            frames[index] = new Frame(index + 1, names[index], state.Time, camera, light);
+            frames.Add(new Frame(step, names[step - 1], state.Time, camera, light));
         }
 
-        return frames;
+        return [.. frames];
     }
 
     private static void RefuseUndrawable(int step, SpacecraftState state, RendererKind renderer)

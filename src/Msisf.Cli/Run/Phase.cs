@@ -15,6 +15,9 @@ internal enum Phase
     /// <summary>Opening the elevation model and its summary.</summary>
     Model,
 
+    /// <summary>Checksums of the inputs, the manifest, and the check of frames that are there.</summary>
+    Manifest,
+
     /// <summary>Choosing the tiles.</summary>
     Selection,
 

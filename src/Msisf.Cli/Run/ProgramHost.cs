@@ -1,3 +1,4 @@
+using System.Reflection;
 using Msisf.Adapters.IO;
 
 namespace Msisf.Cli.Run;
@@ -8,7 +9,7 @@ internal sealed class ProgramHost
     private readonly Lazy<Installation> _installation;
     private readonly Func<string, string?> _environment;
 
-    public ProgramHost(TextWriter results, TextWriter error, Func<TextReader> standardInput, TimeProvider clock, IReadOnlyList<string> arguments, Func<string, string?> environment)
+    public ProgramHost(TextWriter results, TextWriter error, Func<TextReader> standardInput, TimeProvider clock, Func<string, string?> environment)
     {
         _environment = environment;
         Results = new ResultsWriter(results);
@@ -16,7 +17,6 @@ internal sealed class ProgramHost
         StandardInput = standardInput;
         Clock = clock;
         Times = new RunTimes(clock);
-        Identity = ProgramIdentity.Of(arguments);
         _installation = new Lazy<Installation>(() => Installation.Above(AppContext.BaseDirectory));
     }
 
@@ -30,7 +30,9 @@ internal sealed class ProgramHost
 
     public RunTimes Times { get; }
 
-    public ProgramIdentity Identity { get; }
+    /// <summary>Version of the program, e.g. "1.0.0".</summary>
+    public string Version { get; } =
+        typeof(ProgramHost).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
 
     public Installation Installation => _installation.Value;
 

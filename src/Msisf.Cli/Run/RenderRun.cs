@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
+using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
 using Msisf.Adapters.Tiles;
@@ -30,6 +31,9 @@ internal sealed class RenderRun : IDisposable
         _times = host.Times;
     }
 
+    /// <summary>Which ephemeris engine was opened; null if none was needed so far.</summary>
+    public EphemerisChoice? EphemerisEngine => _ephemeris?.Choice;
+
     /// <summary>The ephemeris engine, opened when it is first needed.</summary>
     public IEphemeris Ephemeris()
     {
@@ -49,8 +53,10 @@ internal sealed class RenderRun : IDisposable
     /// <param name="cancellation">Ends POV-Ray and leaves no half file.</param>
     public async Task RunAsync(Func<IReadOnlyList<SpacecraftState>> readStates, CancellationToken cancellation)
     {
+        Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay && !_settings.ListPatterns ? Task.Run(AskPovRayVersion, cancellation) : null;
         IReadOnlyList<SpacecraftState> states = _times.Measure(Phase.States, readStates);
-        Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, _settings, Ephemeris, cancellation));
+        IReadOnlyList<string> names = new FrameNaming(_settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
+        Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, names, _settings, Ephemeris, cancellation));
         using ElevationModel model = _times.Measure(Phase.Model, () => ElevationModel.Open(
             _settings.Ldem, _settings.PixelsPerDegree, isSparing: _settings.Renderer == RendererKind.PovRay, _host));
         FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
@@ -60,16 +66,20 @@ internal sealed class RenderRun : IDisposable
             return;
         }
 
-        IReadOnlyList<FrameOutputs> outputs = await RenderAsync(frames, model, cancellation).ConfigureAwait(false);
+        RequireParts();
+        string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
+        RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(states, names, Identify(model, version)));
+        IReadOnlyList<FrameOutputs> outputs = await RenderAsync(frames, plan, model, cancellation).ConfigureAwait(false);
         if (_settings.Timing)
         {
-            _host.Log.Raw(_times.ToJson(outputs.Count, outputs.Sum(frame => (long)frame.TileCount), outputs.Sum(frame => frame.PatternsMade)));
+            _host.Log.Raw(_times.ToJson(outputs));
         }
     }
 
     public void Dispose() => _ephemeris?.Dispose();
 
-    private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(Frame[] frames, ElevationModel model, CancellationToken cancellation)
+    /// <summary>What some options need is looked for before any work is done.</summary>
+    private void RequireParts()
     {
         if (_settings.Annotate)
         {
@@ -80,28 +90,49 @@ internal sealed class RenderRun : IDisposable
         {
             FitsLayerWriter.RequireCFitsio();
         }
+    }
 
-        FrameFiles files = new(_settings, model.Grid, _host.Identity, _times);
-        int cores = Environment.ProcessorCount;
-        int atOnce = FrameLoop.AtOnce(frames.Length, _settings.Jobs, cores);
-        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, files) : PovRay(model, files, atOnce);
+    private Task<string> AskPovRayVersion() =>
+        PovRayVersion.AskAsync(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+
+    private RunIdentity Identify(ElevationModel model, string? povRayVersion)
+    {
+        OpenedEphemeris? sun = _settings.IgnoreSun ? null : _ephemeris;
+        return RunIdentity.Of(
+            _host.Version,
+            FrameArguments.OfSettings(_settings, sun?.Choice),
+            model.Fingerprint(),
+            sun?.Engine.EngineName,
+            sun?.Kernels ?? [],
+            povRayVersion);
+    }
+
+    private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(Frame[] frames, RunPlan plan, ElevationModel model, CancellationToken cancellation)
+    {
         CreateFolder(_settings.OutputFolder);
-        ResourceCheck.Check(
-            _settings,
-            atOnce,
-            GC.GetGCMemoryInfo().TotalAvailableMemoryBytes,
-            new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
+        using FrameLedger ledger = _times.Measure(Phase.Manifest, () => new FrameLedger(_settings.OutputFolder, plan, _settings.Overwrite, _host.Log));
+        FrameOutputs?[] known = _times.Measure(Phase.Manifest, () => Known(frames, ledger));
+        int missing = known.Count(outputs => outputs is null);
+        int cores = Environment.ProcessorCount;
+        long memory = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
+        int atOnce = ResourceCheck.AtOnce(_settings, missing, cores, memory);
+        ResourceCheck.Check(_settings, missing, atOnce, memory, new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
+        FrameFiles files = new(_settings, model.Grid, ledger, _times);
+        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, files) : PovRay(model, files, atOnce);
+        using FrameTimes frameTimes = new(_settings.FrameTimes);
+        FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
         // A bar overwrites what is printed on its terminal: errors and paths follow when it is done.
-        bool hasBar = RunProgress.DrawsBar(frames.Length, _settings.Unattended);
+        bool hasBar = RunProgress.DrawsBar(missing, _settings.Unattended);
         bool isPrintedLater = hasBar && !Console.IsOutputRedirected;
         using StringWriter later = new(CultureInfo.InvariantCulture);
         using StringWriter laterErrors = new(CultureInfo.InvariantCulture);
         try
         {
-            using IRunProgress progress = RunProgress.Start("Frames", frames.Length, _settings.Unattended, _host.Log, _host.Clock);
-            FrameLoop loop = new(renderer.RenderAsync, renderer.FramesAhead, progress, isPrintedLater ? later : _host.Results, hasBar ? new Log(laterErrors) : _host.Log);
-            return await loop.RunAsync(frames, _settings.Jobs, cores, cancellation).ConfigureAwait(false);
+            using IRunProgress progress = RunProgress.Start("Frames", missing, _settings.Unattended, _host.Log, _host.Clock);
+            FrameLoop loop = new(
+                maker, renderer.FramesAhead, _settings.FailFast, progress, isPrintedLater ? later : _host.Results, hasBar ? new Log(laterErrors) : _host.Log);
+            return await loop.RunAsync(frames, known, atOnce, cores, cancellation).ConfigureAwait(false);
         }
         finally
         {
@@ -112,6 +143,23 @@ internal sealed class RenderRun : IDisposable
 
             _host.Results.Write(later.ToString());
         }
+    }
+
+    /// <summary>The outputs of the frames that are there and right; says how many of each there are if there is one.</summary>
+    private FrameOutputs?[] Known(Frame[] frames, FrameLedger ledger)
+    {
+        FrameState[] states = [.. frames.AsParallel().AsOrdered().Select(frame => ledger.Judge(frame).State)];
+        int Count(FrameState state) => states.Count(found => found == state);
+        int right = Count(FrameState.Right);
+        if (right + Count(FrameState.Damaged) + Count(FrameState.OtherSettings) > 0)
+        {
+            _host.Log.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"Frames: {frames.Length}, of which {right} there and right (--overwrite makes them again); to make: {Count(FrameState.Missing) + Count(FrameState.Failed)} missing, {Count(FrameState.Damaged)} damaged, {Count(FrameState.OtherSettings)} of other settings."));
+        }
+
+        return [.. frames.Zip(states, (frame, state) =>
+            state == FrameState.Right ? new FrameOutputs(ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true) : null)];
     }
 
     private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files, int processes)

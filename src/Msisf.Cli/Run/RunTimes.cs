@@ -46,18 +46,17 @@ internal sealed class RunTimes
     });
 
     /// <summary>All times as one line of JSON.</summary>
-    /// <param name="frames">Frames made.</param>
-    /// <param name="tiles">Patterns included, summed over the frames.</param>
-    /// <param name="patternsMade">Patterns that were not there and were made.</param>
-    public string ToJson(int frames, long tiles, int patternsMade)
+    /// <param name="outputs">Of all frames.</param>
+    public string ToJson(IReadOnlyList<FrameOutputs> outputs)
     {
         using MemoryStream stream = new();
         using (Utf8JsonWriter json = new(stream))
         {
             json.WriteStartObject();
-            json.WriteNumber("frames", frames);
-            json.WriteNumber("tiles", tiles);
-            json.WriteNumber("patterns_made", patternsMade);
+            json.WriteNumber("frames", outputs.Count(frame => !frame.WasThere));
+            json.WriteNumber("frames_there", outputs.Count(frame => frame.WasThere));
+            json.WriteNumber("tiles", outputs.Sum(frame => (long)frame.TileCount));
+            json.WriteNumber("patterns_made", outputs.Sum(frame => frame.PatternsMade));
             lock (_gate)
             {
                 foreach (Phase phase in Enum.GetValues<Phase>())

@@ -6,6 +6,9 @@ public static class Tolerances
     /// <summary>1: how far a quaternion's length may be from 1. Users print 7 digits; a real slip (a swapped or missing component) is far larger.</summary>
     public const double UnitQuaternionLength = 1e-6;
 
+    /// <summary>How far four components that were divided by their length may be from length 1: half a unit of the last place each, and the roundings of the length itself.</summary>
+    public const double RoundedUnitLength = 4.0 / (1L << 52);
+
     /// <summary>1, parts of a step: within this a time interval's end counts as reached, as MATLAB's colon does.</summary>
     public const double IntervalSteps = 1e-9;
 

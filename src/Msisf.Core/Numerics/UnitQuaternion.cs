@@ -54,7 +54,10 @@ public readonly record struct UnitQuaternion
                 $"The quaternion {{{qx:R},{qy:R},{qz:R},{q0:R}}} has length {length:R}; a rotation needs length 1 within {Tolerances.UnitQuaternionLength:R}."));
         }
 
-        return new UnitQuaternion(qx / length, qy / length, qz / length, q0 / length);
+        // What was normalised once stays as it is, to the last bit: a state that is written out and read back is the same.
+        return Math.Abs(length - 1.0) <= Tolerances.RoundedUnitLength
+            ? new UnitQuaternion(qx, qy, qz, q0)
+            : new UnitQuaternion(qx / length, qy / length, qz / length, q0 / length);
     }
 
     /// <summary>The rotation by an angle about an axis, right-handed.</summary>

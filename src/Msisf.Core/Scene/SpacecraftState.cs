@@ -13,6 +13,12 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// <summary>The eight numbers of a fixed state in the thesis's order (section 6.3.2): MJD (days, UTC), position (m), quaternion.</summary>
     public static IReadOnlyList<string> NumberNames { get; } = ["MJD", "rx", "ry", "rz", "qx", "qy", "qz", "q0"];
 
+    /// <summary>The eight numbers in the order of <see cref="NumberNames"/>; <see cref="FromNumbers"/> makes the same state of them, to the last bit.</summary>
+    public double[] ToNumbers() =>
+    [
+        Time.Days, PositionMoonMe.X, PositionMoonMe.Y, PositionMoonMe.Z, MoonFromCamera.X, MoonFromCamera.Y, MoonFromCamera.Z, MoonFromCamera.W,
+    ];
+
     /// <summary>Checks and takes the eight numbers.</summary>
     /// <param name="numbers">In the order of <see cref="NumberNames"/>.</param>
     /// <exception cref="BadInputException">The MJD is no date, the position is not finite, or the quaternion is no rotation.</exception>

@@ -105,7 +105,8 @@ public sealed class BatchConvertTests : IDisposable
     [InlineData($"--format sh --pieces 2 {Fixed} --overwrite", 1, "--overwrite would make all frames again")]
     [InlineData($"--format sh --pieces 2 {Fixed} --frame-times t.tsv", 1, "--frame-times names one file")]
     [InlineData("--format sh --pieces 2 --fixed-state {55289,2E6,2E6,0,0,0,0,1} --list-patterns", 1, "--list-patterns prints and makes no frame")]
-    [InlineData($"--format sh --pieces 2 {Fixed} --frames 1:2", 2, "step 2 is beyond the run, which has 1")]
+    [InlineData($"--format sh --pieces 2 {Fixed} --frames 1:2", 2, "--frames 1:2: step 2 is wanted, but the run has 1 only")]
+    [InlineData($"--format slurm --pieces 2 {Fixed} --frames 1", 1, "--frames makes a part of the run, and this script looks at all of it")]
     [InlineData($"--format sh --pieces 2 {Fixed} --width 0", 2, "--width is '0'")]
     [InlineData($"--format sh --pieces 2 {Orbit} --output-name same", 2, "would both be written to same")]
     [InlineData($"--format sh --pieces 2 {Fixed} --partition long", 1, "--partition is for --format slurm only")]
@@ -121,6 +122,8 @@ public sealed class BatchConvertTests : IDisposable
 
     [RequiresTheory(Part.Ldem4)]
     [InlineData($"--format slurm --frames-per-piece 1 {Orbit} --renderer native", 2, "2001 pieces; a Slurm array has 1000 at most")]
+    [InlineData($"--format slurm --pieces 1 --memory 1M {Fixed}", 2, "of memory, 1 MiB are there")]
+    [InlineData($"--format sh --pieces 1 {Orbit} --renderer native --width 2048 --height 2048 --surface terrain --grid 1", 2, "2001 frames will take about")]
     [InlineData("--format sh --pieces 2 --fixed-state {55289,1.7E6,0,0,0,0,0,1}", 2, "the camera is inside the Moon")]
     [InlineData($"--format bat --pieces 1 {Fixed} --output-name a\"b", 2, "has a quotation mark")]
     public void Convert_WrongInputThatTheModelShows_EndsWithCodeAndOneLine(string words, int exitCode, string message) =>

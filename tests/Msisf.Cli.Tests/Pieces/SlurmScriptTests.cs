@@ -10,6 +10,8 @@ public sealed class SlurmScriptTests : IDisposable
 {
     private readonly ConvertedScript _converted = new();
 
+    private string Output => _converted.Folder["out"];
+
     private string Submitted => _converted.Folder["submitted"];
 
     public void Dispose() => _converted.Dispose();
@@ -24,7 +26,7 @@ public sealed class SlurmScriptTests : IDisposable
         Assert.True(run.ExitCode == 0, run.Error);
         Assert.Equal(["1:3", "4:6", "7:10"], _converted.PieceCalls());
         string[] calls = File.ReadAllLines(_converted.Calls);
-        Assert.Equal(["verify|output|--print-frames|", "merge|output|--contact-sheet|--video|25|"], calls[3..]);
+        Assert.Equal([$"verify|{Output}|--print-frames|", $"merge|{Output}|--contact-sheet|--video|25|"], calls[3..]);
         Assert.All(calls[..3], call => Assert.Contains("|--jobs|2|", call, StringComparison.Ordinal));
         string[] jobs = File.ReadAllLines(Submitted);
         Assert.StartsWith("--parsable|--array=1-3%2|", jobs[0], StringComparison.Ordinal);
@@ -42,7 +44,7 @@ public sealed class SlurmScriptTests : IDisposable
         Run(script, "1,3:5,9:10", "4");
 
         Assert.Equal(["1:3", "4:6", "7:10", "1,3", "4:5", "9:10", "4"], _converted.PieceCalls());
-        Assert.Equal("merge|output|", File.ReadLines(_converted.Calls).Last());
+        Assert.Equal($"merge|{Output}|", File.ReadLines(_converted.Calls).Last());
         Assert.Equal("0", File.ReadAllText(script + ".result").TrimEnd());
         Assert.False(File.Exists(script + ".missing"));
     }
@@ -62,18 +64,30 @@ public sealed class SlurmScriptTests : IDisposable
     }
 
     [RequiresFact(Part.Ldem4)]
+    public void Run_NoPieceEverBegan_SubmitsAllAgain()
+    {
+        string script = Convert("--retries", "1");
+
+        RunWithoutManifest(script);
+
+        Assert.Equal(["1:3", "4:6", "7:10", "1:4", "5:8", "9:10"], _converted.PieceCalls());
+        Assert.Equal("1:3,4:6,7:10", File.ReadAllText(script + ".missing").TrimEnd());
+        Assert.Equal("5", File.ReadAllText(script + ".result").TrimEnd());
+    }
+
+    [RequiresFact(Part.Ldem4)]
     public void Run_PovRay_MakesThePatternsFirst()
     {
-        string script = Convert("--renderer", "povray", "--fov", "10", "--pattern-repos", "my patterns", "--frames", "2:7");
+        string script = Convert("--renderer", "povray", "--fov", "10", "--pattern-repos", "my patterns");
 
         Run(script);
 
         string first = File.ReadLines(_converted.Calls).First();
         Assert.Equal(
-            $"patterns|--for-batch|{script}.states.tab|--fov=10|--ldem={TestParts.Ldem4Label}|--pattern-repos=my patterns|--ephemeris=builtin|--frames=2:7|",
+            $"patterns|--for-batch|{script}.states.tab|--fov=10|--ldem={TestParts.Ldem4Label}|--pattern-repos=my patterns|--ephemeris=builtin|",
             first);
         Assert.Contains("|--dependency=afterany:101|", File.ReadAllLines(Submitted)[1], StringComparison.Ordinal);
-        Assert.Equal(["2:3", "4:5", "6:7"], _converted.PieceCalls());
+        Assert.Equal(["1:3", "4:6", "7:10"], _converted.PieceCalls());
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -104,12 +118,19 @@ public sealed class SlurmScriptTests : IDisposable
         Assert.Contains("no controller", run.Error, StringComparison.Ordinal);
     }
 
-    private string Convert(params string[] options) => _converted.Convert("slurm", "M\u00f6nd 'a' 100%/run.sh", ["--pieces", "3", .. options]);
+    private string Convert(params string[] options) =>
+        _converted.Convert("slurm", "M\u00f6nd 'a' 100%/run.sh", ["--pieces", "3", "--output-dir", Output, .. options]);
 
     /// <summary>Runs the script.</summary>
     /// <param name="script">It.</param>
     /// <param name="missing">What each check finds; then nothing.</param>
     private ChildRun Run(string script, params string[] missing)
+    {
+        _converted.Folder.Write("out/msisf-manifest.jsonl", string.Empty);
+        return RunWithoutManifest(script, missing);
+    }
+
+    private ChildRun RunWithoutManifest(string script, params string[] missing)
     {
         string left = _converted.Folder["missing"];
         File.WriteAllLines(left, missing);

@@ -13,7 +13,7 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
     {
         using StringWriter output = new();
         using StringWriter error = new();
-        ProgramHost host = new(output, error, () => new StringReader(standardInput), TimeProvider.System, arguments, Environment.GetEnvironmentVariable);
+        ProgramHost host = new(output, error, () => new StringReader(standardInput), TimeProvider.System, Environment.GetEnvironmentVariable);
         int exitCode = CommandLineProgram.RunAsync(arguments, host).GetAwaiter().GetResult();
         return new CommandLineRun(exitCode, output.ToString(), error.ToString());
     }

@@ -84,7 +84,11 @@ case ${1:-submit} in
         ;;
     check)
         code=0
-        missing=$("$MSIS" verify @OUTPUT_FOLDER@ --print-frames) || code=$?
+        if [ -e @OUTPUT_FOLDER@/@MANIFEST@ ]; then
+            missing=$("$MSIS" verify @OUTPUT_FOLDER@ --print-frames) || code=$?
+        else
+            code=5 missing=$(pieces | paste -s -d , -) # no piece ever began
+        fi
         if [ "$code" -eq 0 ]; then
             "$MSIS" merge @OUTPUT_FOLDER@ @MERGE_OPTIONS@ || code=$?
             finish "$code"

@@ -1,0 +1,66 @@
+using System.Xml;
+using System.Xml.Schema;
+using Msisf.Adapters.Render;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Manifest;
+
+/// <summary>Whether an output file is whole by its own format.</summary>
+/// <param name="metaFileDtd">lib/MSISRendering.dtd of the installation.</param>
+public sealed class FileStructure(string metaFileDtd)
+{
+    /// <summary>A meta file has no entities of its own.</summary>
+    private const long MostCharactersFromEntities = 100_000;
+
+    /// <summary>Looks at a picture or a meta file; other files have no structure that is checked.</summary>
+    /// <param name="path">The file.</param>
+    /// <returns>What is wrong with it; null if nothing is.</returns>
+    /// <exception cref="IOException">It can't be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">It can't be read.</exception>
+    public string? ProblemWith(string path) => Path.GetExtension(path) switch
+    {
+        ".png" => PictureProblem(path),
+        ".xml" => MetaFileProblem(path),
+        _ => null,
+    };
+
+    private static string? PictureProblem(string path)
+    {
+        try
+        {
+            using FileStream stream = File.OpenRead(path);
+            PngFile.Check(stream, Path.GetFileName(path));
+            return null;
+        }
+        catch (BadInputException exception)
+        {
+            return exception.Message;
+        }
+    }
+
+    private string? MetaFileProblem(string path)
+    {
+        XmlReaderSettings settings = new()
+        {
+            DtdProcessing = DtdProcessing.Parse,
+            ValidationType = ValidationType.DTD,
+            XmlResolver = new MetaFileDtd(metaFileDtd),
+            MaxCharactersFromEntities = MostCharactersFromEntities,
+        };
+        try
+        {
+            using FileStream stream = File.OpenRead(path);
+            using XmlReader reader = XmlReader.Create(stream, settings);
+            while (reader.Read())
+            {
+                continue; // the reader checks as it goes
+            }
+
+            return null;
+        }
+        catch (Exception exception) when (exception is XmlException or XmlSchemaException)
+        {
+            return $"not a valid meta file: {exception.Message}";
+        }
+    }
+}

@@ -1,0 +1,21 @@
+using System.Net;
+using System.Xml;
+
+namespace Msisf.Adapters.Manifest;
+
+/// <summary>Gives the meta file's DTD from where it is installed, wherever a meta file lies, and nothing else: no file names another one to be read.</summary>
+/// <param name="path">lib/MSISRendering.dtd of the installation.</param>
+internal sealed class MetaFileDtd(string path) : XmlResolver
+{
+    /// <inheritdoc/>
+    public override ICredentials Credentials
+    {
+        set { }
+    }
+
+    /// <inheritdoc/>
+    public override object GetEntity(Uri absoluteUri, string? role, Type? ofObjectToReturn) =>
+        Path.GetFileName(absoluteUri.AbsolutePath) == Path.GetFileName(path)
+            ? File.OpenRead(path)
+            : throw new XmlException($"it wants {absoluteUri.AbsolutePath}, which is not the DTD of meta files");
+}

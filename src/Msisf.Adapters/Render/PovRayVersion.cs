@@ -1,0 +1,61 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Text.RegularExpressions;
+
+namespace Msisf.Adapters.Render;
+
+/// <summary>Which POV-Ray it is: versions draw differently.</summary>
+public static partial class PovRayVersion
+{
+    /// <summary>What can't be told: a program that does not answer draws nothing either, or is one that stands in for POV-Ray.</summary>
+    public const string Unknown = "unknown";
+
+    private static readonly TimeSpan LongestAnswer = TimeSpan.FromSeconds(5);
+
+    /// <summary>Asks the program.</summary>
+    /// <param name="program">Its file.</param>
+    /// <returns>E.g. "3.7.0.10.unofficial", or <see cref="Unknown"/>.</returns>
+    public static async Task<string> AskAsync(string program)
+    {
+        ProcessStartInfo start = new(program, ["--version"])
+        {
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+        };
+        using CancellationTokenSource limit = new(LongestAnswer);
+        using Process process = new() { StartInfo = start };
+        try
+        {
+            process.Start();
+            process.StandardInput.Close();
+            Task<string> output = process.StandardOutput.ReadToEndAsync(limit.Token);
+            Task<string> error = process.StandardError.ReadToEndAsync(limit.Token);
+            Match version = Number().Match(await output.ConfigureAwait(false) + await error.ConfigureAwait(false));
+            return version.Success ? version.Groups[1].Value : Unknown;
+        }
+        catch (Exception exception) when (exception is OperationCanceledException or Win32Exception or IOException)
+        {
+            return Unknown;
+        }
+        finally
+        {
+            End(process);
+        }
+    }
+
+    private static void End(Process process)
+    {
+        try
+        {
+            process.Kill(entireProcessTree: true);
+        }
+        catch (Exception exception) when (exception is InvalidOperationException or Win32Exception)
+        {
+            return; // it never started, or has ended
+        }
+    }
+
+    [GeneratedRegex(@"POV-Ray (?:\w+ )*v?(\d+\.\d+\S*)")]
+    private static partial Regex Number();
+}

@@ -1,0 +1,58 @@
+using System.Security.Cryptography;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Terrain;
+
+/// <summary>
+/// Tells elevation models apart, the same on every computer: hashes of the labels, lengths of the images, and hashes of samples spread over
+/// them. Reading a model of 34 GB whole would take longer than any picture.
+/// </summary>
+/// <param name="ProductId">From the label.</param>
+/// <param name="ImageBytes">Length of the image; of a split product all of them.</param>
+/// <param name="Sha256">Of labels, lengths and pieces of the images: 64 hexadecimal digits.</param>
+public sealed record LdemFingerprint(string ProductId, long ImageBytes, string Sha256)
+{
+    /// <summary>Pieces of each image that are read, from its start to its end.</summary>
+    private const int Pieces = 64;
+
+    private const int PieceBytes = 4096;
+
+    /// <summary>Reads what is needed of a model's files.</summary>
+    /// <exception cref="ExternalPartException">They can't be read.</exception>
+    public static LdemFingerprint Of(LdemSet set)
+    {
+        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        long bytes = 0;
+        foreach (LdemLabel label in set.Parts)
+        {
+            try
+            {
+                using FileStream text = File.OpenRead(label.LabelPath);
+                Append(hash, text, 0, Math.Min(text.Length, SummarySource.LongestLabel));
+                using FileStream image = File.OpenRead(FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath);
+                hash.AppendData(BitConverter.GetBytes(image.Length));
+                long last = Math.Max(0, image.Length - PieceBytes);
+                for (int piece = 0; piece < Pieces; piece++)
+                {
+                    Append(hash, image, last * piece / (Pieces - 1), Math.Min(PieceBytes, image.Length));
+                }
+
+                bytes += image.Length;
+            }
+            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            {
+                throw new ExternalPartException($"{label.LabelPath}: can't be read: {exception.Message}", exception);
+            }
+        }
+
+        return new LdemFingerprint(set.ProductId, bytes, Convert.ToHexStringLower(hash.GetHashAndReset()));
+    }
+
+    private static void Append(IncrementalHash hash, FileStream file, long start, long length)
+    {
+        byte[] piece = new byte[length];
+        file.Position = start;
+        file.ReadExactly(piece);
+        hash.AppendData(piece);
+    }
+}
