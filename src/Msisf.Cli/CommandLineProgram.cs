@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Msisf.Cli.Commands;
-using Msisf.Cli.Options;
+using Msisf.Cli.Options.Config;
 using Msisf.Cli.Run;
 using Msisf.Core.Errors;
 
@@ -22,28 +22,30 @@ internal static class CommandLineProgram
     /// <param name="cancellation">Ends the run, as Ctrl-C does.</param>
     public static async Task<int> RunAsync(IReadOnlyList<string> arguments, ProgramHost host, CancellationToken cancellation = default)
     {
+        RootCommand root = RenderCommand.Create(host);
+        Configuration configuration = new(root, host);
         try
         {
-            RootCommand root = RenderCommand.Create(host);
             root.Subcommands.Add(PatternsCommand.Create(host));
             root.Subcommands.Add(LdemCommand.Create(host));
             root.Subcommands.Add(CheckCommand.CreateStatus(host));
             root.Subcommands.Add(CheckCommand.CreateVerify(host));
             root.Subcommands.Add(BatchConvertCommand.Create(host));
-            ParseResult line = root.Parse([.. arguments], new ParserConfiguration { ResponseFileTokenReplacer = ResponseFile.TryRead });
+            root.Subcommands.Add(ConfigCommand.Create(configuration, host));
+            ParseResult line = configuration.Parse(arguments);
             if (line.Errors.Count > 0)
             {
                 host.Log.Error($"{string.Join(" ", line.Errors.Select(error => error.Message))} See {HelpCall(line)}.");
                 return ExitUsage;
             }
 
-            InvocationConfiguration configuration = new()
+            InvocationConfiguration invocation = new()
             {
                 EnableDefaultExceptionHandler = false,
                 Output = host.Results,
                 ProcessTerminationTimeout = Timeout.InfiniteTimeSpan,
             };
-            return await line.InvokeAsync(configuration, cancellation).ConfigureAwait(false);
+            return await line.InvokeAsync(invocation, cancellation).ConfigureAwait(false);
         }
         catch (OperationCanceledException)
         {
@@ -52,7 +54,7 @@ internal static class CommandLineProgram
         }
         catch (MsisfException exception)
         {
-            host.Log.Error(exception.Message);
+            host.Log.Error(configuration.WithOrigin(exception.Message));
             return exception.ExitCode;
         }
         catch (Exception exception)

@@ -50,7 +50,7 @@ public static class NumberText
     }
 
     /// <summary>A text in quotes for a message: at most 40 characters, each that can't be printed as "?".</summary>
-    internal static string Shown(ReadOnlySpan<char> text)
+    public static string Shown(ReadOnlySpan<char> text)
     {
         StringBuilder shown = new("'");
         foreach (char character in text[..Math.Min(text.Length, LongestEcho)])

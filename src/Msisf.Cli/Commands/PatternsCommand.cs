@@ -50,7 +50,7 @@ internal static class PatternsCommand
         string root = line.GetValue(source.PatternRepository) is string folder
             ? OptionText.FilePath(source.PatternRepository, folder)
             : SourceSettings.DefaultRepository;
-        PatternRepository repository = new(root);
+        using PatternRepository repository = new(root);
         using IRunProgress progress = RunProgress.Start("Patterns", TileId.Count, unattended, host.Log, host.Clock);
         PatternSet made = repository.EnsurePatterns(
             TileId.All, grid, options, Environment.ProcessorCount, new StepProgress(progress), cancellation);

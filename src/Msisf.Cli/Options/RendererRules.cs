@@ -13,17 +13,22 @@ internal static class RendererRules
     {
         if (renderer == RendererKind.PovRay)
         {
-            Refuse(native.OfNativeOnly, isGiven, "is for --renderer native only. Add that, or leave it out.");
+            Refuse(WithoutMeaning(renderer, native, source, run), isGiven, "is for --renderer native only. Add that, or leave it out.");
             return;
         }
 
-        Option[] ofPovRay = [run.PovPath, run.PovOptions, run.Timeout, run.ListPatterns, source.PatternRepository];
-        Refuse(ofPovRay, isGiven, "has no meaning with --renderer native, which needs neither POV-Ray nor patterns. Leave it out, or choose --renderer povray.");
+        Refuse(WithoutMeaning(renderer, native, source, run), isGiven, "has no meaning with --renderer native, which needs neither POV-Ray nor patterns. Leave it out, or choose --renderer povray.");
         if (isGiven(native.LayersFormat) && !isGiven(native.Layers))
         {
             throw new UsageException("--layers-format is given, but no --layers. Name the layers, or leave it out.");
         }
     }
+
+    /// <summary>The options that a renderer could only ignore.</summary>
+    public static IEnumerable<Option> WithoutMeaning(RendererKind renderer, NativeOptions native, SourceOptions source, RunOptions run) =>
+        renderer == RendererKind.PovRay
+            ? native.OfNativeOnly
+            : [run.PovPath, run.PovOptions, run.Timeout, run.ListPatterns, source.PatternRepository];
 
     private static void Refuse(IEnumerable<Option> options, Func<Option, bool> isGiven, string why)
     {

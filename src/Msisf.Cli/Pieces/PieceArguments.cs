@@ -56,7 +56,7 @@ internal sealed class PieceArguments
 
     private void Refuse(Option option, string why)
     {
-        if (_line.GetResult(option) is { Implicit: false })
+        if (Words(option).Length > 0)
         {
             throw new UsageException($"{option.Name} {why}. Leave it out.");
         }

@@ -25,7 +25,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
 
     /// <param name="settings">Of the run.</param>
     /// <param name="model">The elevation model.</param>
-    /// <param name="patterns">The scenes' meshes.</param>
+    /// <param name="patterns">The scenes' meshes; disposed with this.</param>
     /// <param name="povRay">Starts POV-Ray.</param>
     /// <param name="processes">So many POV-Rays run at once; the next frame's meshes are made meanwhile.</param>
     /// <param name="files">Writes a frame's files.</param>
@@ -76,7 +76,11 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     }
 
     /// <inheritdoc/>
-    public void Dispose() => _processes.Dispose();
+    public void Dispose()
+    {
+        _patterns.Dispose();
+        _processes.Dispose();
+    }
 
     /// <summary>POV-Ray parses with one thread: a scene that takes long is drawn in strips, one a core, each with the parts that it needs.</summary>
     private int StripsFor(IReadOnlyList<SurfacePart> parts, int threads) =>
@@ -110,9 +114,12 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)
     {
         long start = System.Diagnostics.Stopwatch.GetTimestamp();
-        using CancellationTokenSource others = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-        Task<PovRayPicture>[] runs = [.. jobs.Select(job => _povRay.RenderAsync(job, others.Token))];
-        PovRayPicture[] pictures = await AllOrNone(runs, others).ConfigureAwait(false);
+        PovRayPicture[] pictures = new PovRayPicture[jobs.Length];
+
+        // When one run fails, the others are ended, and its own error is thrown.
+        ParallelOptions allAtOnce = new() { MaxDegreeOfParallelism = jobs.Length, CancellationToken = cancellation };
+        await Parallel.ForAsync(0, jobs.Length, allAtOnce, async (strip, stop) =>
+            pictures[strip] = await _povRay.RenderAsync(jobs[strip], stop).ConfigureAwait(false)).ConfigureAwait(false);
         MemoryStream picture = new();
         PngRaster.Join([.. pictures.Select(strip => strip.Raster)], [.. strips.Select(strip => strip.First)]).Write(picture);
         picture.Position = 0;
@@ -120,23 +127,6 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _times.Add(Phase.Parse, pictures.Max(strip => strip.Times.ParseSeconds) ?? 0.0);
         _times.Add(Phase.Trace, pictures.Max(strip => strip.Times.TraceSeconds) ?? 0.0);
         return picture;
-    }
-
-    /// <summary>When one run fails, the others are ended, and its own error is thrown.</summary>
-    private static async Task<PovRayPicture[]> AllOrNone(Task<PovRayPicture>[] runs, CancellationTokenSource others)
-    {
-        await foreach (Task<PovRayPicture> run in Task.WhenEach(runs).ConfigureAwait(false))
-        {
-            if (!run.IsCompletedSuccessfully)
-            {
-                await others.CancelAsync().ConfigureAwait(false);
-                await Task.WhenAll(runs.Select(other => other.ContinueWith(
-                    _ => { }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default))).ConfigureAwait(false);
-                return [await run.ConfigureAwait(false)];
-            }
-        }
-
-        return await Task.WhenAll(runs).ConfigureAwait(false);
     }
 
     private TracedFrameTruth? TruthOf(Frame frame) =>

@@ -165,7 +165,7 @@ internal sealed class RenderRun : IDisposable
     private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files, int processes)
     {
         PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
-        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Levels));
+        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
         return new PovRayFrameRenderer(_settings, model, patterns, povRay, processes, files, _times);
     }
 

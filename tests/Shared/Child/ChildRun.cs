@@ -20,6 +20,7 @@ internal sealed record ChildRun(int ExitCode, string Output, string Error)
             RedirectStandardError = true,
             WorkingDirectory = folder,
         };
+        start.Environment["XDG_CONFIG_HOME"] = "/no-settings"; // those of whoever runs the tests play no part
         StringBuilder error = new();
         using Process process = new() { StartInfo = start };
         process.ErrorDataReceived += (_, line) => error.Append(line.Data is null ? string.Empty : line.Data + "\n");

@@ -9,11 +9,13 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
     /// <summary>Runs the program.</summary>
     /// <param name="arguments">As <c>main</c> gets them.</param>
     /// <param name="standardInput">What stands on standard input.</param>
-    public static CommandLineRun Of(IReadOnlyList<string> arguments, string standardInput = "")
+    /// <param name="configHome">XDG_CONFIG_HOME; by default a folder that is not there, so that the settings of whoever runs the tests play no part.</param>
+    public static CommandLineRun Of(IReadOnlyList<string> arguments, string standardInput = "", string configHome = "/no-settings")
     {
         using StringWriter output = new();
         using StringWriter error = new();
-        ProgramHost host = new(output, error, () => new StringReader(standardInput), TimeProvider.System, Environment.GetEnvironmentVariable);
+        string? Variable(string name) => name == "XDG_CONFIG_HOME" ? configHome : Environment.GetEnvironmentVariable(name);
+        ProgramHost host = new(output, error, () => new StringReader(standardInput), TimeProvider.System, Variable);
         int exitCode = CommandLineProgram.RunAsync(arguments, host).GetAwaiter().GetResult();
         return new CommandLineRun(exitCode, output.ToString(), error.ToString());
     }
