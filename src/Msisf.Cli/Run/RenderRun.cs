@@ -22,28 +22,18 @@ internal sealed class RenderRun : IDisposable
     private readonly RenderSettings _settings;
     private readonly ProgramHost _host;
     private readonly RunTimes _times;
-    private OpenedEphemeris? _ephemeris;
+    private readonly EphemerisSource _ephemeris;
 
     public RenderRun(RenderSettings settings, ProgramHost host)
     {
         _settings = settings;
         _host = host;
         _times = host.Times;
+        _ephemeris = new EphemerisSource(settings, host);
     }
 
     /// <summary>The ephemeris engine, opened when it is first needed.</summary>
-    public IEphemeris Ephemeris()
-    {
-        if (_ephemeris is null)
-        {
-            Installation installation = _host.Installation;
-            _ephemeris = EphemerisFactory.Open(new EphemerisRequest(
-                _settings.Ephemeris, [_settings.Kernels ?? installation.MetaKernel], installation.Root, _host.Environment("MSISF_CSPICE")));
-            _host.Log.Note(_ephemeris.Notice);
-        }
-
-        return _ephemeris.Engine;
-    }
+    public IEphemeris Ephemeris() => _ephemeris.Engine();
 
     /// <summary>Does the run.</summary>
     /// <param name="readStates">Reads all states.</param>
@@ -73,7 +63,7 @@ internal sealed class RenderRun : IDisposable
         }
     }
 
-    public void Dispose() => _ephemeris?.Dispose();
+    public void Dispose() => _ephemeris.Dispose();
 
     /// <summary>What some options need is looked for before any work is done.</summary>
     private void RequireParts()
@@ -94,7 +84,7 @@ internal sealed class RenderRun : IDisposable
 
     private RunIdentity Identify(ElevationModel model, string? povRayVersion)
     {
-        OpenedEphemeris? sun = _settings.IgnoreSun ? null : _ephemeris;
+        OpenedEphemeris? sun = _settings.IgnoreSun ? null : _ephemeris.Opened;
         return RunIdentity.Of(
             _host.Version,
             FrameArguments.OfSettings(_settings, sun?.Choice),
