@@ -14,6 +14,7 @@ internal enum Part
     Fitsverify,
     Astropy,
     Gdal,
+    Slurm,
     Python,
 }
 
@@ -54,6 +55,7 @@ internal static class MissingParts
         Part.Fitsverify => TestParts.Program("fitsverify") is not null,
         Part.Astropy => TestParts.PythonPackage("astropy") is not null,
         Part.Gdal => TestParts.PythonPackage("osgeo") is not null,
+        Part.Slurm => TestParts.Program("sbatch") is not null,
         Part.Python => TestParts.Python is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
