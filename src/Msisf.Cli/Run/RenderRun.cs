@@ -45,7 +45,7 @@ internal sealed class RenderRun : IDisposable
         IReadOnlyList<string> names = new FrameNaming(_settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
         Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, names, _settings, Ephemeris, cancellation));
         Task<IReadOnlyList<(string Name, string Sha256)>> kernels = Task.Run(
-            () => RunIdentity.ChecksumsOf(_settings.IgnoreSun ? [] : _ephemeris?.Kernels ?? []), cancellation);
+            () => RunIdentity.ChecksumsOf(_settings.IgnoreSun ? [] : _ephemeris.Opened?.Kernels ?? []), cancellation);
         using ElevationModel model = _times.Measure(Phase.Model, () => ElevationModel.Open(
             _settings.Ldem, _settings.PixelsPerDegree, isSparing: _settings.Renderer == RendererKind.PovRay, _host));
         FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
