@@ -42,23 +42,12 @@ public sealed class StorageStress : IStressTest
         cp -R frames patterns copy
         """;
 
-    /// <summary>Files may have $1 KB at most, as by a quota.</summary>
-    private const string FileLimit = """
-        size=$1; shift
-        mkdir frames patterns copy
-        code=0; (ulimit -f $((size * 2)); exec "$@") >first.txt 2>&1 || code=$?
-        echo "$code"
-        code=0; "$@" >second.txt 2>&1 || code=$?
-        echo "$code"
-        cp -R frames patterns copy
-        """;
-
     /// <inheritdoc/>
     public string Name => "storage";
 
     /// <inheritdoc/>
     public string Subject =>
-        "Runs whose disk is full at a random moment (a small tmpfs for frames and patterns), whose folder of outputs or patterns becomes read-only, or whose files may not grow beyond a random size; then the same call with room enough. Both renderers.";
+        "Runs whose disk is full at a random moment (a small tmpfs for frames and patterns), or whose folder of outputs or patterns becomes read-only; then the same call with room enough. Both renderers.";
 
     /// <inheritdoc/>
     public string? MissingPart => Msis.MissingPart ?? MountNamespace.MissingPart ?? (TestParts.Program("povray") is null ? "POV-Ray" : null);
@@ -85,7 +74,6 @@ public sealed class StorageStress : IStressTest
             {
                 tried.Add((FullDisk, Kilobytes(random, 50, 250)));
                 tried.Add((FullDisk, Kilobytes(random, 250, 700)));
-                tried.Add((FileLimit, Kilobytes(random, 1, 30)));
             }
 
             foreach ((string script, string argument) in tried)
@@ -103,7 +91,7 @@ public sealed class StorageStress : IStressTest
     private static void Try(FrameSeries series, string script, string argument, TemporaryFolder alone, SetJudge judge, CaseCount unclear)
     {
         using TemporaryFolder folder = new();
-        string what = $"{(script == FullDisk ? "disk of KB" : script == FileLimit ? "files of KB" : "read-only")} {argument}, {(series.Patterns is null ? "native" : "POV-Ray")}";
+        string what = $"{(script == FullDisk ? "disk of KB" : "read-only")} {argument}, {(series.Patterns is null ? "native" : "POV-Ray")}";
         string[] codes = MountNamespace.Run(folder.Path, script, [argument, Msis.Program, .. series.Arguments(Output)]).Split('\n');
         string first = File.ReadAllText(folder["first.txt"]);
         ChildRun last = new(int.Parse(codes[1], CultureInfo.InvariantCulture), string.Empty, File.ReadAllText(folder["second.txt"]));
