@@ -15,6 +15,8 @@ internal enum Part
     Astropy,
     Gdal,
     Slurm,
+    Shellcheck,
+    Parallel,
     Python,
 }
 
@@ -56,6 +58,8 @@ internal static class MissingParts
         Part.Astropy => TestParts.PythonPackage("astropy") is not null,
         Part.Gdal => TestParts.PythonPackage("osgeo") is not null,
         Part.Slurm => TestParts.Program("sbatch") is not null,
+        Part.Shellcheck => TestParts.Program("shellcheck") is not null,
+        Part.Parallel => TestParts.Program("parallel") is not null,
         Part.Python => TestParts.Python is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),

@@ -31,6 +31,9 @@ internal sealed class RenderRun : IDisposable
         _times = host.Times;
     }
 
+    /// <summary>Which ephemeris engine was opened; null if none was needed so far.</summary>
+    public EphemerisChoice? EphemerisEngine => _ephemeris?.Choice;
+
     /// <summary>The ephemeris engine, opened when it is first needed.</summary>
     public IEphemeris Ephemeris()
     {
