@@ -1,5 +1,6 @@
 using Msisf.Stress.Attitude;
 using Msisf.Stress.Camera;
+using Msisf.Stress.Cluster;
 using Msisf.Stress.Engines;
 using Msisf.Stress.Metadata;
 using Msisf.Stress.Orbit;
@@ -35,5 +36,9 @@ public static class StressTests
         new CameraStress(),
         new CoordinatesStress(),
         new SelectionStress(),
+        new KillStress(),
+        new StorageStress(),
+        new CrowdStress(),
+        new LongSeriesStress(),
     ];
 }

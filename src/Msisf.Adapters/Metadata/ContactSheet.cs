@@ -20,6 +20,9 @@ public static class ContactSheet
 
     private const double FontSize = 11.0;
 
+    /// <summary>Between black, which night and space are, and the white of the text.</summary>
+    private const double BackgroundGrey = 0.2;
+
     /// <summary>Writes the sheet.</summary>
     /// <param name="destination">Receives it, PNG without time stamps: same pictures, same bytes.</param>
     /// <param name="frames">Step and picture file of each frame, in the order in which they are shown; at least one.</param>
@@ -32,6 +35,8 @@ public static class ContactSheet
         int columns = Math.Min(count, Columns);
         int rows = (count + columns - 1) / columns;
         using CairoImage sheet = CairoImage.Black(columns * (Side + TextHeight), rows * (Side + (2 * TextHeight)));
+        sheet.SetColor(BackgroundGrey, BackgroundGrey, BackgroundGrey, 1.0);
+        sheet.FillRectangle(0.0, 0.0, sheet.Width, sheet.Height);
         for (int index = 0; index < count; index++)
         {
             cancellation.ThrowIfCancellationRequested();

@@ -60,7 +60,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         IReadOnlyList<PixelRows> strips = PixelRows.Strips(frame.Camera.Height, error is null ? 1 : StripsFor(parts, threads), PovRayProcess.BlockRows);
         PovRayJob[] jobs = strips.Count == 1
             ? [JobOf(frame, parts, null, threads)]
-            : Jobs(frame, strips, threads / strips.Count, cancellation);
+            : Jobs(frame, parts, strips, threads / strips.Count, cancellation);
         await _processes.WaitAsync(cancellation).ConfigureAwait(false);
         try
         {
@@ -86,14 +86,20 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private int StripsFor(IReadOnlyList<SurfacePart> parts, int threads) =>
         (int)Math.Clamp(_patterns.CountFaces(parts) / LeastFacesOfStrip, 1, threads);
 
-    private PovRayJob[] Jobs(Frame frame, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
+    /// <summary>
+    /// Each strip takes its parts from those of the whole picture: by itself it could do with coarser levels where shadows fall beyond its rows, and the
+    /// pixels would depend on how many strips there are.
+    /// </summary>
+    private PovRayJob[] Jobs(Frame frame, IReadOnlyList<SurfacePart> parts, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
     {
-        IReadOnlyList<SurfacePart>[] parts = _times.Measure(
+        IReadOnlyList<SurfacePart>[] ofStrips = _times.Measure(
             Phase.Selection,
-            () => strips.AsParallel().AsOrdered().WithCancellation(cancellation)
-                .Select(rows => _model.SelectParts(frame, _settings.LevelOfDetailError, rows)).ToArray());
-        _times.Measure(Phase.Patterns, () => _patterns.Ensure(parts.SelectMany(ofStrip => ofStrip), cancellation));
-        return [.. strips.Zip(parts).Select(strip => JobOf(frame, strip.Second, strip.First, threads))];
+            () => strips.AsParallel().AsOrdered().WithCancellation(cancellation).Select(rows =>
+            {
+                PartArea area = new(_model.SelectParts(frame, _settings.LevelOfDetailError, rows));
+                return (IReadOnlyList<SurfacePart>)[.. parts.Where(area.Overlaps)];
+            }).ToArray());
+        return [.. strips.Zip(ofStrips).Select(strip => JobOf(frame, strip.Second, strip.First, threads))];
     }
 
     private PovRayJob JobOf(Frame frame, IReadOnlyList<SurfacePart> parts, PixelRows? rows, int threads) => new(

@@ -57,6 +57,8 @@ internal sealed class RenderRun : IDisposable
         IReadOnlyList<SpacecraftState> states = _times.Measure(Phase.States, readStates);
         IReadOnlyList<string> names = new FrameNaming(_settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
         Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, names, _settings, Ephemeris, cancellation));
+        Task<IReadOnlyList<(string Name, string Sha256)>> kernels = Task.Run(
+            () => RunIdentity.ChecksumsOf(_settings.IgnoreSun ? [] : _ephemeris?.Kernels ?? []), cancellation);
         using ElevationModel model = _times.Measure(Phase.Model, () => ElevationModel.Open(
             _settings.Ldem, _settings.PixelsPerDegree, isSparing: _settings.Renderer == RendererKind.PovRay, _host));
         FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
@@ -68,7 +70,8 @@ internal sealed class RenderRun : IDisposable
 
         RequireParts();
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
-        RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(states, names, Identify(model, version)));
+        IReadOnlyList<(string Name, string Sha256)> checksums = await kernels.ConfigureAwait(false);
+        RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(states, names, Identify(model, checksums, version)));
         IReadOnlyList<FrameOutputs> outputs = await RenderAsync(frames, plan, model, cancellation).ConfigureAwait(false);
         if (_settings.Timing)
         {
@@ -95,7 +98,7 @@ internal sealed class RenderRun : IDisposable
     private Task<string> AskPovRayVersion() =>
         PovRayVersion.AskAsync(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
-    private RunIdentity Identify(ElevationModel model, string? povRayVersion)
+    private RunIdentity Identify(ElevationModel model, IReadOnlyList<(string Name, string Sha256)> kernels, string? povRayVersion)
     {
         OpenedEphemeris? sun = _settings.IgnoreSun ? null : _ephemeris;
         return RunIdentity.Of(
@@ -103,7 +106,7 @@ internal sealed class RenderRun : IDisposable
             FrameArguments.OfSettings(_settings, sun?.Choice),
             model.Fingerprint(),
             sun?.Engine.EngineName,
-            sun?.Kernels ?? [],
+            kernels,
             povRayVersion);
     }
 

@@ -79,7 +79,7 @@ internal sealed class FrameSet
 
         IEnumerable<string> others = Enum.GetValues<FrameState>().Where(state => state != FrameState.Right && CountOf(state) > 0)
             .Select(state => string.Create(CultureInfo.InvariantCulture, $", {CountOf(state)} {Word(state)}"));
-        results.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{Count} frames: {CountOf(FrameState.Right)} right{string.Concat(others)}."));
+        results.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{Count} frame{(Count == 1 ? string.Empty : "s")}: {CountOf(FrameState.Right)} right{string.Concat(others)}."));
     }
 
     /// <summary>The frames of a run that are right, in the order of their steps.</summary>

@@ -50,6 +50,18 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
         AssertHoldsTheManifestOnly();
     }
 
+    /// <summary>With another version than before all frames would be made again.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_PovRayIsKilledWhenAskedForItsVersion_MakesNothing()
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            ["--fixed-state", State, "--pov-path", StandIn("exit 4", version: "kill -9 $$"), .. _fixture.Common(_folder["out"])]);
+
+        Assert.Equal(3, run.ExitCode);
+        Assert.Contains("--version: was killed by signal 9", run.Error, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(_folder["out"]));
+    }
+
     [RequiresFact(Part.Ldem4)]
     public void Run_PovRayHangs_IsEndedAfterTheTimeout()
     {
@@ -158,10 +170,10 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
         [".msisf-claims", ".msisf-manifest.lock", "msisf-manifest.jsonl"],
         Directory.EnumerateFileSystemEntries(_folder["out"]).Select(Path.GetFileName).Order(StringComparer.Ordinal));
 
-    private string StandIn(string script)
+    private string StandIn(string script, string version = "echo 'POV-Ray 3.7.0.0' && exit")
     {
         string path = _folder["povray-stand-in"];
-        File.WriteAllText(path, $"#!/bin/sh\n[ \"$1\" = --version ] && echo 'POV-Ray 3.7.0.0' && exit\n{script}\n");
+        File.WriteAllText(path, $"#!/bin/sh\n[ \"$1\" = --version ] && {version}\n{script}\n");
         File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserExecute);
         return path;
     }
