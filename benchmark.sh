@@ -2,11 +2,12 @@
 # Measures run time against error of both renderers, with the thesis's own way as the base line of the same run; writes the
 # tables into docs/performance.md and all figures and plots into docs/benchmark/. As root, or as a user with sudo. Under 20
 # minutes, and some minutes and 4 GB more in benchmark/ at the first run. Leave the machine alone meanwhile.
-#     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick]]
+#     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]]
 # --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., from-nothing, sequence).
 # With one of the two the results stay in benchmark/, and docs/ is left alone.
 # --micro: micro-benchmarks of single parts instead, into benchmark/micro/.
-# --stress: the stress tests at full length instead, into docs/accuracy.md and docs/benchmark/; with --quick at everyday length, docs/ is left alone.
+# --stress: the stress tests at full length instead, into docs/accuracy.md and docs/benchmark/; with --quick at everyday length,
+# with --tests only those; then docs/ is left alone.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
@@ -21,6 +22,7 @@ is_partial=''
 is_micro=''
 is_stress=''
 scenes=''
+tests=''
 while [ $# -gt 0 ]; do
     case $1 in
         --quick) choice+=(--quick) is_partial=yes ;;
@@ -28,14 +30,21 @@ while [ $# -gt 0 ]; do
             scenes=$2 is_partial=yes
             choice+=(--scenes "$2")
             shift ;;
+        --tests) [ -n "${2:-}" ] || die '--tests needs names, separated by commas'
+            tests=$2 is_partial=yes
+            choice+=(--tests "$2")
+            shift ;;
         --micro) is_micro=yes ;;
         --stress) is_stress=yes ;;
-        *) die "unknown argument $1. Usage: ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick]]" ;;
+        *) die "unknown argument $1. Usage: ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]]" ;;
     esac
     shift
 done
 if [ -n "$is_stress" ] && [ -n "$is_micro$scenes" ]; then
-    die '--stress goes with --quick only'
+    die '--stress goes with --quick and --tests only'
+fi
+if [ -n "$tests" ] && [ -z "$is_stress" ]; then
+    die '--tests names stress tests: it goes with --stress only'
 fi
 
 cd "$root"

@@ -1,5 +1,6 @@
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Fronts;
+using Msisf.Stress;
 
 namespace Msisf.Benchmarks;
 
@@ -11,6 +12,7 @@ internal sealed class BenchmarkOptions
         Root = Single(values, "--root");
         Folder = Single(values, "--folder");
         Models = [.. values["--model"]];
+        StressTests = ChosenTests(values["--tests"].LastOrDefault());
         IsQuick = isQuick;
         Names = values["--scenes"].LastOrDefault() is string names
             ? names.Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
@@ -26,6 +28,9 @@ internal sealed class BenchmarkOptions
 
     /// <summary>Labels of the elevation models.</summary>
     public IReadOnlyList<string> Models { get; }
+
+    /// <summary>The stress tests that are to be run.</summary>
+    public IReadOnlyList<IStressTest> StressTests { get; }
 
     public bool IsQuick { get; }
 
@@ -61,7 +66,7 @@ internal sealed class BenchmarkOptions
             {
                 isQuick = true;
             }
-            else if (name is "--root" or "--folder" or "--model" or "--scenes" && words.MoveNext())
+            else if (name is "--root" or "--folder" or "--model" or "--scenes" or "--tests" && words.MoveNext())
             {
                 values.Add((name, words.Current));
             }
@@ -73,6 +78,12 @@ internal sealed class BenchmarkOptions
 
         return new BenchmarkOptions(values.ToLookup(pair => pair.Name, pair => pair.Value), isQuick);
     }
+
+    private static IReadOnlyList<IStressTest> ChosenTests(string? names) => names is null
+        ? Msisf.Stress.StressTests.All
+        : [.. names.Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).Select(name =>
+            Msisf.Stress.StressTests.All.FirstOrDefault(test => test.Name == name)
+                ?? throw new BenchmarkException($"there is no stress test {name}; known: {string.Join(", ", Msisf.Stress.StressTests.All.Select(test => test.Name))}."))];
 
     private static Scene Quick(Scene scene) => scene with { Settings = [.. scene.Settings.Intersect(Settings.Usual)] };
 

@@ -14,7 +14,7 @@ const string Usage = """
     measure     [--quick] [--scenes NAME,...] --root DIR --folder DIR --model LABEL...    measures; writes tables.md, figures.csv, targets.csv
     resolutions [--quick] [--scenes NAME,...]                                             prints which elevation models that needs, px/deg
     fill        LABEL                                                                     completes a part of a model by flat ground
-    stress      [--quick] --folder DIR                                                    runs all stress tests; writes tables.md, stress.csv, stress_machine.csv, stress_series.csv
+    stress      [--quick] [--tests NAME,...] --folder DIR                                 runs stress tests; writes tables.md, stress.csv, stress_machine.csv, stress_series.csv
     micro       [BenchmarkDotNet's options]                                               micro-benchmarks
     """;
 try
@@ -34,7 +34,7 @@ try
             return 0;
         case "stress":
             BenchmarkOptions stressOptions = BenchmarkOptions.Parse(args.Skip(1));
-            StressResult stressResult = StressRun.Measure(stressOptions.IsQuick ? StressLength.Everyday : StressLength.Full, StressTests.All, Console.Out);
+            StressResult stressResult = StressRun.Measure(stressOptions.IsQuick ? StressLength.Everyday : StressLength.Full, stressOptions.StressTests, Console.Out);
             StressFiles.Write(stressOptions.Folder, stressResult);
             return 0;
         case "micro":

@@ -183,6 +183,21 @@ test_benchmark_quick_stress_leaves_the_docs_alone() {
     assert_same "$(tail -n 1 "$CALLS")" 'stress --folder benchmark/stress --quick'
 }
 
+test_benchmark_single_stress_tests_leave_the_docs_alone() {
+    make_benchmark_clone
+    run clone/benchmark.sh --stress --tests kills,crowd
+    assert_code 0
+    assert_page_untouched
+    assert_same "$(tail -n 1 "$CALLS")" 'stress --folder benchmark/stress --tests kills,crowd'
+}
+
+test_benchmark_tests_without_stress_are_refused() {
+    make_benchmark_clone
+    run clone/benchmark.sh --tests kills
+    assert_code 1
+    assert_says 'it goes with --stress only'
+}
+
 test_benchmark_stress_that_fails_leaves_the_docs_alone() {
     make_benchmark_clone
     BROKEN=yes run clone/benchmark.sh --stress
