@@ -1,6 +1,7 @@
 using Msisf.Stress.Attitude;
 using Msisf.Stress.Camera;
 using Msisf.Stress.Engines;
+using Msisf.Stress.Fuzz;
 using Msisf.Stress.Metadata;
 using Msisf.Stress.Orbit;
 using Msisf.Stress.Povray;
@@ -35,5 +36,6 @@ public static class StressTests
         new CameraStress(),
         new CoordinatesStress(),
         new SelectionStress(),
+        new FuzzStress(),
     ];
 }
