@@ -76,6 +76,7 @@ get_model() {
 }
 
 install_parts povray matplotlib downloader certificates
+[ -z "$is_stress" ] || install_parts slurm parallel || warn 'going on without them: what needs them is reported as not run'
 scripts/build.sh
 ensure_dotnet
 dotnet build tests/Msisf.Benchmarks -c Release -v quiet -nologo ||

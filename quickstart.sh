@@ -43,7 +43,7 @@ render() {
     else
         say "Rendering output/$name.png ..."
         ./msis "$@" --width 1024 --height 1024 --fov 40 --res 4 "${model_options[@]}" --rendering-annotation \
-            --batch --output-name "$name"
+            --batch --overwrite --output-name "$name"
         [ -s "output/$name.png" ] || die "msis ended well, but did not write output/$name.png: please report this"
     fi
     pictures+=("$root/output/$name.png" "$root/output/$name.annotated.png")

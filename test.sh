@@ -18,7 +18,7 @@ MSISF_RESULTS=$(mktemp)
 export MSISF_RESULTS
 trap 'rm -f "$MSISF_RESULTS"' EXIT
 
-install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib downloader certificates xmllint shellcheck php phpunit mariadbd ||
+install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
     warn 'going on without them: their tests are skipped'
 ensure_dotnet
 

@@ -35,5 +35,5 @@ publish_stress() {
     replace_block docs/accuracy.md "$1/tables.md"
     mkdir -p docs/benchmark
     rm -f docs/benchmark/stress_*.svg
-    cp "$1"/stress.csv "$1"/stress_series.csv "$1"/stress_*.svg docs/benchmark/
+    cp "$1"/stress.csv "$1"/stress_machine.csv "$1"/stress_series.csv "$1"/stress_*.svg docs/benchmark/
 }

@@ -14,10 +14,14 @@ part_is_here() {
         icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
         certificates) certificates_are_here ;;
         php) have php && php -r 'exit(PHP_VERSION_ID >= 80200 && extension_loaded("pdo_mysql") ? 0 : 1);' ;;
-        mariadbd) { have mariadbd || [ -x /usr/sbin/mariadbd ]; } && have mariadb-install-db ;; # not on every user's PATH
+        mariadbd) sbin_has mariadbd && have mariadb-install-db ;;
+        slurm) have sbatch && sbin_has munged && sbin_has slurmctld && sbin_has slurmd ;;
         *) have "$1" ;;
     esac
 }
+
+# Daemons: their folder is not on every user's PATH.
+sbin_has() { have "$1" || [ -x "/usr/sbin/$1" ]; }
 
 # ldconfig is not on every user's PATH; Homebrew's libraries are in its own folders.
 library_is_here() {
@@ -60,6 +64,10 @@ package_of() {
         apt-php) echo php-cli php-mysql ;;
         # Not mariadb-server: that one starts a server, also at every boot. The tests start their own.
         apt-mariadbd) echo mariadb-server-core mariadb-client-core ;;
+        # Not slurm-wlm: the tests start the daemons themselves, as whoever runs them, and need no accounting and no e-mail.
+        apt-slurm) echo slurmctld slurmd slurm-client munge ;;
+        dnf-slurm) echo slurm slurm-slurmctld slurm-slurmd munge ;;
+        pacman-slurm) echo slurm-llnl munge ;;
         dnf-php) echo php-cli php-mysqlnd ;;
         dnf-mariadbd) echo mariadb-server ;;
         pacman-mariadbd) echo mariadb ;;
@@ -111,13 +119,30 @@ install_command() {
     fi
 }
 
+# Debian's packages start what they install, unless this file, which is seldom there, says not to.
+start_policy=/usr/sbin/policy-rc.d
+
+# without_starting COMMAND...: nothing that it installs is left running; the tests start their own daemons.
+without_starting() {
+    local code=0
+    if [ -e "$start_policy" ]; then
+        "$@"
+        return
+    fi
+    # shellcheck disable=SC2016 # expanded by the inner shell
+    printf '#!/bin/sh\nexit 101\n' | as_root sh -c 'cat >"$1" && chmod 755 "$1"' sh "$start_policy" || return
+    "$@" || code=$?
+    as_root rm -f "$start_policy"
+    return "$code"
+}
+
 # The lists of packages are only renewed if they do not do as they are: a fresh machine has none.
 apt_install() {
     local log
     log=$(mktemp)
     say "Installing with apt: $*"
-    if apt_get install "$@" >"$log" 2>&1 ||
-        { apt_get update >>"$log" 2>&1 && apt_get install "$@" >>"$log" 2>&1; }; then
+    if without_starting apt_get install "$@" >"$log" 2>&1 ||
+        { apt_get update >>"$log" 2>&1 && without_starting apt_get install "$@" >>"$log" 2>&1; }; then
         rm -f "$log"
         return 0
     fi

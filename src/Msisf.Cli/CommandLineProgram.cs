@@ -30,6 +30,9 @@ internal static class CommandLineProgram
             root.Subcommands.Add(LdemCommand.Create(host));
             root.Subcommands.Add(CheckCommand.CreateStatus(host));
             root.Subcommands.Add(CheckCommand.CreateVerify(host));
+            root.Subcommands.Add(MergeCommand.Create(host));
+            root.Subcommands.Add(BatchConvertCommand.Create(host));
+            root.Subcommands.Add(SubmitCommand.Create(host));
             root.Subcommands.Add(ConfigCommand.Create(configuration, host));
             ParseResult line = configuration.Parse(arguments);
             if (line.Errors.Count > 0)

@@ -14,7 +14,7 @@ const string Usage = """
     measure     [--quick] [--scenes NAME,...] --root DIR --folder DIR --model LABEL...    measures; writes tables.md, figures.csv, targets.csv
     resolutions [--quick] [--scenes NAME,...]                                             prints which elevation models that needs, px/deg
     fill        LABEL                                                                     completes a part of a model by flat ground
-    stress      [--quick] --folder DIR                                                    runs all stress tests; writes tables.md, stress.csv, stress_series.csv
+    stress      [--quick] --folder DIR                                                    runs all stress tests; writes tables.md, stress.csv, stress_machine.csv, stress_series.csv
     micro       [BenchmarkDotNet's options]                                               micro-benchmarks
     """;
 try

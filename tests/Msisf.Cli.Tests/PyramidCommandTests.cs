@@ -46,4 +46,21 @@ public sealed class PyramidCommandTests : IDisposable
         Assert.Equal(2, run.ExitCode);
         Assert.Contains("LDEM_4_SYNTHETIC.pyramid: it is damaged, or no pyramid of this version; it is not used.", run.Error, StringComparison.Ordinal);
     }
+
+    [Theory]
+    [InlineData("auto", true)]
+    [InlineData("off", false)]
+    public void Render_DamagedSidecar_IsWarnedAboutWhereLevelsAreUsed(string levels, bool isWarned)
+    {
+        File.WriteAllText(Sidecar, "not a pyramid");
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "--fixed-state", "{55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1}", "--ignore-sun", "--fov", "1", "--width", "8", "--height", "8", "--lod", levels, "--ldem", _label,
+            "--pattern-repos", Path.Combine(_folder.Path, "patterns"), "--output-dir", Path.Combine(_folder.Path, "out"), "--pov-path", "/bin/false", "--batch",
+        ]);
+
+        Assert.Equal(3, run.ExitCode); // that is no POV-Ray
+        Assert.Contains("/bin/false", run.Error, StringComparison.Ordinal);
+        Assert.Equal(isWarned, run.Error.Contains("LDEM_4_SYNTHETIC.pyramid: it is damaged", StringComparison.Ordinal));
+    }
 }

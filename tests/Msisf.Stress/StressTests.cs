@@ -1,5 +1,6 @@
 using Msisf.Stress.Attitude;
 using Msisf.Stress.Camera;
+using Msisf.Stress.Cluster;
 using Msisf.Stress.Engines;
 using Msisf.Stress.Fuzz;
 using Msisf.Stress.Metadata;
@@ -37,5 +38,11 @@ public static class StressTests
         new CoordinatesStress(),
         new SelectionStress(),
         new FuzzStress(),
+        new PiecesStress(),
+        new KillStress(),
+        new SlurmKillStress(),
+        new StorageStress(),
+        new CrowdStress(),
+        new LongSeriesStress(),
     ];
 }

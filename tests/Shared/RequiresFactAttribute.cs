@@ -14,6 +14,10 @@ internal enum Part
     Fitsverify,
     Astropy,
     Gdal,
+    Slurm,
+    Shellcheck,
+    Parallel,
+    Python,
 }
 
 /// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
@@ -53,6 +57,10 @@ internal static class MissingParts
         Part.Fitsverify => TestParts.Program("fitsverify") is not null,
         Part.Astropy => TestParts.PythonPackage("astropy") is not null,
         Part.Gdal => TestParts.PythonPackage("osgeo") is not null,
+        Part.Slurm => TestParts.Program("sbatch") is not null,
+        Part.Shellcheck => TestParts.Program("shellcheck") is not null,
+        Part.Parallel => TestParts.Program("parallel") is not null,
+        Part.Python => TestParts.Python is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

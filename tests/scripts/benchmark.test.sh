@@ -60,6 +60,7 @@ case $1 in
         [ -z "${BROKEN:-}" ] || exit 1
         echo '| kepler |' >benchmark/stress/tables.md
         echo figures >benchmark/stress/stress.csv
+        echo times >benchmark/stress/stress_machine.csv
         echo series >benchmark/stress/stress_series.csv
         ;;
 esac
@@ -166,9 +167,10 @@ test_benchmark_stress_replaces_tables_and_plots() {
     assert_same "$(cat clone/docs/accuracy.md)" \
         "$(printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '' '| kepler |' '' '<!-- benchmark.sh: end -->' 'after')"
     cmp clone/docs/performance.md page || fail 'docs/performance.md has changed'
-    assert_same "$(cd clone/docs/benchmark && echo *)" 'figures.csv stress.csv stress_kepler_1.svg stress_series.csv'
+    assert_same "$(cd clone/docs/benchmark && echo *)" 'figures.csv stress.csv stress_kepler_1.svg stress_machine.csv stress_series.csv'
     assert_same "$(cat clone/docs/benchmark/stress_kepler_1.svg)" series
-    assert_same "$(grep -e matplotlib -e '^stress' "$CALLS")" $'parts povray matplotlib downloader certificates\nstress --folder benchmark/stress'
+    assert_same "$(grep -e 'povray matplotlib' -e ' slurm' -e '^stress' "$CALLS")" \
+        $'parts povray matplotlib downloader certificates\nparts slurm parallel\nstress --folder benchmark/stress'
 }
 
 test_benchmark_quick_stress_leaves_the_docs_alone() {

@@ -15,6 +15,7 @@ case $* in
 esac
 APT
     as_root() { "$@"; }
+    start_policy=$PWD/policy-rc.d
 }
 
 test_packages_nothing_missing_leaves_apt_alone() {
@@ -46,6 +47,34 @@ test_packages_refused_for_good_says_what_to_do() {
     assert_code 1
     assert_says 'E: no such package'
     assert_says 'As root, run: apt-get update && apt-get install missing-one'
+}
+
+test_packages_installation_starts_no_daemon() {
+    fake_apt
+    make_executable bin/apt-get <<'APT'
+#!/bin/sh
+./policy-rc.d || echo "policy says $?" >>"$CALLS"
+exit "${APT_CODE:-0}"
+APT
+    run install_parts missing-one
+    assert_code 0
+    assert_same "$(cat "$CALLS")" 'policy says 101'
+    assert_no_file policy-rc.d
+    APT_CODE=100 run install_parts missing-one
+    assert_code 1
+    assert_no_file policy-rc.d
+}
+
+test_packages_own_start_policy_is_left_alone() {
+    fake_apt
+    echo own >policy-rc.d
+    run install_parts missing-one
+    assert_code 0
+    assert_same "$(cat policy-rc.d)" own
+}
+
+test_packages_slurm_comes_without_accounting() {
+    assert_same "$(packages_of apt slurm parallel)" 'slurmctld slurmd slurm-client munge parallel'
 }
 
 # A PATH with these programs only.

@@ -21,6 +21,9 @@ public sealed class Installation
     /// <summary>Elevation models that the set-up script put here.</summary>
     public string ElevationModels => Path.Combine(Root, "input", "ldem");
 
+    /// <summary>What starts the program, in scripts that are run later and elsewhere.</summary>
+    public string Launcher => OperatingSystem.IsWindows() ? Path.Combine(Root, "publish", "msis.exe") : Path.Combine(Root, "msis");
+
     /// <summary>Looks for the installation from a folder upwards.</summary>
     /// <param name="programFolder">Folder of the running program.</param>
     /// <exception cref="ExternalPartException">No folder above holds the kernels.</exception>

@@ -31,6 +31,21 @@ internal sealed unsafe class CairoImage : IDisposable
     /// <summary>px.</summary>
     public int Height { get; }
 
+    /// <summary>Begins a black picture.</summary>
+    /// <param name="width">px.</param>
+    /// <param name="height">px.</param>
+    /// <exception cref="ExternalPartException">cairo is missing or has too little memory.</exception>
+    public static CairoImage Black(int width, int height)
+    {
+        RequireLibrary(CairoNative.Library);
+        CairoSurfaceHandle surface = CairoNative.cairo_image_surface_create(CairoNative.FormatArgb32, width, height);
+        ThrowIfFailed(CairoNative.cairo_surface_status(surface), "cairo_image_surface_create");
+        CairoImage image = new(surface);
+        image.SetColor(0.0, 0.0, 0.0, 1.0);
+        image.FillRectangle(0.0, 0.0, width, height);
+        return image;
+    }
+
     /// <summary>Reads a PNG picture.</summary>
     /// <exception cref="ExternalPartException">cairo is missing.</exception>
     /// <exception cref="BadInputException">The stream does not hold a whole PNG picture.</exception>
@@ -63,7 +78,7 @@ internal sealed unsafe class CairoImage : IDisposable
         if (!NativeLibrary.TryLoad(name, typeof(CairoImage).Assembly, searchPath: null, out _))
         {
             throw new ExternalPartException(
-                $"{name} (cairo, which draws the annotation) can't be loaded. Install it (Debian, Ubuntu: apt-get install libcairo2) or leave out --rendering-annotation.");
+                $"{name} (cairo, which draws on pictures) can't be loaded. Install it (Debian, Ubuntu: apt-get install libcairo2) or leave out --rendering-annotation and --contact-sheet.");
         }
     }
 
@@ -104,6 +119,18 @@ internal sealed unsafe class CairoImage : IDisposable
         CairoNative.cairo_rectangle(_context, x, y, width, height);
         CairoNative.cairo_fill(_context);
         ThrowIfContextFailed("cairo_fill");
+    }
+
+    /// <summary>Draws another picture on it, with its upper left corner at a point.</summary>
+    public void DrawImage(CairoImage other, double x, double y, double scale)
+    {
+        CairoNative.cairo_save(_context);
+        CairoNative.cairo_translate(_context, x, y);
+        CairoNative.cairo_scale(_context, scale, scale);
+        CairoNative.cairo_set_source_surface(_context, other._surface, 0.0, 0.0);
+        CairoNative.cairo_paint(_context);
+        CairoNative.cairo_restore(_context);
+        ThrowIfContextFailed("cairo_paint");
     }
 
     /// <summary>How far a text reaches to the right, px.</summary>

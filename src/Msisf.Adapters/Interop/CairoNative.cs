@@ -3,12 +3,13 @@ using System.Runtime.InteropServices;
 
 namespace Msisf.Adapters.Interop;
 
-/// <summary>The functions of cairo 1.10 or newer that the annotation needs; C names, no logic.</summary>
+/// <summary>The functions of cairo 1.10 or newer that annotation and contact sheet need; C names, no logic.</summary>
 internal static unsafe partial class CairoNative
 {
     /// <summary>The name that the run-time linker knows; Debian and Ubuntu have it in the package libcairo2.</summary>
     internal const string Library = "libcairo.so.2";
 
+    internal const int FormatArgb32 = 0;
     internal const int StatusSuccess = 0;
     internal const int StatusNoMemory = 1;
     internal const int StatusReadError = 10;
@@ -104,4 +105,32 @@ internal static unsafe partial class CairoNative
     [LibraryImport(Library)]
     [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
     internal static partial nint cairo_status_to_string(int status);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial CairoSurfaceHandle cairo_image_surface_create(int format, int width, int height);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial void cairo_save(CairoContextHandle context);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial void cairo_restore(CairoContextHandle context);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial void cairo_translate(CairoContextHandle context, double x, double y);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial void cairo_scale(CairoContextHandle context, double x, double y);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial void cairo_set_source_surface(CairoContextHandle context, CairoSurfaceHandle surface, double x, double y);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial void cairo_paint(CairoContextHandle context);
 }

@@ -85,13 +85,20 @@ public sealed class ManifestFile
     public void AppendLocked(IEnumerable<ManifestRecord> records) => AppendBytes([.. records.SelectMany(ManifestLine.Write)]);
 
     /// <summary>Replaces the file by one with these lines. Within <see cref="Locked"/> only.</summary>
-    public void Replace(IEnumerable<ManifestRecord> records) => AtomicFile.Write(FilePath, stream =>
+    /// <param name="records">The lines.</param>
+    /// <param name="folder">Where the new file is until it is whole: see <see cref="AtomicFileSet"/>.</param>
+    public void Replace(IEnumerable<ManifestRecord> records, string folder)
     {
-        foreach (ManifestRecord record in records)
+        using AtomicFileSet files = new(folder);
+        files.Write(FilePath, stream =>
         {
-            stream.Write(ManifestLine.Write(record));
-        }
-    });
+            foreach (ManifestRecord record in records)
+            {
+                stream.Write(ManifestLine.Write(record));
+            }
+        });
+        files.Commit();
+    }
 
     private void Write(List<Line> lines)
     {

@@ -22,8 +22,6 @@ public sealed class PngRaster
         _rowLength = rowLength;
     }
 
-    private int Height => _rows.Length / _rowLength;
-
     /// <summary>Reads a picture.</summary>
     /// <param name="source">The file, from its first byte to its end.</param>
     /// <param name="name">The file's name for the message.</param>
@@ -40,18 +38,10 @@ public sealed class PngRaster
 
         int sampleBits = header.BitDepth * Channels(header.ColorType, name);
         int rowLength = ((header.Width * sampleBits) + 7) / 8;
-        byte[] filtered = new byte[header.Height * (rowLength + 1)];
-        int headLength = Inflate(file, filtered, name);
+        using MemoryStream compressed = new();
+        int headLength = SplitOffData(file, compressed);
         byte[] rows = new byte[header.Height * rowLength];
-        for (int row = 0; row < header.Height; row++)
-        {
-            ReadOnlySpan<byte> line = filtered.AsSpan(row * (rowLength + 1), rowLength + 1);
-            Span<byte> target = rows.AsSpan(row * rowLength, rowLength);
-            ReadOnlySpan<byte> above = row == 0 ? new byte[rowLength] : rows.AsSpan((row - 1) * rowLength, rowLength);
-            line[1..].CopyTo(target);
-            Unfilter(line[0], target, above, Math.Max(1, sampleBits / 8), name);
-        }
-
+        Unpack(compressed, rows, rowLength, Math.Max(1, sampleBits / 8), name);
         return new PngRaster(file[..headLength].ToArray(), rows, rowLength);
     }
 
@@ -60,6 +50,11 @@ public sealed class PngRaster
     /// <param name="firstRows">The first row of each; it ends where the next begins.</param>
     public static PngRaster Join(IReadOnlyList<PngRaster> strips, IReadOnlyList<int> firstRows)
     {
+        if (strips.Count == 1)
+        {
+            return strips[0];
+        }
+
         byte[] rows = new byte[strips[0]._rows.Length];
         for (int strip = 0; strip < strips.Count; strip++)
         {
@@ -80,9 +75,8 @@ public sealed class PngRaster
     }
 
     /// <returns>Length of all that stands before the pixels.</returns>
-    private static int Inflate(ReadOnlySpan<byte> file, byte[] filtered, string name)
+    private static int SplitOffData(ReadOnlySpan<byte> file, MemoryStream compressed)
     {
-        using MemoryStream compressed = new();
         int head = 0;
         for (int position = SignatureLength; position < file.Length;)
         {
@@ -97,17 +91,29 @@ public sealed class PngRaster
         }
 
         compressed.Position = 0;
+        return head;
+    }
+
+    private static void Unpack(MemoryStream compressed, byte[] rows, int rowLength, int pixelLength, string name)
+    {
+        using ZLibStream stream = new(compressed, CompressionMode.Decompress);
+        byte[] filter = new byte[1];
+        ReadOnlySpan<byte> above = new byte[rowLength];
         try
         {
-            using ZLibStream rows = new(compressed, CompressionMode.Decompress);
-            rows.ReadExactly(filtered);
+            for (int start = 0; start < rows.Length; start += rowLength)
+            {
+                Span<byte> row = rows.AsSpan(start, rowLength);
+                stream.ReadExactly(filter);
+                stream.ReadExactly(row);
+                Unfilter(filter[0], row, above, pixelLength, name);
+                above = row;
+            }
         }
         catch (Exception exception) when (exception is InvalidDataException or EndOfStreamException)
         {
             throw new BadInputException($"{name}: not a whole PNG picture: its pixels can't be unpacked. Render it again.", exception);
         }
-
-        return head;
     }
 
     private static int Channels(int colorType, string name) => colorType switch

@@ -1,20 +1,25 @@
 using System.ComponentModel;
 using System.Diagnostics;
 using System.Text.RegularExpressions;
+using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 
 /// <summary>Which POV-Ray it is: versions draw differently.</summary>
 public static partial class PovRayVersion
 {
-    /// <summary>What can't be told: a program that does not answer draws nothing either, or is one that stands in for POV-Ray.</summary>
+    /// <summary>A program that answers something else: one that stands in for POV-Ray.</summary>
     public const string Unknown = "unknown";
 
-    private static readonly TimeSpan LongestAnswer = TimeSpan.FromSeconds(5);
+    /// <summary>The system's own for a program that it has killed are higher.</summary>
+    private const int LastOwnExitCode = 128;
+
+    private static readonly TimeSpan LongestAnswer = TimeSpan.FromSeconds(60); // over a network file system at its busiest
 
     /// <summary>Asks the program.</summary>
     /// <param name="program">Its file.</param>
     /// <returns>E.g. "3.7.0.10.unofficial", or <see cref="Unknown"/>.</returns>
+    /// <exception cref="PovRayException">It can't be started, does not answer, or is killed: frames of an unknown version would pass for others.</exception>
     public static async Task<string> AskAsync(string program)
     {
         ProcessStartInfo start = new(program, ["--version"])
@@ -32,11 +37,14 @@ public static partial class PovRayVersion
             Task<string> output = process.StandardOutput.ReadToEndAsync(limit.Token);
             Task<string> error = process.StandardError.ReadToEndAsync(limit.Token);
             Match version = Number().Match(await output.ConfigureAwait(false) + await error.ConfigureAwait(false));
-            return version.Success ? version.Groups[1].Value : Unknown;
+            await process.WaitForExitAsync(limit.Token).ConfigureAwait(false);
+            return version.Success ? version.Groups[1].Value
+                : process.ExitCode <= LastOwnExitCode ? Unknown
+                : throw new PovRayException($"{program} --version: was killed by signal {process.ExitCode - LastOwnExitCode}. Run it again.");
         }
         catch (Exception exception) when (exception is OperationCanceledException or Win32Exception or IOException)
         {
-            return Unknown;
+            throw new PovRayException($"{program} --version: {(exception is OperationCanceledException ? "does not answer" : exception.Message)}. Give the path of POV-Ray 3.7 with --pov-path.", exception);
         }
         finally
         {

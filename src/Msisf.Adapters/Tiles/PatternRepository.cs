@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Runtime.ExceptionServices;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
@@ -9,18 +8,35 @@ namespace Msisf.Adapters.Tiles;
 
 /// <summary>
 /// The folder of pattern files: [root]/[res]/pattern_LDEM_[res]_lat_[a]_[b]_lon_[c]_[d].inc (docs/deviations.md, row 13).
-/// Patterns are made when they are first needed and kept. Several threads and processes may use one repository at once:
-/// a file appears whole under its name, and two that make the same one make the same bytes.
+/// Patterns are made when they are first needed and kept. Several threads and processes may use one repository at once: a file appears whole under its
+/// name, and each is made once, by whoever needs it first (docs/pattern-format.md). One object of this class a process and folder: the claims of a second
+/// one would not hold.
 /// </summary>
-public sealed class PatternRepository
+public sealed class PatternRepository : IDisposable
 {
+    /// <summary>File in the folder of a resolution; it stays empty. There is none in a repository that was always complete.</summary>
+    private const string ClaimsName = ".msisf-claims";
+
+
     private static readonly TimeSpan StaleAge = TimeSpan.FromHours(1); // a pattern takes under a second
 
     private readonly string _root;
+    private readonly TimeSpan _longestWait;
+    private readonly Dictionary<string, ClaimFile> _claims = [];
 
     /// <summary>Names the repository; the folder is made when the first pattern is written.</summary>
     /// <param name="root">Its folder.</param>
-    public PatternRepository(string root) => _root = root;
+    public PatternRepository(string root)
+        : this(root, PatternMaker.LongestWait)
+    {
+    }
+
+    /// <summary>The same with another limit on waiting for those who make the same patterns.</summary>
+    internal PatternRepository(string root, TimeSpan longestWait)
+    {
+        _root = root;
+        _longestWait = longestWait;
+    }
 
     /// <summary>The folder of a resolution's patterns.</summary>
     public string FolderOf(int pixelsPerDegree) => Path.Combine(_root, pixelsPerDegree.ToString(CultureInfo.InvariantCulture));
@@ -60,7 +76,7 @@ public sealed class PatternRepository
             builder,
             grid.ProductId,
             options.Format));
-        return Ensure([.. orders], maxParallelism, progress, cancellation);
+        return Ensure([.. orders], FolderOf(resolution), maxParallelism, progress, cancellation);
     }
 
     /// <summary>The same for parts of tiles at levels of detail, in the usual form and without margin.</summary>
@@ -78,57 +94,42 @@ public sealed class PatternRepository
             builders.Of(part.Level),
             builders.ProductId,
             PatternFormat.Mesh2));
-        return Ensure([.. orders], maxParallelism, progress: null, cancellation);
+        return Ensure([.. orders], FolderOf(builders.PixelsPerDegree), maxParallelism, progress: null, cancellation);
     }
 
-    private static PatternSet Ensure(PatternOrder[] orders, int maxParallelism, IProgress<int>? progress, CancellationToken cancellation)
+    /// <summary>Gives all claims back.</summary>
+    public void Dispose()
     {
-        int ready = 0;
-        int written = 0;
-        try
+        foreach (ClaimFile claims in _claims.Values)
         {
-            Parallel.ForEach(
-                orders,
-                new ParallelOptions { MaxDegreeOfParallelism = maxParallelism, CancellationToken = cancellation },
-                order =>
-                {
-                    if (Ensure(order))
-                    {
-                        Interlocked.Increment(ref written);
-                    }
-
-                    progress?.Report(Interlocked.Increment(ref ready));
-                });
+            claims.Dispose();
         }
-        catch (AggregateException exception)
-        {
-            // Which tiles fail first depends on the threads; for a repeatable message, take the first by text.
-            ExceptionDispatchInfo.Throw(exception.InnerExceptions.OrderBy(inner => inner.Message, StringComparer.Ordinal).First());
-        }
+    }
 
+    private PatternSet Ensure(PatternOrder[] orders, string folder, int maxParallelism, IProgress<int>? progress, CancellationToken cancellation)
+    {
+        int written = new PatternMaker(() => ClaimsIn(folder), maxParallelism, _longestWait, cancellation).Ensure(orders, progress);
         if (written > 0)
         {
-            RemoveStaleFiles(Path.GetDirectoryName(orders[0].Path)!);
+            RemoveStaleFiles(folder);
         }
 
         return new PatternSet([.. orders.Select(order => order.Path)], written);
     }
 
-    private static bool Ensure(PatternOrder order)
+    /// <summary>Stays open: to close such a file gives back every claim of the process on it.</summary>
+    private ClaimFile ClaimsIn(string folder)
     {
-        double[] radii = order.Builder.ReadRadii(order.Layout);
-        byte[] header = PatternHeader.WithoutLength(order.Layout, radii, order.Builder.WallFootRadius, order.ProductId, order.Format);
-        switch (PatternFile.Inspect(order.Path, header))
+        lock (_claims)
         {
-            case PatternFile.State.Good:
-                return false;
-            case PatternFile.State.Foreign:
-                throw new BadInputException($"{order.Path}: has a pattern's name, but this program has not made it, so it stays as it is. Move it away, or choose another pattern repository.");
-            default:
-                TileMesh mesh = order.Builder.Build(order.Layout, radii);
-                MakeFolder(Path.GetDirectoryName(order.Path)!);
-                AtomicFile.Write(order.Path, stream => PatternWriter.Write(stream, mesh, header, order.Format), flushToDisk: false);
-                return true;
+            if (!_claims.TryGetValue(folder, out ClaimFile? claims))
+            {
+                MakeFolder(folder);
+                claims = ClaimFile.Open(Path.Combine(folder, ClaimsName));
+                _claims.Add(folder, claims);
+            }
+
+            return claims;
         }
     }
 
@@ -174,8 +175,4 @@ public sealed class PatternRepository
             return;
         }
     }
-
-    /// <summary>A file that is wanted.</summary>
-    private readonly record struct PatternOrder(
-        string Path, TileMeshLayout Layout, TileMeshBuilder Builder, string ProductId, PatternFormat Format);
 }

@@ -92,6 +92,6 @@ internal sealed class FrameLoop
             (index, stop) => Make(index, async (frame, share, end) => await _maker.MakeAsync(frame, share, end).ConfigureAwait(false), stop)).ConfigureAwait(false);
         return failed.IsEmpty
             ? [.. outputs.OfType<FrameOutputs>()]
-            : throw new ExternalPartException($"{failed.Count} of {frames.Count} frames failed: --frames {StepRanges.Of(failed)}. The others are complete.");
+            : throw new ExternalPartException($"{failed.Count} of {frames.Count} frames failed: steps {StepRanges.Of(failed)}. The others are complete.");
     }
 }

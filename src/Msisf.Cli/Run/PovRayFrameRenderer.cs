@@ -25,7 +25,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
 
     /// <param name="settings">Of the run.</param>
     /// <param name="model">The elevation model.</param>
-    /// <param name="patterns">The scenes' meshes.</param>
+    /// <param name="patterns">The scenes' meshes; disposed with this.</param>
     /// <param name="povRay">Starts POV-Ray.</param>
     /// <param name="processes">So many POV-Rays run at once; the next frame's meshes are made meanwhile.</param>
     /// <param name="files">Writes a frame's files.</param>
@@ -60,7 +60,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         IReadOnlyList<PixelRows> strips = PixelRows.Strips(frame.Camera.Height, error is null ? 1 : StripsFor(parts, threads), PovRayProcess.BlockRows);
         PovRayJob[] jobs = strips.Count == 1
             ? [JobOf(frame, parts, null, threads)]
-            : Jobs(frame, strips, threads / strips.Count, cancellation);
+            : Jobs(frame, parts, strips, threads / strips.Count, cancellation);
         await _processes.WaitAsync(cancellation).ConfigureAwait(false);
         try
         {
@@ -76,20 +76,30 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     }
 
     /// <inheritdoc/>
-    public void Dispose() => _processes.Dispose();
+    public void Dispose()
+    {
+        _patterns.Dispose();
+        _processes.Dispose();
+    }
 
     /// <summary>POV-Ray parses with one thread: a scene that takes long is drawn in strips, one a core, each with the parts that it needs.</summary>
     private int StripsFor(IReadOnlyList<SurfacePart> parts, int threads) =>
         (int)Math.Clamp(_patterns.CountFaces(parts) / LeastFacesOfStrip, 1, threads);
 
-    private PovRayJob[] Jobs(Frame frame, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
+    /// <summary>
+    /// Each strip takes its parts from those of the whole picture: by itself it could do with coarser levels where shadows fall beyond its rows, and the
+    /// pixels would depend on how many strips there are.
+    /// </summary>
+    private PovRayJob[] Jobs(Frame frame, IReadOnlyList<SurfacePart> parts, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
     {
-        IReadOnlyList<SurfacePart>[] parts = _times.Measure(
+        IReadOnlyList<SurfacePart>[] ofStrips = _times.Measure(
             Phase.Selection,
-            () => strips.AsParallel().AsOrdered().WithCancellation(cancellation)
-                .Select(rows => _model.SelectParts(frame, _settings.LevelOfDetailError, rows)).ToArray());
-        _times.Measure(Phase.Patterns, () => _patterns.Ensure(parts.SelectMany(ofStrip => ofStrip), cancellation));
-        return [.. strips.Zip(parts).Select(strip => JobOf(frame, strip.Second, strip.First, threads))];
+            () => strips.AsParallel().AsOrdered().WithCancellation(cancellation).Select(rows =>
+            {
+                PartArea area = new(_model.SelectParts(frame, _settings.LevelOfDetailError, rows));
+                return (IReadOnlyList<SurfacePart>)[.. parts.Where(area.Overlaps)];
+            }).ToArray());
+        return [.. strips.Zip(ofStrips).Select(strip => JobOf(frame, strip.Second, strip.First, threads))];
     }
 
     private PovRayJob JobOf(Frame frame, IReadOnlyList<SurfacePart> parts, PixelRows? rows, int threads) => new(
@@ -110,9 +120,12 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)
     {
         long start = System.Diagnostics.Stopwatch.GetTimestamp();
-        using CancellationTokenSource others = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-        Task<PovRayPicture>[] runs = [.. jobs.Select(job => _povRay.RenderAsync(job, others.Token))];
-        PovRayPicture[] pictures = await AllOrNone(runs, others).ConfigureAwait(false);
+        PovRayPicture[] pictures = new PovRayPicture[jobs.Length];
+
+        // When one run fails, the others are ended, and its own error is thrown.
+        ParallelOptions allAtOnce = new() { MaxDegreeOfParallelism = jobs.Length, CancellationToken = cancellation };
+        await Parallel.ForAsync(0, jobs.Length, allAtOnce, async (strip, stop) =>
+            pictures[strip] = await _povRay.RenderAsync(jobs[strip], stop).ConfigureAwait(false)).ConfigureAwait(false);
         MemoryStream picture = new();
         PngRaster.Join([.. pictures.Select(strip => strip.Raster)], [.. strips.Select(strip => strip.First)]).Write(picture);
         picture.Position = 0;
@@ -120,23 +133,6 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _times.Add(Phase.Parse, pictures.Max(strip => strip.Times.ParseSeconds) ?? 0.0);
         _times.Add(Phase.Trace, pictures.Max(strip => strip.Times.TraceSeconds) ?? 0.0);
         return picture;
-    }
-
-    /// <summary>When one run fails, the others are ended, and its own error is thrown.</summary>
-    private static async Task<PovRayPicture[]> AllOrNone(Task<PovRayPicture>[] runs, CancellationTokenSource others)
-    {
-        await foreach (Task<PovRayPicture> run in Task.WhenEach(runs).ConfigureAwait(false))
-        {
-            if (!run.IsCompletedSuccessfully)
-            {
-                await others.CancelAsync().ConfigureAwait(false);
-                await Task.WhenAll(runs.Select(other => other.ContinueWith(
-                    _ => { }, CancellationToken.None, TaskContinuationOptions.None, TaskScheduler.Default))).ConfigureAwait(false);
-                return [await run.ConfigureAwait(false)];
-            }
-        }
-
-        return await Task.WhenAll(runs).ConfigureAwait(false);
     }
 
     private TracedFrameTruth? TruthOf(Frame frame) =>

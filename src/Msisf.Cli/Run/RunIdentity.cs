@@ -22,10 +22,10 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
     /// <param name="arguments">See <see cref="FrameArguments.OfSettings"/>.</param>
     /// <param name="model">The elevation model.</param>
     /// <param name="engine">Name and version of the ephemeris engine; null if the Sun is ignored.</param>
-    /// <param name="kernels">The kernels that it reads.</param>
+    /// <param name="kernels">See <see cref="ChecksumsOf"/>.</param>
     /// <param name="povRay">Version of POV-Ray; null if it draws nothing.</param>
     public static RunIdentity Of(
-        string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<string> kernels, string? povRay)
+        string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<(string Name, string Sha256)> kernels, string? povRay)
     {
         using MemoryStream stream = new();
         using (Utf8JsonWriter json = new(stream))
@@ -40,10 +40,10 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
             json.WriteEndObject();
             json.WriteString("ephemeris", engine);
             json.WriteStartArray("kernels");
-            foreach ((string path, string hash) in kernels.Zip(HashesOf(kernels)))
+            foreach ((string name, string hash) in kernels)
             {
                 json.WriteStartObject();
-                json.WriteString("name", Path.GetFileName(path));
+                json.WriteString("name", name);
                 json.WriteString("sha256", hash);
                 json.WriteEndObject();
             }
@@ -59,11 +59,13 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
     /// <summary>The key of some content.</summary>
     public static string KeyOf(ReadOnlySpan<byte> content) => Convert.ToHexStringLower(SHA256.HashData(content))[..KeyLength];
 
-    private static IEnumerable<string> HashesOf(IReadOnlyList<string> kernels)
+    /// <summary>Names and checksums of kernels; reads some 20 MB, so it is begun early.</summary>
+    /// <param name="kernels">Their paths, in load order.</param>
+    public static IReadOnlyList<(string Name, string Sha256)> ChecksumsOf(IReadOnlyList<string> kernels)
     {
         try
         {
-            return [.. kernels.AsParallel().AsOrdered().Select(FileHash.Sha256Of)];
+            return [.. kernels.AsParallel().AsOrdered().Select(path => (Path.GetFileName(path), FileHash.Sha256Of(path)))];
         }
         catch (AggregateException exception) when (exception.InnerException is IOException or UnauthorizedAccessException)
         {

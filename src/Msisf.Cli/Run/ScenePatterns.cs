@@ -5,20 +5,27 @@ using Msisf.Core.Tiles;
 namespace Msisf.Cli.Run;
 
 /// <summary>The patterns of a run's scenes: each is checked, or made, once a run, however many frames show it. Safe for several threads.</summary>
-internal sealed class ScenePatterns
+internal sealed class ScenePatterns : IDisposable
 {
     private readonly ConcurrentDictionary<SurfacePart, bool> _ready = new();
     private readonly PatternRepository _repository;
     private readonly LevelMeshBuilders _builders;
 
+    /// <param name="repository">Where they are; disposed with this.</param>
+    /// <param name="builders">Make their meshes.</param>
     public ScenePatterns(PatternRepository repository, LevelMeshBuilders builders)
     {
         _repository = repository;
         _builders = builders;
     }
 
+    public void Dispose() => _repository.Dispose();
+
     /// <summary>The folder of the patterns.</summary>
     public string Folder => _repository.FolderOf(_builders.PixelsPerDegree);
+
+    /// <summary>How many have been checked or made.</summary>
+    public int Count => _ready.Count;
 
     /// <summary>File name of a part's mesh, without folder.</summary>
     public string FileNameOf(SurfacePart part) => Path.GetFileName(_repository.PathOf(part, _builders.PixelsPerDegree));

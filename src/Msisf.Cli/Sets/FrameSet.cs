@@ -79,8 +79,12 @@ internal sealed class FrameSet
 
         IEnumerable<string> others = Enum.GetValues<FrameState>().Where(state => state != FrameState.Right && CountOf(state) > 0)
             .Select(state => string.Create(CultureInfo.InvariantCulture, $", {CountOf(state)} {Word(state)}"));
-        results.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{Count} frames: {CountOf(FrameState.Right)} right{string.Concat(others)}."));
+        results.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{Count} frame{(Count == 1 ? string.Empty : "s")}: {CountOf(FrameState.Right)} right{string.Concat(others)}."));
     }
+
+    /// <summary>The frames of a run that are right, in the order of their steps.</summary>
+    public IEnumerable<ExpectedRecord> RightSteps(string? run) =>
+        _judgements.Where(judgement => judgement.State == FrameState.Right && judgement.Expected.Run == run).Select(judgement => judgement.Expected);
 
     /// <summary>The steps that are to be made again.</summary>
     /// <exception cref="BadInputException">They belong to several runs, so that their numbers do not say which they are.</exception>

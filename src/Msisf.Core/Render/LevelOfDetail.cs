@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Terrain;
+using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Core.Render;
 
@@ -23,14 +24,6 @@ public static class LevelOfDetail
         double height = camera.PositionMoonMe.Length - MoonConstants.ReferenceRadius;
         double pixel = 2.0 * Math.Tan(camera.FieldOfView / 2.0) / camera.Width;
         double widest = 2.0 * errorPixels * height * pixel / samplesAcross;
-        double cell = Math.PI / 180.0 * MoonConstants.ReferenceRadius / pixelsPerDegree;
-        int level = 0;
-        while (level + 1 < levels && 2.0 * cell <= widest)
-        {
-            cell *= 2.0;
-            level++;
-        }
-
-        return level;
+        return LodLevels.CoarsestWithin(widest, pixelsPerDegree, levels);
     }
 }

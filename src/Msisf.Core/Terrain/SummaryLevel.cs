@@ -14,7 +14,6 @@ public sealed class SummaryLevel
     private readonly (double Sin, double Cos)[] _capRadii;
     private readonly double _sagitta;
 
-
     /// <summary>Takes the bounds.</summary>
     /// <param name="pixelsPerDegree">Samples a degree of the model.</param>
     /// <param name="subdivisions">Blocks to a tile's edge.</param>
@@ -65,6 +64,23 @@ public sealed class SummaryLevel
             (bounds.Least * _sagitta) - Tolerances.VertexLattice,
             bounds.Greatest + Tolerances.VertexLattice,
             bounds.Steepness);
+    }
+
+    /// <summary>A tile's block with its place and bounds.</summary>
+    /// <param name="tile">Row of the tile (0 northernmost) times <see cref="TileId.Columns"/> plus its column.</param>
+    /// <param name="block">Row of the block in its tile times <see cref="Subdivisions"/> plus its column; of the tiles themselves there is one block each.</param>
+    internal TerrainNode NodeOf(int tile, int block = 0)
+    {
+        (int row, int column) = PlaceOf(tile, block);
+        return Node(row, column);
+    }
+
+    /// <summary>Row and column of a tile's block; the numbers are those of <see cref="NodeOf"/>.</summary>
+    internal (int Row, int Column) PlaceOf(int tile, int block)
+    {
+        (int tileRow, int tileColumn) = int.DivRem(tile, TileId.Columns);
+        (int row, int column) = int.DivRem(block, Subdivisions);
+        return ((tileRow * Subdivisions) + row, (tileColumn * Subdivisions) + column);
     }
 
     /// <summary>Several neighbours of one row as one node.</summary>

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using Msisf.Core.Terrain;
 using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Core.Tiles;
@@ -7,19 +8,26 @@ namespace Msisf.Core.Tiles;
 public sealed class LevelMeshBuilders
 {
     private readonly ConcurrentDictionary<int, Lazy<TileMeshBuilder>> _builders = new();
-    private readonly LodLevels _levels;
+    private readonly IElevationGrid _grid;
+    private readonly Func<LodLevels> _levels;
 
-    /// <summary>Takes the levels.</summary>
-    public LevelMeshBuilders(LodLevels levels) => _levels = levels;
+    /// <summary>Takes the model.</summary>
+    /// <param name="grid">The model.</param>
+    /// <param name="levels">Gives its levels, when one is first needed; from any thread.</param>
+    public LevelMeshBuilders(IElevationGrid grid, Func<LodLevels> levels)
+    {
+        _grid = grid;
+        _levels = levels;
+    }
 
     /// <summary>PRODUCT_ID of the model.</summary>
-    public string ProductId => _levels.Level(0).ProductId;
+    public string ProductId => _grid.ProductId;
 
     /// <summary>Samples a degree of the model itself.</summary>
-    public int PixelsPerDegree => _levels.Level(0).PixelsPerDegree;
+    public int PixelsPerDegree => _grid.PixelsPerDegree;
 
     /// <summary>The builder of a level.</summary>
     /// <param name="level">0 for the model itself.</param>
     public TileMeshBuilder Of(int level) =>
-        _builders.GetOrAdd(level, known => new Lazy<TileMeshBuilder>(() => new TileMeshBuilder(_levels.Level(known)))).Value;
+        _builders.GetOrAdd(level, known => new Lazy<TileMeshBuilder>(() => new TileMeshBuilder(known == 0 ? _grid : _levels().Level(known)))).Value;
 }

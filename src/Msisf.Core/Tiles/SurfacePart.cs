@@ -39,6 +39,9 @@ public readonly record struct SurfacePart(TileId Tile, int Level, int Subdivisio
         }
     }
 
+    /// <summary>The part of twice the edge that holds this one, at the same level; a whole tile has none.</summary>
+    public SurfacePart Around() => new(Tile, Level, Subdivisions / 2, Row / 2, Column / 2);
+
     /// <summary>The part of a file's name that says which part it is: "lat_0_5_lon_15_20", "lat_0_5_lon_15_20_level_1_part_0_1_of_2".</summary>
     public string NameText => Level == 0 && Subdivisions == 1
         ? Tile.RangeText

@@ -43,16 +43,7 @@ public readonly record struct TileMeshLayout(
         ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
         ArgumentOutOfRangeException.ThrowIfNegative(marginSamples);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(marginSamples, pixelsPerDegree);
-        int size = TileId.SizeDegrees * pixelsPerDegree;
-        int allLines = 180 * pixelsPerDegree;
-        int allSamples = 360 * pixelsPerDegree;
-
-        // One line and one sample more than cells: the south-east corners of the last ones lie in the next tile.
-        int firstLine = Math.Max(tile.FirstLine(pixelsPerDegree) - marginSamples, 0);
-        int endLine = Math.Min(tile.FirstLine(pixelsPerDegree) + size + marginSamples + 1, allLines);
-        int firstSample = (tile.FirstSample(pixelsPerDegree) - marginSamples + allSamples) % allSamples;
-        return new TileMeshLayout(
-            SurfacePart.Whole(tile), pixelsPerDegree, marginSamples, firstLine, endLine - firstLine, firstSample, size + (2 * marginSamples) + 1);
+        return Around(SurfacePart.Whole(tile), pixelsPerDegree, marginSamples, marginSamples, marginSamples);
     }
 
     /// <summary>
@@ -63,15 +54,7 @@ public readonly record struct TileMeshLayout(
     /// <param name="modelPixelsPerDegree">Samples a degree of the model itself, level 0.</param>
     public static TileMeshLayout For(SurfacePart part, int modelPixelsPerDegree)
     {
-        int resolution = modelPixelsPerDegree >> part.Level;
-        int cells = TileId.SizeDegrees * resolution / part.Subdivisions;
-        int ring = part.Level > 0 ? 1 : 0;
-        int allSamples = 360 * resolution;
-        int start = part.Tile.FirstLine(resolution) + (part.Row * cells);
-        int firstLine = Math.Max(start - ring, 0);
-        int endLine = Math.Min(start + cells + 1, 180 * resolution);
-        int firstSample = (part.Tile.FirstSample(resolution) + (part.Column * cells) - ring + allSamples) % allSamples;
-        return new TileMeshLayout(part, resolution, 0, firstLine, endLine - firstLine, firstSample, cells + ring + 1);
+        return Around(part, modelPixelsPerDegree >> part.Level, marginSamples: 0, ringsBefore: part.Level > 0 ? 1 : 0, ringsAfter: 0);
     }
 
     /// <summary>
@@ -112,6 +95,21 @@ public readonly record struct TileMeshLayout(
         }
 
         return faces;
+    }
+
+    /// <summary>The part's cells with some rings of cells before them (north and west) and after them; rings beyond a pole are left out.</summary>
+    private static TileMeshLayout Around(SurfacePart part, int pixelsPerDegree, int marginSamples, int ringsBefore, int ringsAfter)
+    {
+        int cells = TileId.SizeDegrees * pixelsPerDegree / part.Subdivisions;
+        int allSamples = 360 * pixelsPerDegree;
+        int start = part.Tile.FirstLine(pixelsPerDegree) + (part.Row * cells);
+
+        // One line and one sample more than cells: the south-east corners of the last ones lie in the next part.
+        int firstLine = Math.Max(start - ringsBefore, 0);
+        int endLine = Math.Min(start + cells + ringsAfter + 1, 180 * pixelsPerDegree);
+        int firstSample = (part.Tile.FirstSample(pixelsPerDegree) + (part.Column * cells) - ringsBefore + allSamples) % allSamples;
+        return new TileMeshLayout(
+            part, pixelsPerDegree, marginSamples, firstLine, endLine - firstLine, firstSample, ringsBefore + cells + ringsAfter + 1);
     }
 
     private static int Add(int[] faces, int next, int a, int b, int c)

@@ -73,7 +73,7 @@ internal sealed class Workbench
             "--res", pixelsPerDegree.ToString(CultureInfo.InvariantCulture),
             "--ldem", label,
             "--output-dir", outputFolder,
-            "--batch", "--timing",
+            "--batch", "--timing", "--overwrite",
         ];
     }
 }

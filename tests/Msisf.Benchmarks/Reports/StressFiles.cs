@@ -12,14 +12,15 @@ internal static class StressFiles
     {
         Directory.CreateDirectory(folder);
         AtomicFile.WriteText(Path.Combine(folder, "tables.md"), writer => writer.Write(StressMarkdown.Write(result)));
-        AtomicFile.WriteText(Path.Combine(folder, "stress.csv"), writer => writer.Write(Figures(result).ToCsv()));
+        AtomicFile.WriteText(Path.Combine(folder, "stress.csv"), writer => writer.Write(Figures(result.Tests.Where(test => !test.Test.IsOfThisMachine)).ToCsv()));
+        AtomicFile.WriteText(Path.Combine(folder, "stress_machine.csv"), writer => writer.Write(Figures(result.Tests.Where(test => test.Test.IsOfThisMachine)).ToCsv()));
         AtomicFile.WriteText(Path.Combine(folder, "stress_series.csv"), writer => writer.Write(Series(result).ToCsv()));
     }
 
-    private static Table Figures(StressResult result)
+    private static Table Figures(IEnumerable<StressTestResult> tests)
     {
         Table table = new("test", "cases", "quantity", "unit", "limit", "worst", "verdict", "input");
-        foreach (StressTestResult test in result.Tests)
+        foreach (StressTestResult test in tests)
         {
             foreach (StressVerdict verdict in StressVerdict.Of(test))
             {

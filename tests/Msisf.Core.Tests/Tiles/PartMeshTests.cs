@@ -17,7 +17,7 @@ public class PartMeshTests
     [Fact]
     public void Build_AllPartsOfTheModelItself_CloseTheSurface()
     {
-        LevelMeshBuilders builders = new(LodLevels.Open(FunctionGrid.Rough(2)));
+        LevelMeshBuilders builders = Builders(FunctionGrid.Rough(2));
         ClosedSurface surface = new();
         foreach (SurfacePart part in TileId.All.SelectMany(tile => SurfacePart.Whole(tile).Quarters()))
         {
@@ -36,7 +36,7 @@ public class PartMeshTests
     public void Build_PartOfACoarserLevel_IsOpenAtItsWallsFootOnly(int south, int west)
     {
         FunctionGrid grid = FunctionGrid.Rough(8);
-        LevelMeshBuilders builders = new(LodLevels.Open(grid));
+        LevelMeshBuilders builders = Builders(grid);
         foreach (SurfacePart part in SurfacePart.Whole(new TileId(south, west), 1).Quarters())
         {
             TileMesh mesh = Build(builders, part);
@@ -57,7 +57,7 @@ public class PartMeshTests
     [Fact]
     public void Build_WallsSeenFromBeside_FaceOutwards()
     {
-        LevelMeshBuilders builders = new(LodLevels.Open(FunctionGrid.OfHeights(4, (_, _) => 0.0)));
+        LevelMeshBuilders builders = Builders(FunctionGrid.OfHeights(4, (_, _) => 0.0));
         TileMesh mesh = Build(builders, SurfacePart.Whole(new TileId(0, 15), 1));
         Vector3D middle = mesh.Origin.PositionMoonMe;
         for (int face = mesh.Layout.FaceCount; face < mesh.FaceCount; face++)
@@ -91,7 +91,7 @@ public class PartMeshTests
         FunctionGrid grid = FunctionGrid.Rugged(8);
         LodLevels levels = LodLevels.Open(grid);
         PartSelector selector = new(levels, ElevationSummary.Build(grid), errorPixels: 1.0, cells: 10);
-        LevelMeshBuilders builders = new(levels);
+        LevelMeshBuilders builders = new(levels.Level(0), () => levels);
         TerrainTracer tracer = new(grid);
         HashSet<int> met = [];
         List<string> holes = [];
@@ -117,6 +117,8 @@ public class PartMeshTests
         Assert.Superset(new HashSet<int> { 0, 1, 2, 3 }, met);
         Assert.True(rays > 10_000, $"only {rays} rays met the ground");
     }
+
+    private static LevelMeshBuilders Builders(IElevationGrid grid) => new(grid, () => LodLevels.Open(grid));
 
     private static TileMesh Build(LevelMeshBuilders builders, SurfacePart part)
     {

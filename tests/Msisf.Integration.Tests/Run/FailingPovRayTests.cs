@@ -26,7 +26,8 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
         Assert.Equal(3, run.ExitCode);
         Assert.Contains("exit code 4", run.Error, StringComparison.Ordinal);
         Assert.Contains("made of cheese", run.Error, StringComparison.Ordinal);
-        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder["out"]));
+        Assert.Matches("\"record\":\"failed\",\"step\":1,.*made of cheese", File.ReadAllLines(_folder["out/msisf-manifest.jsonl"])[^1]);
+        AssertHoldsTheManifestOnly();
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -36,7 +37,7 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
 
         Assert.Equal(3, run.ExitCode);
         Assert.Contains("ended without a picture: it printed nothing", run.Error, StringComparison.Ordinal);
-        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder["out"]));
+        AssertHoldsTheManifestOnly();
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -46,7 +47,19 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
 
         Assert.NotEqual(0, run.ExitCode);
         Assert.DoesNotContain("bug in msis", run.Error, StringComparison.Ordinal);
-        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder["out"]));
+        AssertHoldsTheManifestOnly();
+    }
+
+    /// <summary>With another version than before all frames would be made again.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_PovRayIsKilledWhenAskedForItsVersion_MakesNothing()
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            ["--fixed-state", State, "--pov-path", StandIn("exit 4", version: "kill -9 $$"), .. _fixture.Common(_folder["out"])]);
+
+        Assert.Equal(3, run.ExitCode);
+        Assert.Contains("--version: was killed by signal 9", run.Error, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(_folder["out"]));
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -56,7 +69,35 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
 
         Assert.Equal(3, run.ExitCode);
         Assert.Contains("was ended after 0.5 s", run.Error, StringComparison.Ordinal);
-        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder["out"]));
+        AssertHoldsTheManifestOnly();
+    }
+
+    /// <summary>Half of the Moon has half a million triangles, so where there are two cores it is drawn in strips; the uppermost fails while the others work.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_PovRayFailsInAStrip_EndsTheOthersAndIsOneError()
+    {
+        string marker = _folder["started"];
+        string script = $"""
+            case "$*" in
+                *"+SR1 "*) for i in $(seq 200); do [ -e '{marker}' ] && exit 4; sleep 0.05; done; exit 5 ;;
+                *"+SR"*) echo $$ > '{marker}.new'; mv '{marker}.new' '{marker}'; sleep 20; touch '{marker}.end' ;;
+                *) exit 4 ;;
+            esac
+            """;
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "--state-vectors", "{8.66e6,5e6,0,0,0,100}", "--epoch", "55289", "--time", "55289", "--fov", "22", "--width", "160", "--height", "160",
+            "--lod-error", "0", "--pov-path", StandIn(script), .. _fixture.Common(_folder["out"]),
+        ]);
+
+        Assert.Equal(3, run.ExitCode);
+        Assert.Contains("exit code 4", Assert.Single(run.Error.Split('\n'), line => line.StartsWith("msis: error:", StringComparison.Ordinal)), StringComparison.Ordinal);
+        AssertHoldsTheManifestOnly();
+        if (Environment.ProcessorCount > 1)
+        {
+            Assert.False(File.Exists(marker + ".end"), "POV-Ray of another strip was waited for");
+            Assert.False(Directory.Exists($"/proc/{File.ReadAllText(marker).Trim()}"), "POV-Ray of another strip still runs");
+        }
     }
 
     [RequiresFact(Part.Ldem4, Part.PovRay)]
@@ -81,6 +122,19 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
     }
 
     [RequiresFact(Part.Ldem4)]
+    public void Run_FailFast_StopsAtTheFirstFailure()
+    {
+        string states = string.Join('\n', Enumerable.Range(0, 8).Select(step => $"55289 2E6 2E6 {step} 0 0 3.826834323650898E-1 9.238795325112867E-1"));
+        CommandLineRun run = CommandLineRun.Of(
+            ["--batch-file", "-", "--fail-fast", "--jobs", "1", "--width", "16", "--height", "16", "--pov-path", StandIn("exit 9"), .. _fixture.Common(_folder["out"])],
+            states);
+
+        Assert.Equal(3, run.ExitCode);
+        Assert.Contains("Stopped there, as --fail-fast asks", run.Error, StringComparison.Ordinal);
+        Assert.InRange(File.ReadAllText(_folder["out/msisf-manifest.jsonl"]).Split("\"record\":\"failed\"").Length - 1, 1, 2);
+    }
+
+    [RequiresFact(Part.Ldem4)]
     public async Task Run_Cancelled_KillsPovRayAndLeavesNoFile()
     {
         string marker = _folder["started"];
@@ -91,7 +145,7 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
             "--fixed-state", State, "--width", "16", "--height", "16",
             "--pov-path", StandIn($"echo $$ > '{marker}.new'; mv '{marker}.new' '{marker}'; sleep 600"), .. _fixture.Common(_folder["out"]),
         ];
-        ProgramHost host = new(TextWriter.Null, error, () => TextReader.Null, TimeProvider.System, arguments, Environment.GetEnvironmentVariable);
+        ProgramHost host = new(TextWriter.Null, error, () => TextReader.Null, TimeProvider.System, Environment.GetEnvironmentVariable);
         using FileSystemWatcher watcher = new(_folder.Path) { EnableRaisingEvents = true };
         watcher.Renamed += (_, change) =>
         {
@@ -106,16 +160,20 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
         Assert.Equal(130, exitCode);
         int processId = int.Parse(File.ReadAllText(marker), System.Globalization.CultureInfo.InvariantCulture);
         Assert.False(Directory.Exists($"/proc/{processId}"), "POV-Ray still runs");
-        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder["out"]));
+        AssertHoldsTheManifestOnly();
     }
 
     private CommandLineRun RunWith(string script, params string[] more) => CommandLineRun.Of(
         ["--fixed-state", State, "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. more, .. _fixture.Common(_folder["out"])]);
 
-    private string StandIn(string script)
+    private void AssertHoldsTheManifestOnly() => Assert.Equal(
+        [".msisf-claims", ".msisf-manifest.lock", "msisf-manifest.jsonl"],
+        Directory.EnumerateFileSystemEntries(_folder["out"]).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+
+    private string StandIn(string script, string version = "echo 'POV-Ray 3.7.0.0' && exit")
     {
         string path = _folder["povray-stand-in"];
-        File.WriteAllText(path, $"#!/bin/sh\n{script}\n");
+        File.WriteAllText(path, $"#!/bin/sh\n[ \"$1\" = --version ] && {version}\n{script}\n");
         File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserExecute);
         return path;
     }

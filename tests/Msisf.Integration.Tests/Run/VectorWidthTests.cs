@@ -22,16 +22,17 @@ public sealed class VectorWidthTests : IDisposable
     [InlineData("DOTNET_EnableAVX2")]
     public void Run_NarrowerVectors_WritesTheSameBytes(string switchOfTheRuntime)
     {
-        byte[][] asTheMachineHas = Render([]);
-        byte[][] narrower = Render(new() { [switchOfTheRuntime] = "0" });
+        byte[][] asTheMachineHas = Render("wide", []);
+        byte[][] narrower = Render("narrow", new() { [switchOfTheRuntime] = "0" });
 
-        Assert.Equal(["view.fits", "view.png", "view.xml"], Directory.EnumerateFiles(_folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(["view.fits", "view.png", "view.xml"], Files("narrow").Select(Path.GetFileName));
         Assert.Equal(asTheMachineHas, narrower);
-        Assert.Contains(PngPixels.Read(_folder["view.png"]).ChannelParts(0).Cast<double>(), grey => grey > 0.1);
+        Assert.Contains(PngPixels.Read(_folder["narrow/view.png"]).ChannelParts(0).Cast<double>(), grey => grey > 0.1);
     }
 
-    /// <summary>Renders into the same folder each time: the files name the command line.</summary>
-    private byte[][] Render(Dictionary<string, string> environment)
+    private IEnumerable<string> Files(string folder) => Directory.EnumerateFiles(_folder[folder], "view.*").Order(StringComparer.Ordinal);
+
+    private byte[][] Render(string folder, Dictionary<string, string> environment)
     {
         UnitQuaternion attitude = NadirPointing.MoonFromCamera(Position);
         string state = string.Create(
@@ -41,7 +42,7 @@ public sealed class VectorWidthTests : IDisposable
         [
             Path.Combine(AppContext.BaseDirectory, "msis.dll"), "--renderer", "native", "--fixed-state", state, "--width", "150", "--height", "120",
             "--samples", "4", "--shading", "smooth", "--reflectance", "hapke", "--layers", "all", "--surface", "terrain", "--bit-depth", "16",
-            "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder.Path, "--output-name", "view", "--batch",
+            "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder], "--output-name", "view", "--batch",
         ];
         ProcessStartInfo start = new(Environment.ProcessPath!, arguments) { RedirectStandardError = true };
         foreach ((string name, string value) in environment)
@@ -53,6 +54,6 @@ public sealed class VectorWidthTests : IDisposable
         string errors = child.StandardError.ReadToEnd();
         child.WaitForExit();
         Assert.True(child.ExitCode == 0, errors);
-        return [.. Directory.EnumerateFiles(_folder.Path).Order(StringComparer.Ordinal).Select(File.ReadAllBytes)];
+        return [.. Files(folder).Select(File.ReadAllBytes)];
     }
 }

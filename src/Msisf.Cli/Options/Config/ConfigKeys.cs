@@ -10,7 +10,10 @@ internal sealed class ConfigKeys
 {
     private const string OfOneCall = "belongs to one call. Give it on the command line";
 
-    private static readonly string[] OptionsOfOneCall = ["config", "for-batch", "frame-times", "frames", "list-patterns", "overwrite", "print-frames", "verify"];
+    private static readonly string[] OptionsOfOneCall =
+    [
+        "config", "for-batch", "frame-times", "frames", "frames-per-piece", "list-patterns", "overwrite", "pieces", "print-frames", "script", "verify",
+    ];
     private static readonly string[] NamesOfPaths = ["DIR", "FILE", "FOLDER", "PATH"];
 
     private readonly Dictionary<string, Option> _allowed = new(StringComparer.Ordinal);

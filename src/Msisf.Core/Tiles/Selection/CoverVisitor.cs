@@ -44,7 +44,7 @@ internal sealed class CoverVisitor : ISurfaceVisitor
         SummaryLevel tiles = summary.Levels[0];
         for (int tile = 0; tile < tiles.Bounds.Length; tile++)
         {
-            TerrainNode node = tiles.Node(tile / tiles.Columns, tile % tiles.Columns);
+            TerrainNode node = tiles.NodeOf(tile);
             if (table[tile].Near < _limb && SharesRay(asked, table[tile]) && _facets.MayBeIn(node, table[tile])
                 && frame.Classify(node) != FrameSide.Outside)
             {

@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
+using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Core.Tiles.Selection;
 
@@ -22,7 +23,7 @@ internal sealed class DetailRule
     private readonly Vector3D _forward;
     private readonly double _pixel;
     private readonly double _cosCorner;
-    private readonly double _finestCell;
+    private readonly int _pixelsPerDegree;
     private readonly int _levels;
     private readonly double _errorPixels;
 
@@ -39,7 +40,7 @@ internal sealed class DetailRule
         double up = camera.Up.Length / (2.0 * focalLength);
         _pixel = Math.Min(2.0 * right / camera.Width, 2.0 * up / camera.Height);
         _cosCorner = 1.0 / Math.Sqrt(1.0 + (right * right) + (up * up));
-        _finestCell = MoonConstants.ReferenceRadius * Math.PI / 180.0 / pixelsPerDegree;
+        _pixelsPerDegree = pixelsPerDegree;
         _levels = levels;
         _errorPixels = errorPixels;
     }
@@ -81,14 +82,5 @@ internal sealed class DetailRule
 
     /// <summary>The coarsest level with cells no wider than this.</summary>
     /// <param name="widest">m.</param>
-    public int LevelOfCell(double widest)
-    {
-        int level = 0;
-        for (double cell = 2.0 * _finestCell; level + 1 < _levels && cell <= widest; cell *= 2.0)
-        {
-            level++;
-        }
-
-        return level;
-    }
+    public int LevelOfCell(double widest) => LodLevels.CoarsestWithin(widest, _pixelsPerDegree, _levels);
 }

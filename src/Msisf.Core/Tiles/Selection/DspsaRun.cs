@@ -90,7 +90,7 @@ internal sealed class DspsaRun
     {
         List<int> inFrame = TilesInFrame();
         SunView? sun = _sunPosition is Vector3D position
-            ? new SunView(position, _summary, _patch, inFrame.Where(tile => !_walk.IsHidden(_view.Bounds(Node(tile)))))
+            ? new SunView(position, _summary, _patch, inFrame.Where(tile => !_walk.IsHidden(_view.Bounds(_tiles.NodeOf(tile)))))
             : null;
         Sun = sun;
         List<int> newlyKept = [];
@@ -132,15 +132,13 @@ internal sealed class DspsaRun
         return width < 0.9 * Math.PI ? (middle + (0.5 * (least + greatest)), width) : (0.0, 2.0 * Math.PI);
     }
 
-    private TerrainNode Node(int tile) => _tiles.Node(tile / TileId.Columns, tile % TileId.Columns);
-
     private List<int> TilesInFrame()
     {
         List<int> tiles = [];
         for (int tile = 0; tile < TileId.Count; tile++)
         {
             _reasons[tile] = TileReason.OutsideFrame;
-            if (_frame.Classify(Node(tile)) != FrameSide.Outside)
+            if (_frame.Classify(_tiles.NodeOf(tile)) != FrameSide.Outside)
             {
                 tiles.Add(tile);
             }

@@ -118,10 +118,10 @@ internal sealed class HorizonSurvey
     {
         SummaryLevel level = _summary.Levels[0];
         bool[] tiles = new bool[level.Bounds.Length];
-        for (int index = 0; index < tiles.Length; index++)
+        for (int tile = 0; tile < tiles.Length; tile++)
         {
-            TerrainNode node = level.Node(index / level.Columns, index % level.Columns);
-            tiles[index] = Concerns(map, relevant, node, _view.Bounds(node));
+            TerrainNode node = level.NodeOf(tile);
+            tiles[tile] = Concerns(map, relevant, node, _view.Bounds(node));
         }
 
         return tiles;

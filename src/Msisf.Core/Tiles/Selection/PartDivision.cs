@@ -83,7 +83,7 @@ internal sealed class PartDivision
             {
                 if (seen[block])
                 {
-                    _shadows.AddTarget(BlockOf(DspsaRun.NumberOf(tile), block));
+                    _shadows.AddTarget(_finest.NodeOf(DspsaRun.NumberOf(tile), block));
                 }
             }
         }
@@ -104,7 +104,7 @@ internal sealed class PartDivision
         cover.LookFor(kept.Select(DspsaRun.NumberOf));
         List<SeenBlocks.DarkBlock> open = [.. _seen.Dark];
         Keep(open, dark => cover.MayCover(dark.Bounds));
-        while (Keep(open, dark => _shadows!.Of(BlockOf(dark.Tile, dark.Block)) is not null))
+        while (Keep(open, dark => _shadows!.Of(_finest.NodeOf(dark.Tile, dark.Block)) is not null))
         {
             // What was kept may need more to be dark.
         }
@@ -116,14 +116,14 @@ internal sealed class PartDivision
         foreach (SeenBlocks.DarkBlock dark in needed)
         {
             _seen.Of(dark.Tile)[dark.Block] = true;
-            _shadows!.AddTarget(BlockOf(dark.Tile, dark.Block));
+            _shadows!.AddTarget(_finest.NodeOf(dark.Tile, dark.Block));
         }
 
         open.RemoveAll(dark => _seen.Of(dark.Tile)[dark.Block]);
         return needed.Count > 0;
     }
 
-    private TerrainNode NodeOf(TileId tile) => _tiles.Node(DspsaRun.NumberOf(tile) / TileId.Columns, DspsaRun.NumberOf(tile) % TileId.Columns);
+    private TerrainNode NodeOf(TileId tile) => _tiles.NodeOf(DspsaRun.NumberOf(tile));
 
     /// <summary>Where a part lies; its heights are bounded by those of its tile.</summary>
     private TerrainNode NodeOf(SurfacePart part)
@@ -135,18 +135,12 @@ internal sealed class PartDivision
         return NodeOf(part.Tile) with { Cap = MeshBounds.CapOf(range, _tiles.Lines, 2 * _tiles.Lines) };
     }
 
-    private TerrainNode BlockOf(int number, int block)
-    {
-        int side = _finest.Subdivisions;
-        return _finest.Node((number / TileId.Columns * side) + (block / side), (number % TileId.Columns * side) + (block % side));
-    }
-
     private void FillDemands(TileId tile)
     {
         bool[] seen = _seen.Of(DspsaRun.NumberOf(tile));
         for (int block = 0; block < _demands.Length; block++)
         {
-            _demands[block] = seen[block] ? null : _shadows?.Of(BlockOf(DspsaRun.NumberOf(tile), block));
+            _demands[block] = seen[block] ? null : _shadows?.Of(_finest.NodeOf(DspsaRun.NumberOf(tile), block));
         }
     }
 

@@ -39,7 +39,7 @@ internal sealed class TurnedFacets
     /// <summary>Bounds of the facets of a tile's block that may be turned away.</summary>
     public ReadOnlySpan<PolarBounds> Of(int tile, int block)
     {
-        (int row, int column) = _table.BlockPlace(tile, block);
+        (int row, int column) = _summary.Levels[1].PlaceOf(tile, block);
         return _facets[(row * _summary.Levels[1].Columns) + column] ??= Find(row, column, _table.Blocks(tile)[block]);
     }
 

@@ -1,0 +1,72 @@
+using System.Globalization;
+using Msisf.Adapters.Interop;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Metadata;
+
+/// <summary>Small pictures of many frames on one, each with its step.</summary>
+public static class ContactSheet
+{
+    /// <summary>More frames than this are shown by so many, evenly spread from the first to the last.</summary>
+    public const int MostPictures = 100;
+
+    private const int Columns = 10;
+
+    /// <summary>px: the longer side of a small picture.</summary>
+    private const int Side = 160;
+
+    /// <summary>px: the text below a small picture, and the space between them.</summary>
+    private const int TextHeight = 16;
+
+    private const double FontSize = 11.0;
+
+    /// <summary>Between black, which night and space are, and the white of the text.</summary>
+    private const double BackgroundGrey = 0.2;
+
+    /// <summary>Writes the sheet.</summary>
+    /// <param name="destination">Receives it, PNG without time stamps: same pictures, same bytes.</param>
+    /// <param name="frames">Step and picture file of each frame, in the order in which they are shown; at least one.</param>
+    /// <param name="cancellation">Stops between two pictures.</param>
+    /// <exception cref="BadInputException">A file holds no whole picture.</exception>
+    /// <exception cref="ExternalPartException">cairo is missing, or a file can't be read.</exception>
+    public static void Write(Stream destination, IReadOnlyList<(int Step, string Path)> frames, CancellationToken cancellation)
+    {
+        int count = Math.Min(frames.Count, MostPictures);
+        int columns = Math.Min(count, Columns);
+        int rows = (count + columns - 1) / columns;
+        using CairoImage sheet = CairoImage.Black(columns * (Side + TextHeight), rows * (Side + (2 * TextHeight)));
+        sheet.SetColor(BackgroundGrey, BackgroundGrey, BackgroundGrey, 1.0);
+        sheet.FillRectangle(0.0, 0.0, sheet.Width, sheet.Height);
+        for (int index = 0; index < count; index++)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            (int step, string path) = frames[count == 1 ? 0 : (int)((long)index * (frames.Count - 1) / (count - 1))];
+            double left = ((index % columns) * (Side + TextHeight)) + (TextHeight / 2.0);
+            double top = (index / columns * (Side + (2 * TextHeight))) + (TextHeight / 2.0);
+            using CairoImage picture = Read(path);
+            double scale = (double)Side / Math.Max(picture.Width, picture.Height);
+            sheet.DrawImage(picture, left + ((Side - (scale * picture.Width)) / 2.0), top + ((Side - (scale * picture.Height)) / 2.0), scale);
+            sheet.SetColor(1.0, 1.0, 1.0, 1.0);
+            sheet.DrawText(step.ToString(CultureInfo.InvariantCulture), left, top + Side + FontSize, FontSize);
+        }
+
+        sheet.WritePng(destination);
+    }
+
+    private static CairoImage Read(string path)
+    {
+        try
+        {
+            using FileStream stream = File.OpenRead(path);
+            return CairoImage.FromPng(stream);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            throw new ExternalPartException($"{path}: can't be read: {exception.Message}", exception);
+        }
+        catch (BadInputException exception)
+        {
+            throw new BadInputException($"{path}: {exception.Message} Run msis verify.", exception);
+        }
+    }
+}

@@ -1,0 +1,66 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Globalization;
+using System.Text;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Render;
+
+/// <summary>Makes a video of a series of pictures, by ffmpeg.</summary>
+public static class VideoEncoder
+{
+    /// <summary>Where ffmpeg is.</summary>
+    /// <param name="searchPath">Folders in the form of the PATH variable.</param>
+    /// <returns>Null if it is not there.</returns>
+    public static string? Find(string searchPath) => searchPath
+        .Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)
+        .Select(folder => Path.Combine(folder, OperatingSystem.IsWindows() ? "ffmpeg.exe" : "ffmpeg"))
+        .FirstOrDefault(File.Exists);
+
+    /// <summary>Encodes the pictures, H.264 in 4:2:0 so that every player shows it; an odd last row or column is doubled.</summary>
+    /// <param name="program">ffmpeg.</param>
+    /// <param name="pictures">Absolute paths, in their order; at least one.</param>
+    /// <param name="framesPerSecond">Of the video.</param>
+    /// <param name="workFolder">Existing folder for what is made on the way.</param>
+    /// <param name="destination">The video's file, in an existing folder; ends in .mp4.</param>
+    /// <param name="cancellation">Ends ffmpeg.</param>
+    /// <exception cref="ExternalPartException">ffmpeg can't be started or fails.</exception>
+    public static async Task EncodeAsync(
+        string program, IReadOnlyList<string> pictures, double framesPerSecond, string workFolder, string destination, CancellationToken cancellation)
+    {
+        string list = Path.Combine(workFolder, "pictures.txt");
+        string rate = framesPerSecond.ToString("R", CultureInfo.InvariantCulture);
+        string seconds = (1.0 / framesPerSecond).ToString("R", CultureInfo.InvariantCulture);
+        IEnumerable<string> lines = pictures.SelectMany(picture => (string[])[$"file '{picture.Replace("'", "'\\''", StringComparison.Ordinal)}'", $"duration {seconds}"]);
+        await File.WriteAllLinesAsync(list, lines, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), cancellation).ConfigureAwait(false);
+        ProcessStartInfo start = new(program,
+        [
+            "-nostdin", "-loglevel", "error", "-y", "-f", "concat", "-safe", "0", "-i", list, "-r", rate,
+            "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p", "-c:v", "libx264", "-fflags", "+bitexact", "-flags:v", "+bitexact", destination,
+        ])
+        {
+            RedirectStandardError = true,
+        };
+        using Process process = new() { StartInfo = start };
+        try
+        {
+            process.Start();
+            string errors = await process.StandardError.ReadToEndAsync(cancellation).ConfigureAwait(false);
+            await process.WaitForExitAsync(cancellation).ConfigureAwait(false);
+            if (process.ExitCode != 0)
+            {
+                throw new ExternalPartException(string.Create(
+                    CultureInfo.InvariantCulture, $"{program} failed with exit code {process.ExitCode}: {errors.Trim().ReplaceLineEndings(" ")}"));
+            }
+        }
+        catch (Win32Exception exception)
+        {
+            throw new ExternalPartException($"{program}: can't be started: {exception.Message}", exception);
+        }
+        catch (OperationCanceledException)
+        {
+            process.Kill();
+            throw;
+        }
+    }
+}

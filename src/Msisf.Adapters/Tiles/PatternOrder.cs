@@ -1,0 +1,45 @@
+using Msisf.Adapters.IO;
+using Msisf.Core.Errors;
+using Msisf.Core.Tiles;
+
+namespace Msisf.Adapters.Tiles;
+
+/// <summary>A pattern that is wanted.</summary>
+/// <param name="Path">Its file.</param>
+/// <param name="Layout">What its mesh joins.</param>
+/// <param name="Builder">Makes the mesh.</param>
+/// <param name="ProductId">The elevation model.</param>
+/// <param name="Format">The form of the mesh.</param>
+internal sealed record PatternOrder(string Path, TileMeshLayout Layout, TileMeshBuilder Builder, string ProductId, PatternFormat Format)
+{
+    /// <summary>Reads the samples, which say what the file must hold.</summary>
+    /// <exception cref="BadInputException">The model is damaged.</exception>
+    public Content Read()
+    {
+        double[] radii = Builder.ReadRadii(Layout);
+        return new Content(this, radii, PatternHeader.WithoutLength(Layout, radii, Builder.WallFootRadius, ProductId, Format));
+    }
+
+    /// <summary>What the file of an order must hold.</summary>
+    public sealed class Content(PatternOrder order, double[] radii, byte[] header)
+    {
+        /// <summary>Whether the file is there and right; one read, whatever its size.</summary>
+        /// <exception cref="BadInputException">The file is not of this program.</exception>
+        /// <exception cref="ExternalPartException">The file is there but can't be read.</exception>
+        public bool IsThere() => PatternFile.Inspect(order.Path, header) switch
+        {
+            PatternFile.State.Good => true,
+            PatternFile.State.Foreign => throw new BadInputException(
+                $"{order.Path}: has a pattern's name, but this program has not made it, so it stays as it is. Move it away, or choose another pattern repository."),
+            _ => false,
+        };
+
+        /// <summary>Makes the file.</summary>
+        /// <exception cref="ExternalPartException">The repository can't be written.</exception>
+        public void Write()
+        {
+            TileMesh mesh = order.Builder.Build(order.Layout, radii);
+            AtomicFile.Write(order.Path, stream => PatternWriter.Write(stream, mesh, header, order.Format), flushToDisk: false);
+        }
+    }
+}

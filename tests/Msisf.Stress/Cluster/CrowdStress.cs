@@ -1,0 +1,73 @@
+using System.Text.Json;
+using Msisf.TestSupport;
+
+namespace Msisf.Stress.Cluster;
+
+/// <summary>Many processes at once in one empty folder, with one empty pattern repository.</summary>
+public sealed class CrowdStress : IStressTest
+{
+    private const int Processes = 16;
+    private const string Output = "frames";
+    private const string Patterns = "patterns";
+
+    /// <inheritdoc/>
+    public string Name => "crowd";
+
+    /// <inheritdoc/>
+    public string Subject =>
+        "16 processes started at once, each for all frames, into one empty folder: by the native renderer, and by POV-Ray with one empty pattern repository.";
+
+    /// <inheritdoc/>
+    public string? MissingPart => Msis.MissingPart ?? (TestParts.Program("povray") is null ? "POV-Ray" : null);
+
+    /// <inheritdoc/>
+    public StressReport Run(StressLength length, int seed)
+    {
+        (int native, int povRay) = length == StressLength.Full ? (5000, 64) : (300, 5);
+        SetJudge judge = new();
+        CaseCount patterns = new();
+        Crowd(new FrameSeries(native, Size: 64), "native", judge, patterns);
+        Crowd(new FrameSeries(povRay, Size: 32, Patterns), "POV-Ray", judge, patterns);
+        return new StressReport(
+            Name, native + povRay, [.. judge.Figures(), patterns.ToFigure("patterns made more than once", string.Empty, 0.0)], []);
+    }
+
+    private static void Crowd(FrameSeries series, string what, SetJudge judge, CaseCount patterns)
+    {
+        using TemporaryFolder alone = new();
+        using TemporaryFolder folder = new();
+        int made = PatternsMade(Msis.Run(alone.Path, Arguments(series)).Succeeded());
+
+        RunningProgram[] crowd = [.. Enumerable.Range(0, Processes).Select(_ => Msis.Start(folder.Path, Arguments(series)))];
+        try
+        {
+            ChildRun[] runs = [.. crowd.Select(program => program.End(Msis.Limit))];
+            foreach (ChildRun run in runs)
+            {
+                judge.NoteRun(run, what);
+            }
+
+            judge.Judge(new FrameFolder(folder[Output]), new FrameFolder(alone[Output]), runs[^1], inFlight: 0, what);
+            if (series.Patterns is not null)
+            {
+                judge.NoteDifferences(new FrameFolder(folder[Path.Combine(Patterns, "4")]), new FrameFolder(alone[Path.Combine(Patterns, "4")]), what);
+                judge.NoteLeftovers(new FrameFolder(folder[Path.Combine(Patterns, "4")]).Leftovers, what);
+                int all = runs.Sum(PatternsMade);
+                patterns.Note(Math.Max(0, all - made), made, () => $"{all} made by {Processes} processes, {made} by one");
+            }
+        }
+        finally
+        {
+            Array.ForEach(crowd, program => program.Dispose());
+        }
+    }
+
+    private static IReadOnlyList<string> Arguments(FrameSeries series) => series.Arguments(Output, "--jobs", "1", "--timing");
+
+    /// <summary>As the line of --timing has it.</summary>
+    private static int PatternsMade(ChildRun run)
+    {
+        string? times = run.Error.Split('\n').LastOrDefault(line => line.StartsWith('{'));
+        return times is null ? 0 : JsonDocument.Parse(times).RootElement.GetProperty("patterns_made").GetInt32();
+    }
+}

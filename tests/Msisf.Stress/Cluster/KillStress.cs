@@ -1,0 +1,49 @@
+using System.Globalization;
+using Msisf.TestSupport;
+
+namespace Msisf.Stress.Cluster;
+
+/// <summary>Kills the program and POV-Ray at random moments, many times.</summary>
+public sealed class KillStress : IStressTest
+{
+    private const int KillsOfFolder = 6;
+
+    /// <inheritdoc/>
+    public string Name => "kills";
+
+    /// <inheritdoc/>
+    public string Subject =>
+        "kill -9 at random moments of runs that make 300 frames by the native renderer or 4 by POV-Ray from an empty pattern repository: of the program (a node that vanishes) or of POV-Ray. Up to six kills a folder, each of a run that goes on where the one before was killed; then a run that may end, msis verify, and a comparison with a set and patterns that one undisturbed process made.";
+
+    /// <inheritdoc/>
+    public string? MissingPart => Msis.MissingPart ?? (TestParts.Program("povray") is null ? "POV-Ray" : null);
+
+    /// <inheritdoc/>
+    public StressReport Run(StressLength length, int seed)
+    {
+        int times = length == StressLength.Full ? 20 : 1;
+        SetJudge judge = new();
+        CaseCount unnoticed = new();
+        using KilledSet native = new(frames: 300, size: 64, isPovRay: false);
+        using KilledSet povRay = new(frames: 4, size: 32, isPovRay: true);
+        int kills = Kill(24 * times, "native, msis", new CaseRandom(seed, part: 0), (most, random, what) =>
+            native.Run(most, isPovRayKilled: false, random, judge, unnoticed, what));
+        kills += Kill(12 * times, "POV-Ray, msis", new CaseRandom(seed, part: 1), (most, random, what) =>
+            povRay.Run(most, isPovRayKilled: false, random, judge, unnoticed, what));
+        kills += Kill(11 * times, "POV-Ray itself", new CaseRandom(seed, part: 2), (most, random, what) =>
+            povRay.Run(most, isPovRayKilled: true, random, judge, unnoticed, what));
+        return new StressReport(
+            Name, kills, [.. judge.Figures(), unnoticed.ToFigure("runs that lost a POV-Ray and did not end with exit code 3", string.Empty, 0.0)], []);
+    }
+
+    private static int Kill(int kills, string kind, CaseRandom random, Func<int, CaseRandom, string, int> run)
+    {
+        int done = 0;
+        for (int folder = 1; done < kills; folder++)
+        {
+            done += run(Math.Min(KillsOfFolder, kills - done), random, string.Create(CultureInfo.InvariantCulture, $"{kind}, folder {folder}"));
+        }
+
+        return done;
+    }
+}
