@@ -32,9 +32,6 @@ internal sealed class RenderRun : IDisposable
         _ephemeris = new EphemerisSource(settings, host);
     }
 
-    /// <summary>Which ephemeris engine was opened; null if none was needed so far.</summary>
-    public EphemerisChoice? EphemerisEngine => _ephemeris?.Choice;
-
     /// <summary>The ephemeris engine, opened when it is first needed.</summary>
     public IEphemeris Ephemeris() => _ephemeris.Engine();
 
