@@ -64,6 +64,17 @@ public sealed class StreamsTests : IDisposable
         Assert.Contains("a file of arguments can't name another one", error.ToString(), StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Run_NulInResponseFile_IsRefused()
+    {
+        File.WriteAllText(_folder["a.rsp"], "--fixed-state {55289,2E6,2E6,0,0,0,0,1}\n--kernels a\0b\n");
+        using StringWriter error = new();
+        int exitCode = Run([$"@{_folder["a.rsp"]}"], TextWriter.Null, error);
+
+        Assert.Equal(1, exitCode);
+        Assert.Contains("holds a NUL character: it is no text file", error.ToString(), StringComparison.Ordinal);
+    }
+
     private static int Run(string[] arguments, TextWriter output, TextWriter error) => CommandLineProgram
         .RunAsync(arguments, new ProgramHost(output, error, () => TextReader.Null, TimeProvider.System, _ => null))
         .GetAwaiter()

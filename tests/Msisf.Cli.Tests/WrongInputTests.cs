@@ -34,6 +34,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("ldem", 1, "msis ldem --help")]
     [InlineData("ldem pyramid", 1, "pyramid needs a model: give its label, or --res")]
     [InlineData("ldem pyramid .", 1, "pyramid needs a model: give its label, or --res")]
+    [InlineData("ldem pyramid ", 2, "The model's name is empty")]
     [InlineData("ldem pyramid missing.lbl", 2, "missing.lbl")]
     [InlineData("ldem pyramid --res 1025", 2, "--res is '1025'")]
 

@@ -2,6 +2,7 @@ using Msisf.Stress.Attitude;
 using Msisf.Stress.Camera;
 using Msisf.Stress.Cluster;
 using Msisf.Stress.Engines;
+using Msisf.Stress.Fuzz;
 using Msisf.Stress.Metadata;
 using Msisf.Stress.Orbit;
 using Msisf.Stress.Povray;
@@ -36,6 +37,7 @@ public static class StressTests
         new CameraStress(),
         new CoordinatesStress(),
         new SelectionStress(),
+        new FuzzStress(),
         new PiecesStress(),
         new KillStress(),
         new SlurmKillStress(),

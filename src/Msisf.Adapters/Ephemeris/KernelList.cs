@@ -1,4 +1,5 @@
 using System.Text;
+using Msisf.Adapters.Input;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Ephemeris;
@@ -70,7 +71,13 @@ public static class KernelList
         string folder = Path.GetDirectoryName(path)!;
         foreach (string name in names)
         {
-            string kernel = Existing(Path.GetFullPath(ReplaceSymbol(name, symbols, values), folder), $", which {path} lists");
+            string file = ReplaceSymbol(name, symbols, values);
+            if (file.Contains('\0', StringComparison.Ordinal))
+            {
+                throw new BadInputException($"{path}: {NumberText.Shown(file)} in {Kernels} holds a NUL character, as no file name does. Is the meta-kernel damaged?");
+            }
+
+            string kernel = Existing(Path.GetFullPath(file, folder), $", which {path} lists");
             yield return IsMetaKernel(kernel)
                 ? throw new BadInputException($"{path}: {name} is a meta-kernel itself; SPICE allows no nesting. List its kernels instead.")
                 : kernel;

@@ -28,18 +28,24 @@ public sealed class ConfigFileReader
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
     public static IReadOnlyList<ConfigEntry> Read(Stream stream, string fileName)
     {
-        string text = TextOf(stream, fileName);
+        Parser parser = new(new StringReader(TextOf(stream, fileName)));
         try
         {
-            return new ConfigFileReader(new Parser(new StringReader(text)), fileName).ReadDocument();
+            return new ConfigFileReader(parser, fileName).ReadDocument();
         }
         catch (YamlException exception)
         {
-            throw new BadInputException(
-                $"{fileName}, line {exception.Start.Line}, column {exception.Start.Column}: this is not YAML: {exception.Message.TrimEnd('.')}. A line is: key: value.",
-                exception);
+            throw NotYaml(fileName, exception.Start, exception.Message, exception);
+        }
+        catch (Exception exception) when (exception is InvalidOperationException or ArgumentException)
+        {
+            // YamlDotNet's scanner throws this at a list whose words go on in the next line.
+            throw NotYaml(fileName, parser.Current?.End ?? Mark.Empty, "what begins here has no end; is there a ']' or '}' missing?", exception);
         }
     }
+
+    private static BadInputException NotYaml(string fileName, Mark place, string why, Exception cause) =>
+        new($"{fileName}, line {place.Line}, column {place.Column}: this is not YAML: {why.TrimEnd('.')}. A line is: key: value.", cause);
 
     private static string TextOf(Stream stream, string fileName)
     {

@@ -28,7 +28,7 @@ internal readonly record struct LdemImagePointer(string? FileName, long Offset)
     }
 
     private static string PlainName(PdsObject holder, PdsValue file) =>
-        file.Text.Length > 0 && file.Text.IndexOfAny(['/', '\\', ':']) < 0
+        file.Text.Length > 0 && file.Text.IndexOfAny(['/', '\\', ':']) < 0 && !file.Text.Any(char.IsControl)
             ? file.Text
             : throw holder.Unfit(Keyword, file, "the plain name of a file beside the label is needed");
 

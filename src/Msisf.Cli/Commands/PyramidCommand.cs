@@ -47,6 +47,11 @@ internal static class PyramidCommand
 
     private static LdemSet Find(string? path, int? resolution, ProgramHost host)
     {
+        if (path is not null && path.Trim().Length == 0)
+        {
+            throw new BadInputException("The model's name is empty; the path of its label or its folder is needed.");
+        }
+
         if (resolution is { } pixelsPerDegree)
         {
             return LdemCatalog.Find(pixelsPerDegree, path, ElevationModel.Folders(host));

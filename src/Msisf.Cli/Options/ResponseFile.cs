@@ -20,9 +20,12 @@ internal static class ResponseFile
             arguments = [.. File.ReadLines(path)
                 .Where(line => !line.TrimStart().StartsWith('#'))
                 .SelectMany(CommandLineParser.SplitCommandLine)];
-            error = arguments.FirstOrDefault(argument => argument.StartsWith('@')) is string other
-                ? $"@{path} holds '{other}': a file of arguments can't name another one"
-                : null;
+            error = arguments switch
+            {
+                _ when arguments.Any(argument => argument.Contains('\0', StringComparison.Ordinal)) => $"@{path} holds a NUL character: it is no text file",
+                _ when arguments.FirstOrDefault(argument => argument.StartsWith('@')) is string other => $"@{path} holds '{other}': a file of arguments can't name another one",
+                _ => null,
+            };
             return error is null;
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)

@@ -26,6 +26,15 @@ public sealed class KernelListTests : IDisposable
     }
 
     [Fact]
+    public void Expand_NulInAName_IsRefused()
+    {
+        string meta = _folder.Write("list.tm", "KPL/MK\n\\begindata\nKERNELS_TO_LOAD = 'a\0b.tls'\n");
+
+        BadInputException error = Assert.Throws<BadInputException>(() => KernelList.Expand([meta]));
+        Assert.Contains("list.tm: 'a?b.tls' in KERNELS_TO_LOAD holds a NUL character", error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Expand_SymbolsAndContinuedValues_AreReplaced()
     {
         string kernel = _folder.Write("data/long name/a.tls", "x");

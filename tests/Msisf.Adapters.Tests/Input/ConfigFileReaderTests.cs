@@ -72,7 +72,7 @@ public sealed class ConfigFileReaderTests
     [InlineData("fov: |\n  a\n  b\n", "line 1, column 6", "not one line of text")]
     [InlineData("fov: \"\\uD800\"\n", "line 1", "")]
     [InlineData("fov: \"\\U00110000\"\n", "line 1", "")]
-    [InlineData("res: 4\n\tfov: 40\n", "line 2, column 1", "not YAML")]
+    [InlineData("res: 4\n\tfov: 40\n", "line 1, column 6", "not YAML")] // where the value is that the tab goes on with
     [InlineData("fov:\n\t- 40\n", "line ", "not YAML")]
     [InlineData("fov: \"40\n", "line 1, column 6", "not YAML")]
     [InlineData("fov: [40\n", "line 2, column 1", "not YAML")]
@@ -85,6 +85,18 @@ public sealed class ConfigFileReaderTests
         Assert.StartsWith($"a.yaml, {place}", error.Message, StringComparison.Ordinal);
         Assert.Contains(message, error.Message, StringComparison.Ordinal);
         Assert.DoesNotContain('\n', error.Message);
+    }
+
+    /// <summary>Found by the fuzzer: YamlDotNet's own scanner fails on them.</summary>
+    [Theory]
+    [InlineData("fov: 40\nlayers: [depth, mask\nres: 4\n", 15)]
+    [InlineData("fov: 40\nlayers: [de\r\npth]\n", 9)]
+    [InlineData("fov: 40\nlayers: [de{a\nb, c]\n", 9)]
+    public void Read_ListThatGoesOnInTheNextLine_IsRefused(string text, int column)
+    {
+        BadInputException error = Assert.Throws<BadInputException>(() => Read(text));
+
+        Assert.StartsWith($"a.yaml, line 2, column {column}: this is not YAML", error.Message, StringComparison.Ordinal);
     }
 
     [Fact]

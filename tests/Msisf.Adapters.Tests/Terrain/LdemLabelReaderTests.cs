@@ -103,6 +103,7 @@ public class LdemLabelReaderTests
     [InlineData("RECORD_BYTES              = 720", "RECORD_BYTES = 719", "FILE_RECORDS = 180; with RECORD_BYTES = 719")]
     [InlineData("^IMAGE                    = \"LDEM_1.IMG\"", "", "the label has no ^IMAGE")]
     [InlineData("^IMAGE                    = \"LDEM_1.IMG\"", "^IMAGE = \"../LDEM_1.IMG\"", "^IMAGE = ../LDEM_1.IMG; the plain name")]
+    [InlineData("^IMAGE                    = \"LDEM_1.IMG\"", "^IMAGE = \"LDEM\0_1.IMG\"", "the plain name")]
     [InlineData("^IMAGE                    = \"LDEM_1.IMG\"", "^IMAGE = (\"LDEM_1.IMG\", 0)", "^IMAGE = 0; a record or byte number from 1")]
     [InlineData("^IMAGE                    = \"LDEM_1.IMG\"", "^IMAGE = (1, 2, 3)", "^IMAGE = (1, 2, 3); a file name")]
     [InlineData("SIMPLE CYLINDRICAL", "POLAR STEREOGRAPHIC", "MAP_PROJECTION_TYPE = POLAR STEREOGRAPHIC; polar products can't be used")]

@@ -12,8 +12,9 @@ internal sealed class ConfigKeys
 
     private static readonly string[] OptionsOfOneCall =
     [
-        "config", "for-batch", "frame-times", "frames", "frames-per-piece", "list-patterns", "overwrite", "pieces", "print-frames", "script", "verify",
+        "config", "for-batch", "frame-times", "frames", "frames-per-piece", "list-patterns", "overwrite", "pieces", "print-frames", "script", "verify", "wait",
     ];
+
     private static readonly string[] NamesOfPaths = ["DIR", "FILE", "FOLDER", "PATH"];
 
     private readonly Dictionary<string, Option> _allowed = new(StringComparer.Ordinal);

@@ -32,6 +32,7 @@ internal sealed class ConfigRules
         rules.KeepOneOf("lod", "off", "lod-error");
         rules.KeepOneOf("ignore-sun", "true", "aberration");
         rules.KeepOneOf("source", "mysql", "ldem");
+        rules.KeepOneOf("frames-per-piece", null, "balance");
         if (rules.Effective("source") != "mysql")
         {
             rules._values.Remove("defaults-file");
@@ -54,20 +55,21 @@ internal sealed class ConfigRules
         }
     }
 
-    /// <summary>Of two that exclude each other, where the first has a certain value, leaves out what comes from farther away; the second if both stand together.</summary>
-    private void KeepOneOf(string first, string firstValue, string second)
+    /// <summary>Of two that exclude each other, where the first has a certain value or any, leaves out what comes from farther away; the second if both stand together.</summary>
+    private void KeepOneOf(string first, string? firstValue, string second)
     {
-        if (Effective(first) == firstValue && Effective(second) is not null)
+        if (Effective(first) is { } value && value == (firstValue ?? value) && Effective(second) is not null)
         {
             _values.Remove(RankOf(first) > RankOf(second) ? first : second);
         }
     }
 
+    /// <summary>Null if nobody gives it, or a file says that a flag is not set.</summary>
     private string? Effective(string key) => _onLine(key) switch
     {
         "" => "true",
         string text => text,
-        null => _values.GetValueOrDefault(key)?.Text,
+        null => _values.GetValueOrDefault(key)?.Text is { } text && text != "false" ? text : null,
     };
 
     private int RankOf(string key) => _values.TryGetValue(key, out ConfigValue? value) ? value.Rank : RankOfCommandLine;
