@@ -32,6 +32,7 @@ internal static class CommandLineProgram
             root.Subcommands.Add(CheckCommand.CreateVerify(host));
             root.Subcommands.Add(MergeCommand.Create(host));
             root.Subcommands.Add(BatchConvertCommand.Create(host));
+            root.Subcommands.Add(SubmitCommand.Create(host));
             root.Subcommands.Add(ConfigCommand.Create(configuration, host));
             ParseResult line = configuration.Parse(arguments);
             if (line.Errors.Count > 0)
