@@ -116,7 +116,7 @@ public sealed class SlurmCluster : IDisposable
             Call("scontrol", "update", $"NodeName={node}", "State=RESUME");
         }
 
-        foreach (string job in Call("squeue", "-h", "-r", "-o", "%A %r").Split('\n').Where(line => line.Contains("Held", StringComparison.Ordinal)))
+        foreach (string job in Call("squeue", "-h", "-r", "-o", "%i %r").Split('\n').Where(line => line.Contains("held", StringComparison.OrdinalIgnoreCase)))
         {
             Call("scontrol", "release", job.Split(' ')[0]);
         }
