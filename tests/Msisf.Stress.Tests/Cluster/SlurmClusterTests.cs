@@ -28,7 +28,7 @@ public sealed class SlurmClusterTests
         using SlurmCluster cluster = new();
         string report = folder["report.txt"];
         cluster.Call("sbatch", "--requeue", "--nodelist=n1", "--open-mode=append", $"--output={report}", "--wrap=echo $SLURMD_NODENAME; [ -n \"$SLURM_RESTART_COUNT\" ] || sleep 600");
-        cluster.WaitForTasks(1, Limit);
+        cluster.WaitForTask(Limit);
         cluster.KillNode("n1");
         cluster.WaitForLoss("n1", Limit);
         cluster.StartNode("n1");
@@ -45,7 +45,7 @@ public sealed class SlurmClusterTests
         {
             configuration = cluster.Environment["SLURM_CONF"];
             cluster.Call("sbatch", "--output=/dev/null", "--wrap=sleep 600");
-            cluster.WaitForTasks(1, Limit);
+            cluster.WaitForTask(Limit);
         }
 
         Assert.False(Directory.Exists(Path.GetDirectoryName(configuration)));

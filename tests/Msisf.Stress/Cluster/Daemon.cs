@@ -9,7 +9,7 @@ namespace Msisf.Stress.Cluster;
 /// </summary>
 internal sealed class Daemon : IDisposable
 {
-    private const string Guardian = """log=$1; shift; "$@" </dev/null >>"$log" 2>&1 & echo $!; cat >/dev/null; kill $! 2>/dev/null; wait $!""";
+    private const string Guardian = """log=$1; shift; exec 2>>"$log"; "$@" </dev/null >>"$log" & echo $!; cat >/dev/null; kill $!; wait $!""";
 
     private static readonly TimeSpan EndLimit = TimeSpan.FromSeconds(10);
 

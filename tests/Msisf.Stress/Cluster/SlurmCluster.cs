@@ -52,13 +52,19 @@ public sealed class SlurmCluster : IDisposable
     /// <exception cref="InvalidOperationException">It fails; the message has what it said.</exception>
     public string Call(string command, params IReadOnlyList<string> arguments) => Run(command, arguments).Succeeded().Output;
 
+    /// <summary>Whether jobs run or wait.</summary>
+    public bool HasJobs => !string.IsNullOrWhiteSpace(Call("squeue", "-h"));
+
+    /// <summary>Whether a task runs.</summary>
+    public bool HasTask => StepDaemons().Count > 0;
+
     /// <summary>Waits until no job runs or waits.</summary>
     /// <exception cref="TimeoutException">There are still some; the message names them and has the ends of the logs.</exception>
-    public void WaitForJobs(TimeSpan limit) => Wait(limit, () => string.IsNullOrWhiteSpace(Call("squeue", "-h")), () => $"jobs are left: {Call("squeue", "-h")}");
+    public void WaitForJobs(TimeSpan limit) => Wait(limit, () => !HasJobs, () => $"jobs are left: {Call("squeue", "-h")}");
 
-    /// <summary>Waits until as many tasks run.</summary>
-    /// <exception cref="TimeoutException">They do not.</exception>
-    public void WaitForTasks(int count, TimeSpan limit) => Wait(limit, () => StepDaemons().Count >= count, () => $"not {count} tasks run: {Call("squeue", "-h")}");
+    /// <summary>Waits until a task runs.</summary>
+    /// <exception cref="TimeoutException">None does.</exception>
+    public void WaitForTask(TimeSpan limit) => Wait(limit, () => HasTask, () => $"no task runs: {Call("squeue", "-h")}");
 
     /// <summary>Kills the keeper of one of the running tasks; the task itself goes on.</summary>
     /// <returns>Whether there was one.</returns>
@@ -99,8 +105,8 @@ public sealed class SlurmCluster : IDisposable
     public void StartController() => _controller = new Daemon(OutputOf("slurmctld"), Environment, FileOf("slurmctld")!, "-D");
 
     /// <summary>
-    /// What an administrator does after slurmctld was killed. It saves jobs every 5 s only: of one that began since then it does not know, starts
-    /// it a second time, is refused by the node, and then takes the node out of service and holds the job.
+    /// What an administrator does after slurmctld was killed. It saves jobs every 5 s only: of one that began since then it does not know that it
+    /// did, starts it a second time, is refused by the node, and then takes the node out of service and holds the job.
     /// </summary>
     public void Readmit()
     {
@@ -110,7 +116,7 @@ public sealed class SlurmCluster : IDisposable
             Call("scontrol", "update", $"NodeName={node}", "State=RESUME");
         }
 
-        foreach (string job in Call("squeue", "-h", "-r", "-o", "%A %r").Split('\n').Where(line => line.Contains("Held", StringComparison.Ordinal)))
+        foreach (string job in Call("squeue", "-h", "-r", "-o", "%i %r").Split('\n').Where(line => line.Contains("held", StringComparison.OrdinalIgnoreCase)))
         {
             Call("scontrol", "release", job.Split(' ')[0]);
         }

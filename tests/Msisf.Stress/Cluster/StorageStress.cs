@@ -11,17 +11,18 @@ public sealed class StorageStress : IStressTest
     private const string Copy = "copy";
 
 
-    /// <summary>Runs the program where the storage fails and again where it does not, and copies what came of it. $1 is the size of the first disk in KB.</summary>
+    /// <summary>Runs the program where the storage fails and again where it does not, and copies what came of it. $1 says how many KB the disk has at first.</summary>
     private const string FullDisk = """
         size=$1; shift
         mkdir frames patterns copy disk
-        mount -t tmpfs -o "size=${size}k" none disk
+        mount -t tmpfs -o size=64m none disk
         mkdir disk/frames disk/patterns
+        head -c "$((64 * 1024 - size))K" /dev/zero >disk/ballast
         mount --bind disk/frames frames
         mount --bind disk/patterns patterns
         code=0; "$@" >first.txt 2>&1 || code=$?
         echo "$code"
-        mount -o remount,size=64m disk
+        rm disk/ballast
         code=0; "$@" >second.txt 2>&1 || code=$?
         echo "$code"
         cp -R frames patterns copy
