@@ -1,4 +1,3 @@
-using Msisf.Cli.Options;
 using Msisf.Core.Render;
 
 namespace Msisf.Cli.Pieces;
@@ -22,7 +21,7 @@ internal readonly record struct FrameCost(double Fixed, double PerSample, double
     private static readonly FrameCost PovRay = new(Fixed: 0.8, PerSample: 9.1e-7, PerFace: 4.7e-6);
 
     /// <summary>The costs of a renderer's frames.</summary>
-    public static FrameCost Of(RenderSettings settings) => settings.Renderer == RendererKind.Native ? Native : PovRay;
+    public static FrameCost Of(RendererKind renderer) => renderer == RendererKind.Native ? Native : PovRay;
 
     /// <summary>The estimate for a frame.</summary>
     /// <param name="samples">Samples of the picture.</param>
