@@ -12,14 +12,12 @@ public sealed class WorkFolder : IDisposable
     private const string Prefix = ".msis-";
     private const string LockName = "lock";
 
+    /// <summary>A try is lost only to a process that looks for remains just when the folder is there and its lock is not.</summary>
+    private const int Tries = 100;
+
     private readonly FileStream _heldLock;
 
-    private WorkFolder(string path)
-    {
-        Path = path;
-        Directory.CreateDirectory(path);
-        _heldLock = OpenLock(path);
-    }
+    private WorkFolder(string path, FileStream heldLock) => (Path, _heldLock) = (path, heldLock);
 
     /// <summary>The folder.</summary>
     public string Path { get; }
@@ -28,8 +26,18 @@ public sealed class WorkFolder : IDisposable
     /// <param name="parent">Existing folder on the disk of the outputs.</param>
     /// <exception cref="IOException">The file system refuses.</exception>
     /// <exception cref="UnauthorizedAccessException">The file system refuses.</exception>
-    public static WorkFolder In(string parent) => new(System.IO.Path.Combine(
-        parent, string.Create(CultureInfo.InvariantCulture, $"{Prefix}{Environment.ProcessId}-{Guid.NewGuid():N}")));
+    public static WorkFolder In(string parent)
+    {
+        for (int left = Tries; ; left--)
+        {
+            string path = System.IO.Path.Combine(parent, string.Create(CultureInfo.InvariantCulture, $"{Prefix}{Environment.ProcessId}-{Guid.NewGuid():N}"));
+            Directory.CreateDirectory(path);
+            if (TryLock(path, isLast: left == 0) is FileStream heldLock)
+            {
+                return new WorkFolder(path, heldLock);
+            }
+        }
+    }
 
     /// <summary>Removes the folders that killed processes left.</summary>
     /// <param name="parent">Existing folder of outputs.</param>
@@ -41,16 +49,12 @@ public sealed class WorkFolder : IDisposable
         {
             try
             {
-                // A folder without the file is just being made.
-                if (File.Exists(System.IO.Path.Combine(folder, LockName)))
+                using (OpenLock(folder))
                 {
-                    using (OpenLock(folder))
-                    {
-                        Directory.Delete(folder, recursive: true);
-                    }
-
-                    removed++;
+                    Directory.Delete(folder, recursive: true);
                 }
+
+                removed++;
             }
             catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
             {
@@ -67,9 +71,10 @@ public sealed class WorkFolder : IDisposable
     {
         try
         {
-            if (Directory.Exists(Path))
+            int left = Tries;
+            while (!TryRemove(isLast: --left == 0))
             {
-                Directory.Delete(Path, recursive: true);
+                Thread.Sleep(1);
             }
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
@@ -82,6 +87,46 @@ public sealed class WorkFolder : IDisposable
         }
     }
 
-    private static FileStream OpenLock(string folder) =>
-        new(System.IO.Path.Combine(folder, LockName), FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
+    /// <returns>False if it has to be tried again: another process took the folder for remains as soon as the file of the lock was gone.</returns>
+    private bool TryRemove(bool isLast)
+    {
+        try
+        {
+            if (Directory.Exists(Path))
+            {
+                Directory.Delete(Path, recursive: true);
+            }
+
+            return true;
+        }
+        catch (IOException) when (!isLast)
+        {
+            return false;
+        }
+    }
+
+    /// <summary>Locks a folder of one's own.</summary>
+    /// <returns>Null if another process took it for remains before it was locked, and has removed it or is about to.</returns>
+    private static FileStream? TryLock(string folder, bool isLast)
+    {
+        try
+        {
+            FileStream heldLock = OpenLock(folder);
+            if (File.Exists(LockOf(folder)))
+            {
+                return heldLock;
+            }
+
+            heldLock.Dispose(); // of a file that was removed between its making and its locking
+            return null;
+        }
+        catch (IOException exception) when (!isLast && (exception is DirectoryNotFoundException || FileLock.IsHeldByAnother(exception)))
+        {
+            return null;
+        }
+    }
+
+    private static FileStream OpenLock(string folder) => new(LockOf(folder), FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
+
+    private static string LockOf(string folder) => System.IO.Path.Combine(folder, LockName);
 }

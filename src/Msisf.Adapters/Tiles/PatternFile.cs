@@ -28,6 +28,11 @@ internal static class PatternFile
     /// <exception cref="ExternalPartException">The file is there but can't be read.</exception>
     public static State Inspect(string path, byte[] headerWithoutLength)
     {
+        if (!File.Exists(path) && !Directory.Exists(path))
+        {
+            return State.Missing; // an exception would take as long as making a small pattern
+        }
+
         try
         {
             using Microsoft.Win32.SafeHandles.SafeFileHandle file = File.OpenHandle(path, share: FileShare.ReadWrite | FileShare.Delete);

@@ -15,7 +15,7 @@ internal sealed class ModeOptions
     public Option<string[]> FixedState { get; } = OptionFactory.Words(
         "--fixed-state", [], "{MJD,rx,ry,rz,qx,qy,qz,q0}", "One state: time, position (m, ME/PA) and orientation");
 
-    public Option<string?> BatchFile { get; } = OptionFactory.Value(
+    public Option<string?> BatchFile { get; init; } = OptionFactory.Value(
         "--batch-file", [], "FILE", "Fixed states, one a line: MJD rx ry rz qx qy qz q0; # begins a comment; - reads standard input");
 
     public Option<string?> Epoch { get; } = OptionFactory.Value(

@@ -25,15 +25,15 @@ internal static class RunPlanner
             throw new UsageException("--batch-file -: standard input can't be read again by each piece. Save it to a file, and give that.");
         }
 
-        using RenderRun run = new(settings, host);
-        IReadOnlyList<SpacecraftState> states = new StateSource(options.Mode, line, run.Ephemeris, host.StandardInput, host.Log).Read(mode, cancellation);
+        using EphemerisSource ephemeris = new(settings, host);
+        IReadOnlyList<SpacecraftState> states = new StateSource(options.Mode, line, ephemeris.Engine, host.StandardInput, host.Log).Read(mode, cancellation);
         IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
-        Frame[] frames = FramePlanner.Plan(states, names, settings, run.Ephemeris, cancellation);
+        Frame[] frames = FramePlanner.Plan(states, names, settings, ephemeris.Engine, cancellation);
         ElevationModel model = ElevationModel.Open(settings.Ldem, settings.PixelsPerDegree, isSparing: settings.Renderer == RendererKind.PovRay, host);
         try
         {
             FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
-            return new PlannedRun(mode, settings, run.EphemerisEngine, states, frames, model);
+            return new PlannedRun(mode, settings, ephemeris.Opened?.Choice, states, frames, model);
         }
         catch (MsisfException)
         {

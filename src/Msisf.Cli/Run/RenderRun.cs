@@ -22,31 +22,18 @@ internal sealed class RenderRun : IDisposable
     private readonly RenderSettings _settings;
     private readonly ProgramHost _host;
     private readonly RunTimes _times;
-    private OpenedEphemeris? _ephemeris;
+    private readonly EphemerisSource _ephemeris;
 
     public RenderRun(RenderSettings settings, ProgramHost host)
     {
         _settings = settings;
         _host = host;
         _times = host.Times;
+        _ephemeris = new EphemerisSource(settings, host);
     }
-
-    /// <summary>Which ephemeris engine was opened; null if none was needed so far.</summary>
-    public EphemerisChoice? EphemerisEngine => _ephemeris?.Choice;
 
     /// <summary>The ephemeris engine, opened when it is first needed.</summary>
-    public IEphemeris Ephemeris()
-    {
-        if (_ephemeris is null)
-        {
-            Installation installation = _host.Installation;
-            _ephemeris = EphemerisFactory.Open(new EphemerisRequest(
-                _settings.Ephemeris, [_settings.Kernels ?? installation.MetaKernel], installation.Root, _host.Environment("MSISF_CSPICE")));
-            _host.Log.Note(_ephemeris.Notice);
-        }
-
-        return _ephemeris.Engine;
-    }
+    public IEphemeris Ephemeris() => _ephemeris.Engine();
 
     /// <summary>Does the run.</summary>
     /// <param name="readStates">Reads all states.</param>
@@ -58,7 +45,7 @@ internal sealed class RenderRun : IDisposable
         IReadOnlyList<string> names = new FrameNaming(_settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
         Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, names, _settings, Ephemeris, cancellation));
         Task<IReadOnlyList<(string Name, string Sha256)>> kernels = Task.Run(
-            () => RunIdentity.ChecksumsOf(_settings.IgnoreSun ? [] : _ephemeris?.Kernels ?? []), cancellation);
+            () => RunIdentity.ChecksumsOf(_settings.IgnoreSun ? [] : _ephemeris.Opened?.Kernels ?? []), cancellation);
         using ElevationModel model = _times.Measure(Phase.Model, () => ElevationModel.Open(
             _settings.Ldem, _settings.PixelsPerDegree, isSparing: _settings.Renderer == RendererKind.PovRay, _host));
         FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
@@ -79,7 +66,7 @@ internal sealed class RenderRun : IDisposable
         }
     }
 
-    public void Dispose() => _ephemeris?.Dispose();
+    public void Dispose() => _ephemeris.Dispose();
 
     /// <summary>What some options need is looked for before any work is done.</summary>
     private void RequireParts()
@@ -100,7 +87,7 @@ internal sealed class RenderRun : IDisposable
 
     private RunIdentity Identify(ElevationModel model, IReadOnlyList<(string Name, string Sha256)> kernels, string? povRayVersion)
     {
-        OpenedEphemeris? sun = _settings.IgnoreSun ? null : _ephemeris;
+        OpenedEphemeris? sun = _settings.IgnoreSun ? null : _ephemeris.Opened;
         return RunIdentity.Of(
             _host.Version,
             FrameArguments.OfSettings(_settings, sun?.Choice),

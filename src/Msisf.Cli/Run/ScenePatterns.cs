@@ -24,6 +24,9 @@ internal sealed class ScenePatterns : IDisposable
     /// <summary>The folder of the patterns.</summary>
     public string Folder => _repository.FolderOf(_builders.PixelsPerDegree);
 
+    /// <summary>How many have been checked or made.</summary>
+    public int Count => _ready.Count;
+
     /// <summary>File name of a part's mesh, without folder.</summary>
     public string FileNameOf(SurfacePart part) => Path.GetFileName(_repository.PathOf(part, _builders.PixelsPerDegree));
 

@@ -75,8 +75,8 @@ internal sealed class StateSource
         if (!File.Exists(path))
         {
             throw new BadInputException(Directory.Exists(path)
-                ? $"--batch-file {path}: is a folder; a file is needed."
-                : $"--batch-file {path}: there is no such file.");
+                ? $"{_options.BatchFile.Name} {path}: is a folder; a file is needed."
+                : $"{_options.BatchFile.Name} {path}: there is no such file.");
         }
 
         try
@@ -86,7 +86,7 @@ internal sealed class StateSource
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
-            throw new BadInputException($"--batch-file {path}: can't be read: {exception.Message}", exception);
+            throw new BadInputException($"{_options.BatchFile.Name} {path}: can't be read: {exception.Message}", exception);
         }
     }
 

@@ -26,13 +26,13 @@ public sealed class WorkFolderTests : IDisposable
     {
         Directory.CreateDirectory(_folder[".msis-1-killed"]);
         File.WriteAllText(_folder[".msis-1-killed/lock"], string.Empty);
-        Directory.CreateDirectory(_folder[".msis-2-being-made"]);
+        Directory.CreateDirectory(_folder[".msis-2-killed-before-it-had-a-lock"]);
         Directory.CreateDirectory(_folder["msis-mine"]);
         File.WriteAllText(_folder["msis-mine/lock"], string.Empty);
 
-        Assert.Equal(1, WorkFolder.RemoveStale(_folder.Path));
+        Assert.Equal(2, WorkFolder.RemoveStale(_folder.Path));
 
-        Assert.Equal([".msis-2-being-made", "msis-mine"], Directory.EnumerateDirectories(_folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(["msis-mine"], Directory.EnumerateDirectories(_folder.Path).Select(Path.GetFileName));
     }
 
     [Fact]
@@ -43,5 +43,28 @@ public sealed class WorkFolderTests : IDisposable
         Assert.Equal(0, WorkFolder.RemoveStale(_folder.Path));
 
         Assert.True(Directory.Exists(work.Path));
+    }
+
+    /// <summary>A folder that is just being made looks like remains, until it is locked.</summary>
+    [Fact]
+    public async Task In_OthersRemoveRemainsMeanwhile_EachFolderIsThereAndLocked()
+    {
+        using CancellationTokenSource stop = new();
+        Task[] others = [.. Enumerable.Range(0, 2).Select(_ => Task.Run(() =>
+        {
+            while (!stop.IsCancellationRequested)
+            {
+                WorkFolder.RemoveStale(_folder.Path);
+            }
+        }))];
+        for (int i = 0; i < 200; i++)
+        {
+            using WorkFolder work = WorkFolder.In(_folder.Path);
+            Assert.True(Directory.Exists(work.Path));
+        }
+
+        await stop.CancelAsync();
+        await Task.WhenAll(others);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
     }
 }

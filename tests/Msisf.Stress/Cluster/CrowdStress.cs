@@ -23,7 +23,7 @@ public sealed class CrowdStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        (int native, int povRay) = length == StressLength.Full ? (5000, 64) : (500, 8);
+        (int native, int povRay) = length == StressLength.Full ? (5000, 64) : (300, 5);
         SetJudge judge = new();
         CaseCount patterns = new();
         Crowd(new FrameSeries(native, Size: 64), "native", judge, patterns);

@@ -13,7 +13,7 @@ public sealed class KillStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "kill -9 at random moments of runs that make 300 frames by the native renderer or 6 by POV-Ray from an empty pattern repository: of the program (a node that vanishes) or of POV-Ray. Up to six kills a folder, each of a run that goes on where the one before was killed; then a run that may end, msis verify, and a comparison with a set and patterns that one undisturbed process made.";
+        "kill -9 at random moments of runs that make 300 frames by the native renderer or 4 by POV-Ray from an empty pattern repository: of the program (a node that vanishes) or of POV-Ray. Up to six kills a folder, each of a run that goes on where the one before was killed; then a run that may end, msis verify, and a comparison with a set and patterns that one undisturbed process made.";
 
     /// <inheritdoc/>
     public string? MissingPart => Msis.MissingPart ?? (TestParts.Program("povray") is null ? "POV-Ray" : null);
@@ -25,7 +25,7 @@ public sealed class KillStress : IStressTest
         SetJudge judge = new();
         CaseCount unnoticed = new();
         using KilledSet native = new(frames: 300, size: 64, isPovRay: false);
-        using KilledSet povRay = new(frames: 6, size: 32, isPovRay: true);
+        using KilledSet povRay = new(frames: 4, size: 32, isPovRay: true);
         int kills = Kill(24 * times, "native, msis", new CaseRandom(seed, part: 0), (most, random, what) =>
             native.Run(most, isPovRayKilled: false, random, judge, unnoticed, what));
         kills += Kill(12 * times, "POV-Ray, msis", new CaseRandom(seed, part: 1), (most, random, what) =>

@@ -1,0 +1,34 @@
+using Msisf.Adapters.Ephemeris;
+using Msisf.Adapters.IO;
+using Msisf.Cli.Options;
+using Msisf.Core.Ephemeris;
+
+namespace Msisf.Cli.Run;
+
+/// <summary>The ephemeris engine of a run.</summary>
+internal sealed class EphemerisSource : IDisposable
+{
+    private readonly RenderSettings _settings;
+    private readonly ProgramHost _host;
+
+    public EphemerisSource(RenderSettings settings, ProgramHost host) => (_settings, _host) = (settings, host);
+
+    /// <summary>What was opened; null if it was not needed yet.</summary>
+    public OpenedEphemeris? Opened { get; private set; }
+
+    /// <summary>The engine, opened when it is first needed.</summary>
+    public IEphemeris Engine()
+    {
+        if (Opened is null)
+        {
+            Installation installation = _host.Installation;
+            Opened = EphemerisFactory.Open(new EphemerisRequest(
+                _settings.Ephemeris, [_settings.Kernels ?? installation.MetaKernel], installation.Root, _host.Environment("MSISF_CSPICE")));
+            _host.Log.Note(Opened.Notice);
+        }
+
+        return Opened.Engine;
+    }
+
+    public void Dispose() => Opened?.Dispose();
+}

@@ -1,0 +1,107 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Text.RegularExpressions;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Run;
+
+/// <summary><c>msis patterns</c>: ahead of a run, and by several processes on one repository.</summary>
+public sealed class PatternRunTests : IDisposable
+{
+    private const int AllPatterns = 2592;
+
+    /// <summary>The whole Moon from afar, where coarser levels are drawn, and three near views.</summary>
+    private const string States = """
+        55289 7E6 7E6 0 0 0 3.826834323650898E-1 9.238795325112867E-1
+        55289 2E6 2E6 0 0 0 3.826834323650898E-1 9.238795325112867E-1
+        55289 2E6 -2E6 0 0 0 -3.826834323650898E-1 9.238795325112867E-1
+        55289 2E6 2E6 1E6 0 0 3.826834323650898E-1 9.238795325112867E-1
+        """;
+
+    private static readonly string[] Kepler =
+        ["--kepler-set", "{1.9E6,0,0,0,1.2,0}", "--epoch", "55289", "--times", "{55289,55289.01,55289.02}", "--fov", "30"];
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    private string[] Sources => ["--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--ephemeris", "builtin", "--batch"];
+
+    [RequiresTheory(Part.Ldem4, Part.PovRay)]
+    [InlineData("auto")]
+    [InlineData("off")]
+    public void ForBatch_ThenTheRun_FindsAllPatterns(string levels)
+    {
+        string batch = BatchFile();
+        string[] picture = ["--width", "48", "--height", "32", "--lod", levels, .. Sources];
+
+        int made = Made(Msis(["patterns", "--for-batch", batch, .. picture]));
+        CommandLineRun run = Msis(["--batch-file", batch, "--timing", "--output-dir", _folder["out"], .. picture]);
+
+        Assert.InRange(made, 1, AllPatterns - 1);
+        Assert.Contains("\"patterns_made\":0,", run.Error, StringComparison.Ordinal);
+        Assert.Equal(0, Made(Msis(["patterns", "--for-batch", batch, .. picture])));
+    }
+
+    [RequiresFact(Part.Ldem4, Part.PovRay)]
+    public void ForBatch_SomeFramesOfAnOrbit_AreMadeForThese()
+    {
+        string[] picture = ["--width", "48", "--height", "32", .. Sources];
+        string[] render = [.. Kepler, "--timing", "--output-dir", _folder["out"], .. picture];
+
+        Assert.InRange(Made(Msis(["patterns", .. Kepler, "--frames", "2:3", .. picture])), 1, AllPatterns - 1);
+        Assert.Contains("\"patterns_made\":0,", Msis([.. render, "--frames", "2:3"]).Error, StringComparison.Ordinal);
+        Assert.DoesNotContain("\"patterns_made\":0,", Msis(render).Error, StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task Patterns_FourProcessesAtOnce_MakeEachOnce()
+    {
+        ChildRun[] runs = await Task.WhenAll(Enumerable.Range(0, 4).Select(_ => Task.Run(
+            () => ChildRun.Of(Environment.ProcessPath!, PatternsOfTheMoon, _folder.Path).Succeeded())));
+
+        Assert.Equal(AllPatterns, runs.Sum(run => Made(run.Error)));
+        Assert.Equal(AllPatterns, Directory.GetFiles(Path.Combine(_folder["patterns"], "4"), "pattern_*").Length);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task Patterns_KilledAtWork_AreFinishedByTheNext()
+    {
+        string patterns = Directory.CreateDirectory(Path.Combine(_folder["patterns"], "4")).FullName;
+        TaskCompletionSource some = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        using FileSystemWatcher watcher = new(patterns) { EnableRaisingEvents = true };
+        watcher.Renamed += (_, _) => some.TrySetResult();
+        using Process killed = Process.Start(new ProcessStartInfo(Environment.ProcessPath!, PatternsOfTheMoon) { RedirectStandardError = true, RedirectStandardOutput = true })!;
+        await some.Task;
+        killed.Kill();
+        await killed.WaitForExitAsync();
+        int finished = Directory.GetFiles(patterns, "pattern_*").Count(path => !path.Contains(".partial", StringComparison.Ordinal));
+
+        CommandLineRun next = Msis([.. PatternsOfTheMoon.Skip(1)]);
+
+        Assert.InRange(finished, 1, AllPatterns - 1);
+        Assert.Equal(AllPatterns - finished, Made(next));
+    }
+
+    private string[] PatternsOfTheMoon =>
+        [Path.Combine(AppContext.BaseDirectory, "msis.dll"), "patterns", "--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--batch"];
+
+    private string BatchFile()
+    {
+        File.WriteAllText(_folder["states.tab"], States);
+        return _folder["states.tab"];
+    }
+
+    private static CommandLineRun Msis(string[] arguments)
+    {
+        CommandLineRun run = CommandLineRun.Of(arguments);
+        Assert.True(run.ExitCode == 0, run.Error);
+        return run;
+    }
+
+    private static int Made(CommandLineRun run) => Made(run.Error);
+
+    private static int Made(string notes) =>
+        int.Parse(Regex.Match(notes, @"(\d+) of \d+ patterns made").Groups[1].Value, CultureInfo.InvariantCulture);
+}
