@@ -1,8 +1,8 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
-using Msisf.Core.Scene;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 
 namespace Msisf.Cli.Options;
 

@@ -59,6 +59,6 @@ internal static class CostSurvey
             : 0;
         int resolution = settings.PixelsPerDegree >> level;
         long faces = run.Model.Select(frame).Kept.Sum(choice => (long)TileMeshLayout.For(choice.Tile, resolution).FaceCount);
-        return FrameCost.Of(settings).Seconds((long)settings.Width * settings.Height * across * across, faces);
+        return FrameCost.Of(settings.Renderer).Seconds((long)settings.Width * settings.Height * across * across, faces);
     }
 }

@@ -88,7 +88,7 @@ internal sealed class SlurmWatch
     {
         try
         {
-            return int.TryParse(File.ReadAllText($"{_run.Script}.result"), NumberStyles.None, CultureInfo.InvariantCulture, out int code) ? code : null;
+            return int.TryParse(File.ReadAllText($"{_run.Script}.result").Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out int code) ? code : null;
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
