@@ -37,7 +37,7 @@ public sealed class FrameJudge
 
     private (FrameState State, string Reason) JudgeFiles(IReadOnlyList<OutputFile> files)
     {
-        FileInfo[] there = [.. files.Select(file => new FileInfo(Path.Combine(_folder, file.Name)))];
+        FileInfo[] there = [.. files.Select(file => Target(new FileInfo(Path.Combine(_folder, file.Name))))];
         if (Array.TrueForAll(there, file => !file.Exists))
         {
             return (FrameState.Missing, "its files are gone");
@@ -60,6 +60,9 @@ public sealed class FrameJudge
 
         return (FrameState.Right, string.Empty);
     }
+
+    /// <summary>The file itself where outputs were moved and links left in their place.</summary>
+    private static FileInfo Target(FileInfo file) => file.LinkTarget is null ? file : file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file;
 
     private string? ProblemWith(OutputFile made, FileInfo file)
     {

@@ -44,6 +44,17 @@ public sealed class FrameJudgeTests : IDisposable
     }
 
     [Fact]
+    public void Judge_LinkToTheFile_IsRight()
+    {
+        FrameRecord made = Made();
+        File.Move(_folder["m.pov"], _folder["elsewhere"]);
+        File.CreateSymbolicLink(_folder["m.pov"], _folder["elsewhere"]);
+        Assert.Equal(FrameState.Right, Judge(made, CheckDepth.Checksums).State);
+        File.Delete(_folder["elsewhere"]);
+        Assert.Equal(FrameState.Damaged, Judge(made, CheckDepth.Lengths).State);
+    }
+
+    [Fact]
     public void Judge_OneFileGone_IsDamagedByName()
     {
         FrameRecord made = Made();
