@@ -33,8 +33,28 @@ internal sealed class SlurmWatch
     /// <exception cref="ExternalPartException">All jobs are gone, and none said how it ended.</exception>
     public async Task<int> FollowAsync(CancellationToken cancellation)
     {
-        using CancellationTokenRegistration told = cancellation.Register(() => _host.Log.Note(
-            $"no longer followed; the jobs go on. msis status {PosixWord.Of(_run.OutputFolder)} says how far they are, scancel --name={SlurmJobName.Of(_run.Script)} ends them."));
+        try
+        {
+            return await FollowToTheEndAsync(cancellation).ConfigureAwait(false);
+        }
+        catch (OperationCanceledException)
+        {
+            _host.Log.Note(
+                $"no longer followed; the jobs go on. msis status {PosixWord.Of(_run.OutputFolder)} says how far they are, scancel --name={SlurmJobName.Of(_run.Script)} ends them.");
+            throw;
+        }
+    }
+
+    private static int CountDone(ManifestReader manifest)
+    {
+        manifest.Refresh();
+        ManifestContent content = manifest.Content;
+        return content.Expected.Values.Count(expected =>
+            expected.Run == content.LastRun && content.Frames.TryGetValue(expected.Name, out FrameRecord? made) && made.Frame == expected.Frame);
+    }
+
+    private async Task<int> FollowToTheEndAsync(CancellationToken cancellation)
+    {
         using ManifestReader manifest = new(new ManifestFile(_run.OutputFolder));
         long start = _host.Clock.GetTimestamp();
         long lastSeen = start;
@@ -59,14 +79,6 @@ internal sealed class SlurmWatch
 
             await Task.Delay(_pause, _host.Clock, cancellation).ConfigureAwait(false);
         }
-    }
-
-    private static int CountDone(ManifestReader manifest)
-    {
-        manifest.Refresh();
-        ManifestContent content = manifest.Content;
-        return content.Expected.Values.Count(expected =>
-            expected.Run == content.LastRun && content.Frames.TryGetValue(expected.Name, out FrameRecord? made) && made.Frame == expected.Frame);
     }
 
     private void Tell(int done, int before, TimeSpan time)
