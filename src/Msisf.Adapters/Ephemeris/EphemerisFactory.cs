@@ -22,7 +22,7 @@ public static class EphemerisFactory
         if (CSpice.Shared.TryStart(request.CSpicePath, request.InstallationRoot, out string pathOrReason))
         {
             SpiceEphemeris engine = new(CSpice.Shared, kernels);
-            return new OpenedEphemeris(engine, EphemerisChoice.CSpice, kernels, $"Ephemeris: {engine.EngineName} ({pathOrReason}).", engine);
+            return new OpenedEphemeris(engine, EphemerisChoice.CSpice, $"Ephemeris: {engine.EngineName} ({pathOrReason}).", engine);
         }
 
         return request.Choice == EphemerisChoice.Auto
@@ -33,6 +33,6 @@ public static class EphemerisFactory
     private static OpenedEphemeris OpenBuiltIn(IReadOnlyList<string> kernels, string reason)
     {
         BuiltInKernels opened = new(kernels);
-        return new OpenedEphemeris(opened.Ephemeris, EphemerisChoice.BuiltIn, kernels, $"Ephemeris: {opened.Ephemeris.EngineName}, {reason}.", opened);
+        return new OpenedEphemeris(opened.Ephemeris, EphemerisChoice.BuiltIn, $"Ephemeris: {opened.Ephemeris.EngineName}, {reason}.", opened);
     }
 }

@@ -7,11 +7,10 @@ public sealed class OpenedEphemeris : IDisposable
 {
     private readonly IDisposable _resources;
 
-    internal OpenedEphemeris(IEphemeris engine, EphemerisChoice choice, IReadOnlyList<string> kernels, string notice, IDisposable resources)
+    internal OpenedEphemeris(IEphemeris engine, EphemerisChoice choice, string notice, IDisposable resources)
     {
         Engine = engine;
         Choice = choice;
-        Kernels = kernels;
         Notice = notice;
         _resources = resources;
     }
@@ -21,9 +20,6 @@ public sealed class OpenedEphemeris : IDisposable
 
     /// <summary>Which engine it is; not <see cref="EphemerisChoice.Auto"/>.</summary>
     public EphemerisChoice Choice { get; }
-
-    /// <summary>The kernels that it reads, in load order.</summary>
-    public IReadOnlyList<string> Kernels { get; }
 
     /// <summary>One line for the run's log: which engine, and why.</summary>
     public string Notice { get; }

@@ -1,5 +1,4 @@
 using Msisf.Adapters.Ephemeris;
-using Msisf.Adapters.IO;
 using Msisf.Cli.Options;
 using Msisf.Core.Ephemeris;
 
@@ -13,6 +12,8 @@ internal sealed class EphemerisSource : IDisposable
 
     public EphemerisSource(RenderSettings settings, ProgramHost host) => (_settings, _host) = (settings, host);
 
+    private string[] KernelNames => [_settings.Kernels ?? _host.Installation.MetaKernel];
+
     /// <summary>What was opened; null if it was not needed yet.</summary>
     public OpenedEphemeris? Opened { get; private set; }
 
@@ -21,14 +22,16 @@ internal sealed class EphemerisSource : IDisposable
     {
         if (Opened is null)
         {
-            Installation installation = _host.Installation;
             Opened = EphemerisFactory.Open(new EphemerisRequest(
-                _settings.Ephemeris, [_settings.Kernels ?? installation.MetaKernel], installation.Root, _host.Environment("MSISF_CSPICE")));
+                _settings.Ephemeris, KernelNames, _host.Installation.Root, _host.Environment("MSISF_CSPICE")));
             _host.Log.Note(Opened.Notice);
         }
 
         return Opened.Engine;
     }
+
+    /// <summary>The kernels that the engine reads, in load order; nothing is opened for it.</summary>
+    public IReadOnlyList<string> KernelFiles() => KernelList.Expand(KernelNames);
 
     public void Dispose() => Opened?.Dispose();
 }

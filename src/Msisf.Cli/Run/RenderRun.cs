@@ -40,12 +40,13 @@ internal sealed class RenderRun : IDisposable
     /// <param name="cancellation">Ends POV-Ray and leaves no half file.</param>
     public async Task RunAsync(Func<IReadOnlyList<SpacecraftState>> readStates, CancellationToken cancellation)
     {
+        // What takes long and is needed late begins first.
+        Task<IReadOnlyList<(string Name, string Sha256)>> kernels = Task.Run(
+            () => RunIdentity.ChecksumsOf(_settings.IgnoreSun || _settings.ListPatterns ? [] : _ephemeris.KernelFiles()), cancellation);
         Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay && !_settings.ListPatterns ? Task.Run(AskPovRayVersion, cancellation) : null;
         IReadOnlyList<SpacecraftState> states = _times.Measure(Phase.States, readStates);
         IReadOnlyList<string> names = new FrameNaming(_settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
         Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, names, _settings, Ephemeris, cancellation));
-        Task<IReadOnlyList<(string Name, string Sha256)>> kernels = Task.Run(
-            () => RunIdentity.ChecksumsOf(_settings.IgnoreSun ? [] : _ephemeris.Opened?.Kernels ?? []), cancellation);
         using ElevationModel model = _times.Measure(Phase.Model, () => ElevationModel.Open(
             _settings.Ldem, _settings.PixelsPerDegree, isSparing: _settings.Renderer == RendererKind.PovRay, _host));
         FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
@@ -138,7 +139,8 @@ internal sealed class RenderRun : IDisposable
     /// <summary>The outputs of the frames that are there and right; says how many of each there are if there is one.</summary>
     private FrameOutputs?[] Known(Frame[] frames, FrameLedger ledger)
     {
-        FrameState[] states = [.. frames.AsParallel().AsOrdered().Select(frame => ledger.Judge(frame).State)];
+        FrameState[] states = new FrameState[frames.Length];
+        Parallel.For(0, frames.Length, index => states[index] = ledger.Judge(frames[index]).State);
         int Count(FrameState state) => states.Count(found => found == state);
         int right = Count(FrameState.Right);
         if (right + Count(FrameState.Damaged) + Count(FrameState.OtherSettings) > 0)

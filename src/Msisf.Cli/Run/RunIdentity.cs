@@ -65,11 +65,11 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
     {
         try
         {
-            return [.. kernels.AsParallel().AsOrdered().Select(path => (Path.GetFileName(path), FileHash.Sha256Of(path)))];
+            return [.. kernels.Select(path => (Path.GetFileName(path), FileHash.Sha256Of(path)))];
         }
-        catch (AggregateException exception) when (exception.InnerException is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
-            throw new ExternalPartException($"a kernel can't be read: {exception.InnerException.Message}", exception);
+            throw new ExternalPartException($"a kernel can't be read: {exception.Message}", exception);
         }
     }
 }

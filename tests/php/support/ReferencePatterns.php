@@ -59,7 +59,7 @@ final class ReferencePatterns
     private function hashesIn(string $repository): array
     {
         $hashes = [];
-        foreach (array_diff(scandir("$repository/$this->pixelsPerDegree"), ['.', '..']) as $name) {
+        foreach (array_map('basename', glob("$repository/$this->pixelsPerDegree/*")) as $name) {
             if (!str_ends_with($name, '.partial.inc')) {
                 $hashes[$name] = hash_file('xxh128', "$repository/$this->pixelsPerDegree/$name");
             }
