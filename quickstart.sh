@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up MSISF on a fresh machine and renders three pictures of the Moon into output/. As root, or as a user with sudo.
+# Sets up MSISF on a fresh machine and renders three images of the Moon into output/. As root, or as a user with sudo.
 # Can be run again at no cost: what is there and up to date is left alone.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
@@ -24,7 +24,7 @@ get_model() {
     esac
 }
 
-# is_current NAME: the picture and its companions are there and newer than all they were made from.
+# is_current NAME: the image and its companions are there and newer than all they were made from.
 is_current() {
     local file
     for file in "output/$1.xml" "output/$1.png" "output/$1.annotated.png"; do
@@ -46,7 +46,7 @@ render() {
             --batch --overwrite --output-name "$name"
         [ -s "output/$name.png" ] || die "msis ended well, but did not write output/$name.png: please report this"
     fi
-    pictures+=("$root/output/$name.png" "$root/output/$name.annotated.png")
+    images+=("$root/output/$name.png" "$root/output/$name.annotated.png")
 }
 
 install_parts povray cairo cfitsio downloader certificates
@@ -58,7 +58,7 @@ else
     say 'Going on without CSPICE, with the built-in kernel reader.'
 fi
 
-pictures=()
+images=()
 # The example of section 9.2 of the thesis, by POV-Ray and by the program's own renderer.
 state='{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}'
 render thesis-9.2 --fixed-state "$state" "${pattern_options[@]}"
@@ -68,5 +68,5 @@ render nadir-orientale --kepler-set '{3.2374e6,0,0,4.7974,1.2,5.9188}' --epoch 5
     "${pattern_options[@]}"
 
 say
-say 'The pictures (the numbers to each are in the .xml file beside it):'
-printf '    %s\n' "${pictures[@]}"
+say 'The images (the numbers to each are in the .xml file beside it):'
+printf '    %s\n' "${images[@]}"

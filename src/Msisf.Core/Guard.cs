@@ -28,8 +28,8 @@ public static class Guard
 
     /// <summary>Lets a number in [<paramref name="minimum"/>, <paramref name="maximum"/>] pass.</summary>
     /// <param name="value">The number to check.</param>
-    /// <param name="minimum">Least allowed value.</param>
-    /// <param name="maximum">Greatest allowed value.</param>
+    /// <param name="minimum">Minimum allowed value.</param>
+    /// <param name="maximum">Maximum allowed value.</param>
     /// <param name="what">Name and unit for the message.</param>
     /// <returns><paramref name="value"/>.</returns>
     /// <exception cref="BadInputException">NaN or out of range.</exception>

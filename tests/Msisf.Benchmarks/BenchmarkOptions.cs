@@ -46,7 +46,7 @@ internal sealed class BenchmarkOptions
     public IEnumerable<int> Resolutions =>
         Chosen.Select(scene => scene.PixelsPerDegree)
             .Concat(HasSequence ? [Repeats.SequencePixelsPerDegree] : [])
-            .Concat(HasFromNothing ? [FromNothing.Picture.PixelsPerDegree] : [])
+            .Concat(HasFromNothing ? [FromNothing.Image.PixelsPerDegree] : [])
             .Distinct()
             .Order();
 
@@ -85,7 +85,7 @@ internal sealed class BenchmarkOptions
             Msisf.Stress.StressTests.All.FirstOrDefault(test => test.Name == name)
                 ?? throw new BenchmarkException($"there is no stress test {name}; known: {string.Join(", ", Msisf.Stress.StressTests.All.Select(test => test.Name))}."))];
 
-    private static Scene Quick(Scene scene) => scene with { Settings = [.. scene.Settings.Intersect(Settings.Usual)] };
+    private static Scene Quick(Scene scene) => scene with { Settings = [.. scene.Settings.Intersect(Settings.Default)] };
 
     private static string Single(ILookup<string, string> values, string name) => values[name].LastOrDefault() ?? ".";
 }

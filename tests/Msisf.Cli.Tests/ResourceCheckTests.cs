@@ -50,11 +50,11 @@ public sealed class ResourceCheckTests
 
     private static RenderSettings Settings(string options)
     {
-        PictureOptions picture = new();
+        ImageOptions image = new();
         SourceOptions source = new();
         RunOptions run = new();
         NativeOptions native = new();
-        RootCommand command = [.. picture.All, .. source.All, .. run.All, .. native.All];
-        return new RenderSettingsReader(command.Parse(options)).Read(picture, source, run, native);
+        RootCommand command = [.. image.All, .. source.All, .. run.All, .. native.All];
+        return new RenderSettingsReader(command.Parse(options)).Read(image, source, run, native);
     }
 }

@@ -44,7 +44,7 @@ public class LdemTableGridTests
     }
 
     [Fact]
-    public void RadiusBounds_BlockOverTheSeam_IsLeastAndGreatest()
+    public void RadiusBounds_BlockOverTheSeam_IsMinAndMax()
     {
         FunctionGrid peaks = new(1, (line, sample) => 1_737_400.0 + (line == 90 && sample == 1 ? 9.5 : 0.0) - (line == 91 && sample == 358 ? 7.5 : 0.0));
         LdemTableGrid grid = LdemTableGrid.Open(new FakeMoon(peaks, FakeMoon.Record("TEST_GRID")).Source, 1);

@@ -1,6 +1,6 @@
 namespace Msisf.Stress;
 
-/// <summary>The greatest error so far and the input that shows it. Not safe for several threads: each has its own, merged by <see cref="Add"/>.</summary>
+/// <summary>The maximum error so far and the input that shows it. Not safe for several threads: each has its own, merged by <see cref="Add"/>.</summary>
 public sealed class WorstCase
 {
     private double _error = double.NaN;
@@ -8,7 +8,7 @@ public sealed class WorstCase
     private bool _isEmpty = true;
 
     /// <summary>Notes a case.</summary>
-    /// <param name="error">How wrong; NaN is the greatest.</param>
+    /// <param name="error">How wrong; NaN is the maximum.</param>
     /// <param name="input">Tells the input, complete, in round-trip numbers; asked only if it is the worst so far.</param>
     public void Note(double error, Func<string> input)
     {

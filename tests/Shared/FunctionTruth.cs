@@ -7,10 +7,10 @@ namespace Msisf.TestSupport;
 
 /// <summary>A frame whose pixels a function gives; null is space.</summary>
 internal sealed class FunctionTruth(
-    PinholeCamera camera, Vector3D lightPositionMoonMe, Func<int, int, (SurfaceHit Hit, PixelLight Light)?> pixelOf) : IFrameTruth
+    PinholeCamera camera, Vector3D lightPositionMoonMe, Func<int, int, (SurfaceHit Hit, PixelIllumination Light)?> pixelOf) : IGroundTruth
 {
-    private static readonly PixelLight[] Lights =
-        [new(SunState.Lit, 1.0), new(SunState.Penumbra, 0.25), new(SunState.Shadow, 0.0), new(SunState.Night, 0.0)];
+    private static readonly PixelIllumination[] Lights =
+        [new(IlluminationState.Lit, 1.0), new(IlluminationState.Penumbra, 0.25), new(IlluminationState.Shadow, 0.0), new(IlluminationState.Night, 0.0)];
 
     public PinholeCamera Camera => camera;
 
@@ -25,9 +25,9 @@ internal sealed class FunctionTruth(
             : null);
     }
 
-    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light)
+    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light)
     {
-        (SurfaceHit Hit, PixelLight Light)? pixel = pixelOf(x, y);
+        (SurfaceHit Hit, PixelIllumination Light)? pixel = pixelOf(x, y);
         (hit, light) = pixel ?? default;
         return pixel is not null;
     }

@@ -11,7 +11,7 @@ internal static class PngBytes
     public static byte[] File(params byte[][] chunks) =>
         [0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, .. chunks.SelectMany(chunk => chunk)];
 
-    /// <summary>A picture of 8 bit RGB in one grey.</summary>
+    /// <summary>An image of 8 bit RGB in one grey.</summary>
     public static byte[] Grey(int width, int height, byte level)
     {
         byte[] row = [0, .. Enumerable.Repeat(level, 3 * width)];

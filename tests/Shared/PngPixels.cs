@@ -4,7 +4,7 @@ using System.Text;
 
 namespace Msisf.TestSupport;
 
-/// <summary>The samples of a PNG picture, 8 or 16 bits, grey or RGB with or without alpha, not interlaced: an independent reader for picture tests.</summary>
+/// <summary>The samples of a PNG image, 8 or 16 bits, grey or RGB with or without alpha, not interlaced: an independent reader for image tests.</summary>
 internal sealed class PngPixels
 {
     private readonly ushort[] _samples;

@@ -6,7 +6,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.TestSupport;
 
 /// <summary>A smooth sphere in place of the terrain: every layer of it is known in closed form. Lit by day, night beyond the terminator.</summary>
-internal sealed class SphereTruth(PinholeCamera camera, Vector3D lightPositionMoonMe, int pixelsPerDegree, double radius = 1_737_400.0) : IFrameTruth
+internal sealed class SphereTruth(PinholeCamera camera, Vector3D lightPositionMoonMe, int pixelsPerDegree, double radius = 1_737_400.0) : IGroundTruth
 {
     private readonly ReferenceSphere _sphere = new(radius);
 
@@ -14,7 +14,7 @@ internal sealed class SphereTruth(PinholeCamera camera, Vector3D lightPositionMo
 
     public Vector3D LightPositionMoonMe => lightPositionMoonMe;
 
-    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light)
+    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light)
     {
         Ray ray = camera.RayThrough(x, y);
         if (!_sphere.TryFirstHit(ray, out Vector3D point))
@@ -28,7 +28,7 @@ internal sealed class SphereTruth(PinholeCamera camera, Vector3D lightPositionMo
         double parameter = Vector3D.Dot(point - ray.Origin, ray.Direction) / ray.Direction.LengthSquared;
         hit = new SurfaceHit(point, normal, FacetBelow(point), parameter);
         bool isDay = Vector3D.Dot(normal, lightPositionMoonMe - point) > 0.0;
-        light = isDay ? new PixelLight(SunState.Lit, 1.0) : new PixelLight(SunState.Night, 0.0);
+        light = isDay ? new PixelIllumination(IlluminationState.Lit, 1.0) : new PixelIllumination(IlluminationState.Night, 0.0);
         return true;
     }
 

@@ -1,15 +1,15 @@
-"""Does an adaptive triangulation need fewer triangles than the regular grids of the levels of detail, at equal error of the picture?
+"""Does an adaptive triangulation need fewer triangles than the regular grids of the levels of detail, at equal error of the image?
 
 /usr/bin/python3 tests/reference/adaptive_triangulation.py LABEL [LATITUDE LONGITUDE]
 
 A patch of 4 (16 at 4 px/deg) degrees is drawn from straight above, one pixel a cell, with the Sun 10 degrees up in the east, Lambert, no cast shadows.
 With 2 or 4 samples of the model a pixel the grid is the level of detail whose cell is a pixel (means of 2 x 2 or 4 x 4 samples). The truth of
-the picture is always the mean over each pixel of all facets of the model itself. Against each other:
+the image is always the mean over each pixel of all facets of the model itself. Against each other:
 - regular grids: the level itself, and the next coarser ones (means again);
 - right-triangulated irregular networks of the level (W. Evans, D. Kirkpatrick, G. Townsend, "Right-triangulated irregular networks",
   Algorithmica 30 (2001) 264): halved until the grey of a triangle is within a tolerance, rms over its pixels, of what these pixels show in
   truth, and its heights are within half a pixel. Crack-free by taking each vertex's error as the greatest of all that depend on it.
-  "This Sun": its grey under the picture's own Sun, a mesh for one picture. "Any Sun": under Suns 10 degrees up in the east, north, west and
+  "This Sun": its grey under the image's own Sun, a mesh for one image. "Any Sun": under Suns 10 degrees up in the east, north, west and
   south, a mesh that can be kept.
 """
 import re
@@ -20,7 +20,7 @@ import numpy as np
 RADIUS = 1737400.0  # m
 MARGIN = 8  # px at the patch's border that are not compared: coarse means do not reach them
 UP, ALONG = np.sin(np.radians(10.0)), np.cos(np.radians(10.0))
-SUNS = ((ALONG, 0.0), (0.0, -ALONG), (-ALONG, 0.0), (0.0, ALONG))  # x east, y south; the first is the picture's
+SUNS = ((ALONG, 0.0), (0.0, -ALONG), (-ALONG, 0.0), (0.0, ALONG))  # x east, y south; the first is the image's
 TOLERANCES = (0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0)  # levels
 MOST_HEIGHT_ERROR = 0.5  # px
 
@@ -83,7 +83,7 @@ def coarser(heights, cell, factor):
     slopes = quarters(z, cell * factor)
     offsets = ((0.5, 1 / 6), (5 / 6, 0.5), (0.5, 5 / 6), (1 / 6, 0.5))  # of the quarters' centroids in a pixel, x and y
     pixels = len(heights) - 1
-    picture = np.zeros((4, pixels, pixels))
+    image = np.zeros((4, pixels, pixels))
     for quarter, (dx, dy) in enumerate(offsets):
         u = (np.arange(pixels) + dx - 0.5 * (factor - 1)) / factor
         v = (np.arange(pixels) + dy - 0.5 * (factor - 1)) / factor
@@ -91,8 +91,8 @@ def coarser(heights, cell, factor):
         j = np.clip(np.floor(v).astype(int), 0, len(z) - 2)
         is_lower = (v - j)[:, None] > (u - i)[None, :]
         piece = np.where(is_lower, 2, 0)
-        picture[quarter] = radiance(slopes[0][piece, j[:, None], i[None, :]], slopes[1][piece, j[:, None], i[None, :]])
-    return picture
+        image[quarter] = radiance(slopes[0][piece, j[:, None], i[None, :]], slopes[1][piece, j[:, None], i[None, :]])
+    return image
 
 
 def bent_means(heights, cell, factor):
@@ -131,7 +131,7 @@ class Network:
     """The adaptive triangulation of a patch."""
 
     def __init__(self, z, cell, truths):
-        """truths: of the picture under each of the first Suns that count."""
+        """truths: of the image under each of the first Suns that count."""
         self.cells = len(z) - 1
         self.triangles = triangles_by_level(self.cells)
         self.splits = len(self.triangles) - 1
@@ -185,7 +185,7 @@ class Network:
         """Number of triangles and radiance of each quarter, for tolerances in levels and m."""
         is_split = (self.grey_error > grey) | (self.height_error > height)
         open_ = np.ones(len(self.triangles[0]), bool)
-        picture = np.zeros((4, self.cells, self.cells))
+        image = np.zeros((4, self.cells, self.cells))
         count = 0
         for k, triangles in enumerate(self.triangles):
             m = (triangles[:, 0] + triangles[:, 1]) // 2
@@ -193,15 +193,15 @@ class Network:
             leaf = open_ & ~halve
             count += leaf.sum()
             number = self.holder >> (self.splits - k)
-            picture = np.where(leaf[number], radiance(*self.slopes[k])[number], picture)
+            image = np.where(leaf[number], radiance(*self.slopes[k])[number], image)
             open_ = np.repeat(halve, 2)
-        return count, picture
+        return count, image
 
 
-def error_of(picture, truth):
+def error_of(image, truth):
     """Rms in levels."""
     inside = slice(MARGIN, -MARGIN)
-    return np.sqrt(np.mean((levels(picture.mean(axis=0)) - levels(truth))[inside, inside] ** 2))
+    return np.sqrt(np.mean((levels(image.mean(axis=0)) - levels(truth))[inside, inside] ** 2))
 
 
 def study(label, latitude, longitude, per_pixel):
@@ -221,7 +221,7 @@ def study(label, latitude, longitude, per_pixel):
     for tolerance in TOLERANCES:
         results = [network.draw(tolerance, MOST_HEIGHT_ERROR * pixel) for network in (this_sun, any_sun)]
         shares = ", ".join(f"{100 * count / whole:.1f} %" for count, _ in results)
-        errors = ", ".join(f"{error_of(picture, truths[0]):.2f}" for _, picture in results)
+        errors = ", ".join(f"{error_of(image, truths[0]):.2f}" for _, image in results)
         print(f"| adaptive, {tolerance:g} levels: this Sun, any Sun | {shares} | {errors} |")
 
 

@@ -61,7 +61,7 @@ class Cameras:
         return position, q, fov, width, height, sun
 
     def pixels(self, camera):
-        """Pixels that show the Moon, each tried near the middle first where the picture is wide."""
+        """Pixels that show the Moon, each tried near the middle first where the image is wide."""
         position, q, fov, width, height, sun = camera
         found = {}
         for attempt in range(8 * PIXELS_EACH):

@@ -239,13 +239,13 @@ test_benchmark_quick_run_measures() {
     }
     run "$MSISF_TESTED_ROOT/benchmark.sh" --quick
     assert_code 0
-    assert_says '| far, LDEM_4 | POV-Ray'\''s picture, to the thesis'\''s way | at least 1.00 times |'
+    assert_says '| far, LDEM_4 | POV-Ray'\''s image, to the thesis'\''s way | at least 1.00 times |'
     assert_says '| thesis | '
     assert_says '| native, 16, full | '
     [ -s "$MSISF_TESTED_ROOT/benchmark/front-far-4.svg" ] || fail 'there is no plot'
     assert_says '| far, LDEM_4 | first frame, from process start | at most 120 ms |'
     assert_says '| far, LDEM_4 | further frames | at most 12.0 ms |'
-    assert_says '| orbit of 20 frames | pictures and meta files | at least 15.0 frames/s |'
+    assert_says '| orbit of 20 frames | images and meta files | at least 15.0 frames/s |'
     assert_says '| and all layers, FITS | 2 |'
     assert_says '| 0, 0 of '
 }

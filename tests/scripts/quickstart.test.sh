@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 . "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
 
-# A clone that is set up but for its pictures; the program and CSPICE are stand-ins.
+# A clone that is set up but for its images; the program and CSPICE are stand-ins.
 make_built_clone() {
     need povray
     export MSISF_LDEM_URLS='http://127.0.0.1:9/none.lbl'
@@ -61,7 +61,7 @@ test_quickstart_failed_rendering_ends_with_the_programs_exit_code() {
     make_built_clone
     BROKEN=yes run clone/quickstart.sh
     assert_code 3
-    assert_silent_on 'The pictures'
+    assert_silent_on 'The images'
 }
 
 test_quickstart_without_a_real_model_goes_on_with_a_synthetic_one() {

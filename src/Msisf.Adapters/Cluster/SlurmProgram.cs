@@ -21,7 +21,7 @@ public sealed class SlurmProgram
     /// <param name="arguments">Its arguments.</param>
     /// <param name="cancellation">Ends it, with all that it started.</param>
     /// <exception cref="ExternalPartException">It is missing or can't be started.</exception>
-    public async Task<ProgramAnswer> CallAsync(string name, IReadOnlyList<string> arguments, CancellationToken cancellation)
+    public async Task<ProcessResult> CallAsync(string name, IReadOnlyList<string> arguments, CancellationToken cancellation)
     {
         ProcessStartInfo start = new(Find(name) ?? throw new ExternalPartException($"no {name} on the PATH."), arguments)
         {
@@ -53,7 +53,7 @@ public sealed class SlurmProgram
             throw;
         }
 
-        return new ProgramAnswer(process.ExitCode, await output.ConfigureAwait(false), await error.ConfigureAwait(false));
+        return new ProcessResult(process.ExitCode, await output.ConfigureAwait(false), await error.ConfigureAwait(false));
     }
 
     private string? Find(string name) => _searchPath

@@ -3,7 +3,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Interop;
 
-/// <summary>A picture that is drawn on with cairo; every result is checked. Coordinates are in px from the upper left corner, x right, y down.</summary>
+/// <summary>An image that is drawn on with cairo; every result is checked. Coordinates are in px from the upper left corner, x right, y down.</summary>
 internal sealed unsafe class CairoImage : IDisposable
 {
     /// <summary>
@@ -31,7 +31,7 @@ internal sealed unsafe class CairoImage : IDisposable
     /// <summary>px.</summary>
     public int Height { get; }
 
-    /// <summary>Begins a black picture.</summary>
+    /// <summary>Begins a black image.</summary>
     /// <param name="width">px.</param>
     /// <param name="height">px.</param>
     /// <exception cref="ExternalPartException">cairo is missing or has too little memory.</exception>
@@ -46,9 +46,9 @@ internal sealed unsafe class CairoImage : IDisposable
         return image;
     }
 
-    /// <summary>Reads a PNG picture.</summary>
+    /// <summary>Reads a PNG image.</summary>
     /// <exception cref="ExternalPartException">cairo is missing.</exception>
-    /// <exception cref="BadInputException">The stream does not hold a whole PNG picture.</exception>
+    /// <exception cref="BadInputException">The stream does not hold a whole PNG image.</exception>
     public static CairoImage FromPng(Stream png)
     {
         RequireLibrary(CairoNative.Library);
@@ -64,10 +64,10 @@ internal sealed unsafe class CairoImage : IDisposable
         source.ThrowIfFailed();
         if (status == CairoNative.StatusNoMemory)
         {
-            throw new ExternalPartException("cairo has too little memory for the picture. Make the picture smaller or leave out the annotation.");
+            throw new ExternalPartException("cairo has too little memory for the image. Make the image smaller or leave out the annotation.");
         }
 
-        throw new BadInputException($"The picture can't be read as PNG: {Text(status)}.");
+        throw new BadInputException($"The image can't be read as PNG: {Text(status)}.");
     }
 
     /// <summary>Checks that a library can be loaded.</summary>
@@ -78,11 +78,11 @@ internal sealed unsafe class CairoImage : IDisposable
         if (!NativeLibrary.TryLoad(name, typeof(CairoImage).Assembly, searchPath: null, out _))
         {
             throw new ExternalPartException(
-                $"{name} (cairo, which draws on pictures) can't be loaded. Install it (Debian, Ubuntu: apt-get install libcairo2) or leave out --rendering-annotation and --contact-sheet.");
+                $"{name} (cairo, which draws on images) can't be loaded. Install it (Debian, Ubuntu: apt-get install libcairo2) or leave out --rendering-annotation and --contact-sheet.");
         }
     }
 
-    /// <summary>Writes the picture as PNG; equal pictures give equal bytes.</summary>
+    /// <summary>Writes the image as PNG; equal images give equal bytes.</summary>
     public void WritePng(Stream png)
     {
         using CairoStream destination = new(png);
@@ -121,7 +121,7 @@ internal sealed unsafe class CairoImage : IDisposable
         ThrowIfContextFailed("cairo_fill");
     }
 
-    /// <summary>Draws another picture on it, with its upper left corner at a point.</summary>
+    /// <summary>Draws another image on it, with its upper left corner at a point.</summary>
     public void DrawImage(CairoImage other, double x, double y, double scale)
     {
         CairoNative.cairo_save(_context);

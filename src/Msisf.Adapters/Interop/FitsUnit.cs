@@ -11,7 +11,7 @@ namespace Msisf.Adapters.Interop;
 internal sealed unsafe class FitsUnit : IDisposable
 {
     /// <summary>bytes: the header of an empty primary unit, and one of some 70 keywords; CFITSIO takes more if it needs it.</summary>
-    private const int UsualHeaders = 4 * 2880;
+    private const int DefaultHeaders = 4 * 2880;
 
     private readonly FitsMemory _memory;
     private readonly CFitsioHandle _file;
@@ -19,7 +19,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     private FitsUnit(long dataBytes)
     {
         CFitsio.RequireLibrary(CFitsioNative.Library);
-        _memory = new FitsMemory(checked((nuint)dataBytes + UsualHeaders));
+        _memory = new FitsMemory(checked((nuint)dataBytes + DefaultHeaders));
         int status = 0;
         lock (CFitsio.Gate)
         {
@@ -100,7 +100,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     }
 
     /// <summary>Adds the cards that tell readers of CONTINUE cards.</summary>
-    public void AnnounceLongTexts()
+    public void DeclareLongTexts()
     {
         lock (CFitsio.Gate)
         {

@@ -12,7 +12,7 @@ internal static unsafe partial class MemoryAdvice
     /// <summary>Gives pages of a read-only mapping back. Other threads may read them meanwhile.</summary>
     /// <param name="start">The mapping's first byte.</param>
     /// <param name="length">Bytes.</param>
-    public static void Forget(byte* start, ulong length)
+    public static void ReleasePages(byte* start, ulong length)
     {
         if (OperatingSystem.IsLinux())
         {

@@ -28,7 +28,7 @@ public static class FitsLayerWriter
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Write(
-        Stream stream, FrameMetadata frame, LayerProvenance provenance, IFrameTruth truth, LayerSet layers, CancellationToken cancellation = default)
+        Stream stream, FrameMetadata frame, LayerProvenance provenance, IGroundTruth truth, LayerSet layers, CancellationToken cancellation = default)
     {
         using (FitsUnit primary = FitsUnit.Primary())
         {
@@ -73,7 +73,7 @@ public static class FitsLayerWriter
             image.Put(string.Create(CultureInfo.InvariantCulture, $"PLANE{plane + 1}"), layer.PlaneNames[plane], "what NAXIS3 counts");
         }
 
-        image.Put("ROWORDER", "TOP-DOWN", "first row of the file is the picture's top");
+        image.Put("ROWORDER", "TOP-DOWN", "first row of the file is the image's top");
         foreach (string line in FitsText.Wrap(layer.Description))
         {
             image.PutComment(line);

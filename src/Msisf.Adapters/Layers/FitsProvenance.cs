@@ -6,20 +6,20 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Layers;
 
-/// <summary>The keywords of the primary unit: all that the picture depends on, and no creation date (same input, same bytes).</summary>
+/// <summary>The keywords of the primary unit: all that the image depends on, and no creation date (same input, same bytes).</summary>
 internal static class FitsProvenance
 {
     private static readonly string[] Remarks =
     [
-        "Ground truth of each pixel of a synthetic picture of the Moon, one layer an extension. Positions and directions are in MOON_ME (mean Earth/polar axis), from the Moon's centre, in m.",
-        "Pixel (x, y) of the picture, from 1, x right and y DOWN, is FITS pixel (x, y): the first row of the data is the picture's top row, in numpy data[y - 1, x - 1]. Programs that draw the first row at the bottom show the picture upside down.",
+        "Ground truth of each pixel of a synthetic image of the Moon, one layer an extension. Positions and directions are in MOON_ME (mean Earth/polar axis), from the Moon's centre, in m.",
+        "Pixel (x, y) of the image, from 1, x right and y DOWN, is FITS pixel (x, y): the first row of the data is the image's top row, in numpy data[y - 1, x - 1]. Programs that draw the first row at the bottom show the image upside down.",
         "Pixels that show no surface are NaN in layers of real numbers (FITS standard 4.0, section 5.3), BLANK in layers of whole numbers, and 0 in MASK.",
     ];
 
     public static void Put(FitsUnit unit, FrameMetadata frame, LayerProvenance provenance)
     {
         UnitQuaternion orientation = frame.Camera.MoonFromCamera;
-        unit.AnnounceLongTexts();
+        unit.DeclareLongTexts();
         unit.Put("CREATOR", FitsText.Ascii($"MSISF {frame.Version}"), "program and version");
         unit.Put("CMDLINE", FitsText.Ascii(frame.CommandLine), "arguments of the call");
         unit.Put("RENDERER", FitsText.Ascii(provenance.Renderer), "what found the surface of each pixel");

@@ -27,7 +27,7 @@ public static class NpyLayerWriter
         string stem,
         FrameMetadata frame,
         LayerProvenance provenance,
-        IFrameTruth truth,
+        IGroundTruth truth,
         LayerSet layers,
         CancellationToken cancellation = default)
     {

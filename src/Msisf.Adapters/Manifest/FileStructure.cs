@@ -10,21 +10,21 @@ namespace Msisf.Adapters.Manifest;
 public sealed class FileStructure(string metaFileDtd)
 {
     /// <summary>A meta file has no entities of its own.</summary>
-    private const long MostCharactersFromEntities = 100_000;
+    private const long MaxCharactersFromEntities = 100_000;
 
-    /// <summary>Looks at a picture or a meta file; other files have no structure that is checked.</summary>
+    /// <summary>Looks at an image or a meta file; other files have no structure that is checked.</summary>
     /// <param name="path">The file.</param>
     /// <returns>What is wrong with it; null if nothing is.</returns>
     /// <exception cref="IOException">It can't be read.</exception>
     /// <exception cref="UnauthorizedAccessException">It can't be read.</exception>
     public string? ProblemWith(string path) => Path.GetExtension(path) switch
     {
-        ".png" => PictureProblem(path),
+        ".png" => ImageProblem(path),
         ".xml" => MetaFileProblem(path),
         _ => null,
     };
 
-    private static string? PictureProblem(string path)
+    private static string? ImageProblem(string path)
     {
         try
         {
@@ -45,7 +45,7 @@ public sealed class FileStructure(string metaFileDtd)
             DtdProcessing = DtdProcessing.Parse,
             ValidationType = ValidationType.DTD,
             XmlResolver = new MetaFileDtd(metaFileDtd),
-            MaxCharactersFromEntities = MostCharactersFromEntities,
+            MaxCharactersFromEntities = MaxCharactersFromEntities,
         };
         try
         {

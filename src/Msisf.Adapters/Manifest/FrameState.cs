@@ -4,7 +4,7 @@ namespace Msisf.Adapters.Manifest;
 public enum FrameState
 {
     /// <summary>There, and as it was made.</summary>
-    Right,
+    Complete,
 
     /// <summary>Not there.</summary>
     Missing,

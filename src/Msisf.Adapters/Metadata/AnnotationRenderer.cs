@@ -6,44 +6,44 @@ using Msisf.Core.Metadata;
 namespace Msisf.Adapters.Metadata;
 
 /// <summary>
-/// Draws a frame's metadata on its picture (thesis figure 9.1): a red dot on each grid point that shows the Moon, a red line from it
+/// Draws a frame's metadata on its image (thesis figure 9.1): a red dot on each grid point that shows the Moon, a red line from it
 /// along the illumination direction (none where that is undefined), and the general information in the upper left corner.
 /// </summary>
 public static class AnnotationRenderer
 {
     /// <summary>px: the built-in font can be read down to this size.</summary>
-    private const double LeastFontSize = 8.0;
+    private const double MinFontSize = 8.0;
 
-    /// <summary>px: larger text only hides more of the picture.</summary>
+    /// <summary>px: larger text only hides more of the image.</summary>
     private const double LargestFontSize = 24.0;
 
     /// <summary>Line height as a multiple of the font size.</summary>
     private const double LineSpacing = 1.35;
 
-    /// <summary>Part of the picture's width that the text block takes if the font sizes allow.</summary>
+    /// <summary>Part of the image's width that the text block takes if the font sizes allow.</summary>
     private const double TextWidthShare = 0.6;
 
-    /// <summary>Checks, before any work is done, that pictures can be annotated.</summary>
+    /// <summary>Checks, before any work is done, that images can be annotated.</summary>
     /// <exception cref="ExternalPartException">cairo is missing.</exception>
     public static void RequireCairo() => CairoImage.RequireLibrary(CairoNative.Library);
 
-    /// <summary>Writes the annotated picture. The text is left out where a readable one does not fit (on pictures less than about 300 px wide or 190 px high).</summary>
-    /// <param name="picture">The rendered picture, PNG.</param>
+    /// <summary>Writes the annotated image. The text is left out where a readable one does not fit (on images less than about 300 px wide or 190 px high).</summary>
+    /// <param name="rendered">The rendered image, PNG.</param>
     /// <param name="annotated">Receives the annotated one, PNG without time stamps: same input, same bytes.</param>
     /// <param name="frame">The frame's general information.</param>
     /// <param name="pixels">The frame's grid points.</param>
     /// <param name="cancellation">Stops between grid points.</param>
-    /// <exception cref="BadInputException">The picture is not a whole PNG of the camera's size.</exception>
+    /// <exception cref="BadInputException">The image is not a whole PNG of the camera's size.</exception>
     /// <exception cref="ExternalPartException">cairo is missing or failed.</exception>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Write(
-        Stream picture, Stream annotated, FrameMetadata frame, PixelSampler pixels, CancellationToken cancellation = default)
+        Stream rendered, Stream annotated, FrameMetadata frame, PixelSampler pixels, CancellationToken cancellation = default)
     {
-        using CairoImage image = CairoImage.FromPng(picture);
+        using CairoImage image = CairoImage.FromPng(rendered);
         if (image.Width != frame.Camera.Width || image.Height != frame.Camera.Height)
         {
             throw new BadInputException(
-                $"The picture has {image.Width} x {image.Height} px, the frame {frame.Camera.Width} x {frame.Camera.Height} px. Render it again.");
+                $"The image has {image.Width} x {image.Height} px, the frame {frame.Camera.Width} x {frame.Camera.Height} px. Render it again.");
         }
 
         DrawGrid(image, pixels, cancellation);
@@ -80,7 +80,7 @@ public static class AnnotationRenderer
     private static void DrawText(CairoImage image, string[] lines)
     {
         double widthAtSize1 = lines.Max(line => image.MeasureText(line, LargestFontSize)) / LargestFontSize;
-        double size = Math.Clamp(TextWidthShare * image.Width / widthAtSize1, LeastFontSize, LargestFontSize);
+        double size = Math.Clamp(TextWidthShare * image.Width / widthAtSize1, MinFontSize, LargestFontSize);
         double margin = 0.5 * size;
         double blockWidth = (size * widthAtSize1) + (2.0 * margin);
         double blockHeight = (size * LineSpacing * lines.Length) + (2.0 * margin);

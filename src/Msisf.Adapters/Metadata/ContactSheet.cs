@@ -4,18 +4,18 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Metadata;
 
-/// <summary>Small pictures of many frames on one, each with its step.</summary>
+/// <summary>Small images of many frames on one, each with its step.</summary>
 public static class ContactSheet
 {
     /// <summary>More frames than this are shown by so many, evenly spread from the first to the last.</summary>
-    public const int MostPictures = 100;
+    public const int MaxImages = 100;
 
     private const int Columns = 10;
 
-    /// <summary>px: the longer side of a small picture.</summary>
+    /// <summary>px: the longer side of a small image.</summary>
     private const int Side = 160;
 
-    /// <summary>px: the text below a small picture, and the space between them.</summary>
+    /// <summary>px: the text below a small image, and the space between them.</summary>
     private const int TextHeight = 16;
 
     private const double FontSize = 11.0;
@@ -24,14 +24,14 @@ public static class ContactSheet
     private const double BackgroundGrey = 0.2;
 
     /// <summary>Writes the sheet.</summary>
-    /// <param name="destination">Receives it, PNG without time stamps: same pictures, same bytes.</param>
-    /// <param name="frames">Step and picture file of each frame, in the order in which they are shown; at least one.</param>
-    /// <param name="cancellation">Stops between two pictures.</param>
-    /// <exception cref="BadInputException">A file holds no whole picture.</exception>
+    /// <param name="destination">Receives it, PNG without time stamps: same images, same bytes.</param>
+    /// <param name="frames">Step and image file of each frame, in the order in which they are shown; at least one.</param>
+    /// <param name="cancellation">Stops between two images.</param>
+    /// <exception cref="BadInputException">A file holds no whole image.</exception>
     /// <exception cref="ExternalPartException">cairo is missing, or a file can't be read.</exception>
     public static void Write(Stream destination, IReadOnlyList<(int Step, string Path)> frames, CancellationToken cancellation)
     {
-        int count = Math.Min(frames.Count, MostPictures);
+        int count = Math.Min(frames.Count, MaxImages);
         int columns = Math.Min(count, Columns);
         int rows = (count + columns - 1) / columns;
         using CairoImage sheet = CairoImage.Black(columns * (Side + TextHeight), rows * (Side + (2 * TextHeight)));
@@ -43,9 +43,9 @@ public static class ContactSheet
             (int step, string path) = frames[count == 1 ? 0 : (int)((long)index * (frames.Count - 1) / (count - 1))];
             double left = ((index % columns) * (Side + TextHeight)) + (TextHeight / 2.0);
             double top = (index / columns * (Side + (2 * TextHeight))) + (TextHeight / 2.0);
-            using CairoImage picture = Read(path);
-            double scale = (double)Side / Math.Max(picture.Width, picture.Height);
-            sheet.DrawImage(picture, left + ((Side - (scale * picture.Width)) / 2.0), top + ((Side - (scale * picture.Height)) / 2.0), scale);
+            using CairoImage image = Read(path);
+            double scale = (double)Side / Math.Max(image.Width, image.Height);
+            sheet.DrawImage(image, left + ((Side - (scale * image.Width)) / 2.0), top + ((Side - (scale * image.Height)) / 2.0), scale);
             sheet.SetColor(1.0, 1.0, 1.0, 1.0);
             sheet.DrawText(step.ToString(CultureInfo.InvariantCulture), left, top + Side + FontSize, FontSize);
         }

@@ -10,7 +10,7 @@ namespace Msisf.Adapters.Metadata;
 public static class MetadataXmlWriter
 {
     /// <summary>Below this many grid points, starting threads costs more than it gains.</summary>
-    private const int LeastPixelsInParallel = 4096;
+    private const int MinPixelsInParallel = 4096;
 
     /// <summary>Of the files with terrain points. Those on the reference sphere have the format of the thesis and name no version.</summary>
     private const int TerrainFormatVersion = 2;
@@ -30,7 +30,7 @@ public static class MetadataXmlWriter
 
     private static void WritePixels(Stream stream, PixelSampler pixels, CancellationToken cancellation)
     {
-        bool parallel = (long)pixels.Grid.Rows * pixels.Grid.Columns >= LeastPixelsInParallel;
+        bool parallel = (long)pixels.Grid.Rows * pixels.Grid.Columns >= MinPixelsInParallel;
         int workers = parallel ? Environment.ProcessorCount : 1;
         ParallelOptions options = new() { MaxDegreeOfParallelism = workers, CancellationToken = cancellation };
         RowBuffer[] buffers = [.. Enumerable.Range(0, Math.Min(workers, pixels.Grid.Rows)).Select(_ => new RowBuffer(pixels))];

@@ -2,7 +2,7 @@ using Msisf.Core.Metadata;
 
 namespace Msisf.Adapters.Metadata;
 
-/// <summary>One Pixel element, written straight into bytes: a picture can have hundreds of millions of them.</summary>
+/// <summary>One Pixel element, written straight into bytes: an image can have hundreds of millions of them.</summary>
 internal static class PixelXml
 {
     /// <summary>No Pixel element on the reference sphere is longer: 161 bytes of markup, two whole numbers, three longE numbers.</summary>

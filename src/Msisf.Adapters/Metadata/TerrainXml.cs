@@ -45,12 +45,12 @@ internal static class TerrainXml
         text.Append("\" />\n"u8);
     }
 
-    private static ReadOnlySpan<byte> StateName(SunState state) => state switch
+    private static ReadOnlySpan<byte> StateName(IlluminationState state) => state switch
     {
-        SunState.Lit => "lit"u8,
-        SunState.Penumbra => "penumbra"u8,
-        SunState.Shadow => "shadow"u8,
-        SunState.Night => "night"u8,
+        IlluminationState.Lit => "lit"u8,
+        IlluminationState.Penumbra => "penumbra"u8,
+        IlluminationState.Shadow => "shadow"u8,
+        IlluminationState.Night => "night"u8,
         _ => throw new ArgumentOutOfRangeException(nameof(state), state, "A terrain point is lit, in penumbra, in shadow or in the night."),
     };
 

@@ -5,11 +5,11 @@ namespace Msisf.Adapters.Metadata;
 /// <summary>Text as XML 1.0 character data.</summary>
 internal static class XmlText
 {
-    private const char ControlPictures = '\u2400';
+    private const char ControlImages = '\u2400';
 
     /// <summary>
     /// Escapes a text for element content. Tab and line ends become references, so that a parser gives them back as they were;
-    /// the control characters that XML can't hold become their pictures (U+2400 and on), unpaired surrogates and
+    /// the control characters that XML can't hold become their images (U+2400 and on), unpaired surrogates and
     /// non-characters the replacement character.
     /// </summary>
     /// <param name="text">Any text.</param>
@@ -39,7 +39,7 @@ internal static class XmlText
                     escaped.Append("&#13;");
                     break;
                 case < ' ':
-                    escaped.Append((char)(ControlPictures + rune.Value));
+                    escaped.Append((char)(ControlImages + rune.Value));
                     break;
                 case 0xFFFE or 0xFFFF:
                     escaped.Append((char)Rune.ReplacementChar.Value);

@@ -4,7 +4,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 
-/// <summary>Checks a PNG file chunk by chunk and leaves out what is not picture, so that equal pictures are equal bytes.</summary>
+/// <summary>Checks a PNG file chunk by chunk and leaves out what is not image, so that equal images are equal bytes.</summary>
 public static class PngFile
 {
     private const int BufferSize = 65536;
@@ -17,7 +17,7 @@ public static class PngFile
     /// <param name="destination">Receives the copy; on failure it holds a part, which its owner throws away.</param>
     /// <param name="name">The file's name for the message.</param>
     /// <exception cref="BadInputException">Not a PNG, cut off, or damaged: a chunk's check value is wrong.</exception>
-    public static PngHeader CopyPicture(Stream source, Stream destination, string name)
+    public static PngHeader CopyImage(Stream source, Stream destination, string name)
     {
         byte[] buffer = new byte[BufferSize];
         ReadExactly(source, buffer.AsSpan(0, Signature.Length), name);
@@ -39,7 +39,7 @@ public static class PngFile
                 throw Damaged(name, $"chunk {type} has {length} bytes");
             }
 
-            Stream kept = IsPicture(type) ? destination : Stream.Null;
+            Stream kept = IsImage(type) ? destination : Stream.Null;
             kept.Write(buffer, 0, 8);
             CopyChunk(source, kept, (int)length, type, buffer, name);
             if ((header is null) != (type == "IHDR") || (type == "IHDR" && length != HeaderLength))
@@ -68,9 +68,9 @@ public static class PngFile
     /// <param name="source">The file, from its first byte to its end.</param>
     /// <param name="name">The file's name for the message.</param>
     /// <exception cref="BadInputException">Not a PNG, cut off, or damaged.</exception>
-    public static PngHeader Check(Stream source, string name) => CopyPicture(source, Stream.Null, name);
+    public static PngHeader Check(Stream source, string name) => CopyImage(source, Stream.Null, name);
 
-    private static bool IsPicture(string type) => type is not ("tIME" or "tEXt" or "zTXt" or "iTXt" or "eXIf");
+    private static bool IsImage(string type) => type is not ("tIME" or "tEXt" or "zTXt" or "iTXt" or "eXIf");
 
     /// <summary>Copies data and check value; of a chunk that fits, the data stay at the start of the buffer.</summary>
     private static void CopyChunk(Stream source, Stream destination, int length, string type, byte[] buffer, string name)
@@ -112,5 +112,5 @@ public static class PngFile
     }
 
     private static BadInputException Damaged(string name, string reason) =>
-        new($"{name}: not a whole PNG picture: {reason}. Render it again.");
+        new($"{name}: not a whole PNG image: {reason}. Render it again.");
 }

@@ -1,6 +1,6 @@
 namespace Msisf.Adapters.Render;
 
-/// <summary>What a PNG picture's IHDR chunk says.</summary>
+/// <summary>What a PNG image's IHDR chunk says.</summary>
 /// <param name="Width">px.</param>
 /// <param name="Height">px.</param>
 /// <param name="BitDepth">Bits a sample: 1, 2, 4, 8 or 16.</param>

@@ -4,7 +4,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 
-/// <summary>A PNG picture (ISO/IEC 15948) as its samples: to join strips of one picture, and to write equal pictures as equal bytes.</summary>
+/// <summary>A PNG image (ISO/IEC 15948) as its samples: to join strips of one image, and to write equal images as equal bytes.</summary>
 public sealed class PngRaster
 {
     private const int ChunkFrame = 12; // length, type, check value
@@ -22,18 +22,18 @@ public sealed class PngRaster
         _rowLength = rowLength;
     }
 
-    /// <summary>Reads a picture.</summary>
+    /// <summary>Reads an image.</summary>
     /// <param name="source">The file, from its first byte to its end.</param>
     /// <param name="name">The file's name for the message.</param>
     /// <exception cref="BadInputException">Not a PNG, cut off, damaged, or interlaced.</exception>
     public static PngRaster Read(Stream source, string name)
     {
         using MemoryStream copy = new();
-        PngHeader header = PngFile.CopyPicture(source, copy, name);
+        PngHeader header = PngFile.CopyImage(source, copy, name);
         ReadOnlySpan<byte> file = copy.GetBuffer().AsSpan(0, (int)copy.Length);
         if (file[SignatureLength + ChunkFrame + HeaderLength - 5] != 0)
         {
-            throw new BadInputException($"{name}: an interlaced PNG picture; leave that option out.");
+            throw new BadInputException($"{name}: an interlaced PNG image; leave that option out.");
         }
 
         int sampleBits = header.BitDepth * Channels(header.ColorType, name);
@@ -45,8 +45,8 @@ public sealed class PngRaster
         return new PngRaster(file[..headLength].ToArray(), rows, rowLength);
     }
 
-    /// <summary>The picture of some of whose rows each strip has, and the rest black.</summary>
-    /// <param name="strips">Pictures of one size and kind, from the topmost strip to the lowest.</param>
+    /// <summary>The image of some of whose rows each strip has, and the rest black.</summary>
+    /// <param name="strips">Images of one size and kind, from the topmost strip to the lowest.</param>
     /// <param name="firstRows">The first row of each; it ends where the next begins.</param>
     public static PngRaster Join(IReadOnlyList<PngRaster> strips, IReadOnlyList<int> firstRows)
     {
@@ -66,7 +66,7 @@ public sealed class PngRaster
         return new PngRaster(strips[0]._head, rows, strips[0]._rowLength);
     }
 
-    /// <summary>Writes the picture: the same samples give the same bytes, whoever compressed them before.</summary>
+    /// <summary>Writes the image: the same samples give the same bytes, whoever compressed them before.</summary>
     public void Write(Stream destination)
     {
         destination.Write(_head);
@@ -112,7 +112,7 @@ public sealed class PngRaster
         }
         catch (Exception exception) when (exception is InvalidDataException or EndOfStreamException)
         {
-            throw new BadInputException($"{name}: not a whole PNG picture: its pixels can't be unpacked. Render it again.", exception);
+            throw new BadInputException($"{name}: not a whole PNG image: its pixels can't be unpacked. Render it again.", exception);
         }
     }
 
@@ -122,7 +122,7 @@ public sealed class PngRaster
         2 => 3,
         4 => 2,
         6 => 4,
-        _ => throw new BadInputException($"{name}: a PNG picture of the unknown colour type {colorType}."),
+        _ => throw new BadInputException($"{name}: a PNG image of the unknown colour type {colorType}."),
     };
 
     /// <summary>Section 9 of the standard.</summary>
@@ -139,7 +139,7 @@ public sealed class PngRaster
                 2 => above[i],
                 3 => (byte)((left + above[i]) / 2),
                 4 => (byte)Paeth(left, above[i], corner),
-                _ => throw new BadInputException($"{name}: a PNG picture with the unknown filter {filter}."),
+                _ => throw new BadInputException($"{name}: a PNG image with the unknown filter {filter}."),
             };
         }
     }

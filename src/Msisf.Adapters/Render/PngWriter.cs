@@ -8,7 +8,7 @@ using Msisf.Core.Render.Photometry;
 namespace Msisf.Adapters.Render;
 
 /// <summary>
-/// Writes grey pictures as PNG (ISO/IEC 15948) at the rate of a video: the same levels give the same bytes, without time stamp or text.
+/// Writes grey images as PNG (ISO/IEC 15948) at the rate of a video: the same levels give the same bytes, without time stamp or text.
 /// </summary>
 /// <remarks>
 /// Filter and compression were chosen by measurement (docs/photometry.md): the difference from the row above, runs only. On rendered Moons
@@ -24,7 +24,7 @@ public static class PngWriter
 
     private static ReadOnlySpan<byte> Signature => [0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A];
 
-    /// <summary>Writes a picture of 8 bits.</summary>
+    /// <summary>Writes an image of 8 bits.</summary>
     /// <param name="destination">The file; stays open.</param>
     /// <param name="levels">By rows from the top, each from left to right.</param>
     /// <param name="width">px; the number of levels is a multiple of it.</param>
@@ -36,7 +36,7 @@ public static class PngWriter
         PngChunk.Write(destination, "IEND"u8, []);
     }
 
-    /// <summary>Writes a picture of 16 bits; parameters as with 8.</summary>
+    /// <summary>Writes an image of 16 bits; parameters as with 8.</summary>
     public static void Write(Stream destination, ReadOnlySpan<ushort> levels, int width, GreyTransfer transfer)
     {
         WriteHead(destination, width, levels.Length / width, bitDepth: 16, transfer);

@@ -6,8 +6,8 @@ namespace Msisf.Adapters.Render;
 /// <param name="Scene">Writes the scene.</param>
 /// <param name="PatternFolder">Folder of the patterns that the scene includes by file name.</param>
 /// <param name="WorkFolder">An existing folder on the disk of the outputs, for POV-Ray's own files.</param>
-/// <param name="Width">Picture width, px.</param>
-/// <param name="Height">Picture height, px.</param>
+/// <param name="Width">Image width, px.</param>
+/// <param name="Height">Image height, px.</param>
 /// <param name="Rows">The rows to draw, the others stay black; null for all.</param>
 /// <param name="Threads">Threads that POV-Ray may use.</param>
 /// <param name="Options">POV-Ray options after the usual ones, which they overrule.</param>

@@ -16,12 +16,12 @@ public sealed class PovRayProcess
 {
     /// <summary>
     /// Rows that POV-Ray 3.7 takes together: what its antialiasing does at a block's edge depends on where the blocks are, so a strip that begins at a
-    /// multiple of this has the pixels of the whole picture (measured; strips that do not differ in a few).
+    /// multiple of this has the pixels of the whole image (measured; strips that do not differ in a few).
     /// </summary>
     public const int BlockRows = 32;
 
     private const string SceneName = "scene.pov";
-    private const string PictureName = "picture.png";
+    private const string ImageName = "image.png";
     private const string PatternLink = "patterns";
     private const string EmptySettings = "povray.ini";
 
@@ -29,7 +29,7 @@ public sealed class PovRayProcess
     private const int ReportedLines = 6;
 
     /// <summary>Quality and antialiasing as the 2012 program had them.</summary>
-    private static readonly string[] UsualOptions =
+    private static readonly string[] DefaultOptions =
     [
         "Quality=11", "Antialias=On", "Antialias_Depth=3", "Antialias_Threshold=0.3", "Jitter=On", "Jitter_Amount=0.5",
     ];
@@ -40,13 +40,13 @@ public sealed class PovRayProcess
     /// <param name="program">Full path (<see cref="PovRayProgram.Find"/>).</param>
     public PovRayProcess(string program) => _program = program;
 
-    /// <summary>Renders one picture.</summary>
+    /// <summary>Renders one image.</summary>
     /// <param name="job">What and where.</param>
     /// <param name="cancellation">Kills POV-Ray with its children.</param>
     /// <exception cref="PovRayException">POV-Ray can't be started, fails, or exceeds the job's time limit.</exception>
-    /// <exception cref="BadInputException">What POV-Ray left is no whole picture.</exception>
+    /// <exception cref="BadInputException">What POV-Ray left is no whole image.</exception>
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
-    public async Task<PovRayPicture> RenderAsync(PovRayJob job, CancellationToken cancellation)
+    public async Task<PovRayImage> RenderAsync(PovRayJob job, CancellationToken cancellation)
     {
         try
         {
@@ -60,8 +60,8 @@ public sealed class PovRayProcess
             }
 
             string output = await RunAsync(job, folder, cancellation).ConfigureAwait(false);
-            using FileStream picture = File.OpenRead(Path.Combine(folder, PictureName));
-            return new PovRayPicture(PngRaster.Read(picture, "POV-Ray's picture"), PovRayTimes.Read(output));
+            using FileStream image = File.OpenRead(Path.Combine(folder, ImageName));
+            return new PovRayImage(PngRaster.Read(image, "POV-Ray's image"), PovRayTimes.Read(output));
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
@@ -80,11 +80,11 @@ public sealed class PovRayProcess
             UseShellExecute = false,
         };
 
-        // An empty settings file: a user's own povray.ini must not change pictures.
+        // An empty settings file: a user's own povray.ini must not change images.
         start.Environment["POVINI"] = EmptySettings;
         string[] own =
         [
-            $"+I{SceneName}", $"+O{PictureName}", $"+L{PatternLink}", "+FN8", "-D",
+            $"+I{SceneName}", $"+O{ImageName}", $"+L{PatternLink}", "+FN8", "-D",
             string.Create(CultureInfo.InvariantCulture, $"+W{job.Width}"),
             string.Create(CultureInfo.InvariantCulture, $"+H{job.Height}"),
             string.Create(CultureInfo.InvariantCulture, $"+WT{job.Threads}"),
@@ -92,7 +92,7 @@ public sealed class PovRayProcess
         string[] rows = job.Rows is PixelRows some
             ? [string.Create(CultureInfo.InvariantCulture, $"+SR{some.First + 1}"), string.Create(CultureInfo.InvariantCulture, $"+ER{some.End}")]
             : [];
-        foreach (string argument in (string[])[.. own, .. rows, .. UsualOptions, .. job.Options])
+        foreach (string argument in (string[])[.. own, .. rows, .. DefaultOptions, .. job.Options])
         {
             start.ArgumentList.Add(argument);
         }
@@ -135,7 +135,7 @@ public sealed class PovRayProcess
         }
 
         string output = await standardOutput.ConfigureAwait(false) + await standardError.ConfigureAwait(false);
-        if (process.ExitCode == 0 && File.Exists(Path.Combine(folder, PictureName)))
+        if (process.ExitCode == 0 && File.Exists(Path.Combine(folder, ImageName)))
         {
             return output;
         }
@@ -143,7 +143,7 @@ public sealed class PovRayProcess
         string command = $"{_program} {string.Join(' ', process.StartInfo.ArgumentList)}";
         string said = LastLines(output) is { Length: > 0 } lines ? lines : "it printed nothing";
         throw new PovRayException(process.ExitCode == 0
-            ? $"{command}: ended without a picture: {said}"
+            ? $"{command}: ended without an image: {said}"
             : string.Create(CultureInfo.InvariantCulture, $"{command}: exit code {process.ExitCode}: {said}"));
     }
 

@@ -6,7 +6,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 
-/// <summary>Makes a video of a series of pictures, by ffmpeg.</summary>
+/// <summary>Makes a video of a series of images, by ffmpeg.</summary>
 public static class VideoEncoder
 {
     /// <summary>Where ffmpeg is.</summary>
@@ -17,21 +17,21 @@ public static class VideoEncoder
         .Select(folder => Path.Combine(folder, OperatingSystem.IsWindows() ? "ffmpeg.exe" : "ffmpeg"))
         .FirstOrDefault(File.Exists);
 
-    /// <summary>Encodes the pictures, H.264 in 4:2:0 so that every player shows it; an odd last row or column is doubled.</summary>
+    /// <summary>Encodes the images, H.264 in 4:2:0 so that every player shows it; an odd last row or column is doubled.</summary>
     /// <param name="program">ffmpeg.</param>
-    /// <param name="pictures">Absolute paths, in their order; at least one.</param>
+    /// <param name="images">Absolute paths, in their order; at least one.</param>
     /// <param name="framesPerSecond">Of the video.</param>
     /// <param name="workFolder">Existing folder for what is made on the way.</param>
     /// <param name="destination">The video's file, in an existing folder; ends in .mp4.</param>
     /// <param name="cancellation">Ends ffmpeg.</param>
     /// <exception cref="ExternalPartException">ffmpeg can't be started or fails.</exception>
     public static async Task EncodeAsync(
-        string program, IReadOnlyList<string> pictures, double framesPerSecond, string workFolder, string destination, CancellationToken cancellation)
+        string program, IReadOnlyList<string> images, double framesPerSecond, string workFolder, string destination, CancellationToken cancellation)
     {
-        string list = Path.Combine(workFolder, "pictures.txt");
+        string list = Path.Combine(workFolder, "images.txt");
         string rate = framesPerSecond.ToString("R", CultureInfo.InvariantCulture);
         string seconds = (1.0 / framesPerSecond).ToString("R", CultureInfo.InvariantCulture);
-        IEnumerable<string> lines = pictures.SelectMany(picture => (string[])[$"file '{picture.Replace("'", "'\\''", StringComparison.Ordinal)}'", $"duration {seconds}"]);
+        IEnumerable<string> lines = images.SelectMany(image => (string[])[$"file '{image.Replace("'", "'\\''", StringComparison.Ordinal)}'", $"duration {seconds}"]);
         await File.WriteAllLinesAsync(list, lines, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), cancellation).ConfigureAwait(false);
         ProcessStartInfo start = new(program,
         [

@@ -11,8 +11,8 @@ namespace Msisf.Adapters.Scene;
 /// </summary>
 public static class PovSceneWriter
 {
-    /// <summary>m: POV-Ray 3.7 draws nothing that is farther than 1e7 of its units (MAX_DISTANCE), which are kilometres here; a picture from there is black.</summary>
-    public const double GreatestDistance = 1e10;
+    /// <summary>m: POV-Ray 3.7 draws nothing that is farther than 1e7 of its units (MAX_DISTANCE), which are kilometres here; an image from there is black.</summary>
+    public const double MaxDistance = 1e10;
 
     private const string Surface =
         """

@@ -21,8 +21,8 @@ internal sealed unsafe class Float32SampleCodec : SampleCodec
         _scale = label.ScalingFactor;
         _offset = label.Offset;
         double slack = Tolerances.FloatSampleLimits * (label.Maximum - label.Minimum);
-        _lowest = LeastFrom(label.Minimum - slack);
-        _highest = -LeastFrom(-(label.Maximum + slack));
+        _lowest = MinFrom(label.Minimum - slack);
+        _highest = -MinFrom(-(label.Maximum + slack));
     }
 
     public override double ValueAt(byte* sample) => Value(sample, 0);
@@ -49,8 +49,8 @@ internal sealed unsafe class Float32SampleCodec : SampleCodec
         return (minimum, maximum);
     }
 
-    /// <summary>The least float that is not below a number: floats can be compared with it instead of the number.</summary>
-    private static float LeastFrom(double limit) => (float)limit < limit ? MathF.BitIncrement((float)limit) : (float)limit;
+    /// <summary>The minimum float that is not below a number: floats can be compared with it instead of the number.</summary>
+    private static float MinFrom(double limit) => (float)limit < limit ? MathF.BitIncrement((float)limit) : (float)limit;
 
     private bool TryReadOnes(byte* samples, Span<double> radii)
     {

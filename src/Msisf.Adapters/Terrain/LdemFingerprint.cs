@@ -5,7 +5,7 @@ namespace Msisf.Adapters.Terrain;
 
 /// <summary>
 /// Tells elevation models apart, the same on every computer: hashes of the labels, lengths of the images, and hashes of samples spread over
-/// them. Reading a model of 34 GB whole would take longer than any picture.
+/// them. Reading a model of 34 GB whole would take longer than any image.
 /// </summary>
 /// <param name="ProductId">From the label.</param>
 /// <param name="ImageBytes">Length of the image; of a split product all of them.</param>

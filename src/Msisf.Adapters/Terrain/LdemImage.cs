@@ -37,11 +37,11 @@ public sealed class LdemImage : IElevationGrid, IDisposable
     public int PixelsPerDegree => _pixelsPerDegree;
 
     /// <inheritdoc/>
-    public (double Least, double Greatest) RadiusLimits =>
-        (Set.Parts.Min(part => part.RadiusLimits.Least), Set.Parts.Max(part => part.RadiusLimits.Greatest));
+    public (double Min, double Max) RadiusLimits =>
+        (Set.Parts.Min(part => part.RadiusLimits.Min), Set.Parts.Max(part => part.RadiusLimits.Max));
 
     /// <inheritdoc/>
-    public void Forget() => Array.ForEach(_parts, part => part.Forget());
+    public void ReleasePages() => Array.ForEach(_parts, part => part.ReleasePages());
 
     /// <summary>Opens the image of a label.</summary>
     /// <param name="label">A label that covers the whole Moon.</param>
@@ -105,9 +105,9 @@ public sealed class LdemImage : IElevationGrid, IDisposable
                 int sample = firstSample + done < _samples ? firstSample + done : firstSample + done - _samples;
                 LdemPart part = PartAt(line, sample);
                 int count = Math.Min(samples - done, part.EndSample - sample);
-                (double least, double greatest) = part.RadiusBounds(line, next - line, sample, count);
-                minimum = Math.Min(minimum, least);
-                maximum = Math.Max(maximum, greatest);
+                (double min, double max) = part.RadiusBounds(line, next - line, sample, count);
+                minimum = Math.Min(minimum, min);
+                maximum = Math.Max(maximum, max);
                 done += count;
             }
         }

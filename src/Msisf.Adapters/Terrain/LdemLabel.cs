@@ -66,7 +66,7 @@ public sealed record LdemLabel
     public bool HasIntegers => SampleType is LdemSampleType.Int16LittleEndian or LdemSampleType.Int16BigEndian;
 
     /// <summary>m: no sample is outside. Floats may pass the printed MINIMUM and MAXIMUM a little.</summary>
-    public (double Least, double Greatest) RadiusLimits
+    public (double Min, double Max) RadiusLimits
     {
         get
         {

@@ -87,7 +87,7 @@ internal sealed unsafe class LdemPart : IDisposable
         }
     }
 
-    /// <summary>Least and greatest radius of a block, m.</summary>
+    /// <summary>Minimum and maximum radius of a block, m.</summary>
     /// <exception cref="BadInputException">A sample is outside the label's limits.</exception>
     public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
     {
@@ -101,7 +101,7 @@ internal sealed unsafe class LdemPart : IDisposable
     public ReadOnlySpan<byte> LineBytes(int line) => new(Address(line, FirstSample), checked((int)_lineBytes));
 
     /// <summary>Gives the pages that were read back to the operating system; what is read again is mapped again.</summary>
-    public void Forget() => MemoryAdvice.Forget(_start, _view.SafeMemoryMappedViewHandle.ByteLength);
+    public void ReleasePages() => MemoryAdvice.ReleasePages(_start, _view.SafeMemoryMappedViewHandle.ByteLength);
 
     /// <summary>Unmaps the file.</summary>
     public void Dispose()

@@ -78,8 +78,8 @@ internal static class LdemSetChecks
         int width = 360;
         foreach (MoonRegion region in parts.Select(RegionOf))
         {
-            height = GreatestDivisor(GreatestDivisor(height, region.NorthDegrees + 90), region.SouthDegrees + 90);
-            width = GreatestDivisor(GreatestDivisor(width, region.WestDegrees), region.EastDegrees);
+            height = MaxDivisor(MaxDivisor(height, region.NorthDegrees + 90), region.SouthDegrees + 90);
+            width = MaxDivisor(MaxDivisor(width, region.WestDegrees), region.EastDegrees);
         }
 
         LdemPartName name = LdemPartName.Of(parts[0]);
@@ -96,5 +96,5 @@ internal static class LdemSetChecks
             $"{folder}: of the {name.Before} product in several files {missing.Length} are missing: {FileNames.Listed(missing)}. Put their .LBL and .IMG files beside {Path.GetFileName(parts[0].LabelPath)}; the whole Moon is needed."));
     }
 
-    private static int GreatestDivisor(int a, int b) => b == 0 ? a : GreatestDivisor(b, a % b);
+    private static int MaxDivisor(int a, int b) => b == 0 ? a : MaxDivisor(b, a % b);
 }

@@ -23,6 +23,6 @@ internal abstract unsafe class SampleCodec
     /// <returns>False if a value is not allowed.</returns>
     public abstract bool TryReadRadii(byte* samples, Span<double> radii);
 
-    /// <summary>Least and greatest value of a block; NaN if one is NaN.</summary>
+    /// <summary>Minimum and maximum value of a block; NaN if one is NaN.</summary>
     public abstract (double Minimum, double Maximum) Bounds(byte* first, long lineBytes, int lines, int samples);
 }

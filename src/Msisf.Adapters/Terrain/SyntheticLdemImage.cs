@@ -36,7 +36,7 @@ internal sealed class SyntheticLdemImage
     /// <param name="file">Open for writing at any offset.</param>
     /// <param name="progress">Told the fraction done.</param>
     /// <param name="cancellation">Stops between blocks.</param>
-    /// <returns>The least and the greatest sample.</returns>
+    /// <returns>The minimum and the maximum sample.</returns>
     /// <exception cref="BadInputException">A height does not fit 16 bits.</exception>
     public (short Minimum, short Maximum) Write(SafeFileHandle file, IProgress<double>? progress, CancellationToken cancellation)
     {
@@ -85,8 +85,8 @@ internal sealed class SyntheticLdemImage
         int moonLine = line0 + ((90 - _product.Region.NorthDegrees) * _product.PixelsPerDegree);
         int moonSample = sample0 + (_product.Region.WestDegrees * _product.PixelsPerDegree);
         worker.Synthesizer.Synthesize(moonLine, lines, moonSample, samples, worker.Heights);
-        short least = short.MaxValue;
-        short greatest = short.MinValue;
+        short min = short.MaxValue;
+        short max = short.MinValue;
         Span<byte> bytes = worker.Bytes.AsSpan(0, SampleBytes * samples);
         for (int line = 0; line < lines; line++)
         {
@@ -101,8 +101,8 @@ internal sealed class SyntheticLdemImage
                 }
 
                 short value = (short)units;
-                least = Math.Min(least, value);
-                greatest = Math.Max(greatest, value);
+                min = Math.Min(min, value);
+                max = Math.Max(max, value);
                 BinaryPrimitives.WriteInt16LittleEndian(bytes[(SampleBytes * sample)..], value);
             }
 
@@ -111,8 +111,8 @@ internal sealed class SyntheticLdemImage
 
         lock (_gate)
         {
-            _minimum = Math.Min(_minimum, least);
-            _maximum = Math.Max(_maximum, greatest);
+            _minimum = Math.Min(_minimum, min);
+            _maximum = Math.Max(_maximum, max);
         }
     }
 

@@ -11,8 +11,8 @@ internal static class SyntheticLdemLabel
     /// <param name="writer">Receives the text, lines ended by LF.</param>
     /// <param name="product">What is described.</param>
     /// <param name="options">How it was made.</param>
-    /// <param name="minimum">Least sample in the image.</param>
-    /// <param name="maximum">Greatest sample in the image.</param>
+    /// <param name="minimum">Minimum sample in the image.</param>
+    /// <param name="maximum">Maximum sample in the image.</param>
     public static void Write(TextWriter writer, SyntheticLdemProduct product, SyntheticLdemOptions options, short minimum, short maximum)
     {
         double metresPerPixel = MoonConstants.ReferenceRadius * Math.PI / (180.0 * product.PixelsPerDegree);

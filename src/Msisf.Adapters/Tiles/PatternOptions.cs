@@ -7,7 +7,7 @@ namespace Msisf.Adapters.Tiles;
 public readonly record struct PatternOptions
 {
     /// <summary>Degrees: far more than any margin needs, and what fits the tile's lattice.</summary>
-    public const double GreatestMarginDegrees = 1.0;
+    public const double MaxMarginDegrees = 1.0;
 
     /// <summary>Checks the options.</summary>
     /// <param name="marginDegrees">Overlap with the neighbours on each side, 0 to 1 degrees (thesis: 0.5 at 4 and 16 px/deg, 0.1 at 64); rounded up to whole samples.</param>
@@ -15,11 +15,11 @@ public readonly record struct PatternOptions
     /// <exception cref="BadInputException">The margin is out of range.</exception>
     public PatternOptions(double marginDegrees, PatternFormat format)
     {
-        if (!(marginDegrees >= 0.0 && marginDegrees <= GreatestMarginDegrees))
+        if (!(marginDegrees >= 0.0 && marginDegrees <= MaxMarginDegrees))
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"The margin is {marginDegrees:R} degrees; 0 (tiles meet without one) to {GreatestMarginDegrees:R} degrees are possible."));
+                $"The margin is {marginDegrees:R} degrees; 0 (tiles meet without one) to {MaxMarginDegrees:R} degrees are possible."));
         }
 
         MarginDegrees = marginDegrees;
@@ -32,6 +32,6 @@ public readonly record struct PatternOptions
     /// <summary>The form of the mesh.</summary>
     public PatternFormat Format { get; }
 
-    /// <summary>The margin in samples: the least whole number that is not below it.</summary>
+    /// <summary>The margin in samples: the minimum whole number that is not below it.</summary>
     public int MarginSamples(int pixelsPerDegree) => (int)Math.Ceiling(MarginDegrees * pixelsPerDegree);
 }

@@ -29,7 +29,7 @@ internal static class BatchConvertCommand
         command.SetAction((line, cancellation) => Task.Run(
             () =>
             {
-                (ScriptFormat form, string usualName) = OptionText.Choice(
+                (ScriptFormat form, string defaultName) = OptionText.Choice(
                     format,
                     line.GetValue(format)!,
                     [
@@ -43,7 +43,7 @@ internal static class BatchConvertCommand
                     slurm.RefuseWithout(line);
                 }
 
-                string path = line.GetValue(script) is string given ? OptionText.FilePath(script, given) : usualName;
+                string path = line.GetValue(script) is string given ? OptionText.FilePath(script, given) : defaultName;
                 ConvertedRun converted = conversion.Convert(line, form, _ => path, cancellation);
                 host.Log.Note(string.Create(
                     CultureInfo.InvariantCulture, $"{converted.FrameCount} frames in {converted.PieceCount} pieces."));

@@ -22,7 +22,7 @@ internal static class CheckCommand
     /// <summary>Declares the thorough one.</summary>
     public static Command CreateVerify(ProgramHost host) => Create(
         "verify",
-        "The same by reading every file: checksums, pictures whole, meta files valid.",
+        "The same by reading every file: checksums, images whole, meta files valid.",
         (folder, cancellation) => FrameSet.Read(
             folder, CheckDepth.Checksums, new FileStructure(host.Installation.MetaFileDtd), host.Log, cancellation),
         host);
@@ -47,7 +47,7 @@ internal static class CheckCommand
                     frames.Print(host.Results);
                 }
 
-                return frames.CountOf(FrameState.Right) == frames.Count ? 0 : ExitNotComplete;
+                return frames.CountOf(FrameState.Complete) == frames.Count ? 0 : ExitNotComplete;
             },
             cancellation));
         return command;

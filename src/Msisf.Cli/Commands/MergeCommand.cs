@@ -17,13 +17,13 @@ internal static class MergeCommand
     private const string VideoName = "video.mp4";
 
     /// <summary>More than any display shows.</summary>
-    private const double GreatestFrameRate = 1000.0;
+    private const double MaxFrameRate = 1000.0;
 
     /// <summary>Declares the command and its options.</summary>
     public static Command Create(ProgramHost host)
     {
         Argument<string> folder = CheckCommand.FolderArgument();
-        Option<bool> sheet = OptionFactory.Flag("--contact-sheet", [], $"Make {SheetName}: small pictures of up to {ContactSheet.MostPictures} frames of the last run");
+        Option<bool> sheet = OptionFactory.Flag("--contact-sheet", [], $"Make {SheetName}: small images of up to {ContactSheet.MaxImages} frames of the last run");
         Option<string?> video = OptionFactory.Value("--video", [], "FPS", $"Make {VideoName} of the last run with so many frames a second, if ffmpeg is there");
         Command command = new("merge", "Puts the manifest into the order that it has whoever made the frames; on request makes a contact sheet and a video.")
         {
@@ -60,26 +60,26 @@ internal static class MergeCommand
         });
         host.Results.WriteLine(manifest.FilePath);
         FrameSet frames = FrameSet.Read(folder, CheckDepth.Lengths, structure: null, host.Log, cancellation);
-        (int Step, string Path)[] pictures = [.. frames.RightSteps(content.LastRun)
+        (int Step, string Path)[] images = [.. frames.RightSteps(content.LastRun)
             .Select(frame => (frame.Step, Path.GetFullPath(Path.Combine(folder, content.Frames[frame.Name].Files[0].Name))))];
-        if (pictures.Length > 0 && (wantsSheet || frameRate is not null))
+        if (images.Length > 0 && (wantsSheet || frameRate is not null))
         {
             if (wantsSheet)
             {
                 string path = Path.Combine(folder, SheetName);
                 using AtomicFileSet files = new(work.Path);
-                files.Write(path, stream => ContactSheet.Write(stream, pictures, cancellation));
+                files.Write(path, stream => ContactSheet.Write(stream, images, cancellation));
                 files.Commit();
                 host.Results.WriteLine(path);
             }
 
             if (frameRate is double rate)
             {
-                await MakeVideoAsync(folder, [.. pictures.Select(picture => picture.Path)], rate, work.Path, host, cancellation).ConfigureAwait(false);
+                await MakeVideoAsync(folder, [.. images.Select(image => image.Path)], rate, work.Path, host, cancellation).ConfigureAwait(false);
             }
         }
 
-        int wrong = frames.Count - frames.CountOf(FrameState.Right);
+        int wrong = frames.Count - frames.CountOf(FrameState.Complete);
         if (wrong > 0)
         {
             host.Log.Warning($"{wrong} of {frames.Count} frames are not right; msis status {folder} names them.");
@@ -89,7 +89,7 @@ internal static class MergeCommand
     }
 
     private static async Task MakeVideoAsync(
-        string folder, IReadOnlyList<string> pictures, double rate, string work, ProgramHost host, CancellationToken cancellation)
+        string folder, IReadOnlyList<string> images, double rate, string work, ProgramHost host, CancellationToken cancellation)
     {
         if (VideoEncoder.Find(host.Environment("PATH") ?? string.Empty) is not string program)
         {
@@ -99,13 +99,13 @@ internal static class MergeCommand
 
         string made = Path.Combine(work, VideoName);
         string path = Path.Combine(folder, VideoName);
-        await VideoEncoder.EncodeAsync(program, pictures, rate, work, made, cancellation).ConfigureAwait(false);
+        await VideoEncoder.EncodeAsync(program, images, rate, work, made, cancellation).ConfigureAwait(false);
         File.Move(made, path, overwrite: true);
         host.Results.WriteLine(path);
     }
 
     private static double FrameRate(Option option, string text) =>
-        OptionText.Number(option, text) is > 0.0 and <= GreatestFrameRate and double rate
+        OptionText.Number(option, text) is > 0.0 and <= MaxFrameRate and double rate
             ? rate
-            : throw new BadInputException($"{option.Name} is {text}; frames a second above 0 and up to {GreatestFrameRate} are needed.");
+            : throw new BadInputException($"{option.Name} is {text}; frames a second above 0 and up to {MaxFrameRate} are needed.");
 }

@@ -10,7 +10,7 @@ namespace Msisf.Cli.Commands;
 internal static class RenderCommand
 {
     private const string About =
-        "Draws synthetic pictures of the Moon from LOLA elevation data, with the surface point and the direction of the light of their pixels.";
+        "Draws synthetic images of the Moon from LOLA elevation data, with the surface point and the direction of the light of their pixels.";
 
     /// <summary>Declares the command and its options.</summary>
     public static RootCommand Create(ProgramHost host)
@@ -22,7 +22,7 @@ internal static class RenderCommand
             command.Options.Add(option);
         }
 
-        // -h is the picture's height (thesis appendix A).
+        // -h is the image's height (thesis appendix A).
         HelpOption help = command.Options.OfType<HelpOption>().Single();
         help.Aliases.Remove("-h");
         help.Aliases.Remove("/h");

@@ -47,7 +47,7 @@ internal static class SubmitCommand
 
         ConvertedRun run = conversion.Convert(line, ScriptFormat.Slurm, settings => Path.Combine(settings.OutputFolder, ScriptName), cancellation);
         host.Log.Note(string.Create(CultureInfo.InvariantCulture, $"{run.FrameCount} frames in {run.PieceCount} pieces, {run.Script}."));
-        ProgramAnswer answer = await slurm.CallAsync("sh", [run.Script], cancellation).ConfigureAwait(false);
+        ProcessResult answer = await slurm.CallAsync("sh", [run.Script], cancellation).ConfigureAwait(false);
         host.Results.Write(answer.Output);
         if (answer.ExitCode != 0)
         {

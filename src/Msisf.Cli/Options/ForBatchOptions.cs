@@ -6,7 +6,7 @@ namespace Msisf.Cli.Options;
 /// <summary>What <c>msis patterns</c> asks of a run to know what its frames need: where the camera is, and what else the choice of meshes depends on.</summary>
 internal sealed class ForBatchOptions
 {
-    private readonly PictureOptions _picture = new();
+    private readonly ImageOptions _image = new();
     private readonly RunOptions _run = new();
 
     /// <summary>The way the states are given; a batch file is named for what it is here.</summary>
@@ -22,7 +22,7 @@ internal sealed class ForBatchOptions
     /// <summary>Options that have a meaning with a run only.</summary>
     public IEnumerable<Option> All =>
     [
-        .. Mode.All, _picture.FieldOfView, _picture.Width, _picture.Height, _picture.LevelOfDetail, _picture.LevelOfDetailError, _picture.IgnoreSun,
+        .. Mode.All, _image.FieldOfView, _image.Width, _image.Height, _image.LevelOfDetail, _image.LevelOfDetailError, _image.IgnoreSun,
         _run.Frames, _run.Ephemeris, _run.Kernels, _run.Aberration, _run.Jobs,
     ];
 
@@ -41,7 +41,7 @@ internal sealed class ForBatchOptions
         }
 
         Refuse(ofWholeMoon, IsGiven, "has no meaning for the patterns of a run. Leave it out, or make those of the whole Moon.");
-        return (mode, new RenderSettingsReader(line).Read(_picture, source, _run, new NativeOptions()));
+        return (mode, new RenderSettingsReader(line).Read(_image, source, _run, new NativeOptions()));
     }
 
     private static void Refuse(IEnumerable<Option> options, Func<Option, bool> isGiven, string why)

@@ -67,7 +67,7 @@ internal static class ModeRules
         Option[] given = [.. times.Where(isGiven)];
         if (given.Length == 0)
         {
-            throw new UsageException($"{mode.Name} needs one of {Names(times)}: when to take pictures.");
+            throw new UsageException($"{mode.Name} needs one of {Names(times)}: when to take images.");
         }
 
         if (given.Length > 1)

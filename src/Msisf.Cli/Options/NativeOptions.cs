@@ -28,7 +28,7 @@ internal sealed class NativeOptions
     public Option<string?> Transfer { get; } = OptionFactory.Value(
         "--transfer", [], "srgb|linear", "Native: Grey levels along sRGB's curve (default, as POV-Ray's), or in proportion to the radiance");
 
-    public Option<string?> BitDepth { get; } = OptionFactory.Value("--bit-depth", [], "8|16", "Native: Bits of the picture's grey levels (default 8)");
+    public Option<string?> BitDepth { get; } = OptionFactory.Value("--bit-depth", [], "8|16", "Native: Bits of the image's grey levels (default 8)");
 
     public Option<string?> Layers { get; } = OptionFactory.Value(
         "--layers", [], "LIST|all", "Native: Ground truth of every pixel, as names separated by commas: depth,position,incidence,mask, ...");

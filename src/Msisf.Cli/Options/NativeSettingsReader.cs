@@ -38,8 +38,8 @@ internal sealed class NativeSettingsReader
                     albedo is null ? _options.Reflectance : _options.Albedo, () => ReflectanceFactory.Create(law, parameters, albedo)),
                 Sun = Choice(_options.Sun, [("point", SunModel.Point), ("disc", SunModel.Disc)]),
                 Normals = Choice(_options.Shading, [("facet", NormalModel.Facet), ("smooth", NormalModel.Smooth)]),
-                SamplesAcross = SamplesAcross(),
-                KeepTruth = needsTruth || layers is not null,
+                SubsamplesPerAxis = SubsamplesPerAxis(),
+                KeepGroundTruth = needsTruth || layers is not null,
             },
             ReflectanceText = parameters.Count == 0
                 ? law
@@ -53,14 +53,14 @@ internal sealed class NativeSettingsReader
         };
     }
 
-    private int SamplesAcross()
+    private int SubsamplesPerAxis()
     {
         if (Text(_options.Samples) is not string text)
         {
             return 1;
         }
 
-        const int Most = NativeRenderOptions.MostSamplesAcross;
+        const int Most = NativeRenderOptions.MaxSubsamplesPerAxis;
         int samples = OptionText.WholeNumber(_options.Samples, text, 1, Most * Most);
         int across = (int)Math.Sqrt(samples); // exact for numbers as small as these
         return across * across == samples

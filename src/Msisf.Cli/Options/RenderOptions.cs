@@ -2,12 +2,12 @@ using System.CommandLine;
 
 namespace Msisf.Cli.Options;
 
-/// <summary>All options of a render run, for each command that takes one: where the camera is, the picture, its sources, how it goes.</summary>
+/// <summary>All options of a render run, for each command that takes one: where the camera is, the image, its sources, how it goes.</summary>
 internal sealed class RenderOptions
 {
     public ModeOptions Mode { get; } = new();
 
-    public PictureOptions Picture { get; } = new();
+    public ImageOptions Image { get; } = new();
 
     public SourceOptions Source { get; } = new();
 
@@ -15,7 +15,7 @@ internal sealed class RenderOptions
 
     public RunOptions Run { get; } = new();
 
-    public IEnumerable<Option> All => [.. Mode.All, .. Picture.All, .. Source.All, .. Native.All, .. Run.All];
+    public IEnumerable<Option> All => [.. Mode.All, .. Image.All, .. Source.All, .. Native.All, .. Run.All];
 
     /// <summary>Reads and checks a parsed line.</summary>
     /// <param name="line">The line.</param>
@@ -26,7 +26,7 @@ internal sealed class RenderOptions
         StrayOptions.Refuse(line, Run.PovOptions);
         bool IsGiven(Option option) => line.GetResult(option) is { Implicit: false };
         Mode? mode = ModeRules.Check(Mode, IsGiven);
-        RenderSettings settings = new RenderSettingsReader(line).Read(Picture, Source, Run, Native);
+        RenderSettings settings = new RenderSettingsReader(line).Read(Image, Source, Run, Native);
         RendererRules.Check(settings.Renderer, Native, Source, Run, IsGiven);
         return (mode, settings);
     }

@@ -15,44 +15,44 @@ namespace Msisf.Cli.Options;
 /// <summary>Turns the text of the options into checked values, with the defaults of thesis appendix A.</summary>
 internal sealed class RenderSettingsReader
 {
-    /// <summary>px: the largest side of a picture.</summary>
+    /// <summary>px: the largest side of an image.</summary>
     private const int LargestSide = 16384;
 
     /// <summary>More frames at once than any computer runs.</summary>
-    private const int MostJobs = 1024;
+    private const int MaxJobs = 1024;
 
     /// <summary>px: from here on nothing of the Moon would be left to see.</summary>
-    private const double GreatestLevelOfDetailError = 100.0;
+    private const double MaxLevelOfDetailError = 100.0;
 
     private readonly ParseResult _line;
 
     public RenderSettingsReader(ParseResult line) => _line = line;
 
-    public RenderSettings Read(PictureOptions picture, SourceOptions source, RunOptions run, NativeOptions nativeOptions)
+    public RenderSettings Read(ImageOptions image, SourceOptions source, RunOptions run, NativeOptions nativeOptions)
     {
         NativeSettingsReader native = new(_line, nativeOptions);
-        PixelSurface surface = _line.GetValue(picture.Surface) is string words
-            ? OptionText.Choice(picture.Surface, words, [("sphere", PixelSurface.Sphere), ("terrain", PixelSurface.Terrain)])
+        PixelSurface surface = _line.GetValue(image.Surface) is string words
+            ? OptionText.Choice(image.Surface, words, [("sphere", PixelSurface.Sphere), ("terrain", PixelSurface.Terrain)])
             : PixelSurface.Sphere;
-        int width = WholeNumber(picture.Width, 1024, LargestSide);
-        int height = WholeNumber(picture.Height, 1024, LargestSide);
-        int grid = WholeNumber(picture.Grid, PixelGrid.DefaultSpacing, int.MaxValue);
+        int width = WholeNumber(image.Width, 1024, LargestSide);
+        int height = WholeNumber(image.Height, 1024, LargestSide);
+        int grid = WholeNumber(image.Grid, PixelGrid.DefaultSpacing, int.MaxValue);
         return new RenderSettings
         {
-            FieldOfViewDegrees = FieldOfView(picture.FieldOfView),
+            FieldOfViewDegrees = FieldOfView(image.FieldOfView),
             Width = width,
             Height = height,
-            GridHorizontal = WholeNumber(picture.GridHorizontal, grid, int.MaxValue),
-            GridVertical = WholeNumber(picture.GridVertical, grid, int.MaxValue),
+            GridHorizontal = WholeNumber(image.GridHorizontal, grid, int.MaxValue),
+            GridVertical = WholeNumber(image.GridVertical, grid, int.MaxValue),
             Surface = surface,
             PixelsPerDegree = SourceSettings.Resolution(_line, source),
             Renderer = native.Renderer(),
             Native = native.Read(needsTruth: surface == PixelSurface.Terrain),
-            LevelOfDetailError = LevelOfDetailError(picture, native.Renderer()),
-            IgnoreSun = _line.GetValue(picture.IgnoreSun),
-            Annotate = _line.GetValue(picture.Annotation),
-            OutputFolder = PathOf(picture.OutputFolder) ?? "output",
-            OutputName = _line.GetValue(picture.OutputName) ?? FrameNaming.DefaultPattern,
+            LevelOfDetailError = LevelOfDetailError(image, native.Renderer()),
+            IgnoreSun = _line.GetValue(image.IgnoreSun),
+            Annotate = _line.GetValue(image.Annotation),
+            OutputFolder = PathOf(image.OutputFolder) ?? "output",
+            OutputName = _line.GetValue(image.OutputName) ?? FrameNaming.DefaultPattern,
             PatternRepository = PathOf(source.PatternRepository) ?? SourceSettings.DefaultRepository,
             Ldem = PathOf(source.Ldem),
             Ephemeris = _line.GetValue(run.Ephemeris) is string engine
@@ -61,12 +61,12 @@ internal sealed class RenderSettingsReader
                     engine,
                     [("cspice", EphemerisChoice.CSpice), ("builtin", EphemerisChoice.BuiltIn), ("auto", EphemerisChoice.Auto)])
                 : EphemerisChoice.Auto,
-            Aberration = Aberration(run.Aberration, picture.IgnoreSun),
+            Aberration = Aberration(run.Aberration, image.IgnoreSun),
             Kernels = PathOf(run.Kernels),
             PovPath = PathOf(run.PovPath),
             PovOptions = PovRayOptions.Parse(_line.GetValue(run.PovOptions) ?? string.Empty),
             Timeout = Timeout(run.Timeout),
-            Jobs = _line.GetValue(run.Jobs) is null ? null : WholeNumber(run.Jobs, 1, MostJobs),
+            Jobs = _line.GetValue(run.Jobs) is null ? null : WholeNumber(run.Jobs, 1, MaxJobs),
             Frames = _line.GetValue(run.Frames) is string steps ? OptionText.Named(run.Frames, () => StepRanges.Parse(steps)) : null,
             Overwrite = _line.GetValue(run.Overwrite),
             FailFast = _line.GetValue(run.FailFast),
@@ -85,12 +85,12 @@ internal sealed class RenderSettingsReader
             : throw new BadInputException($"--fov is {_line.GetValue(option)}; a field of view between 0 and 180 degrees (without them) is needed.");
     }
 
-    private double? LevelOfDetailError(PictureOptions picture, RendererKind renderer)
+    private double? LevelOfDetailError(ImageOptions image, RendererKind renderer)
     {
-        bool isOff = _line.GetValue(picture.LevelOfDetail) is string word && OptionText.Choice(picture.LevelOfDetail, word, [("auto", false), ("off", true)]);
-        if (_line.GetValue(picture.LevelOfDetailError) is not string text)
+        bool isOff = _line.GetValue(image.LevelOfDetail) is string word && OptionText.Choice(image.LevelOfDetail, word, [("auto", false), ("off", true)]);
+        if (_line.GetValue(image.LevelOfDetailError) is not string text)
         {
-            return isOff ? null : renderer == RendererKind.Native ? LevelOfDetail.UsualErrorPixels : PartSelector.UsualErrorPixels;
+            return isOff ? null : renderer == RendererKind.Native ? LevelOfDetail.DefaultErrorPixels : PartSelector.DefaultErrorPixels;
         }
 
         if (isOff)
@@ -98,10 +98,10 @@ internal sealed class RenderSettingsReader
             throw new UsageException("--lod-error has no meaning with --lod off, which always shows the model itself. Leave one of them out.");
         }
 
-        double error = OptionText.Number(picture.LevelOfDetailError, text);
-        return error is >= 0.0 and <= GreatestLevelOfDetailError
+        double error = OptionText.Number(image.LevelOfDetailError, text);
+        return error is >= 0.0 and <= MaxLevelOfDetailError
             ? error
-            : throw new BadInputException($"--lod-error is {text}; 0 to {GreatestLevelOfDetailError} pixels are possible.");
+            : throw new BadInputException($"--lod-error is {text}; 0 to {MaxLevelOfDetailError} pixels are possible.");
     }
 
     private Aberration Aberration(Option<string?> option, Option<bool> ignoreSun)

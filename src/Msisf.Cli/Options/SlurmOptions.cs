@@ -8,12 +8,12 @@ namespace Msisf.Cli.Options;
 /// <summary>What Slurm is asked for.</summary>
 internal sealed partial class SlurmOptions
 {
-    private const int UsualRetries = 3;
+    private const int DefaultRetries = 3;
 
     /// <summary>More would only hide what is wrong.</summary>
-    private const int MostRetries = 100;
+    private const int MaxRetries = 100;
 
-    private const int MostCpus = 1024;
+    private const int MaxCpus = 1024;
 
     /// <summary>Frames a second: more than any video has.</summary>
     private const double FastestVideo = 1000.0;
@@ -67,13 +67,13 @@ internal sealed partial class SlurmOptions
     public SlurmSettings Read(ParseResult line) => new()
     {
         Concurrency = line.GetValue(Concurrency) is string most ? OptionText.WholeNumber(Concurrency, most, 1, int.MaxValue) : null,
-        CpusPerTask = line.GetValue(CpusPerTask) is string cpus ? OptionText.WholeNumber(CpusPerTask, cpus, 1, MostCpus) : 1,
+        CpusPerTask = line.GetValue(CpusPerTask) is string cpus ? OptionText.WholeNumber(CpusPerTask, cpus, 1, MaxCpus) : 1,
         Memory = Matched(line, Memory, SizeText(), "a size is needed, e.g. 4G or 500M"),
         TimeLimit = Matched(line, TimeLimit, TimeText(), "a time is needed: minutes, or as in 2:00:00 and 1-12:00:00"),
         Partition = Matched(line, Partition, NameText(), "a name without blanks is needed"),
         Account = Matched(line, Account, NameText(), "a name without blanks is needed"),
         MoreOptions = [.. (line.GetValue(MoreOptions) ?? string.Empty).Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(Checked)],
-        Retries = line.GetValue(Retries) is string retries ? OptionText.WholeNumber(Retries, retries, 0, MostRetries) : UsualRetries,
+        Retries = line.GetValue(Retries) is string retries ? OptionText.WholeNumber(Retries, retries, 0, MaxRetries) : DefaultRetries,
         MergeOptions = [.. MergeOptionsOf(line)],
     };
 

@@ -12,7 +12,7 @@ internal static class CostSurvey
     /// Frames that are looked at; between them costs are interpolated. Of a long run so many show each of its first hundred turns about the Moon at some
     /// ten places, and take some 10 s of processor time at 64 px/deg (docs/tile-selection.md).
     /// </summary>
-    public const int MostFramesLookedAt = 1000;
+    public const int MaxFramesLookedAt = 1000;
 
     /// <summary>The costs of all frames of a run, in their order; seconds (<see cref="FrameCost"/>).</summary>
     /// <param name="run">The run.</param>
@@ -28,9 +28,9 @@ internal static class CostSurvey
 
     /// <summary>Which frames are looked at: all, or so many, evenly spread from the first to the last.</summary>
     /// <param name="count">Of all frames.</param>
-    internal static int[] Places(int count) => count <= MostFramesLookedAt
+    internal static int[] Places(int count) => count <= MaxFramesLookedAt
         ? [.. Enumerable.Range(0, count)]
-        : [.. Enumerable.Range(0, MostFramesLookedAt).Select(place => (int)((long)place * (count - 1) / (MostFramesLookedAt - 1)))];
+        : [.. Enumerable.Range(0, MaxFramesLookedAt).Select(place => (int)((long)place * (count - 1) / (MaxFramesLookedAt - 1)))];
 
     /// <summary>Straight lines between the frames that were looked at.</summary>
     internal static double[] Interpolate(int[] places, double[] costs, int count)
@@ -53,7 +53,7 @@ internal static class CostSurvey
     private static double CostOf(Frame frame, PlannedRun run)
     {
         RenderSettings settings = run.Settings;
-        int across = settings.Renderer == RendererKind.Native ? settings.Native.Render.SamplesAcross : 1;
+        int across = settings.Renderer == RendererKind.Native ? settings.Native.Render.SubsamplesPerAxis : 1;
         int level = settings.LevelOfDetailError is double error
             ? LevelOfDetail.For(frame.Camera, across, settings.PixelsPerDegree, run.Model.Levels.Count, error)
             : 0;

@@ -4,11 +4,11 @@ namespace Msisf.Cli.Pieces;
 
 /// <summary>
 /// What a frame costs, from what it shows: seconds on one core of the computer that the coefficients were measured on. Only ratios
-/// between frames of one run matter for cutting it. Measured as docs/scaling.md says; the fits are by least squares over frames.
+/// between frames of one run matter for cutting it. Measured as docs/scaling.md says; the fits are by minimum squares over frames.
 /// </summary>
 /// <param name="Fixed">s a frame, whatever it shows: files, and with POV-Ray its process.</param>
-/// <param name="PerSample">s a sample of the picture.</param>
-/// <param name="PerFace">s a triangle of the tiles that the picture needs, at its level of detail.</param>
+/// <param name="PerSample">s a sample of the image.</param>
+/// <param name="PerFace">s a triangle of the tiles that the image needs, at its level of detail.</param>
 internal readonly record struct FrameCost(double Fixed, double PerSample, double PerFace)
 {
     /// <summary>147 frames of 512 x 512 px of an eccentric orbit on LDEM_64: docs/benchmark/frame-times.csv, correlation 0.82 with the times.</summary>
@@ -24,7 +24,7 @@ internal readonly record struct FrameCost(double Fixed, double PerSample, double
     public static FrameCost Of(RendererKind renderer) => renderer == RendererKind.Native ? Native : PovRay;
 
     /// <summary>The estimate for a frame.</summary>
-    /// <param name="samples">Samples of the picture.</param>
+    /// <param name="samples">Samples of the image.</param>
     /// <param name="faces">Triangles of its tiles.</param>
     public double Seconds(long samples, long faces) => Fixed + (PerSample * samples) + (PerFace * faces);
 }

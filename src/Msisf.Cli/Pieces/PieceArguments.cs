@@ -45,10 +45,10 @@ internal sealed class PieceArguments
     /// <param name="engine">As for the pieces.</param>
     public IReadOnlyList<string> OfPatterns(string batchFile, EphemerisChoice? engine)
     {
-        PictureOptions picture = _options.Picture;
+        ImageOptions image = _options.Image;
         Option[] deciding =
         [
-            picture.FieldOfView, picture.Width, picture.Height, picture.LevelOfDetail, picture.LevelOfDetailError, picture.IgnoreSun,
+            image.FieldOfView, image.Width, image.Height, image.LevelOfDetail, image.LevelOfDetailError, image.IgnoreSun,
             .. _options.Source.All, _options.Run.Aberration, _options.Run.Kernels,
         ];
         return ["--for-batch", batchFile, .. deciding.SelectMany(Words), .. Engine(engine)];

@@ -6,7 +6,7 @@ namespace Msisf.Cli.Pieces;
 internal static class RunCutter
 {
     /// <summary>Halvings of the limit: past them the two ends are neighbouring doubles.</summary>
-    private const int MostHalvings = 128;
+    private const int MaxHalvings = 128;
 
     /// <summary>Pieces of equal counts.</summary>
     /// <param name="steps">Ascending.</param>
@@ -24,7 +24,7 @@ internal static class RunCutter
     public static IReadOnlyList<StepRanges> BySize(IReadOnlyList<int> steps, int size) =>
         [.. steps.Chunk(size).Select(StepRanges.Of)];
 
-    /// <summary>Pieces whose greatest cost is as small as contiguous pieces allow.</summary>
+    /// <summary>Pieces whose maximum cost is as small as contiguous pieces allow.</summary>
     /// <param name="steps">Ascending.</param>
     /// <param name="costs">Of each step, positive.</param>
     /// <param name="pieces">How many; no more than there are steps are made.</param>
@@ -46,12 +46,12 @@ internal static class RunCutter
         return cut;
     }
 
-    /// <summary>The least limit with which so many pieces suffice, by bisection: filling each piece up is the best that a limit allows.</summary>
+    /// <summary>The minimum limit with which so many pieces suffice, by bisection: filling each piece up is the best that a limit allows.</summary>
     private static double SmallestLimit(IReadOnlyList<double> costs, int pieces)
     {
         double tooSmall = 0.0;
         double enough = costs.Sum();
-        for (int halving = 0; halving < MostHalvings; halving++)
+        for (int halving = 0; halving < MaxHalvings; halving++)
         {
             double middle = tooSmall + ((enough - tooSmall) / 2.0);
             if (middle <= tooSmall || middle >= enough)

@@ -8,8 +8,8 @@ namespace Msisf.Cli.Pieces;
 /// <summary>The text of a script that runs the pieces.</summary>
 internal static class ScriptText
 {
-    /// <summary>Pieces of an array: a cluster's MaxArraySize is 1001 unless its administrator chose otherwise, which makes 1000 the greatest index.</summary>
-    private const int MostSlurmPieces = 1000;
+    /// <summary>Pieces of an array: a cluster's MaxArraySize is 1001 unless its administrator chose otherwise, which makes 1000 the maximum index.</summary>
+    private const int MaxSlurmPieces = 1000;
 
     /// <summary>The whole script.</summary>
     /// <param name="format">For whom; <see cref="ScriptFormat.Slurm"/> has <see cref="Slurm"/>.</param>
@@ -31,11 +31,11 @@ internal static class ScriptText
     /// <exception cref="BadInputException">More pieces than an array may have, or a path that sbatch does not take.</exception>
     public static string Slurm(PieceScript script, SlurmSettings slurm)
     {
-        if (script.Pieces.Count > MostSlurmPieces)
+        if (script.Pieces.Count > MaxSlurmPieces)
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{script.Pieces.Count} pieces; a Slurm array has {MostSlurmPieces} at most on a cluster with the usual MaxArraySize. Use --pieces {MostSlurmPieces}: a piece may have any number of frames."));
+                $"{script.Pieces.Count} pieces; a Slurm array has {MaxSlurmPieces} at most on a cluster with the usual MaxArraySize. Use --pieces {MaxSlurmPieces}: a piece may have any number of frames."));
         }
 
         if (script.Path.Contains('\\') || script.Path.Any(char.IsControl))

@@ -67,7 +67,7 @@ internal sealed class SlurmWatch
             }
 
             Tell(CountDone(manifest), before, _host.Clock.GetElapsedTime(start));
-            ProgramAnswer jobs = await _slurm.CallAsync("squeue", ["--noheader", $"--name={SlurmJobName.Of(_run.Script)}", "--format=%i"], cancellation).ConfigureAwait(false);
+            ProcessResult jobs = await _slurm.CallAsync("squeue", ["--noheader", $"--name={SlurmJobName.Of(_run.Script)}", "--format=%i"], cancellation).ConfigureAwait(false);
             if (jobs.ExitCode != 0 || !string.IsNullOrWhiteSpace(jobs.Output))
             {
                 lastSeen = _host.Clock.GetTimestamp();

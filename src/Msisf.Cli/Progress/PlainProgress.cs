@@ -6,7 +6,7 @@ namespace Msisf.Cli.Progress;
 /// <summary>Plain lines with the time left, for files and unattended runs; not more than one every few seconds.</summary>
 internal sealed class PlainProgress : IRunProgress
 {
-    private static readonly TimeSpan LeastPause = TimeSpan.FromSeconds(2.0);
+    private static readonly TimeSpan MinPause = TimeSpan.FromSeconds(2.0);
 
     private readonly Lock _gate = new();
     private readonly Log _log;
@@ -30,7 +30,7 @@ internal sealed class PlainProgress : IRunProgress
         lock (_gate)
         {
             _done++;
-            if (_done < _total && _clock.GetElapsedTime(_lastLine) < LeastPause)
+            if (_done < _total && _clock.GetElapsedTime(_lastLine) < MinPause)
             {
                 return;
             }

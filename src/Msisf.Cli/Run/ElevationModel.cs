@@ -14,7 +14,7 @@ namespace Msisf.Cli.Run;
 /// <summary>The elevation model of a run, with what is derived from it once. Safe for several threads.</summary>
 internal sealed class ElevationModel : IDisposable
 {
-    /// <summary>px/deg: up to here reading the whole model for its summary takes less time than a picture; a finer one keeps it in a file.</summary>
+    /// <summary>px/deg: up to here reading the whole model for its summary takes less time than an image; a finer one keeps it in a file.</summary>
     private const int FinestSummarisedEachRun = 16;
 
     private readonly LdemImage _image;
@@ -82,7 +82,7 @@ internal sealed class ElevationModel : IDisposable
         ModelLevels levels = ModelLevels.Open(
             image,
             CacheFolder.Of(host),
-            samplesBetweenForgetting: isSparing ? LodLevels.SparingSamplesBetweenForgetting : LodLevels.UsualSamplesBetweenForgetting);
+            samplesBetweenReleases: isSparing ? LodLevels.SparingSamplesBetweenReleases : LodLevels.DefaultSamplesBetweenReleases);
         if (levels.Warning is not null)
         {
             host.Log.Warning(levels.Warning);
@@ -98,7 +98,7 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>The pieces of surface that a frame needs.</summary>
     /// <param name="frame">The frame.</param>
     /// <param name="errorPixels">So far may levels of detail move what is seen; null for the tiles' whole patterns and no levels.</param>
-    /// <param name="rows">The rows of the picture that matter; null for all.</param>
+    /// <param name="rows">The rows of the image that matter; null for all.</param>
     public IReadOnlyList<SurfacePart> SelectParts(Frame frame, double? errorPixels, PixelRows? rows = null) => errorPixels is double error
         ? _selectors.GetOrAdd(error, NewSelector).Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, rows).Parts
         : [.. Select(frame).Kept.Select(choice => SurfacePart.Whole(choice.Tile))];
@@ -107,7 +107,7 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>
-        positionMoonMe.Length > _image.RadiusLimits.Greatest ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
+        positionMoonMe.Length > _image.RadiusLimits.Max ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
 
     public void Dispose()
     {

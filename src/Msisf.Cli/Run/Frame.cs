@@ -4,7 +4,7 @@ using Msisf.Core.Time;
 
 namespace Msisf.Cli.Run;
 
-/// <summary>One picture to make.</summary>
+/// <summary>One image to make.</summary>
 /// <param name="Step">From 1, in the order of the input.</param>
 /// <param name="Name">File name of its outputs, without extension.</param>
 /// <param name="Time">UTC.</param>

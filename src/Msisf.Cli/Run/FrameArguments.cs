@@ -54,7 +54,7 @@ internal static class FrameArguments
         words.AddRange(["--renderer", "native", "--reflectance", native.ReflectanceText]);
         words.AddRange(native.Albedo is double albedo ? ["--albedo", Text(albedo)] : []);
         words.AddRange(["--sun", native.Render.Sun == SunModel.Disc ? "disc" : "point"]);
-        words.AddRange(["--samples", Text(native.Render.SamplesAcross * native.Render.SamplesAcross)]);
+        words.AddRange(["--samples", Text(native.Render.SubsamplesPerAxis * native.Render.SubsamplesPerAxis)]);
         words.AddRange(["--shading", native.Render.Normals == NormalModel.Smooth ? "smooth" : "facet"]);
         words.AddRange(["--exposure", Text(native.Grey.Exposure), "--transfer", native.Grey.Transfer == GreyTransfer.Linear ? "linear" : "srgb"]);
         words.AddRange(["--bit-depth", Text(native.BitDepth)]);

@@ -10,7 +10,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Cli.Run;
 
-/// <summary>Writes a frame's files for any renderer. They appear when all are complete and the manifest knows them, the picture last. Safe for several threads.</summary>
+/// <summary>Writes a frame's files for any renderer. They appear when all are complete and the manifest knows them, the image last. Safe for several threads.</summary>
 internal sealed class FrameFiles
 {
     private readonly RenderSettings _settings;
@@ -58,11 +58,11 @@ internal sealed class FrameFiles
         {
             if (annotated is not null)
             {
-                files.Write(annotated, stream => AnnotationRenderer.Write(rendered.Picture, stream, metadata, pixels, cancellation));
-                rendered.Picture.Position = 0;
+                files.Write(annotated, stream => AnnotationRenderer.Write(rendered.Image, stream, metadata, pixels, cancellation));
+                rendered.Image.Position = 0;
             }
 
-            files.Write($"{stem}.png", stream => PngFile.CopyPicture(rendered.Picture, stream, rendered.PictureName));
+            files.Write($"{stem}.png", stream => PngFile.CopyImage(rendered.Image, stream, rendered.ImageName));
             cancellation.ThrowIfCancellationRequested();
             _ledger.Made(frame, files, paths);
             files.Commit();

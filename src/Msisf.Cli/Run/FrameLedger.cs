@@ -17,7 +17,7 @@ internal sealed class FrameLedger : IDisposable
     private readonly RunPlan _plan;
     private readonly ManifestFile _manifest;
     private readonly ManifestReader _reader;
-    private readonly FrameJudge _judge;
+    private readonly FrameChecker _judge;
     private readonly ClaimFile _claims;
     private readonly WorkFolder _staging;
 
@@ -31,9 +31,9 @@ internal sealed class FrameLedger : IDisposable
         _folder = folder;
         _plan = plan;
         _manifest = new ManifestFile(folder);
-        _judge = new FrameJudge(folder, CheckDepth.Checksums);
+        _judge = new FrameChecker(folder, CheckDepth.Checksums);
         _reader = new ManifestReader(_manifest);
-        Announce(log);
+        Register(log);
         if (overwrite)
         {
             _reader.Dispose();
@@ -51,7 +51,7 @@ internal sealed class FrameLedger : IDisposable
     public RunPlan Plan => _plan;
 
     /// <summary>How a frame stands by now; also what another process made since the last call counts.</summary>
-    public FrameJudgement Judge(Frame frame)
+    public FrameCheck Judge(Frame frame)
     {
         FrameRecord? made;
         FailedRecord? failed;
@@ -115,7 +115,7 @@ internal sealed class FrameLedger : IDisposable
         }
     }
 
-    private void Announce(Log log)
+    private void Register(Log log)
     {
         _reader.Refresh();
         if (_reader.Content.DamagedLines > 0)
@@ -123,12 +123,12 @@ internal sealed class FrameLedger : IDisposable
             log.Warning($"{_manifest.FilePath}: {_reader.Content.DamagedLines} lines can't be read and are left out; frames whose lines they were are made again.");
         }
 
-        if (_plan.Announcement(_reader.Content).Count > 0)
+        if (_plan.Registration(_reader.Content).Count > 0)
         {
             _manifest.Locked(() =>
             {
                 _reader.Refresh(); // another process may have told it meanwhile
-                _manifest.AppendLocked(_plan.Announcement(_reader.Content));
+                _manifest.AppendLocked(_plan.Registration(_reader.Content));
                 return true;
             });
         }

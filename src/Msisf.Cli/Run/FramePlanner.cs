@@ -10,7 +10,7 @@ using Msisf.Core.Scene;
 
 namespace Msisf.Cli.Run;
 
-/// <summary>Turns states into frames, and refuses a run that could not be finished before its first picture is made.</summary>
+/// <summary>Turns states into frames, and refuses a run that could not be finished before its first image is made.</summary>
 internal static class FramePlanner
 {
     /// <summary>Cameras that lie in the ground and are named in the message.</summary>
@@ -58,11 +58,11 @@ internal static class FramePlanner
             throw new BadInputException($"the camera of step {step} is at the Moon's centre. Choose a position above the terrain.");
         }
 
-        if (renderer == RendererKind.PovRay && distance > PovSceneWriter.GreatestDistance)
+        if (renderer == RendererKind.PovRay && distance > PovSceneWriter.MaxDistance)
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"the camera of step {step} is {distance:E3} m from the Moon's centre; POV-Ray draws nothing beyond {PovSceneWriter.GreatestDistance:E0} m. Use --renderer native, or move it closer on the same line, with a field of view that is larger by as much."));
+                $"the camera of step {step} is {distance:E3} m from the Moon's centre; POV-Ray draws nothing beyond {PovSceneWriter.MaxDistance:E0} m. Use --renderer native, or move it closer on the same line, with a field of view that is larger by as much."));
         }
     }
 

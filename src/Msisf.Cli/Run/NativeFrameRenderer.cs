@@ -13,7 +13,7 @@ namespace Msisf.Cli.Run;
 internal sealed class NativeFrameRenderer : IFrameRenderer
 {
     /// <summary>Mapping again what the next frames read takes some ms, a small part of so many frames' time.</summary>
-    private const int FramesBetweenForgetting = 16;
+    private const int FramesBetweenReleases = 16;
 
     private readonly NativeSettings _settings;
     private readonly IElevationGrid _model;
@@ -21,7 +21,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
     private readonly GreyTable _grey;
     private readonly FrameFiles _files;
     private readonly RunTimes _times;
-    private readonly ConcurrentBag<MemoryStream> _idlePictures = [];
+    private readonly ConcurrentBag<MemoryStream> _idleImages = [];
     private int _frames;
 
     public NativeFrameRenderer(NativeSettings settings, IElevationGrid model, NativeLevels levels, FrameFiles files, RunTimes times)
@@ -48,25 +48,25 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
 
     private FrameOutputs Render(Frame frame, int threads, CancellationToken cancellation)
     {
-        NativeRenderer renderer = _levels.For(frame.Camera, _settings.Render.SamplesAcross);
+        NativeRenderer renderer = _levels.For(frame.Camera, _settings.Render.SubsamplesPerAxis);
         using NativeFrame drawn = _times.Measure(
             Phase.Draw, () => renderer.Render(frame.Camera, frame.Light, _settings.Render, threads, cancellation));
-        MemoryStream picture = _idlePictures.TryTake(out MemoryStream? idle) ? idle : new MemoryStream();
-        picture.SetLength(0);
-        _times.Measure(Phase.Output, () => Encode(drawn, picture));
+        MemoryStream image = _idleImages.TryTake(out MemoryStream? idle) ? idle : new MemoryStream();
+        image.SetLength(0);
+        _times.Measure(Phase.Output, () => Encode(drawn, image));
         RenderedFrame rendered = new(
-            RendererKind.Native, picture, "the picture", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepTruth ? drawn : null);
+            RendererKind.Native, image, "the image", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepGroundTruth ? drawn : null);
         FrameOutputs outputs = new(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
-        _idlePictures.Add(picture);
-        if (Interlocked.Increment(ref _frames) % FramesBetweenForgetting == 0)
+        _idleImages.Add(image);
+        if (Interlocked.Increment(ref _frames) % FramesBetweenReleases == 0)
         {
-            _model.Forget(); // an orbit would have the whole model in memory in the end
+            _model.ReleasePages(); // an orbit would have the whole model in memory in the end
         }
 
         return outputs;
     }
 
-    private void Encode(NativeFrame drawn, MemoryStream picture)
+    private void Encode(NativeFrame drawn, MemoryStream image)
     {
         int width = drawn.Camera.Width;
         int pixels = drawn.RadianceFactors.Length;
@@ -75,17 +75,17 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         {
             Span<byte> levels = memory.AsSpan(0, pixels);
             _grey.Convert(drawn.RadianceFactors, levels);
-            PngWriter.Write(picture, levels, width, _settings.Grey.Transfer);
+            PngWriter.Write(image, levels, width, _settings.Grey.Transfer);
         }
         else
         {
             Span<ushort> levels = MemoryMarshal.Cast<byte, ushort>(memory.AsSpan(0, 2 * pixels));
             _grey.Convert(drawn.RadianceFactors, levels);
-            PngWriter.Write(picture, levels, width, _settings.Grey.Transfer);
+            PngWriter.Write(image, levels, width, _settings.Grey.Transfer);
         }
 
         ArrayPool<byte>.Shared.Return(memory);
 
-        picture.Position = 0;
+        image.Position = 0;
     }
 }

@@ -26,9 +26,9 @@ internal sealed class NativeLevels
     }
 
     /// <summary>The renderer for a frame.</summary>
-    public NativeRenderer For(PinholeCamera camera, int samplesAcross)
+    public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis)
     {
-        int level = _levels is null ? 0 : LevelOfDetail.For(camera, samplesAcross, _grid.PixelsPerDegree, _levels.Count, _errorPixels);
+        int level = _levels is null ? 0 : LevelOfDetail.For(camera, subsamplesPerAxis, _grid.PixelsPerDegree, _levels.Count, _errorPixels);
         return _renderers.GetOrAdd(level, Create).Value;
     }
 

@@ -36,7 +36,7 @@ internal enum Phase
     /// <summary>Drawing by the program's own renderer.</summary>
     Draw,
 
-    /// <summary>Picture, scene and annotation files.</summary>
+    /// <summary>Image, scene and annotation files.</summary>
     Output,
 
     /// <summary>The meta file with its pixels.</summary>

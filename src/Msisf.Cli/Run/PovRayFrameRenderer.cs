@@ -13,7 +13,7 @@ namespace Msisf.Cli.Run;
 internal sealed class PovRayFrameRenderer : IFrameRenderer
 {
     /// <summary>Below this a second process would cost more (0.65 s of sleeping, and what both parse) than it saves: a triangle takes some 2 microseconds.</summary>
-    private const long LeastFacesOfStrip = 250_000;
+    private const long MinFacesOfStrip = 250_000;
 
     private readonly RenderSettings _settings;
     private readonly ElevationModel _model;
@@ -64,9 +64,9 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         await _processes.WaitAsync(cancellation).ConfigureAwait(false);
         try
         {
-            using Stream picture = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);
+            using Stream image = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);
             void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, parts), _patterns.FileNameOf);
-            RenderedFrame rendered = new(RendererKind.PovRay, picture, "POV-Ray's picture", WriteScene, _model.Grid.PixelsPerDegree, TruthOf(frame));
+            RenderedFrame rendered = new(RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.Grid.PixelsPerDegree, TruthOf(frame));
             return new FrameOutputs(_files.Write(frame, rendered, cancellation), parts.Count, made);
         }
         finally
@@ -84,10 +84,10 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
 
     /// <summary>POV-Ray parses with one thread: a scene that takes long is drawn in strips, one a core, each with the parts that it needs.</summary>
     private int StripsFor(IReadOnlyList<SurfacePart> parts, int threads) =>
-        (int)Math.Clamp(_patterns.CountFaces(parts) / LeastFacesOfStrip, 1, threads);
+        (int)Math.Clamp(_patterns.CountFaces(parts) / MinFacesOfStrip, 1, threads);
 
     /// <summary>
-    /// Each strip takes its parts from those of the whole picture: by itself it could do with coarser levels where shadows fall beyond its rows, and the
+    /// Each strip takes its parts from those of the whole image: by itself it could do with coarser levels where shadows fall beyond its rows, and the
     /// pixels would depend on how many strips there are.
     /// </summary>
     private PovRayJob[] Jobs(Frame frame, IReadOnlyList<SurfacePart> parts, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
@@ -116,23 +116,23 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private RenderScene SceneOf(Frame frame, IReadOnlyList<SurfacePart> parts) =>
         new(frame.Camera, frame.Light, _model.Grid.PixelsPerDegree, parts);
 
-    /// <returns>The whole picture as PNG; the same bytes however many strips it was drawn in.</returns>
+    /// <returns>The whole image as PNG; the same bytes however many strips it was drawn in.</returns>
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)
     {
         long start = System.Diagnostics.Stopwatch.GetTimestamp();
-        PovRayPicture[] pictures = new PovRayPicture[jobs.Length];
+        PovRayImage[] images = new PovRayImage[jobs.Length];
 
         // When one run fails, the others are ended, and its own error is thrown.
         ParallelOptions allAtOnce = new() { MaxDegreeOfParallelism = jobs.Length, CancellationToken = cancellation };
         await Parallel.ForAsync(0, jobs.Length, allAtOnce, async (strip, stop) =>
-            pictures[strip] = await _povRay.RenderAsync(jobs[strip], stop).ConfigureAwait(false)).ConfigureAwait(false);
-        MemoryStream picture = new();
-        PngRaster.Join([.. pictures.Select(strip => strip.Raster)], [.. strips.Select(strip => strip.First)]).Write(picture);
-        picture.Position = 0;
+            images[strip] = await _povRay.RenderAsync(jobs[strip], stop).ConfigureAwait(false)).ConfigureAwait(false);
+        MemoryStream image = new();
+        PngRaster.Join([.. images.Select(strip => strip.Raster)], [.. strips.Select(strip => strip.First)]).Write(image);
+        image.Position = 0;
         _times.Add(Phase.PovRay, System.Diagnostics.Stopwatch.GetElapsedTime(start).TotalSeconds);
-        _times.Add(Phase.Parse, pictures.Max(strip => strip.Times.ParseSeconds) ?? 0.0);
-        _times.Add(Phase.Trace, pictures.Max(strip => strip.Times.TraceSeconds) ?? 0.0);
-        return picture;
+        _times.Add(Phase.Parse, images.Max(strip => strip.Times.ParseSeconds) ?? 0.0);
+        _times.Add(Phase.Trace, images.Max(strip => strip.Times.TraceSeconds) ?? 0.0);
+        return image;
     }
 
     private TracedFrameTruth? TruthOf(Frame frame) =>

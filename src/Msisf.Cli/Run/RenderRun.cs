@@ -142,7 +142,7 @@ internal sealed class RenderRun : IDisposable
         FrameState[] states = new FrameState[frames.Length];
         Parallel.For(0, frames.Length, index => states[index] = ledger.Judge(frames[index]).State);
         int Count(FrameState state) => states.Count(found => found == state);
-        int right = Count(FrameState.Right);
+        int right = Count(FrameState.Complete);
         if (right + Count(FrameState.Damaged) + Count(FrameState.OtherSettings) > 0)
         {
             _host.Log.Note(string.Create(
@@ -151,7 +151,7 @@ internal sealed class RenderRun : IDisposable
         }
 
         return [.. frames.Zip(states, (frame, state) =>
-            state == FrameState.Right ? new FrameOutputs(ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true) : null)];
+            state == FrameState.Complete ? new FrameOutputs(ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true) : null)];
     }
 
     private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files, int processes)

@@ -7,10 +7,10 @@ using Msisf.Core.Render;
 
 namespace Msisf.Cli.Run;
 
-/// <summary>Refuses pictures that this computer can't hold, and runs that its disk can't, before any work is done.</summary>
+/// <summary>Refuses images that this computer can't hold, and runs that its disk can't, before any work is done.</summary>
 internal static class ResourceCheck
 {
-    /// <summary>POV-Ray 3.7 keeps a picture of up to this size in memory and the rest of a larger one in a file (Max_Image_Buffer_Memory).</summary>
+    /// <summary>POV-Ray 3.7 keeps an image of up to this size in memory and the rest of a larger one in a file (Max_Image_Buffer_Memory).</summary>
     private const long PovRayImageBuffer = 128L << 20;
 
     /// <summary>Bytes that POV-Ray 3.7 keeps for a pixel: five floats.</summary>
@@ -25,7 +25,7 @@ internal static class ResourceCheck
     /// <summary>Bytes of a pixel of all layers on disk.</summary>
     private const long LayersBytesPerPixel = 160;
 
-    /// <summary>Bytes of a pixel of the annotated picture: cairo's ARGB32, and the PNG beside it at worst.</summary>
+    /// <summary>Bytes of a pixel of the annotated image: cairo's ARGB32, and the PNG beside it at worst.</summary>
     private const long AnnotationBytesPerPixel = 8;
 
     /// <summary>Bytes of a pixel on disk at worst: POV-Ray's buffer file, its PNG, and our copy.</summary>
@@ -37,8 +37,8 @@ internal static class ResourceCheck
     /// <summary>The same on the terrain.</summary>
     private const long TerrainMetaBytesPerPoint = 1000;
 
-    /// <summary>Bytes of a pixel that a picture of the Moon has in its PNG: 0.12 to 0.31 in the README's, twice that with the annotated one.</summary>
-    private const double UsualPngBytesPerPixel = 0.3;
+    /// <summary>Bytes of a pixel that an image of the Moon has in its PNG: 0.12 to 0.31 in the README's, twice that with the annotated one.</summary>
+    private const double DefaultPngBytesPerPixel = 0.3;
 
     /// <summary>How many frames to draw at once: as many as cores and memory allow, unless the user says otherwise.</summary>
     /// <param name="settings">Of the run; <c>--jobs</c> is taken as it is.</param>
@@ -51,10 +51,10 @@ internal static class ResourceCheck
         return (int)Math.Clamp(settings.Jobs ?? Math.Min(cores, fitting), 1, Math.Max(1, frames));
     }
 
-    /// <summary>Checks the pictures that are made at once, and what the whole run leaves on disk. The meta file is streamed: it needs disk, but no memory.</summary>
-    /// <param name="settings">Size, grid and annotation of the pictures.</param>
+    /// <summary>Checks the images that are made at once, and what the whole run leaves on disk. The meta file is streamed: it needs disk, but no memory.</summary>
+    /// <param name="settings">Size, grid and annotation of the images.</param>
     /// <param name="frames">Frames to make.</param>
-    /// <param name="atOnce">Pictures made side by side.</param>
+    /// <param name="atOnce">Images made side by side.</param>
     /// <param name="memoryThere">Bytes of memory that can be used.</param>
     /// <param name="diskThere">Bytes that are free in the folder of the outputs.</param>
     /// <exception cref="BadInputException">Memory or disk do not suffice.</exception>
@@ -70,8 +70,8 @@ internal static class ResourceCheck
             "Use a smaller --width and --height, a wider --grid, or another --output-dir.",
             atOnce * ((DiskBytesPerPixel * pixels) + others),
             diskThere);
-        double pictures = UsualPngBytesPerPixel * settings.Native.BitDepth / 8.0 * (settings.Annotate ? 2.0 : 1.0) * pixels;
-        long series = (long)(frames * (pictures + others));
+        double images = DefaultPngBytesPerPixel * settings.Native.BitDepth / 8.0 * (settings.Annotate ? 2.0 : 1.0) * pixels;
+        long series = (long)(frames * (images + others));
         if (frames > 1 && series > diskThere)
         {
             throw new BadInputException(string.Create(
@@ -103,7 +103,7 @@ internal static class ResourceCheck
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"a picture of {settings.Width} x {settings.Height} px with its meta file needs {Size(needed)} of {what}, {Size(there)} are there. {remedy}"));
+                $"an image of {settings.Width} x {settings.Height} px with its meta file needs {Size(needed)} of {what}, {Size(there)} are there. {remedy}"));
         }
     }
 

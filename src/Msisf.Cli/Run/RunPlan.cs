@@ -40,7 +40,7 @@ internal sealed class RunPlan
 
     /// <summary>The lines that tell a manifest of the run; none if it knows it, and no run that wants other frames of the same names since.</summary>
     /// <param name="known">What the manifest says.</param>
-    public IReadOnlyList<ManifestRecord> Announcement(ManifestContent known)
+    public IReadOnlyList<ManifestRecord> Registration(ManifestContent known)
     {
         if (_names.All(name => known.Expected.TryGetValue(name, out ExpectedRecord? expected) && expected.Run == Key))
         {

@@ -14,7 +14,7 @@ using Msisf.Core.Time;
 
 namespace Msisf.Cli.Run;
 
-/// <summary>The states of the spacecraft that a run takes pictures of, from any of the four modes; all are known before the first picture.</summary>
+/// <summary>The states of the spacecraft that a run takes images of, from any of the four modes; all are known before the first image.</summary>
 internal sealed class StateSource
 {
     private readonly ModeOptions _options;

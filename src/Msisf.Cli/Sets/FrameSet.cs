@@ -10,9 +10,9 @@ namespace Msisf.Cli.Sets;
 internal sealed class FrameSet
 {
     private readonly string _folder;
-    private readonly FrameJudgement[] _judgements;
+    private readonly FrameCheck[] _judgements;
 
-    private FrameSet(string folder, FrameJudgement[] judgements)
+    private FrameSet(string folder, FrameCheck[] judgements)
     {
         _folder = folder;
         _judgements = judgements;
@@ -34,7 +34,7 @@ internal sealed class FrameSet
     public static FrameSet Read(string folder, CheckDepth depth, FileStructure? structure, Log log, CancellationToken cancellation)
     {
         ManifestContent content = Content(folder, log);
-        FrameJudge judge = new(folder, depth, structure);
+        FrameChecker judge = new(folder, depth, structure);
         return new FrameSet(folder, [.. content.Expected.Values
             .OrderBy(expected => expected.Run == content.LastRun ? 1 : 0)
             .ThenBy(expected => expected.Run, StringComparer.Ordinal)
@@ -70,27 +70,27 @@ internal sealed class FrameSet
     /// <summary>Prints a line for each frame that is not right (step, name, state, reason; separated by tabs), and a summary.</summary>
     public void Print(TextWriter results)
     {
-        foreach (FrameJudgement judgement in _judgements.Where(judgement => judgement.State != FrameState.Right))
+        foreach (FrameCheck judgement in _judgements.Where(judgement => judgement.State != FrameState.Complete))
         {
             ExpectedRecord frame = judgement.Expected;
             results.WriteLine(string.Create(
                 CultureInfo.InvariantCulture, $"{frame.Step}\t{frame.Name}\t{Word(judgement.State)}\t{judgement.Reason.ReplaceLineEndings(" ")}"));
         }
 
-        IEnumerable<string> others = Enum.GetValues<FrameState>().Where(state => state != FrameState.Right && CountOf(state) > 0)
+        IEnumerable<string> others = Enum.GetValues<FrameState>().Where(state => state != FrameState.Complete && CountOf(state) > 0)
             .Select(state => string.Create(CultureInfo.InvariantCulture, $", {CountOf(state)} {Word(state)}"));
-        results.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{Count} frame{(Count == 1 ? string.Empty : "s")}: {CountOf(FrameState.Right)} right{string.Concat(others)}."));
+        results.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{Count} frame{(Count == 1 ? string.Empty : "s")}: {CountOf(FrameState.Complete)} right{string.Concat(others)}."));
     }
 
     /// <summary>The frames of a run that are right, in the order of their steps.</summary>
     public IEnumerable<ExpectedRecord> RightSteps(string? run) =>
-        _judgements.Where(judgement => judgement.State == FrameState.Right && judgement.Expected.Run == run).Select(judgement => judgement.Expected);
+        _judgements.Where(judgement => judgement.State == FrameState.Complete && judgement.Expected.Run == run).Select(judgement => judgement.Expected);
 
     /// <summary>The steps that are to be made again.</summary>
     /// <exception cref="BadInputException">They belong to several runs, so that their numbers do not say which they are.</exception>
     public StepRanges StepsToMake()
     {
-        ExpectedRecord[] wrong = [.. _judgements.Where(judgement => judgement.State != FrameState.Right).Select(judgement => judgement.Expected)];
+        ExpectedRecord[] wrong = [.. _judgements.Where(judgement => judgement.State != FrameState.Complete).Select(judgement => judgement.Expected)];
         return wrong.Select(frame => frame.Run).Distinct().Count() <= 1
             ? StepRanges.Of(wrong.Select(frame => frame.Step))
             : throw new BadInputException($"{_folder}: frames of several runs are not right; step numbers do not say which they are. Run msis status without --print-frames, or give each run a folder of its own.");

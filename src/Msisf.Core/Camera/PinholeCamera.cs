@@ -15,22 +15,22 @@ public sealed class PinholeCamera
     /// <summary>Places the camera.</summary>
     /// <param name="positionMoonMe">Focal point, m, MOON_ME.</param>
     /// <param name="moonFromCamera">Orientation.</param>
-    /// <param name="fieldOfView">Horizontal field of view, rad, from <see cref="Tolerances.LeastFieldOfView"/> to below pi.</param>
-    /// <param name="width">Picture width, px, at least 1.</param>
-    /// <param name="height">Picture height, px, at least 1.</param>
+    /// <param name="fieldOfView">Horizontal field of view, rad, from <see cref="Tolerances.MinFieldOfView"/> to below pi.</param>
+    /// <param name="width">Image width, px, at least 1.</param>
+    /// <param name="height">Image height, px, at least 1.</param>
     /// <exception cref="BadInputException">The field of view is out of range, a size is below 1, or the position is not finite.</exception>
     /// <exception cref="ArgumentException">The orientation is <c>default</c>, which is no rotation.</exception>
     public PinholeCamera(Vector3D positionMoonMe, UnitQuaternion moonFromCamera, double fieldOfView, int width, int height)
     {
-        if (!(fieldOfView >= Tolerances.LeastFieldOfView && fieldOfView < Math.PI))
+        if (!(fieldOfView >= Tolerances.MinFieldOfView && fieldOfView < Math.PI))
         {
             throw new BadInputException(
-                $"The field of view is {Degrees(fieldOfView)} degrees; it must lie between {Degrees(Tolerances.LeastFieldOfView)} and 180 degrees.");
+                $"The field of view is {Degrees(fieldOfView)} degrees; it must lie between {Degrees(Tolerances.MinFieldOfView)} and 180 degrees.");
         }
 
         if (width < 1 || height < 1)
         {
-            throw new BadInputException($"The picture is {width} x {height} px; each side needs at least 1 px.");
+            throw new BadInputException($"The image is {width} x {height} px; each side needs at least 1 px.");
         }
 
         if (!positionMoonMe.IsFinite)
@@ -66,10 +66,10 @@ public sealed class PinholeCamera
     /// <summary>Horizontal field of view, rad.</summary>
     public double FieldOfView { get; }
 
-    /// <summary>Picture width, px.</summary>
+    /// <summary>Image width, px.</summary>
     public int Width { get; }
 
-    /// <summary>Picture height, px.</summary>
+    /// <summary>Image height, px.</summary>
     public int Height { get; }
 
     /// <summary>Viewing direction of length 1, MOON_ME.</summary>

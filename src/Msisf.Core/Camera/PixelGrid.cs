@@ -3,18 +3,18 @@ using Msisf.Core.Errors;
 namespace Msisf.Core.Camera;
 
 /// <summary>
-/// The pixels of a picture that get metadata: every multiple of the spacing, so with 50 px the pixels 50, 100, 150, ... as in the
+/// The pixels of an image that get metadata: every multiple of the spacing, so with 50 px the pixels 50, 100, 150, ... as in the
 /// example of thesis section 9.2. Pixel 1 is one of them only at spacing 1, which takes every pixel; a spacing larger than the
-/// picture takes none.
+/// image takes none.
 /// </summary>
 public sealed class PixelGrid
 {
     /// <summary>px: the spacing that the published example has (thesis section 9.3; docs/deviations.md, row 17).</summary>
     public const int DefaultSpacing = 50;
 
-    /// <summary>Lays a grid over a picture.</summary>
-    /// <param name="width">Picture width, px, at least 1.</param>
-    /// <param name="height">Picture height, px, at least 1.</param>
+    /// <summary>Lays a grid over an image.</summary>
+    /// <param name="width">Image width, px, at least 1.</param>
+    /// <param name="height">Image height, px, at least 1.</param>
     /// <param name="spacingH">From column to column, px, at least 1.</param>
     /// <param name="spacingV">From row to row, px, at least 1.</param>
     /// <exception cref="BadInputException">A spacing is below 1.</exception>
@@ -39,10 +39,10 @@ public sealed class PixelGrid
     /// <summary>From row to row, px.</summary>
     public int SpacingV { get; }
 
-    /// <summary>How many columns the grid has; 0 if the spacing is larger than the picture.</summary>
+    /// <summary>How many columns the grid has; 0 if the spacing is larger than the image.</summary>
     public int Columns { get; }
 
-    /// <summary>How many rows the grid has; 0 if the spacing is larger than the picture.</summary>
+    /// <summary>How many rows the grid has; 0 if the spacing is larger than the image.</summary>
     public int Rows { get; }
 
     /// <summary>The pixel's x of a column, from 1.</summary>

@@ -1,13 +1,13 @@
 namespace Msisf.Core.Camera;
 
-/// <summary>Some neighbouring rows of a picture.</summary>
-/// <param name="First">0: the topmost row of the picture.</param>
+/// <summary>Some neighbouring rows of an image.</summary>
+/// <param name="First">0: the topmost row of the image.</param>
 /// <param name="End">One past the lowest row.</param>
 public readonly record struct PixelRows(int First, int End)
 {
-    /// <summary>Cuts a picture into strips of about equal height.</summary>
-    /// <param name="height">Rows of the picture.</param>
-    /// <param name="strips">How many are wanted; fewer come out of a low picture.</param>
+    /// <summary>Cuts an image into strips of about equal height.</summary>
+    /// <param name="height">Rows of the image.</param>
+    /// <param name="strips">How many are wanted; fewer come out of a low image.</param>
     /// <param name="unit">Each strip but the last begins at a multiple of this.</param>
     public static IReadOnlyList<PixelRows> Strips(int height, int strips, int unit)
     {

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Layers;
 
-/// <summary>One kind of ground truth, a picture of numbers. Immutable; docs/formats.md has the definitions.</summary>
+/// <summary>One kind of ground truth, an image of numbers. Immutable; docs/formats.md has the definitions.</summary>
 public sealed class Layer
 {
     /// <summary>Stands for "undefined" in layers of whole numbers that have such pixels; -1 will not do, as it is a line of cells.</summary>

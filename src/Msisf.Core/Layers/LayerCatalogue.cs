@@ -36,7 +36,7 @@ public static class LayerCatalogue
         new("phase", LayerType.Real64, "deg", "Angle at the surface point between Sun and camera, 0 to 180.", LightValues.Phase),
         new(
             "illumination-direction", LayerType.Real64, "deg",
-            "Direction in the picture in which the Sun lies along the ground: 0 down, 90 right, 180 up, 270 left. Undefined where the Sun is in the zenith.",
+            "Direction in the image in which the Sun lies along the ground: 0 down, 90 right, 180 up, 270 left. Undefined where the Sun is in the zenith.",
             LightValues.Direction),
         new(
             "mask", LayerType.Unsigned8, string.Empty,

@@ -6,13 +6,13 @@ namespace Msisf.Core.Layers;
 /// <summary>Computes the layers of a frame, row by row; nothing is kept. Safe for several threads.</summary>
 public sealed class LayerSampler
 {
-    private readonly IFrameTruth _truth;
+    private readonly IGroundTruth _truth;
     private readonly int _meshPixelsPerDegree;
 
     /// <summary>Prepares a frame.</summary>
     /// <param name="truth">What the pixels show.</param>
     /// <param name="meshPixelsPerDegree">See <see cref="LayerProvenance"/>.</param>
-    public LayerSampler(IFrameTruth truth, int meshPixelsPerDegree)
+    public LayerSampler(IGroundTruth truth, int meshPixelsPerDegree)
     {
         _truth = truth;
         _meshPixelsPerDegree = meshPixelsPerDegree;
@@ -37,7 +37,7 @@ public sealed class LayerSampler
         PinholeCamera camera = _truth.Camera;
         for (int column = 0; column < camera.Width; column++)
         {
-            if (_truth.TryGet(column + 1, row + 1, out SurfaceHit hit, out PixelLight light))
+            if (_truth.TryGet(column + 1, row + 1, out SurfaceHit hit, out PixelIllumination light))
             {
                 PixelTruth pixel = new(_truth, _meshPixelsPerDegree, camera.RayThrough(column + 1, row + 1), hit, light);
                 Fill(pixel, layers, planes, start + column);
@@ -66,7 +66,7 @@ public sealed class LayerSampler
         int next = 0;
         foreach (Layer layer in layers)
         {
-            double value = layer.Type == LayerType.Unsigned8 ? (double)SunState.NoSurface : double.NaN;
+            double value = layer.Type == LayerType.Unsigned8 ? (double)IlluminationState.NoSurface : double.NaN;
             for (int plane = 0; plane < layer.Planes; plane++)
             {
                 planes[next++][index] = value;

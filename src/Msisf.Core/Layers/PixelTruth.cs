@@ -7,9 +7,9 @@ namespace Msisf.Core.Layers;
 /// <summary>What the layers of one pixel are computed from.</summary>
 internal readonly struct PixelTruth
 {
-    private readonly IFrameTruth _frame;
+    private readonly IGroundTruth _frame;
 
-    public PixelTruth(IFrameTruth frame, int meshPixelsPerDegree, in Ray ray, in SurfaceHit hit, in PixelLight light)
+    public PixelTruth(IGroundTruth frame, int meshPixelsPerDegree, in Ray ray, in SurfaceHit hit, in PixelIllumination light)
     {
         _frame = frame;
         MeshPixelsPerDegree = meshPixelsPerDegree;
@@ -34,7 +34,7 @@ internal readonly struct PixelTruth
 
     public SurfaceHit Hit { get; }
 
-    public PixelLight Light { get; }
+    public PixelIllumination Light { get; }
 
     /// <summary>m: from the point to the light.</summary>
     public Vector3D ToLightMoonMe { get; }

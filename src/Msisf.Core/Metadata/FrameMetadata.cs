@@ -14,7 +14,7 @@ namespace Msisf.Core.Metadata;
 /// <param name="PixelsPerDegree">Resolution of the elevation model, px/deg.</param>
 /// <param name="Version">Version of the program.</param>
 /// <param name="CommandLine">The arguments of the call.</param>
-/// <param name="Renderer">Who made the picture.</param>
+/// <param name="Renderer">Who made the image.</param>
 public sealed record FrameMetadata(
     ModifiedJulianDate SimulationTime,
     PinholeCamera Camera,

@@ -6,14 +6,14 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Metadata;
 
-/// <summary>Computes the records of a frame's grid, row by row; nothing is kept, so any picture size streams. Safe for several threads.</summary>
+/// <summary>Computes the records of a frame's grid, row by row; nothing is kept, so any image size streams. Safe for several threads.</summary>
 public sealed class PixelSampler
 {
     private readonly IPixelView _view;
 
     /// <summary>Prepares a frame on the reference sphere.</summary>
     /// <param name="camera">The frame's camera.</param>
-    /// <param name="grid">Laid over the camera's picture.</param>
+    /// <param name="grid">Laid over the camera's image.</param>
     /// <param name="surface">What the pixels show.</param>
     /// <param name="sunPositionMoonMe">The Sun, or the light that stands for it, m.</param>
     /// <exception cref="BadInputException">The Sun's position is not finite.</exception>
@@ -24,10 +24,10 @@ public sealed class PixelSampler
     }
 
     /// <summary>Prepares a frame on the terrain.</summary>
-    /// <param name="grid">Laid over the picture of the truth's camera.</param>
+    /// <param name="grid">Laid over the image of the truth's camera.</param>
     /// <param name="truth">What the pixels show.</param>
     /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg, at least 1.</param>
-    public PixelSampler(PixelGrid grid, IFrameTruth truth, int pixelsPerDegree)
+    public PixelSampler(PixelGrid grid, IGroundTruth truth, int pixelsPerDegree)
     {
         _view = new TerrainPixels(truth, pixelsPerDegree);
         Grid = grid;

@@ -6,6 +6,6 @@ public enum PixelSurface
     /// <summary>The reference sphere of thesis section 9.3.</summary>
     Sphere,
 
-    /// <summary>The facets that the picture shows.</summary>
+    /// <summary>The facets that the image shows.</summary>
     Terrain,
 }

@@ -6,16 +6,16 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Metadata;
 
-/// <summary>Pixels on the terrain that the picture shows. As safe for several threads as its truth.</summary>
+/// <summary>Pixels on the terrain that the image shows. As safe for several threads as its truth.</summary>
 internal sealed class TerrainPixels : IPixelView
 {
-    private readonly IFrameTruth _truth;
+    private readonly IGroundTruth _truth;
     private readonly int _pixelsPerDegree;
 
     /// <summary>Prepares a frame.</summary>
     /// <param name="truth">What its pixels show.</param>
     /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg: names the tiles.</param>
-    public TerrainPixels(IFrameTruth truth, int pixelsPerDegree)
+    public TerrainPixels(IGroundTruth truth, int pixelsPerDegree)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
         _truth = truth;
@@ -28,7 +28,7 @@ internal sealed class TerrainPixels : IPixelView
     /// <inheritdoc/>
     public bool TryGet(int h, int v, out PixelRecord record)
     {
-        if (!_truth.TryGet(h, v, out SurfaceHit hit, out PixelLight light))
+        if (!_truth.TryGet(h, v, out SurfaceHit hit, out PixelIllumination light))
         {
             record = default;
             return false;

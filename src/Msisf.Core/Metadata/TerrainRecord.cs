@@ -20,6 +20,6 @@ public readonly record struct TerrainRecord(
     double Range,
     Vector3D NormalMoonMe,
     PhotometricAngles Angles,
-    PixelLight Light,
+    PixelIllumination Light,
     TileId Tile,
     FacetId Facet);

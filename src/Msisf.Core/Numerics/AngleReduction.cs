@@ -9,7 +9,7 @@ public static class AngleReduction
     private const double TurnLow = -5.989539619436679e-33;
 
     /// <summary>Turns; up to here turns * <see cref="TurnHigh"/> fits twice the digits of a double with room to spare.</summary>
-    private const double MostTurnsByParts = 1L << 40;
+    private const double MaxTurnsByParts = 1L << 40;
 
     /// <summary>The same direction in [-pi, pi].</summary>
     /// <param name="angle">rad, finite; taken as exact, and in that range it comes back as it is.</param>
@@ -18,7 +18,7 @@ public static class AngleReduction
     public static double ToHalfTurn(double angle, double correction = 0.0)
     {
         double turns = Math.Round(angle / TurnHigh);
-        if (Math.Abs(turns) > MostTurnsByParts)
+        if (Math.Abs(turns) > MaxTurnsByParts)
         {
             // The library's sine and cosine are right for any argument, which costs about one unit in the last place here.
             return ToHalfTurn(Math.Atan2(Math.Sin(angle), Math.Cos(angle)), ToHalfTurn(correction));

@@ -15,11 +15,11 @@ public static class Tolerances
     /// <summary>1: how far a frame kernel's matrix may be from a rotation. The engines shall agree to 1e-12, and CSPICE mends a worse matrix before use.</summary>
     public const double FrameMatrix = 1e-12;
 
-    /// <summary>rad: the least field of view. A viewing direction is rounded by about 4e-16 rad; a picture 2500 times that wide still has digits.</summary>
-    public const double LeastFieldOfView = 1e-12;
+    /// <summary>rad: the minimum field of view. A viewing direction is rounded by about 4e-16 rad; an image 2500 times that wide still has digits.</summary>
+    public const double MinFieldOfView = 1e-12;
 
     /// <summary>
-    /// 1: sine of the Sun's zenith angle times the sine between ground line and line of sight, as much as the picture shows of it (the
+    /// 1: sine of the Sun's zenith angle times the sine between ground line and line of sight, as much as the image shows of it (the
     /// component across the viewing axis of the normal of their plane), below which a pixel's illumination direction counts as undefined. Hit point and Sun direction are rounded by about 1e-15 rad, so the angle that is left
     /// would be wrong by up to 1e-8 rad; on the ground it is 0.17 m around the sub-solar point.
     /// </summary>
@@ -40,7 +40,7 @@ public static class Tolerances
     /// <summary>rad: the same at the lunar radius, and the rounding of a cap's own sine and cosine.</summary>
     public const double CapRadius = 2e-8;
 
-    /// <summary>rad: added to the azimuths of a picture for what lies within <see cref="VertexLattice"/> of its border, 20 m and more from the axis.</summary>
+    /// <summary>rad: added to the azimuths of an image for what lies within <see cref="VertexLattice"/> of its border, 20 m and more from the axis.</summary>
     public const double WindowMargin = 1e-3;
 
     /// <summary>m: a point of the surface in light space, a sum of two of its components, and a line through two such points are rounded by less.</summary>

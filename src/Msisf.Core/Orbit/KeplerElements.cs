@@ -67,7 +67,7 @@ public readonly record struct KeplerElements
     /// <summary>M0, rad.</summary>
     public double MeanAnomalyAtEpoch { get; }
 
-    /// <summary>Least distance from the Moon's centre, m: a (1 - e).</summary>
+    /// <summary>Minimum distance from the Moon's centre, m: a (1 - e).</summary>
     public double PeriapsisRadius => SemiMajorAxis * (1.0 - Eccentricity);
 
     private static BadInputException Refused(FormattableString message) => new(message.ToString(CultureInfo.InvariantCulture));

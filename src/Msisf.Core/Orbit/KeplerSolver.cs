@@ -7,7 +7,7 @@ namespace Msisf.Core.Orbit;
 public static class KeplerSolver
 {
     /// <summary>1: enough for bisection alone to reach neighbouring doubles; Newton's method needs about 6.</summary>
-    private const int MostIterations = 100;
+    private const int MaxIterations = 100;
 
     /// <summary>1: how far rounding may put an upper bound of the root below it.</summary>
     private const double BoundRounding = 1.0 + 2e-15;
@@ -55,7 +55,7 @@ public static class KeplerSolver
         double low = 0.0;
         double high = Math.Min(Math.PI, BoundRounding * Math.Min(lineBound, cubicBound));
         double angle = high;
-        while (steps < MostIterations)
+        while (steps < MaxIterations)
         {
             steps++;
             EccentricAnomaly candidate = new(angle, eccentricity);
@@ -73,6 +73,6 @@ public static class KeplerSolver
 
         throw new InvalidOperationException(string.Create(
             CultureInfo.InvariantCulture,
-            $"Kepler's equation was not solved in {MostIterations} steps for M = {meanAnomaly:R}, e = {eccentricity:R}."));
+            $"Kepler's equation was not solved in {MaxIterations} steps for M = {meanAnomaly:R}, e = {eccentricity:R}."));
     }
 }

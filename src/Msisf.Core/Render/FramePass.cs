@@ -52,7 +52,7 @@ internal sealed class FramePass
         }
 
         _radianceFactors.AsSpan(0, pixels).Clear();
-        int across = options.SamplesAcross;
+        int across = options.SubsamplesPerAxis;
         double weight = 1.0 / (across * across);
 
         // The middle sample of an odd number is the pixel's centre: drawn last, it stays as what the pixel shows.
@@ -69,18 +69,18 @@ internal sealed class FramePass
         {
             DrawSample(0.0, 0.0, weight, threads, cancellation);
         }
-        else if (options.KeepTruth)
+        else if (options.KeepGroundTruth)
         {
             DrawSample(0.0, 0.0, weight: 0.0, threads, cancellation);
         }
     }
 
     /// <summary>What the centre of a pixel shows.</summary>
-    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light)
+    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light)
     {
-        if (_options is not { KeepTruth: true } || _visible is null)
+        if (_options is not { KeepGroundTruth: true } || _visible is null)
         {
-            throw new InvalidOperationException($"The frame was drawn without {nameof(NativeRenderOptions.KeepTruth)}.");
+            throw new InvalidOperationException($"The frame was drawn without {nameof(NativeRenderOptions.KeepGroundTruth)}.");
         }
 
         if (!_visible.TryGet(x, y, out hit))
@@ -89,7 +89,7 @@ internal sealed class FramePass
             return false;
         }
 
-        light = PixelLight.At(hit.PointMoonMe, _sunlight.VisibleFraction(((y - 1) * Camera.Width) + x - 1), Light);
+        light = PixelIllumination.At(hit.PointMoonMe, _sunlight.VisibleFraction(((y - 1) * Camera.Width) + x - 1), Light);
         if (_options.Normals == NormalModel.Smooth)
         {
             hit = hit with { NormalMoonMe = _shader.SmoothNormal(hit, Camera.PositionMoonMe) };
@@ -117,7 +117,7 @@ internal sealed class FramePass
         if (HasDisc)
         {
             SunDisc disc = new(Light.PositionMoonMe);
-            SunwardPoints points = new(visible, Light.PositionMoonMe, _sunlight.CosIncidence, disc.LeastCosine);
+            SunwardPoints points = new(visible, Light.PositionMoonMe, _sunlight.CosIncidence, disc.MinCosine);
             _penumbras.Run(points, disc, _sunlight.HiddenPoints, threads, cancellation);
             _discShader.Run(visible, disc, _sunlight, threads, cancellation);
             return;

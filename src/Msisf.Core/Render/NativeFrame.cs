@@ -4,7 +4,7 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render;
 
 /// <summary>A drawn frame. Reading it is safe for several threads; don't use it after it is disposed.</summary>
-public sealed class NativeFrame : IFrameTruth, IDisposable
+public sealed class NativeFrame : IGroundTruth, IDisposable
 {
     private readonly Action<FramePass> _giveBack;
     private FramePass? _pass;
@@ -27,8 +27,8 @@ public sealed class NativeFrame : IFrameTruth, IDisposable
     private FramePass Pass => _pass ?? throw new ObjectDisposedException(nameof(NativeFrame));
 
     /// <inheritdoc/>
-    /// <exception cref="InvalidOperationException">The frame was drawn without <see cref="NativeRenderOptions.KeepTruth"/>.</exception>
-    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light) => Pass.TryGet(x, y, out hit, out light);
+    /// <exception cref="InvalidOperationException">The frame was drawn without <see cref="NativeRenderOptions.KeepGroundTruth"/>.</exception>
+    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light) => Pass.TryGet(x, y, out hit, out light);
 
     /// <summary>Gives the frame's memory back.</summary>
     public void Dispose()

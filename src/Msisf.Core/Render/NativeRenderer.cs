@@ -7,7 +7,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Render;
 
 /// <summary>
-/// Draws pictures straight from an elevation model, exactly and at video rate (docs/native-renderer.md). What frames share is kept from
+/// Draws images straight from an elevation model, exactly and at video rate (docs/native-renderer.md). What frames share is kept from
 /// frame to frame; nothing of the model is read that no frame needs. Safe for several threads.
 /// </summary>
 public sealed class NativeRenderer

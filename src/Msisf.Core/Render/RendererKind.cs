@@ -1,6 +1,6 @@
 namespace Msisf.Core.Render;
 
-/// <summary>Who made a picture.</summary>
+/// <summary>Who made an image.</summary>
 public enum RendererKind
 {
     /// <summary>POV-Ray, from the pattern files.</summary>

@@ -5,7 +5,7 @@ using Msisf.Core.Scene;
 namespace Msisf.Core.Render;
 
 /// <summary>The truth of a frame that another renderer draws: each pixel is traced when it is asked for. The light is a point. Safe for several threads.</summary>
-public sealed class TracedFrameTruth : IFrameTruth
+public sealed class TracedFrameTruth : IGroundTruth
 {
     private readonly SceneLight _light;
     private readonly ITerrainTracer _tracer;
@@ -28,7 +28,7 @@ public sealed class TracedFrameTruth : IFrameTruth
     public Vector3D LightPositionMoonMe => _light.PositionMoonMe;
 
     /// <inheritdoc/>
-    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelLight light)
+    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light)
     {
         bool isSurface = _tracer.TryTrace(Camera.RayThrough(x, y), out hit);
         if (!isSurface)
@@ -39,7 +39,7 @@ public sealed class TracedFrameTruth : IFrameTruth
 
         // A lamp at the camera lights what the camera sees; traced back, rounding could hide the edges of facets.
         bool isDark = _light.IsSun && _tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light.PositionMoonMe);
-        light = PixelLight.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, _light);
+        light = PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, _light);
         return true;
     }
 }

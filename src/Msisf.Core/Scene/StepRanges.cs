@@ -29,7 +29,7 @@ public sealed class StepRanges
     /// <summary>How many steps there are.</summary>
     public long Count => _ranges.Sum(range => (long)range.Last - range.First + 1);
 
-    /// <summary>The greatest step; 0 if there is none.</summary>
+    /// <summary>The maximum step; 0 if there is none.</summary>
     public int Last => _ranges.Length > 0 ? _ranges[^1].Last : 0;
 
     /// <summary>The steps, ascending.</summary>

@@ -10,7 +10,7 @@ namespace Msisf.Core.Terrain;
 public sealed class ElevationSummary
 {
     /// <summary>Below this many cells to a block, reading the cells is as quick as one more level.</summary>
-    private const int LeastCellsOfFineBlock = 4;
+    private const int MinCellsOfFineBlock = 4;
 
     /// <summary>Takes the bounds of the finest blocks and makes the coarser ones.</summary>
     /// <param name="pixelsPerDegree">Samples a degree.</param>
@@ -29,18 +29,18 @@ public sealed class ElevationSummary
 
         Levels = levels;
         BlockBounds all = levels[0].Bounds.Aggregate(BlockBounds.Union);
-        LeastRadius = all.Least;
-        GreatestRadius = all.Greatest;
+        MinRadius = all.Min;
+        MaxRadius = all.Max;
     }
 
     /// <summary>Samples a degree of the model.</summary>
     public int PixelsPerDegree { get; }
 
     /// <summary>m: no vertex is lower.</summary>
-    public double LeastRadius { get; }
+    public double MinRadius { get; }
 
     /// <summary>m: no vertex is higher.</summary>
-    public double GreatestRadius { get; }
+    public double MaxRadius { get; }
 
     /// <summary>Coarsest (tiles) first.</summary>
     public IReadOnlyList<SummaryLevel> Levels { get; }
@@ -51,7 +51,7 @@ public sealed class ElevationSummary
 
     /// <summary>Makes a summary again from what <see cref="ToValues"/> gave.</summary>
     /// <param name="pixelsPerDegree">Samples a degree of the model.</param>
-    /// <param name="values">Three a block: least and greatest radius (m), tangent of the steepest slope.</param>
+    /// <param name="values">Three a block: minimum and maximum radius (m), tangent of the steepest slope.</param>
     /// <exception cref="BadInputException">The count is not that of a model of this resolution, or a value can't be.</exception>
     public static ElevationSummary FromValues(int pixelsPerDegree, ReadOnlySpan<float> values)
     {
@@ -65,7 +65,7 @@ public sealed class ElevationSummary
         for (int block = 0; block < blocks.Length; block++)
         {
             BlockBounds bounds = new(values[3 * block], values[(3 * block) + 1], values[(3 * block) + 2]);
-            if (!(bounds.Least > 0.0F && bounds.Greatest >= bounds.Least && bounds.Steepness >= 0.0F && float.IsFinite(bounds.Greatest + bounds.Steepness)))
+            if (!(bounds.Min > 0.0F && bounds.Max >= bounds.Min && bounds.MaxSlope >= 0.0F && float.IsFinite(bounds.Max + bounds.MaxSlope)))
             {
                 throw new BadInputException($"Block {block} of the elevation summary can't be: {bounds}; make it again.");
             }
@@ -93,7 +93,7 @@ public sealed class ElevationSummary
     internal static int FinestSubdivisions(int pixelsPerDegree)
     {
         int tileCells = TileId.SizeDegrees * pixelsPerDegree;
-        return tileCells >= 20 * LeastCellsOfFineBlock ? 20 : 4;
+        return tileCells >= 20 * MinCellsOfFineBlock ? 20 : 4;
     }
 
     /// <summary>Refuses a summary of another model.</summary>

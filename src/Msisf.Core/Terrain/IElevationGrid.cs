@@ -15,8 +15,8 @@ public interface IElevationGrid
     int PixelsPerDegree { get; }
 
     /// <summary>No sample is outside, m; known without reading one. A model that knows nothing better may use all the relief there is.</summary>
-    (double Least, double Greatest) RadiusLimits =>
-        (MoonConstants.ReferenceRadius - MoonConstants.GreatestRelief, MoonConstants.ReferenceRadius + MoonConstants.GreatestRelief);
+    (double Min, double Max) RadiusLimits =>
+        (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief, MoonConstants.ReferenceRadius + MoonConstants.MaxRelief);
 
     /// <summary>Radii of consecutive samples of one line.</summary>
     /// <param name="line">0 to 180 res - 1, northernmost first.</param>
@@ -25,7 +25,7 @@ public interface IElevationGrid
     /// <exception cref="BadInputException">A sample can't be right: the file is damaged.</exception>
     void ReadRadii(int line, int firstSample, Span<double> radii);
 
-    /// <summary>Least and greatest radius of a block of samples, m.</summary>
+    /// <summary>Minimum and maximum radius of a block of samples, m.</summary>
     /// <param name="firstLine">Northernmost line.</param>
     /// <param name="lines">How many lines.</param>
     /// <param name="firstSample">Westernmost sample.</param>
@@ -34,7 +34,7 @@ public interface IElevationGrid
     (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples);
 
     /// <summary>Tells that most of what was read is not needed again soon, so that its memory may be given back. Reading goes on as before.</summary>
-    void Forget()
+    void ReleasePages()
     {
     }
 }

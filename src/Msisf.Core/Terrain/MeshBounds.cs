@@ -6,7 +6,7 @@ namespace Msisf.Core.Terrain;
 internal static class MeshBounds
 {
     /// <summary>
-    /// A facet's least radius is at least its least vertex radius times this: the cosine of the angle from a facet's middle to its
+    /// A facet's minimum radius is at least its minimum vertex radius times this: the cosine of the angle from a facet's middle to its
     /// vertices, which is at most half the diagonal of a cell (1 percent added).
     /// </summary>
     public static double SagittaFactor(int pixelsPerDegree) => Math.Cos(1.01 * Math.Sqrt(0.5) * Math.PI / 180.0 / pixelsPerDegree);

@@ -7,7 +7,7 @@ public static class MoonConstants
     public const double ReferenceRadius = 1_737_400.0;
 
     /// <summary>m: how far the surface may be from the reference radius. The Moon keeps within -9.2 and +10.8 km; the pattern files hold no more than this either (docs/pattern-format.md, section 4).</summary>
-    public const double GreatestRelief = 20_000.0;
+    public const double MaxRelief = 20_000.0;
 
     /// <summary>m: mean radius MMR, for the flight altitude only (thesis, list of constants).</summary>
     public const double MeanRadius = 1_737_150.0;

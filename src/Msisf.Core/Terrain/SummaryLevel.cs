@@ -17,7 +17,7 @@ public sealed class SummaryLevel
     /// <summary>Takes the bounds.</summary>
     /// <param name="pixelsPerDegree">Samples a degree of the model.</param>
     /// <param name="subdivisions">Blocks to a tile's edge.</param>
-    /// <param name="bounds">Row by row: least and greatest vertex radius in m, tangent of the steepest facet's slope; rounded outwards.</param>
+    /// <param name="bounds">Row by row: minimum and maximum vertex radius in m, tangent of the steepest facet's slope; rounded outwards.</param>
     internal SummaryLevel(int pixelsPerDegree, int subdivisions, BlockBounds[] bounds)
     {
         Subdivisions = subdivisions;
@@ -61,9 +61,9 @@ public sealed class SummaryLevel
         BlockBounds bounds = Bounds[(row * Columns) + column];
         return new TerrainNode(
             new SphericalCap(centre, _capRadii[row].Cos, _capRadii[row].Sin),
-            (bounds.Least * _sagitta) - Tolerances.VertexLattice,
-            bounds.Greatest + Tolerances.VertexLattice,
-            bounds.Steepness);
+            (bounds.Min * _sagitta) - Tolerances.VertexLattice,
+            bounds.Max + Tolerances.VertexLattice,
+            bounds.MaxSlope);
     }
 
     /// <summary>A tile's block with its place and bounds.</summary>
@@ -103,14 +103,14 @@ public sealed class SummaryLevel
         CellRange cells = Cells(row, column, count);
         SphericalCap cap = MeshBounds.CapOf(cells, Lines, Samples);
         return new TerrainNode(
-            cap, (bounds.Least * _sagitta) - Tolerances.VertexLattice, bounds.Greatest + Tolerances.VertexLattice, bounds.Steepness);
+            cap, (bounds.Min * _sagitta) - Tolerances.VertexLattice, bounds.Max + Tolerances.VertexLattice, bounds.MaxSlope);
     }
 
     /// <summary>The mesh cells of some neighbouring blocks of one row.</summary>
     internal CellRange Cells(int row, int column, int count = 1) =>
         new(row == 0 ? -1 : Start(row), Start(row + 1), Start(column), Start(column + count));
 
-    /// <summary>Half of the least extent of a block as an angle; rad.</summary>
+    /// <summary>Half of the minimum extent of a block as an angle; rad.</summary>
     internal double InnerRadius(int row)
     {
         return MeshBounds.InnerRadius(Cells(row, 0) with { EndSample = TileCells / Subdivisions }, Lines, Samples);

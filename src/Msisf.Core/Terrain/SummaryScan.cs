@@ -27,7 +27,7 @@ internal sealed class SummaryScan
         _cellAngle = Math.PI / 180.0 / grid.PixelsPerDegree;
         _columns = TileId.Columns * subdivisions;
         _blocks = new Accumulator[TileId.Rows * subdivisions * _columns];
-        Array.Fill(_blocks, new Accumulator { Least = double.PositiveInfinity, Greatest = double.NegativeInfinity });
+        Array.Fill(_blocks, new Accumulator { Min = double.PositiveInfinity, Max = double.NegativeInfinity });
     }
 
     public BlockBounds[] Run()
@@ -49,9 +49,9 @@ internal sealed class SummaryScan
             }
 
             (previous, current) = (current, previous);
-            if (line % Math.Max(1, LodLevels.SparingSamplesBetweenForgetting / _mesh.Samples) == 0)
+            if (line % Math.Max(1, LodLevels.SparingSamplesBetweenReleases / _mesh.Samples) == 0)
             {
-                _grid.Forget(); // the lines above are not read again, and are much
+                _grid.ReleasePages(); // the lines above are not read again, and are much
             }
         }
 
@@ -69,8 +69,8 @@ internal sealed class SummaryScan
         {
             ref Accumulator block = ref _blocks[(row * _columns) + column];
             int end = Start(column + 1);
-            double least = block.Least;
-            double greatest = block.Greatest;
+            double min = block.Min;
+            double max = block.Max;
             double stepEast = 0.0;
             double stepNorth = 0.0;
             double radius = south[Start(column)];
@@ -78,17 +78,17 @@ internal sealed class SummaryScan
             {
                 double west = radius;
                 radius = south[sample];
-                least = Math.Min(least, radius);
-                greatest = Math.Max(greatest, radius);
+                min = Math.Min(min, radius);
+                max = Math.Max(max, radius);
                 stepEast = Math.Max(stepEast, Math.Abs(radius - west));
                 stepNorth = Math.Max(stepNorth, Math.Abs(radius - north[sample]));
             }
 
-            block.Least = least;
-            block.Greatest = greatest;
+            block.Min = min;
+            block.Max = max;
             // Rounding to the lattice tilts a facet too, most where the samples of a polar line lie close together.
-            block.East = Math.Max(block.East, (stepEast + (2.0 * Tolerances.VertexLattice)) * perMetreEast / least);
-            block.North = Math.Max(block.North, (stepNorth + (2.0 * Tolerances.VertexLattice)) * perMetreSouth / least);
+            block.East = Math.Max(block.East, (stepEast + (2.0 * Tolerances.VertexLattice)) * perMetreEast / min);
+            block.North = Math.Max(block.North, (stepNorth + (2.0 * Tolerances.VertexLattice)) * perMetreSouth / min);
         }
     }
 
@@ -96,14 +96,14 @@ internal sealed class SummaryScan
 
     private struct Accumulator
     {
-        public double Least;
-        public double Greatest;
+        public double Min;
+        public double Max;
         public double East;
         public double North;
 
         public readonly BlockBounds ToBounds() => new(
-            MathF.BitDecrement((float)Least),
-            MathF.BitIncrement((float)Greatest),
+            MathF.BitDecrement((float)Min),
+            MathF.BitIncrement((float)Max),
             MathF.BitIncrement((float)(SlopeMargin * double.Hypot(East, North))));
     }
 }

@@ -4,16 +4,16 @@ namespace Msisf.Core.Terrain;
 
 /// <summary>A piece of the surface and what is known of it without reading it.</summary>
 /// <param name="Cap">Holds the direction of each of its points.</param>
-/// <param name="LeastRadius">m: no point of a facet lies lower.</param>
-/// <param name="GreatestRadius">m: no point lies higher.</param>
-/// <param name="Steepness">Tangent of an angle that no facet's slope exceeds.</param>
-internal readonly record struct TerrainNode(SphericalCap Cap, double LeastRadius, double GreatestRadius, double Steepness)
+/// <param name="MinRadius">m: no point of a facet lies lower.</param>
+/// <param name="MaxRadius">m: no point lies higher.</param>
+/// <param name="MaxSlope">Tangent of an angle that no facet's slope exceeds.</param>
+internal readonly record struct TerrainNode(SphericalCap Cap, double MinRadius, double MaxRadius, double MaxSlope)
 {
     /// <summary>A ball that holds the piece: its middle (m, MOON_ME) and radius (m).</summary>
     public (Vector3D Centre, double Radius) Ball()
     {
-        double middle = 0.5 * (LeastRadius + GreatestRadius) * Cap.CosRadius;
-        return (middle * Cap.Centre, Math.Max(ToRim(middle, LeastRadius), ToRim(middle, GreatestRadius)));
+        double middle = 0.5 * (MinRadius + MaxRadius) * Cap.CosRadius;
+        return (middle * Cap.Centre, Math.Max(ToRim(middle, MinRadius), ToRim(middle, MaxRadius)));
     }
 
     /// <summary>Distance from the point at height <paramref name="middle"/> on the cap's axis to the rim at a radius; the farthest at that radius.</summary>

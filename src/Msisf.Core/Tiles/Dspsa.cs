@@ -7,7 +7,7 @@ using Msisf.Core.Tiles.Selection;
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// The Dynamical Surface Pattern Selection Algorithm: which tiles a picture needs (thesis chapter 8). Other than the thesis's, which
+/// The Dynamical Surface Pattern Selection Algorithm: which tiles an image needs (thesis chapter 8). Other than the thesis's, which
 /// shoots a ray for each pixel at a sphere, it works with bounds of the real surface and misses nothing (docs/tile-selection.md).
 /// </summary>
 public static class Dspsa
@@ -29,7 +29,7 @@ public static class Dspsa
     {
         summary.CheckFits(grid);
         TerrainHeight.RequireAbove(grid, camera.PositionMoonMe);
-        if (sunPositionMoonMe is Vector3D sun && !(sun.IsFinite && sun.Length > summary.GreatestRadius))
+        if (sunPositionMoonMe is Vector3D sun && !(sun.IsFinite && sun.Length > summary.MaxRadius))
         {
             throw new BadInputException($"The Sun's position {sun} m is not above the Moon's highest terrain; give one that is.");
         }

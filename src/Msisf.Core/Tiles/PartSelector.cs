@@ -9,13 +9,13 @@ using Msisf.Core.Tiles.Selection;
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// Chooses what of the surface a picture needs, and how fine: parts of the tiles that <see cref="Dspsa"/> keeps, each at the coarsest level of detail that
-/// the picture does not show (docs/levels-of-detail.md). Safe for several threads.
+/// Chooses what of the surface an image needs, and how fine: parts of the tiles that <see cref="Dspsa"/> keeps, each at the coarsest level of detail that
+/// the image does not show (docs/levels-of-detail.md). Safe for several threads.
 /// </summary>
 public sealed class PartSelector
 {
     /// <summary>px: the error that is allowed if nothing else is asked for. Measured (docs/levels-of-detail.md).</summary>
-    public const double UsualErrorPixels = 0.33;
+    public const double DefaultErrorPixels = 0.33;
 
     private readonly LodLevels _levels;
     private readonly IElevationGrid _grid;
@@ -30,7 +30,7 @@ public sealed class PartSelector
     /// <param name="errorPixels">So far, in pixels, a coarser level may move what is seen, or the edge of a shadow that falls on it; 0 for the model itself everywhere.</param>
     /// <param name="cells">Cells to a part's edge.</param>
     /// <exception cref="BadInputException">The summary is of another model, or the error is none.</exception>
-    public PartSelector(LodLevels levels, ElevationSummary summary, double errorPixels, int cells = SurfacePart.UsualCells)
+    public PartSelector(LodLevels levels, ElevationSummary summary, double errorPixels, int cells = SurfacePart.DefaultCells)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(cells, 1);
         if (!(errorPixels >= 0.0 && double.IsFinite(errorPixels)))
@@ -49,7 +49,7 @@ public sealed class PartSelector
     /// <summary>Selects the parts.</summary>
     /// <param name="camera">The camera, above the surface.</param>
     /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it throws no shadow that is seen.</param>
-    /// <param name="rows">The rows of the picture that matter; null for all.</param>
+    /// <param name="rows">The rows of the image that matter; null for all.</param>
     /// <exception cref="BadInputException">The camera is inside the Moon, or the Sun is no higher than the terrain.</exception>
     public PartSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows = null)
     {

@@ -13,10 +13,10 @@ namespace Msisf.Core.Tiles;
 public readonly record struct SurfacePart(TileId Tile, int Level, int Subdivisions, int Row, int Column) : IComparable<SurfacePart>
 {
     /// <summary>
-    /// Cells to a part's edge: a tile of 16 px/deg has as many. Smaller parts follow the picture's borders better, but each costs a file and, where
+    /// Cells to a part's edge: a tile of 16 px/deg has as many. Smaller parts follow the image's borders better, but each costs a file and, where
     /// levels meet, a wall around it.
     /// </summary>
-    public const int UsualCells = 40;
+    public const int DefaultCells = 40;
 
     /// <summary>The tile as its pattern draws it.</summary>
     public static SurfacePart Whole(TileId tile, int level = 0) => new(tile, level, 1, 0, 0);
@@ -24,7 +24,7 @@ public readonly record struct SurfacePart(TileId Tile, int Level, int Subdivisio
     /// <summary>Parts to a tile's edge at a resolution.</summary>
     /// <param name="pixelsPerDegree">Samples a degree of the level.</param>
     /// <param name="cells">Cells to a part's edge that are wanted.</param>
-    public static int SubdivisionsAt(int pixelsPerDegree, int cells = UsualCells)
+    public static int SubdivisionsAt(int pixelsPerDegree, int cells = DefaultCells)
     {
         int wanted = 1 << int.Log2(Math.Max(1, TileId.SizeDegrees * pixelsPerDegree / cells));
         return Math.Min(wanted, 1 << int.TrailingZeroCount(pixelsPerDegree)); // a part has whole cells

@@ -26,7 +26,7 @@ public sealed record TileMesh(TileMeshLayout Layout, double[] Radii, int[] Offse
     /// <summary>Vertices and triangles of the mesh of a layout, the wall's included.</summary>
     public static (int Vertices, int Faces) CountsOf(TileMeshLayout layout)
     {
-        int edges = layout.HasWall ? PartWall.Edges(layout) : 0;
+        int edges = layout.HasWall ? Skirt.Edges(layout) : 0;
         return (layout.VertexCount + edges, layout.FaceCount + (2 * edges));
     }
 

@@ -29,7 +29,7 @@ public sealed class TileMeshBuilder
     }
 
     /// <summary>m: where the walls of parts end (<see cref="TileMeshLayout.HasWall"/>), below all ground.</summary>
-    public double WallFootRadius => _grid.RadiusLimits.Least - PartWall.DepthBelowLowest;
+    public double WallFootRadius => _grid.RadiusLimits.Min - Skirt.DepthBelowLowest;
 
     /// <summary>The radius of each vertex, in vertex order, without those of a wall's foot.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
@@ -64,7 +64,7 @@ public sealed class TileMeshBuilder
     /// <exception cref="BadInputException">A radius is too far from the reference radius for the mesh's lattice (more than about 20 km).</exception>
     public TileMesh Build(TileMeshLayout layout, double[] radii)
     {
-        int[] border = layout.HasWall ? PartWall.Border(layout) : [];
+        int[] border = layout.HasWall ? Skirt.Border(layout) : [];
         int[] offsets = new int[3 * (radii.Length + border.Length)];
         LatticePoint origin = TileMesh.OriginOf(layout.Part);
         SineCosine[] longitudes = new SineCosine[layout.Samples];
@@ -102,7 +102,7 @@ public sealed class TileMeshBuilder
             Place(offsets, vertex++, layout, WallFootRadius, origin, latitude, longitude);
         }
 
-        return new TileMesh(layout, radii, offsets, [.. layout.CreateFaces(), .. PartWall.Faces(border, radii.Length)], WallFootRadius);
+        return new TileMesh(layout, radii, offsets, [.. layout.CreateFaces(), .. Skirt.Faces(border, radii.Length)], WallFootRadius);
     }
 
     private (SineCosine Latitude, SineCosine Longitude) DirectionOf(TileMeshLayout layout, int vertex, SineCosine[] longitudes)

@@ -12,10 +12,10 @@ public enum TileReason
     /// <summary>Kept: its shadow can fall on something that is seen.</summary>
     CastsShadow,
 
-    /// <summary>Dropped: no ray of the picture passes through it.</summary>
+    /// <summary>Dropped: no ray of the image passes through it.</summary>
     OutsideFrame,
 
-    /// <summary>Dropped: nearer terrain or the limb hides all of it that is in the picture.</summary>
+    /// <summary>Dropped: nearer terrain or the limb hides all of it that is in the image.</summary>
     Hidden,
 
     /// <summary>Dropped: what can be seen of it is certainly dark, as black as the sky.</summary>

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Tiles;
 
-/// <summary>The tiles that a picture needs, and why the others are not needed.</summary>
+/// <summary>The tiles that an image needs, and why the others are not needed.</summary>
 public sealed class TileSelection
 {
     internal TileSelection(IEnumerable<TileChoice> choices)

@@ -12,7 +12,7 @@ namespace Msisf.Core.Time;
 public sealed class TimeInterval : IReadOnlyList<ModifiedJulianDate>
 {
     /// <summary>1: more frames than anybody renders; far more is a slip in the step.</summary>
-    public const int MostTimes = 10_000_000;
+    public const int MaxTimes = 10_000_000;
 
     private readonly double _start;
     private readonly double _step;
@@ -21,7 +21,7 @@ public sealed class TimeInterval : IReadOnlyList<ModifiedJulianDate>
     /// <param name="start">First time.</param>
     /// <param name="stepDays">Days from one time to the next; negative counts down.</param>
     /// <param name="end">Bound of the last time.</param>
-    /// <exception cref="BadInputException">The step is zero, not finite, or too small for an MJD, or there are more than <see cref="MostTimes"/> times.</exception>
+    /// <exception cref="BadInputException">The step is zero, not finite, or too small for an MJD, or there are more than <see cref="MaxTimes"/> times.</exception>
     public TimeInterval(ModifiedJulianDate start, double stepDays, ModifiedJulianDate end)
     {
         if (Guard.Finite(stepDays, "The step of the time interval (days)") == 0.0)
@@ -86,9 +86,9 @@ public sealed class TimeInterval : IReadOnlyList<ModifiedJulianDate>
             throw Refused($"The step of the time interval, {step:R} days, is below what an MJD of {largest:R} can hold, {spacing:R} days: two times would be the same. Give a larger step.");
         }
 
-        if (last >= MostTimes)
+        if (last >= MaxTimes)
         {
-            throw Refused($"The time interval [{start:R}:{step:R}:{end:R}] has {Math.Floor(last) + 1.0:R} times, at most {MostTimes} can be asked for. Check the step, which is in days.");
+            throw Refused($"The time interval [{start:R}:{step:R}:{end:R}] has {Math.Floor(last) + 1.0:R} times, at most {MaxTimes} can be asked for. Check the step, which is in days.");
         }
 
         return (int)last + 1;

@@ -15,7 +15,7 @@ public sealed class WorkFolderTests : IDisposable
     {
         using (WorkFolder work = WorkFolder.In(_folder.Path))
         {
-            File.WriteAllText(Path.Combine(work.Path, "picture.png"), "x");
+            File.WriteAllText(Path.Combine(work.Path, "image.png"), "x");
         }
 
         Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));

@@ -105,7 +105,7 @@ public class MetadataXmlWriterTests
     }
 
     [Fact]
-    public void Write_PictureOfSpace_HasNoPixel()
+    public void Write_ImageOfSpace_HasNoPixel()
     {
         PinholeCamera away = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, Math.PI), 0.7, 64, 64);
 

@@ -17,7 +17,7 @@ public class PixelXmlTests
         2.5e5,
         new Vector3D(-0.0, -0.6, 0.8),
         new PhotometricAngles(0.5 * Math.PI, 0.25 * Math.PI, 0.75 * Math.PI),
-        new PixelLight(SunState.Shadow, 0.0),
+        new PixelIllumination(IlluminationState.Shadow, 0.0),
         new TileId(85, 0),
         new FacetId(-1, 19, FacetHalf.NorthEast));
 
@@ -36,7 +36,7 @@ public class PixelXmlTests
     {
         TerrainRecord terrain = Terrain with
         {
-            Light = new PixelLight(SunState.Penumbra, 0.5),
+            Light = new PixelIllumination(IlluminationState.Penumbra, 0.5),
             Tile = new TileId(-90, 355),
             Facet = new FacetId(int.MaxValue, int.MaxValue, FacetHalf.SouthWest),
         };
@@ -76,13 +76,13 @@ public class PixelXmlTests
     }
 
     [Theory]
-    [InlineData(SunState.Lit, "lit")]
-    [InlineData(SunState.Penumbra, "penumbra")]
-    [InlineData(SunState.Shadow, "shadow")]
-    [InlineData(SunState.Night, "night")]
-    public void Write_State_HasTheNameOfTheDtd(SunState state, string name)
+    [InlineData(IlluminationState.Lit, "lit")]
+    [InlineData(IlluminationState.Penumbra, "penumbra")]
+    [InlineData(IlluminationState.Shadow, "shadow")]
+    [InlineData(IlluminationState.Night, "night")]
+    public void Write_State_HasTheNameOfTheDtd(IlluminationState state, string name)
     {
-        TerrainRecord terrain = Terrain with { Light = new PixelLight(state, 0.125) };
+        TerrainRecord terrain = Terrain with { Light = new PixelIllumination(state, 0.125) };
         byte[] bytes = new byte[PixelXml.MaximumLength(PixelSurface.Terrain)];
 
         int length = PixelXml.Write(new PixelRecord(1, 1, default, null, terrain), bytes);

@@ -10,7 +10,7 @@ public class PngFileTests
     private static readonly byte[] End = PngBytes.End();
 
     [Fact]
-    public void CopyPicture_TimeAndTextChunks_AreLeftOut()
+    public void CopyImage_TimeAndTextChunks_AreLeftOut()
     {
         byte[] gamma = PngBytes.Chunk("gAMA", [0, 0, 0xB1, 0x8F]);
         byte[] stamped = PngBytes.File(
@@ -23,7 +23,7 @@ public class PngFileTests
     }
 
     [Fact]
-    public void CopyPicture_ChunkLargerThanTheBuffer_ComesThroughWhole()
+    public void CopyImage_ChunkLargerThanTheBuffer_ComesThroughWhole()
     {
         byte[] noise = new byte[200_001];
         new Random(1).NextBytes(noise);
@@ -33,7 +33,7 @@ public class PngFileTests
     }
 
     [Fact]
-    public void Check_WholePicture_GivesItsHeader() =>
+    public void Check_WholeImage_GivesItsHeader() =>
         Assert.Equal(new PngHeader(3, 2, 8, 2), PngFile.Check(new MemoryStream(PngBytes.File(PngBytes.Header(3, 2), Pixels(), End)), "a.png"));
 
     [Fact]
@@ -44,7 +44,7 @@ public class PngFileTests
         {
             BadInputException failure = Assert.Throws<BadInputException>(
                 () => PngFile.Check(new MemoryStream(whole, 0, length), "cut.png"));
-            Assert.StartsWith("cut.png: not a whole PNG picture: it is cut off", failure.Message, StringComparison.Ordinal);
+            Assert.StartsWith("cut.png: not a whole PNG image: it is cut off", failure.Message, StringComparison.Ordinal);
         }
     }
 
@@ -71,7 +71,7 @@ public class PngFileTests
     }
 
     [Fact]
-    public void CopyPicture_Copy_HasTheSamePixels()
+    public void CopyImage_Copy_HasTheSamePixels()
     {
         PngPixels pixels = PngPixels.Read(new MemoryStream(Copy(PngBytes.File(PngBytes.Header(3, 2), PngBytes.Chunk("tIME", [7, 0xEA, 1, 2, 3, 4, 5]), Pixels(), End))));
 
@@ -84,7 +84,7 @@ public class PngFileTests
     private static byte[] Copy(byte[] png)
     {
         using MemoryStream copy = new();
-        PngFile.CopyPicture(new MemoryStream(png), copy, "a.png");
+        PngFile.CopyImage(new MemoryStream(png), copy, "a.png");
         return copy.ToArray();
     }
 

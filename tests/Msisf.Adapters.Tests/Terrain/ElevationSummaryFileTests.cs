@@ -26,7 +26,7 @@ public sealed class ElevationSummaryFileTests : IDisposable
         Assert.True(reads > 0);
         Assert.Equal(reads, grid.Reads); // the second time the model is not touched
         Assert.Equal(first.ToValues(), second.ToValues());
-        Assert.Equal(first.GreatestRadius, second.GreatestRadius);
+        Assert.Equal(first.MaxRadius, second.MaxRadius);
     }
 
     [Fact]
@@ -78,7 +78,7 @@ public sealed class ElevationSummaryFileTests : IDisposable
         Directory.CreateDirectory(FilePath);
         (ElevationSummary summary, string? warning) = ElevationSummaryFile.LoadOrBuild(FilePath, Source, new CountingGrid());
 
-        Assert.InRange(summary.LeastRadius, 1_736_999.0, 1_737_001.0);
+        Assert.InRange(summary.MinRadius, 1_736_999.0, 1_737_001.0);
         Assert.Contains("TEST_1.SUM", warning, StringComparison.Ordinal);
     }
 

@@ -12,7 +12,7 @@ public sealed class LdemCatalogTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Find_SeveralLabels_PrefersTheUsualName()
+    public void Find_SeveralLabels_PrefersTheDefaultName()
     {
         Put("A_SYNTHETIC.LBL");
         Put("LDEM_1.LBL");

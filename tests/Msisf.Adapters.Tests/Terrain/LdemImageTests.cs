@@ -43,8 +43,8 @@ public sealed class LdemImageTests : IDisposable
         using LdemImage image = Open(type);
         (double minimum, double maximum) = image.RadiusBounds(0, TestModel.Lines, 0, TestModel.Samples);
 
-        Assert.InRange(minimum, image.RadiusLimits.Least, maximum);
-        Assert.InRange(maximum, minimum, image.RadiusLimits.Greatest);
+        Assert.InRange(minimum, image.RadiusLimits.Min, maximum);
+        Assert.InRange(maximum, minimum, image.RadiusLimits.Max);
     }
 
     [Theory]

@@ -2,7 +2,7 @@ namespace Msisf.Benchmarks.Definitions;
 
 /// <summary>How often things are measured.</summary>
 /// <param name="FirstFrames">Processes of one frame.</param>
-/// <param name="Pictures">Pictures of each way whose time and error are measured, after the first one, where one takes seconds.</param>
+/// <param name="Images">Images of each way whose time and error are measured, after the first one, where one takes seconds.</param>
 /// <param name="WarmUpFrames">Further frames until the code is compiled for good.</param>
 /// <param name="FurtherFrames">Further frames that are measured.</param>
 /// <param name="CheckedPixels">Pixels that are compared with the exact tracer.</param>
@@ -11,7 +11,7 @@ namespace Msisf.Benchmarks.Definitions;
 /// <param name="LayeredFrames">Frames of the sequence with all layers.</param>
 internal sealed record Repeats(
     int FirstFrames,
-    int Pictures,
+    int Images,
     int WarmUpFrames,
     int FurtherFrames,
     int CheckedPixels,

@@ -5,7 +5,7 @@ using Msisf.Core.Scene;
 
 namespace Msisf.Benchmarks.Definitions;
 
-/// <summary>One picture that is measured, 1024 x 1024 px with a field of view of 40 degrees.</summary>
+/// <summary>One image that is measured, 1024 x 1024 px with a field of view of 40 degrees.</summary>
 internal sealed record Scene
 {
     public const int Side = 1024; // px
@@ -32,8 +32,8 @@ internal sealed record Scene
     /// <summary>The ways whose time and error are measured; none if they are not.</summary>
     public IReadOnlyList<Setting> Settings { get; init; } = [];
 
-    /// <summary>Tiles of the picture that are measured in the thesis's way; with fewer than it takes its time is scaled, and it has no error.</summary>
-    public int MostThesisTiles { get; init; } = int.MaxValue;
+    /// <summary>Tiles of the image that are measured in the thesis's way; with fewer than it takes its time is scaled, and it has no error.</summary>
+    public int MaxThesisTiles { get; init; } = int.MaxValue;
 
     /// <summary>Its truth can be drawn: 64 samples of the full model. At 512 px/deg that would take ten minutes.</summary>
     public bool HasTruth { get; init; } = true;

@@ -6,7 +6,7 @@ internal static class Scenes
     /// <summary>The name of the sequence, which is chosen like a scene.</summary>
     public const string Sequence = "sequence";
 
-    /// <summary>The name of the first picture from nothing but the model's file.</summary>
+    /// <summary>The name of the first image from nothing but the model's file.</summary>
     public const string FromNothing = "from-nothing";
 
     private const double Megabyte = 1e6;
@@ -35,16 +35,16 @@ internal static class Scenes
         new()
         {
             Name = "far-64", About = "far, LDEM_64", PixelsPerDegree = 64, State = Places.Far, IsExact = true,
-            Settings = Settings.Antialiased, MostThesisTiles = 4,
+            Settings = Settings.Antialiased, MaxThesisTiles = 4,
             Targets = new SceneTargets(0.35, 0.060, 250 * Megabyte),
         },
         new()
         {
             Name = "far-512", About = "far, LDEM_512", PixelsPerDegree = 512, State = Places.Far, HasTruth = false,
-            Settings = [Settings.PovRayUsual, Settings.NativeUsual],
+            Settings = [Settings.PovRayDefault, Settings.NativeDefault],
             Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
         },
-        new() { Name = "disc-16", About = "whole disc, LDEM_16", PixelsPerDegree = 16, State = Places.Disc, Settings = Settings.Few, MostThesisTiles = CoarseTiles },
+        new() { Name = "disc-16", About = "whole disc, LDEM_16", PixelsPerDegree = 16, State = Places.Disc, Settings = Settings.Few, MaxThesisTiles = CoarseTiles },
         new()
         {
             Name = "nadir-64", About = "100 km, nadir, LDEM_64", PixelsPerDegree = 64, State = Places.LowNadir, Settings = Settings.All,
@@ -54,7 +54,7 @@ internal static class Scenes
         new()
         {
             Name = "oblique-64", About = "20 km, oblique, LDEM_64", PixelsPerDegree = 64, State = Places.Oblique,
-            Settings = Settings.Usual, MostThesisTiles = FineTiles,
+            Settings = Settings.Default, MaxThesisTiles = FineTiles,
             Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
         },
         new()
@@ -70,17 +70,17 @@ internal static class Scenes
         new()
         {
             Name = "north-16", About = "100 km over the north pole, LDEM_16", PixelsPerDegree = 16, State = Places.NorthPole,
-            Settings = Settings.Few, MostThesisTiles = CoarseTiles,
+            Settings = Settings.Few, MaxThesisTiles = CoarseTiles,
         },
         new()
         {
             Name = "south-16", About = "100 km over the south pole, LDEM_16", PixelsPerDegree = 16, State = Places.SouthPole,
-            Settings = Settings.Few, MostThesisTiles = CoarseTiles,
+            Settings = Settings.Few, MaxThesisTiles = CoarseTiles,
         },
         new()
         {
             Name = "prime-64", About = "100 km over the prime meridian, LDEM_64", PixelsPerDegree = 64, State = Places.PrimeMeridian,
-            Settings = Settings.Few, MostThesisTiles = FineTiles,
+            Settings = Settings.Few, MaxThesisTiles = FineTiles,
         },
         Landing("landing-100km", "100 km", 100e3, Settings.Few),
         Landing("landing-5km", "5 km", 5e3, Settings.Few),
@@ -100,6 +100,6 @@ internal static class Scenes
         PixelsPerDegree = 64,
         State = Places.Landing(altitude),
         Settings = settings,
-        MostThesisTiles = FineTiles,
+        MaxThesisTiles = FineTiles,
     };
 }

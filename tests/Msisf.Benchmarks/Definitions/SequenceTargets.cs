@@ -3,15 +3,15 @@ namespace Msisf.Benchmarks.Definitions;
 /// <summary>What the sequence must do, on two cores.</summary>
 internal static class SequenceTargets
 {
-    /// <summary>With pictures and meta files.</summary>
+    /// <summary>With images and meta files.</summary>
     public const double FramesPerSecond = 15.0;
 
     /// <summary>With all layers on top.</summary>
     public const double LayeredFramesPerSecond = 1.0;
 
     /// <summary>1: of the first frames' rate, what the last frames' must reach to be called flat; a shared machine's noise is about that.</summary>
-    public const double LeastLastToFirst = 0.9;
+    public const double MinLastToFirst = 0.9;
 
     /// <summary>1: of the first frames' own memory, what the last frames' may be to be called no growth.</summary>
-    public const double MostMemoryGrowth = 1.1;
+    public const double MaxMemoryGrowth = 1.1;
 }

@@ -1,6 +1,6 @@
 namespace Msisf.Benchmarks.Definitions;
 
-/// <summary>Whose way a picture is made in.</summary>
+/// <summary>Whose way an image is made in.</summary>
 internal enum SettingKind
 {
     /// <summary>The thesis's: the base line.</summary>

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Msisf.Benchmarks.Definitions;
 
-/// <summary>The ways to make a picture that are measured against each other.</summary>
+/// <summary>The ways to make an image that are measured against each other.</summary>
 internal static class Settings
 {
     private const string Auto = "auto";
@@ -21,17 +21,17 @@ internal static class Settings
     public static Setting PovRayFull { get; } = PovRay("povray, full", Off, [], isRepeated: true);
 
     /// <summary>The program's defaults.</summary>
-    public static Setting PovRayUsual { get; } = new("povray", SettingKind.PovRay, [], IsRepeated: true);
+    public static Setting PovRayDefault { get; } = new("povray", SettingKind.PovRay, [], IsRepeated: true);
 
     /// <summary>The native renderer's defaults.</summary>
-    public static Setting NativeUsual { get; } = Native(1, Auto);
+    public static Setting NativeDefault { get; } = Native(1, Auto);
 
     /// <summary>What every scene is made in, by the program itself.</summary>
     public static IReadOnlyList<Setting> Own { get; } =
     [
         PovRayFull,
-        PovRayUsual,
-        NativeUsual,
+        PovRayDefault,
+        NativeDefault,
         Native(1, Off),
         Native(2, Auto),
         Native(4, Auto),
@@ -41,7 +41,7 @@ internal static class Settings
     public static IReadOnlyList<Setting> Few { get; } = [Thesis, .. Own];
 
     /// <summary>Those and other errors that the levels of detail are allowed, from which the default is chosen.</summary>
-    public static IReadOnlyList<Setting> Usual { get; } =
+    public static IReadOnlyList<Setting> Default { get; } =
     [
         .. Few,
         PovRay("povray, 0.5 px", Auto, ["--lod-error", "0.5"]),
@@ -55,7 +55,7 @@ internal static class Settings
     /// <summary>Those and other antialiasing with levels of detail.</summary>
     public static IReadOnlyList<Setting> Antialiased { get; } =
     [
-        .. Usual,
+        .. Default,
         PovRay("povray, no antialiasing", Auto, WithoutAntialiasing),
         PovRay("povray, deep antialiasing", Auto, DeepAntialiasing),
     ];
@@ -75,13 +75,13 @@ internal static class Settings
             HasOwnSurface = !options.Contains(AntialiasingOption),
         };
 
-    private static Setting Native(int samplesAcross, string levels)
+    private static Setting Native(int subsamplesPerAxis, string levels)
     {
-        string samples = (samplesAcross * samplesAcross).ToString(CultureInfo.InvariantCulture);
+        string samples = (subsamplesPerAxis * subsamplesPerAxis).ToString(CultureInfo.InvariantCulture);
         string name = $"native, {samples}{(levels == Off ? ", full" : string.Empty)}";
         return new Setting(name, SettingKind.Native, ["--samples", samples, "--lod", levels], IsRepeated: true)
         {
-            SamplesAcross = samplesAcross,
+            SubsamplesPerAxis = subsamplesPerAxis,
             IsFull = levels == Off,
         };
     }

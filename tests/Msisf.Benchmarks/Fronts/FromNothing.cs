@@ -4,19 +4,19 @@ using Msisf.Benchmarks.Programs;
 
 namespace Msisf.Benchmarks.Fronts;
 
-/// <summary>The first picture from nothing but a model's image and label: no patterns, no bounds of the terrain and no levels beside it.</summary>
+/// <summary>The first image from nothing but a model's image and label: no patterns, no bounds of the terrain and no levels beside it.</summary>
 internal static class FromNothing
 {
-    /// <summary>The picture.</summary>
-    public static Scene Picture => Scenes.Named("far-64");
+    /// <summary>The image.</summary>
+    public static Scene Image => Scenes.Named("far-64");
 
-    /// <summary>Makes the picture.</summary>
+    /// <summary>Makes the image.</summary>
     public static FromNothingResult Measure(Workbench bench)
     {
         string folder = Path.Combine(bench.Folder, Scenes.FromNothing);
         Workbench.Delete(folder);
         string model = Directory.CreateDirectory(Path.Combine(folder, "model")).FullName;
-        foreach (LdemLabel part in bench.Model(Picture.PixelsPerDegree).Parts)
+        foreach (LdemLabel part in bench.Model(Image.PixelsPerDegree).Parts)
         {
             foreach (string file in new HashSet<string> { part.LabelPath, part.ImagePath })
             {
@@ -28,12 +28,12 @@ internal static class FromNothing
         {
             ProgramRun run = bench.Msis.Run(
                 [
-                    "--fixed-state", Picture.FixedState,
-                    .. Workbench.PictureOptions(Picture.PixelsPerDegree, model, Path.Combine(folder, "output")),
+                    "--fixed-state", Image.FixedState,
+                    .. Workbench.ImageOptions(Image.PixelsPerDegree, model, Path.Combine(folder, "output")),
                     "--renderer", "povray", "--pattern-repos", Path.Combine(folder, "patterns"),
                 ],
                 new Dictionary<string, string> { ["XDG_CACHE_HOME"] = Path.Combine(folder, "cache") });
-            return new FromNothingResult(Picture.About, run.Seconds, RunTiming.Of(run).PeakMemoryBytes);
+            return new FromNothingResult(Image.About, run.Seconds, RunTiming.Of(run).PeakMemoryBytes);
         }
         finally
         {

@@ -8,40 +8,40 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain.Lod;
-using Msisf.TestSupport.Pictures;
+using Msisf.TestSupport.Images;
 
 namespace Msisf.Benchmarks.Fronts;
 
-/// <summary>Measures time and error of all ways to make a scene's picture.</summary>
+/// <summary>Measures time and error of all ways to make a scene's image.</summary>
 internal sealed class FrontMeasure
 {
-    /// <summary>s: a picture that takes longer is made once, and what making its patterns took is taken off.</summary>
-    private const double MostRepeatedSeconds = 6.0;
+    /// <summary>s: an image that takes longer is made once, and what making its patterns took is taken off.</summary>
+    private const double MaxRepeatedSeconds = 6.0;
 
-    /// <summary>s: a picture that takes no longer is made twice as often, because other programs disturb it more.</summary>
+    /// <summary>s: an image that takes no longer is made twice as often, because other programs disturb it more.</summary>
     private const double ShortSeconds = 3.0;
 
     /// <summary>s: POV-Ray parses a scene once more to trace single points in it.</summary>
-    private const double MostParseForHits = 4.0;
+    private const double MaxParseForHits = 4.0;
 
     private readonly Workbench _bench;
     private readonly IEphemeris _ephemeris;
-    private readonly int _pictures;
-    private readonly PictureMaker _maker;
+    private readonly int _images;
+    private readonly ImageMaker _maker;
     private readonly TextWriter _log;
 
     /// <summary>Prepares.</summary>
     /// <param name="bench">Where things are.</param>
     /// <param name="ephemeris">For the Sun.</param>
-    /// <param name="pictures">How often to make a picture again that takes seconds.</param>
+    /// <param name="images">How often to make an image again that takes seconds.</param>
     /// <param name="log">Is told of each way.</param>
-    public FrontMeasure(Workbench bench, IEphemeris ephemeris, int pictures, TextWriter log)
+    public FrontMeasure(Workbench bench, IEphemeris ephemeris, int images, TextWriter log)
     {
         _log = log;
         _bench = bench;
         _ephemeris = ephemeris;
-        _pictures = pictures;
-        _maker = new PictureMaker(bench);
+        _images = images;
+        _maker = new ImageMaker(bench);
     }
 
     /// <summary>Measures a scene.</summary>
@@ -50,7 +50,7 @@ internal sealed class FrontMeasure
         using LdemImage image = LdemImage.Open(_bench.Model(scene.PixelsPerDegree));
         using ModelLevels model = ModelLevels.Open(image, cacheFolder: null);
         SceneLight sun = new(_ephemeris.SunPositionMoonMe(scene.State.Time), IsSun: true);
-        PictureTruth? truth = scene.HasTruth ? PictureTruth.Draw(scene.Camera, sun, image) : null;
+        ImageTruth? truth = scene.HasTruth ? ImageTruth.Draw(scene.Camera, sun, image) : null;
         HitPixels pixels = new(scene.Camera, image);
         List<SettingResult> results = [];
         List<(Setting, string)> failures = [];
@@ -78,14 +78,14 @@ internal sealed class FrontMeasure
         return new SceneFront(scene, results, failures);
     }
 
-    private SettingResult Measure(Scene scene, Setting setting, PictureTruth? truth, HitPixels pixels, LodLevels levels)
+    private SettingResult Measure(Scene scene, Setting setting, ImageTruth? truth, HitPixels pixels, LodLevels levels)
     {
         Workbench.Delete(_bench.PatternsOf(scene, setting));
         string output = _bench.NewOutputFolder();
         ProgramRun first = _maker.Make(scene, setting, output);
         List<ProgramRun> further = [];
-        int wanted = !setting.IsRepeated || first.Seconds > MostRepeatedSeconds ? 0 : first.Seconds > ShortSeconds ? _pictures : 2 * _pictures;
-        for (int picture = 0; picture < wanted; picture++)
+        int wanted = !setting.IsRepeated || first.Seconds > MaxRepeatedSeconds ? 0 : first.Seconds > ShortSeconds ? _images : 2 * _images;
+        for (int image = 0; image < wanted; image++)
         {
             output = _bench.NewOutputFolder();
             further.Add(_maker.Make(scene, setting, output));
@@ -111,15 +111,15 @@ internal sealed class FrontMeasure
             Patterns = setting.Kind == SettingKind.Native ? null : PatternFolder.Of(_bench.PatternsOf(scene, setting)),
             Tiles = tiles,
             MeasuredTiles = measuredTiles,
-            Error = truth is not null && isWhole ? PictureError.Of(truth, Single(output, "*.png")) : null,
-            Hits = isWhole && setting.HasOwnSurface && timing.SecondsOf("parse") < MostParseForHits ? Hits(scene, setting, output, pixels, levels) : null,
+            Error = truth is not null && isWhole ? ImageError.Of(truth, Single(output, "*.png")) : null,
+            Hits = isWhole && setting.HasOwnSurface && timing.SecondsOf("parse") < MaxParseForHits ? Hits(scene, setting, output, pixels, levels) : null,
         };
     }
 
     private HitDistance Hits(Scene scene, Setting setting, string output, HitPixels pixels, LodLevels levels)
     {
         IReadOnlyList<Vector3D?> points = setting.Kind == SettingKind.Native
-            ? pixels.ByNative(levels.Level(setting.IsFull ? 0 : LevelOfDetail.For(scene.Camera, setting.SamplesAcross, scene.PixelsPerDegree, levels.Count)))
+            ? pixels.ByNative(levels.Level(setting.IsFull ? 0 : LevelOfDetail.For(scene.Camera, setting.SubsamplesPerAxis, scene.PixelsPerDegree, levels.Count)))
             : PovRayHits.Trace(Single(output, "*.pov"), _bench.PatternsOf(scene, setting), pixels.Rays, output);
         return HitDistance.Of(pixels.Truth, points);
     }

@@ -8,7 +8,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Benchmarks.Fronts;
 
-/// <summary>Random pixels of a picture, and the points of the full model that their centres show by the exact tracer.</summary>
+/// <summary>Random pixels of an image, and the points of the full model that their centres show by the exact tracer.</summary>
 internal sealed class HitPixels
 {
     private const int Seed = 20120222;
@@ -18,7 +18,7 @@ internal sealed class HitPixels
     private readonly (int X, int Y)[] _pixels;
 
     /// <summary>Takes the pixels and traces them.</summary>
-    /// <param name="camera">Of the picture.</param>
+    /// <param name="camera">Of the image.</param>
     /// <param name="model">The full model.</param>
     public HitPixels(PinholeCamera camera, IElevationGrid model)
     {
@@ -39,7 +39,7 @@ internal sealed class HitPixels
     /// <param name="drawn">The level of the model that it draws.</param>
     public IReadOnlyList<Vector3D?> ByNative(IElevationGrid drawn)
     {
-        NativeRenderOptions options = new() { Reflectance = new EvenReflectance(), KeepTruth = true };
+        NativeRenderOptions options = new() { Reflectance = new EvenReflectance(), KeepGroundTruth = true };
         SceneLight lamp = new(_camera.PositionMoonMe, IsSun: false);
         using NativeFrame frame = new NativeRenderer(drawn).Render(_camera, lamp, options, Environment.ProcessorCount, CancellationToken.None);
         return [.. _pixels.Select(pixel => frame.TryGet(pixel.X, pixel.Y, out SurfaceHit hit, out _) ? hit.PointMoonMe : (Vector3D?)null)];

@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace Msisf.Benchmarks.Fronts;
 
-/// <summary>What the patterns of a picture amount to.</summary>
+/// <summary>What the patterns of an image amount to.</summary>
 /// <param name="Files">How many.</param>
 /// <param name="Bytes">Of all files.</param>
 /// <param name="Triangles">That their first lines name.</param>

@@ -1,10 +1,10 @@
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;
-using Msisf.TestSupport.Pictures;
+using Msisf.TestSupport.Images;
 
 namespace Msisf.Benchmarks.Fronts;
 
-/// <summary>What a way to make a picture costs, and how wrong its picture is.</summary>
+/// <summary>What a way to make an image costs, and how wrong its image is.</summary>
 internal sealed record SettingResult
 {
     public required Setting Setting { get; init; }
@@ -24,14 +24,14 @@ internal sealed record SettingResult
     /// <summary>Null without POV-Ray.</summary>
     public required PatternFolder? Patterns { get; init; }
 
-    /// <summary>Tiles that the picture takes; more than were measured if <see cref="IsScaled"/>.</summary>
+    /// <summary>Tiles that the image takes; more than were measured if <see cref="IsScaled"/>.</summary>
     public required int Tiles { get; init; }
 
     /// <summary>Tiles that were measured.</summary>
     public required int MeasuredTiles { get; init; }
 
-    /// <summary>Null if only a part of the picture was made, or the truth is not drawn.</summary>
-    public required PictureError? Error { get; init; }
+    /// <summary>Null if only a part of the image was made, or the truth is not drawn.</summary>
+    public required ImageError? Error { get; init; }
 
     /// <summary>Null if it was not measured.</summary>
     public required HitDistance? Hits { get; init; }
@@ -39,10 +39,10 @@ internal sealed record SettingResult
     /// <summary>Only some of the tiles were measured, and the time is that of all: parsing grows with the number of tiles.</summary>
     public bool IsScaled => MeasuredTiles < Tiles;
 
-    /// <summary>Bytes of all the picture's patterns; scaled if <see cref="IsScaled"/>.</summary>
+    /// <summary>Bytes of all the image's patterns; scaled if <see cref="IsScaled"/>.</summary>
     public double PatternBytes => Patterns is null ? 0.0 : Scale * Patterns.Bytes;
 
-    /// <summary>Triangles of all the picture's patterns; scaled if <see cref="IsScaled"/>.</summary>
+    /// <summary>Triangles of all the image's patterns; scaled if <see cref="IsScaled"/>.</summary>
     public double Triangles => Patterns is null ? 0.0 : Scale * Patterns.Triangles;
 
     private double Scale => MeasuredTiles == 0 ? 1.0 : (double)Tiles / MeasuredTiles;

@@ -32,7 +32,7 @@ internal sealed class BenchmarkRun
         FromNothingResult? fromNothing = null;
         if (_options.HasFromNothing)
         {
-            Say("the first picture from nothing but the model");
+            Say("the first image from nothing but the model");
             fromNothing = FromNothing.Measure(_bench);
         }
 
@@ -46,7 +46,7 @@ internal sealed class BenchmarkRun
     private List<SceneFront> Fronts()
     {
         using Sun sun = Sun.Open(_bench.Root);
-        FrontMeasure measure = new(_bench, sun.Ephemeris, _options.Repeats.Pictures, _log);
+        FrontMeasure measure = new(_bench, sun.Ephemeris, _options.Repeats.Images, _log);
         List<SceneFront> fronts = [];
         foreach (Scene scene in _options.Chosen.Where(scene => scene.Settings.Count > 0))
         {

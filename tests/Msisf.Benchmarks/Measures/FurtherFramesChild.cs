@@ -47,7 +47,7 @@ internal static class FurtherFramesChild
         using Process self = Process.GetCurrentProcess();
         long peakMemory = self.PeakWorkingSet64;
         using NativeFrame last = renderer.Render(
-            scene.Camera, light, options with { KeepTruth = true }, job.Threads, CancellationToken.None);
+            scene.Camera, light, options with { KeepGroundTruth = true }, job.Threads, CancellationToken.None);
         TracerCheck check = TracerCheck.Of(last, light, grid, job.CheckedPixels);
         return new FurtherFramesResult(
             job.Threads,
@@ -63,5 +63,5 @@ internal static class FurtherFramesChild
 
     private static IElevationGrid LevelFor(Scene scene, LodLevels levels) => levels.Level(scene.IsExact
         ? 0
-        : LevelOfDetail.For(scene.Camera, samplesAcross: 1, scene.PixelsPerDegree, levels.Count));
+        : LevelOfDetail.For(scene.Camera, subsamplesPerAxis: 1, scene.PixelsPerDegree, levels.Count));
 }

@@ -9,5 +9,5 @@ namespace Msisf.Benchmarks.Measures;
 /// <param name="Further">Further frames; the first setting is the program's usual one: all threads, the widest vectors.</param>
 internal sealed record SceneResult(Scene Scene, SceneTargets Targets, FirstFrameResult First, IReadOnlyList<FurtherFramesResult> Further)
 {
-    public Samples UsualFurtherSeconds => new(Further[0].FrameSeconds);
+    public Samples DefaultFurtherSeconds => new(Further[0].FrameSeconds);
 }

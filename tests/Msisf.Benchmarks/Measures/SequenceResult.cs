@@ -13,7 +13,7 @@ internal sealed class SequenceResult
 
     /// <summary>Takes a run.</summary>
     /// <param name="frames">Frames that were asked for.</param>
-    /// <param name="run">The run; it names each picture when it and all before it are done.</param>
+    /// <param name="run">The run; it names each image when it and all before it are done.</param>
     /// <param name="bytes">Bytes of all files.</param>
     /// <exception cref="BenchmarkException">Not all frames are there.</exception>
     public SequenceResult(int frames, ProgramRun run, long bytes)
@@ -24,7 +24,7 @@ internal sealed class SequenceResult
         PeakMemoryBytes = RunTiming.Of(run).PeakMemoryBytes;
         if (_doneAt.Length != frames)
         {
-            throw new BenchmarkException(FormattableString.Invariant($"the sequence has {_doneAt.Length} pictures, {frames} expected."));
+            throw new BenchmarkException(FormattableString.Invariant($"the sequence has {_doneAt.Length} images, {frames} expected."));
         }
     }
 

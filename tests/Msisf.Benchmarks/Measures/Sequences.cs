@@ -5,7 +5,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Benchmarks.Measures;
 
-/// <summary>Many frames in one process: one turn of a polar orbit, with pictures and meta files; and a few frames of it with all layers.</summary>
+/// <summary>Many frames in one process: one turn of a polar orbit, with images and meta files; and a few frames of it with all layers.</summary>
 internal sealed class Sequences
 {
     private const double Altitude = 100e3; // m over the mean radius
@@ -25,7 +25,7 @@ internal sealed class Sequences
         _repeats = repeats;
     }
 
-    /// <summary>Pictures and meta files.</summary>
+    /// <summary>Images and meta files.</summary>
     public SequenceResult Plain() => Run(_repeats.SequenceFrames, []);
 
     /// <summary>All layers in FITS as well.</summary>
@@ -37,7 +37,7 @@ internal sealed class Sequences
         ProgramRun run = _bench.Msis.Run(
             [
                 .. Orbit(frames),
-                .. _bench.PictureOptions(_repeats.SequencePixelsPerDegree, folder),
+                .. _bench.ImageOptions(_repeats.SequencePixelsPerDegree, folder),
                 "--renderer", "native",
                 .. options,
             ],

@@ -16,7 +16,7 @@ internal sealed record TracerCheck(int Pixels, int OtherFacets, int OtherLight, 
     /// <param name="light">The frame's.</param>
     /// <param name="grid">The level of the model that was drawn.</param>
     /// <param name="pixels">How many.</param>
-    public static TracerCheck Of(IFrameTruth frame, SceneLight light, IElevationGrid grid, int pixels)
+    public static TracerCheck Of(IGroundTruth frame, SceneLight light, IElevationGrid grid, int pixels)
     {
         TracedFrameTruth exact = new(frame.Camera, light, new TerrainTracer(grid));
         Random random = new(Seed);
@@ -27,8 +27,8 @@ internal sealed record TracerCheck(int Pixels, int OtherFacets, int OtherLight, 
         {
             int x = random.Next(1, frame.Camera.Width + 1);
             int y = random.Next(1, frame.Camera.Height + 1);
-            bool isDrawn = frame.TryGet(x, y, out SurfaceHit drawn, out PixelLight drawnLight);
-            bool isTraced = exact.TryGet(x, y, out SurfaceHit traced, out PixelLight tracedLight);
+            bool isDrawn = frame.TryGet(x, y, out SurfaceHit drawn, out PixelIllumination drawnLight);
+            bool isTraced = exact.TryGet(x, y, out SurfaceHit traced, out PixelIllumination tracedLight);
             if (isDrawn != isTraced || drawn.Facet != traced.Facet)
             {
                 facets++;
@@ -47,5 +47,5 @@ internal sealed record TracerCheck(int Pixels, int OtherFacets, int OtherLight, 
         return new TracerCheck(pixels, facets, lights, distance);
     }
 
-    private static bool IsLit(PixelLight light) => light.State == SunState.Lit;
+    private static bool IsLit(PixelIllumination light) => light.State == IlluminationState.Lit;
 }

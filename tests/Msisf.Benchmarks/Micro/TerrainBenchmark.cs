@@ -46,7 +46,7 @@ public class TerrainBenchmark
     [GlobalCleanup]
     public void Close() => _model.Dispose();
 
-    /// <summary>The tiles of a picture.</summary>
+    /// <summary>The tiles of an image.</summary>
     [Benchmark]
     public TileSelection Selection() => Dspsa.Select(_scene.Camera, _sun, _model, _summary);
 

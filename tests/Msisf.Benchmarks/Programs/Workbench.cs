@@ -30,10 +30,10 @@ internal sealed class Workbench
     /// <summary>The program as users start it.</summary>
     public ChildProgram Msis { get; }
 
-    /// <summary>Patterns of one way to make one picture, so that what they amount to can be counted.</summary>
+    /// <summary>Patterns of one way to make one image, so that what they amount to can be counted.</summary>
     public string PatternsOf(Scene scene, Setting setting) => Path.Combine(Folder, "patterns", scene.Name, setting.FolderName);
 
-    /// <summary>The pictures; an empty folder for each measurement.</summary>
+    /// <summary>The images; an empty folder for each measurement.</summary>
     public string NewOutputFolder()
     {
         string folder = Path.Combine(Folder, "output");
@@ -59,11 +59,11 @@ internal sealed class Workbench
     public string LabelOf(int pixelsPerDegree) => Model(pixelsPerDegree).Parts[0].LabelPath;
 
     /// <summary>The options of msis that all runs share.</summary>
-    public IReadOnlyList<string> PictureOptions(int pixelsPerDegree, string outputFolder) =>
-        PictureOptions(pixelsPerDegree, LabelOf(pixelsPerDegree), outputFolder);
+    public IReadOnlyList<string> ImageOptions(int pixelsPerDegree, string outputFolder) =>
+        ImageOptions(pixelsPerDegree, LabelOf(pixelsPerDegree), outputFolder);
 
     /// <summary>The same with another label of the model.</summary>
-    public static IReadOnlyList<string> PictureOptions(int pixelsPerDegree, string label, string outputFolder)
+    public static IReadOnlyList<string> ImageOptions(int pixelsPerDegree, string label, string outputFolder)
     {
         string side = Scene.Side.ToString(CultureInfo.InvariantCulture);
         return

@@ -3,7 +3,7 @@ using Msisf.Benchmarks.Fronts;
 
 namespace Msisf.Benchmarks.Reports;
 
-/// <summary>Time and error of every way to make every picture, for the CSV file and its plots. SI units; an empty field was not measured.</summary>
+/// <summary>Time and error of every way to make every image, for the CSV file and its plots. SI units; an empty field was not measured.</summary>
 internal static class FrontFigures
 {
     private static readonly (string Name, Func<SettingResult, double?> Value)[] Columns =
@@ -11,7 +11,7 @@ internal static class FrontFigures
         ("seconds_minimum", result => result.Seconds.Minimum),
         ("seconds_median", result => result.Seconds.Median),
         ("seconds_maximum", result => result.Seconds.Maximum),
-        ("pictures", result => result.Seconds.Count),
+        ("images", result => result.Seconds.Count),
         ("first_seconds", result => result.FirstSeconds),
         ("tiles", result => result.Tiles),
         ("tiles_measured", result => result.MeasuredTiles),
@@ -41,7 +41,7 @@ internal static class FrontFigures
         ("hit_largest_m", result => result.Hits?.Largest),
     ];
 
-    /// <summary>A line for each way to make each picture.</summary>
+    /// <summary>A line for each way to make each image.</summary>
     public static Table ToTable(IReadOnlyList<SceneFront> fronts)
     {
         Table table = new(["scene", "about", "setting", "kind", .. Columns.Select(column => column.Name)]);

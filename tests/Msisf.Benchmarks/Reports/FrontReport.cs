@@ -2,7 +2,7 @@ using System.Globalization;
 using System.Text;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Fronts;
-using Msisf.TestSupport.Pictures;
+using Msisf.TestSupport.Images;
 
 namespace Msisf.Benchmarks.Reports;
 
@@ -64,7 +64,7 @@ internal static class FrontReport
         Table table = new("way", "pixels off by more than a level, %", "rms, levels", "light wrong, %", "limb, rms and largest, px", "hits: median, rms, largest, m");
         foreach (SettingResult result in front.Results)
         {
-            PictureError? error = result.Error;
+            ImageError? error = result.Error;
             table.Add(
                 result.Setting.Name,
                 error is null ? NotMeasured : Unit.Percent.Number(error.Grey.DifferingFraction),

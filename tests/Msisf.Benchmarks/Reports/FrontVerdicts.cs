@@ -9,11 +9,11 @@ namespace Msisf.Benchmarks.Reports;
 internal static class FrontVerdicts
 {
     private const double FromNothingSeconds = 60.0;
-    private const double MostOfThesisBytes = 0.2;
-    private const double MostMemory = 500e6; // bytes
+    private const double MaxOfThesisBytes = 0.2;
+    private const double MaxMemory = 500e6; // bytes
 
     /// <summary>Of the error at full resolution: not above it, but for the jitter of antialiasing, which differs from run to run by a ten-thousandth.</summary>
-    private const double MostOfFullError = 1.001;
+    private const double MaxOfFullError = 1.001;
 
     /// <summary>How many times as fast as the thesis's way, by the scene's name.</summary>
     private static readonly Dictionary<string, double> TimesFaster = new() { ["far-64"] = 15.0, ["nadir-64"] = 8.0 };
@@ -35,7 +35,7 @@ internal static class FrontVerdicts
         if (result.FromNothing is FromNothingResult first)
         {
             yield return new Verdict(
-                first.About, "first picture from nothing but the model's file", FromNothingSeconds, IsUpperLimit: true, first.Seconds, first.Seconds, Unit.Seconds);
+                first.About, "first image from nothing but the model's file", FromNothingSeconds, IsUpperLimit: true, first.Seconds, first.Seconds, Unit.Seconds);
         }
 
         foreach (IGrouping<int, SceneFront> fronts in result.Fronts.GroupBy(front => front.Scene.PixelsPerDegree).OrderBy(group => group.Key))
@@ -49,37 +49,37 @@ internal static class FrontVerdicts
         Scene scene = front.Scene;
         if (TimesFaster.TryGetValue(scene.Name, out double times) || scene.PixelsPerDegree == NeverSlower)
         {
-            double least = Math.Max(times, 1.0);
+            double min = Math.Max(times, 1.0);
             (double median, double best) = Speed(front);
-            yield return new Verdict(scene.About, "POV-Ray's picture, to the thesis's way", least, IsUpperLimit: false, median, best, Unit.Times);
+            yield return new Verdict(scene.About, "POV-Ray's image, to the thesis's way", min, IsUpperLimit: false, median, best, Unit.Times);
         }
 
-        SettingResult? usual = front.Of(Settings.PovRayUsual);
-        if (scene.Settings.Contains(Settings.PovRayUsual) && scene.Settings.Contains(Settings.PovRayFull))
+        SettingResult? usual = front.Of(Settings.PovRayDefault);
+        if (scene.Settings.Contains(Settings.PovRayDefault) && scene.Settings.Contains(Settings.PovRayFull))
         {
             double error = usual?.Error?.Grey.Rms / front.Of(Settings.PovRayFull)?.Error?.Grey.Rms ?? double.NaN;
             yield return new Verdict(
-                scene.About, "rms error of POV-Ray's picture, to that at full resolution", MostOfFullError, IsUpperLimit: true, error, error, Unit.Times);
+                scene.About, "rms error of POV-Ray's image, to that at full resolution", MaxOfFullError, IsUpperLimit: true, error, error, Unit.Times);
         }
 
         if (TimesFaster.ContainsKey(scene.Name))
         {
             double disk = usual?.PatternBytes / front.Of(Settings.Thesis)?.PatternBytes ?? double.NaN;
             yield return new Verdict(
-                scene.About, "disk for the scene's patterns, to the thesis's", MostOfThesisBytes, IsUpperLimit: true, disk, disk, Unit.Times);
+                scene.About, "disk for the scene's patterns, to the thesis's", MaxOfThesisBytes, IsUpperLimit: true, disk, disk, Unit.Times);
         }
     }
 
     private static (double Median, double Best) Speed(SceneFront front) =>
-        front.Of(Settings.PovRayUsual) is SettingResult usual && front.Of(Settings.Thesis) is SettingResult thesis
+        front.Of(Settings.PovRayDefault) is SettingResult usual && front.Of(Settings.Thesis) is SettingResult thesis
             ? (thesis.Seconds.Median / usual.Seconds.Median, thesis.Seconds.Minimum / usual.Seconds.Minimum)
             : (double.NaN, double.NaN);
 
-    /// <summary>Of msis itself in all pictures by POV-Ray with the program's defaults.</summary>
+    /// <summary>Of msis itself in all images by POV-Ray with the program's defaults.</summary>
     private static Verdict Memory(int pixelsPerDegree, IReadOnlyList<SceneFront> fronts)
     {
-        double[] peaks = [.. fronts.Select(front => front.Of(Settings.PovRayUsual)?.Timing.PeakMemoryBytes ?? double.NaN)];
+        double[] peaks = [.. fronts.Select(front => front.Of(Settings.PovRayDefault)?.Timing.PeakMemoryBytes ?? double.NaN)];
         string about = string.Create(CultureInfo.InvariantCulture, $"LDEM_{pixelsPerDegree}, {peaks.Length} scenes");
-        return new Verdict(about, "memory of msis with POV-Ray", MostMemory, IsUpperLimit: true, peaks.Max(), peaks.Min(), Unit.Megabytes);
+        return new Verdict(about, "memory of msis with POV-Ray", MaxMemory, IsUpperLimit: true, peaks.Max(), peaks.Min(), Unit.Megabytes);
     }
 }

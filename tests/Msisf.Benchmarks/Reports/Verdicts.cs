@@ -13,7 +13,7 @@ internal static class Verdicts
     {
         Scene scene = result.Scene;
         Samples first = result.First.Seconds;
-        Samples further = result.UsualFurtherSeconds;
+        Samples further = result.DefaultFurtherSeconds;
         Samples memory = result.First.PeakMemoryBytes;
         yield return new Verdict(
             scene.About, "first frame, from process start", result.Targets.FirstSeconds, IsUpperLimit: true, first.Median, first.Minimum, Unit.Milliseconds);
@@ -37,18 +37,18 @@ internal static class Verdicts
         }
 
         string about = FormattableString.Invariant($"orbit of {sequence.Frames} frames");
-        yield return AtLeast(about, "pictures and meta files", SequenceTargets.FramesPerSecond, sequence.FramesPerSecond, Unit.FramesPerSecond);
+        yield return AtLeast(about, "images and meta files", SequenceTargets.FramesPerSecond, sequence.FramesPerSecond, Unit.FramesPerSecond);
         yield return AtLeast(
             about,
             FormattableString.Invariant($"rate of the last {sequence.WindowFrames} to that of the first"),
-            SequenceTargets.LeastLastToFirst,
+            SequenceTargets.MinLastToFirst,
             sequence.LastRate / sequence.FirstRate,
             Unit.Times);
         if (sequence.FirstMemory is { } early && sequence.LastMemory is { } late)
         {
             double growth = (double)late.OwnBytes / early.OwnBytes;
             yield return new Verdict(
-                about, "own memory at the end to that at the start", SequenceTargets.MostMemoryGrowth, IsUpperLimit: true, growth, growth, Unit.Times);
+                about, "own memory at the end to that at the start", SequenceTargets.MaxMemoryGrowth, IsUpperLimit: true, growth, growth, Unit.Times);
         }
     }
 

@@ -12,14 +12,14 @@ using Msisf.Core.Tiles;
 namespace Msisf.Benchmarks.Thesis;
 
 /// <summary>
-/// Makes one picture in the thesis's own way, in a process of its own as msis is one: selection by a ray a pixel, patterns in its text form,
+/// Makes one image in the thesis's own way, in a process of its own as msis is one: selection by a ray a pixel, patterns in its text form,
 /// POV-Ray with its settings.
 /// </summary>
 internal static class ThesisFrame
 {
     private const string SceneName = "scene.pov";
 
-    /// <summary>Makes the picture.</summary>
+    /// <summary>Makes the image.</summary>
     /// <param name="job">What.</param>
     /// <param name="ephemeris">For the Sun.</param>
     /// <returns>Times and counts under the names of msis --timing.</returns>
@@ -37,7 +37,7 @@ internal static class ThesisFrame
 
         start = Stopwatch.GetTimestamp();
         using LdemImage image = LdemImage.Open(LdemCatalog.Read(job.Label));
-        IReadOnlyList<string> patterns = ThesisPatterns.Make(job.Patterns, Spread(selected, job.MostTiles), image);
+        IReadOnlyList<string> patterns = ThesisPatterns.Make(job.Patterns, Spread(selected, job.MaxTiles), image);
         double making = Stopwatch.GetElapsedTime(start).TotalSeconds;
 
         start = Stopwatch.GetTimestamp();
@@ -48,7 +48,7 @@ internal static class ThesisFrame
 
         ProgramRun povRay = new ChildProgram("povray", job.Output).Run(
         [
-            $"+I{SceneName}", $"+O{ThesisFrameJob.PictureName}", "+FN8", "-D", Switch("+W", camera.Width), Switch("+H", camera.Height),
+            $"+I{SceneName}", $"+O{ThesisFrameJob.ImageName}", "+FN8", "-D", Switch("+W", camera.Width), Switch("+H", camera.Height),
             Switch("+WT", Environment.ProcessorCount), .. ThesisScene.Options,
         ]);
         PovRayTimes times = PovRayTimes.Read(string.Join('\n', [.. povRay.Output.Select(line => line.Line), .. povRay.Errors]));

@@ -5,7 +5,7 @@ using Msisf.Core.Numerics;
 namespace Msisf.Benchmarks.Thesis;
 
 /// <summary>
-/// The scene of thesis section 5.3, as the program of 2012 wrote it; the Sun's looks, which no picture of the ground shows, are left out. It is
+/// The scene of thesis section 5.3, as the program of 2012 wrote it; the Sun's looks, which no image of the ground shows, are left out. It is
 /// written here once more so that the base line of all ratios stays what it is, whatever becomes of the program's own scenes.
 /// </summary>
 internal static class ThesisScene

@@ -26,7 +26,7 @@ PIECES_PER_NODE = (1, 4)
 DRAWS = 20
 NEIGHBOURS = 2  # to either side
 
-# Pieces/FrameCost.cs: s a frame, s a sample, s a triangle; and the samples of the measured pictures.
+# Pieces/FrameCost.cs: s a frame, s a sample, s a triangle; and the samples of the measured images.
 COSTS = {"native-64": (0.0, 1.57e-7, 1.19e-8, 512 * 512), "povray-16": (0.8, 9.1e-7, 4.7e-6, 320 * 320)}
 
 

@@ -2,7 +2,7 @@
 
 /usr/bin/python3 performance.py FRONT.CSV FOLDER    writes FOLDER/front-SCENE.svg
 
-A point is a way to make the scene's picture. The lines are Pareto fronts: the ways that no other one beats in both; of all, and of POV-Ray's alone.
+A point is a way to make the scene's image. The lines are Pareto fronts: the ways that no other one beats in both; of all, and of POV-Ray's alone.
 """
 import csv
 import os
@@ -13,7 +13,7 @@ from matplotlib import pyplot, ticker
 
 KINDS = {"Thesis": ("thesis", "black", "*"), "PovRay": ("POV-Ray", "tab:blue", "o"), "Native": ("native", "tab:orange", "s")}
 OFFSETS = (4, -9, 12, -17)  # points: neighbours in time are often neighbours in error too, so labels take turns
-LEAST_ERROR = 1e-3  # levels: a picture without any error would have no place on a logarithmic axis
+LEAST_ERROR = 1e-3  # levels: an image without any error would have no place on a logarithmic axis
 
 
 def front_of(points):
@@ -57,7 +57,7 @@ def plot(about, points):
         axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
         axis.set_minor_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
     axes.margins(x=0.15, y=0.2)
-    axes.set_xlabel("time of the picture, s")
+    axes.set_xlabel("time of the image, s")
     axes.set_ylabel("rms error, levels of 255")
     axes.set_title(about)
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), fontsize=7)

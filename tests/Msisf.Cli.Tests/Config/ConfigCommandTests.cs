@@ -44,7 +44,7 @@ public sealed class ConfigCommandTests : IDisposable
     }
 
     [Theory]
-    [InlineData("PX", "Picture width, 1 to 16384 (default 1024)", "1024")]
+    [InlineData("PX", "Image width, 1 to 16384 (default 1024)", "1024")]
     [InlineData("A", "Albedo (default 0.64, as in POV-Ray's scene)", "0.64")]
     [InlineData("PX", "How far (default 0.33; native 0.35): a cell", "0.33; native 0.35")]
     [InlineData("PATTERN", "Names {step} (default M_{step:00000})", "M_{step:00000}")]

@@ -3,7 +3,7 @@ using Xunit;
 
 namespace Msisf.Cli.Tests.Config;
 
-/// <summary>Settings from files, seen at the error that a call ends with: no picture is made.</summary>
+/// <summary>Settings from files, seen at the error that a call ends with: no image is made.</summary>
 public sealed class ConfigurationTests : IDisposable
 {
     private const string Fixed = "--fixed-state {55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1} --ephemeris builtin";

@@ -141,7 +141,7 @@ public sealed class BatchConvertTests : IDisposable
         Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
     }
 
-    /// <summary>The states that the render command takes pictures of.</summary>
+    /// <summary>The states that the render command takes images of.</summary>
     private static IReadOnlyList<SpacecraftState> StatesOf(string[] mode)
     {
         ModeOptions options = new();

@@ -18,7 +18,7 @@ public sealed class CostSurveyTests
     {
         int[] places = CostSurvey.Places(count);
 
-        Assert.Equal((CostSurvey.MostFramesLookedAt, 0, count - 1), (places.Length, places[0], places[^1]));
+        Assert.Equal((CostSurvey.MaxFramesLookedAt, 0, count - 1), (places.Length, places[0], places[^1]));
         int[] gaps = [.. places.Zip(places.Skip(1), (place, next) => next - place)];
         Assert.InRange(gaps.Max() - gaps.Min(), 0, 1);
     }

@@ -13,7 +13,7 @@ public sealed class FrameCostTests
     [Theory]
     [InlineData("native-64", RendererKind.Native, 512, 0.8)]
     [InlineData("povray-16", RendererKind.PovRay, 320, 0.9)]
-    public void Seconds_MeasuredFrames_CorrelateWithTheirTimes(string series, RendererKind renderer, int side, double least)
+    public void Seconds_MeasuredFrames_CorrelateWithTheirTimes(string series, RendererKind renderer, int side, double min)
     {
         FrameCost cost = FrameCost.Of(renderer);
         (double Time, double Estimate)[] frames =
@@ -27,7 +27,7 @@ public sealed class FrameCostTests
         ];
 
         Assert.True(frames.Length > 30, $"{frames.Length} frames of {series}");
-        Assert.InRange(Correlation(frames), least, 1.0);
+        Assert.InRange(Correlation(frames), min, 1.0);
     }
 
     private static double Correlation((double X, double Y)[] pairs)

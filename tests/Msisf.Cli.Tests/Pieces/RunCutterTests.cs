@@ -65,9 +65,9 @@ public sealed class RunCutterTests
 
             Assert.Equal(Steps(count), cut.SelectMany(piece => piece.Steps));
             Assert.Equal(Math.Min(pieces, count), cut.Count);
-            double greatest = cut.Max(piece => piece.Steps.Sum(step => costs[step - 1]));
+            double max = cut.Max(piece => piece.Steps.Sum(step => costs[step - 1]));
             double best = SmallestGreatest(costs, Math.Min(pieces, count));
-            Assert.True(greatest <= best * (1.0 + 1e-12), $"round {round}: {greatest} in place of {best}");
+            Assert.True(max <= best * (1.0 + 1e-12), $"round {round}: {max} in place of {best}");
         }
     }
 

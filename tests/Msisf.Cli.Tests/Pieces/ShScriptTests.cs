@@ -61,12 +61,12 @@ public sealed class ShScriptTests : IDisposable
     public void Run_RelativePaths_BeginWhereTheCallWasMade()
     {
         string where = _converted.Folder["where"];
-        string script = _converted.Convert("sh", "run.sh", "--pieces", "1", "--output-dir", "pictures");
+        string script = _converted.Convert("sh", "run.sh", "--pieces", "1", "--output-dir", "images");
 
         ConvertedScript.Run(script, _converted.FakeMsis($"pwd >'{where}'"));
 
         Assert.Equal(Directory.GetCurrentDirectory(), File.ReadAllText(where).TrimEnd());
-        Assert.Contains("|--output-dir=pictures|", File.ReadAllText(_converted.Calls), StringComparison.Ordinal);
+        Assert.Contains("|--output-dir=images|", File.ReadAllText(_converted.Calls), StringComparison.Ordinal);
     }
 
     [RequiresFact(Part.Ldem4)]

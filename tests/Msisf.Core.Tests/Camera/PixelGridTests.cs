@@ -27,7 +27,7 @@ public class PixelGridTests
     [Theory]
     [InlineData(65)]
     [InlineData(int.MaxValue)]
-    public void Constructor_SpacingLargerThanPicture_TakesNone(int spacing)
+    public void Constructor_SpacingLargerThanImage_TakesNone(int spacing)
     {
         PixelGrid grid = new(64, 64, spacing, spacing);
 

@@ -12,7 +12,7 @@ public class PixelRowsTests
     [InlineData(100, 3, new[] { 0, 32, 64 })]
     [InlineData(33, 8, new[] { 0, 32 })]
     [InlineData(7, 8, new[] { 0 })]
-    public void Strips_AnyHeight_FillThePictureFromMultiplesOfTheUnit(int height, int strips, int[] firstRows)
+    public void Strips_AnyHeight_FillTheImageFromMultiplesOfTheUnit(int height, int strips, int[] firstRows)
     {
         IReadOnlyList<PixelRows> rows = PixelRows.Strips(height, strips, unit: 32);
 

@@ -133,7 +133,7 @@ public class LayerSamplerTests
         double[] values = PixelOf(truth, 1, 1, "incidence", "mask", "sun-visibility");
 
         Assert.InRange(values[0], 179.999, 180.0);
-        Assert.Equal([(double)SunState.Night, 0.0], values[1..]);
+        Assert.Equal([(double)IlluminationState.Night, 0.0], values[1..]);
     }
 
     [Theory]

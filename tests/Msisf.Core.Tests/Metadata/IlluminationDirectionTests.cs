@@ -64,7 +64,7 @@ public class IlluminationDirectionTests
     public void At_GroundLineRunsBehindTheCamera_StillPointsTowardsTheSun()
     {
         // 10 m up, looking north along the ground with the Sun in the south: 1000 m towards it lies behind the camera, and its
-        // projection through the focal point would come out at the top of the picture.
+        // projection through the focal point would come out at the top of the image.
         PinholeCamera low = new(
             new Vector3D(Radius + 10.0, 0.0, 0.0), UnitQuaternion.FromAxisAngle(Vector3D.UnitY, Math.PI / 2.0), 0.7, 101, 101);
         Vector3D point = Radius * new Vector3D(1.0, 0.0, 5e-5);

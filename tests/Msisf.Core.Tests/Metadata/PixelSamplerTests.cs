@@ -59,7 +59,7 @@ public class PixelSamplerTests
     }
 
     [Fact]
-    public void Sample_MoonFillsPartOfThePicture_GoesByRowsFromTheTop()
+    public void Sample_MoonFillsPartOfTheImage_GoesByRowsFromTheTop()
     {
         PixelRecord[] records = [.. SamplerFor(LooksAlongX(0.0), spacing: 10).Sample()];
 
@@ -83,7 +83,7 @@ public class PixelSamplerTests
         Assert.Empty(SamplerFor(LooksAlongX(Math.PI), spacing: 1).Sample());
 
     [Fact]
-    public void Sample_SpacingLargerThanPicture_IsEmpty() =>
+    public void Sample_SpacingLargerThanImage_IsEmpty() =>
         Assert.Empty(SamplerFor(LooksAlongX(0.0), spacing: 101).Sample());
 
     [Fact]

@@ -22,7 +22,7 @@ public class TerrainPixelsTests
         Vector3D point = new(1_738_000.0, 0.0, 0.0);
         Vector3D toSun = FromZenith(40.0);
         SurfaceHit hit = new(point, FromZenith(10.0), new FacetId(359, 1439, FacetHalf.NorthEast), 1.0);
-        PixelLight light = new(SunState.Penumbra, 0.25);
+        PixelIllumination light = new(IlluminationState.Penumbra, 0.25);
         FunctionTruth truth = new(Nadir, point + (1e11 * toSun), (_, _) => (hit, light));
 
         PixelRecord record = Assert.Single(Sampler(truth, spacing: 51).Sample());
@@ -81,7 +81,7 @@ public class TerrainPixelsTests
         Assert.Equal(PixelSurface.Sphere, new PixelSampler(Nadir, grid, ReferenceSphere.Lola, 1e11 * Vector3D.UnitX).Surface);
     }
 
-    private static PixelSampler Sampler(IFrameTruth truth, int spacing) => new(new PixelGrid(101, 101, spacing, spacing), truth, 4);
+    private static PixelSampler Sampler(IGroundTruth truth, int spacing) => new(new PixelGrid(101, 101, spacing, spacing), truth, 4);
 
     private static Vector3D FromZenith(double degreesNorth)
     {

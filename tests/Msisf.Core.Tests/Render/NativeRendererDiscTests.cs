@@ -23,7 +23,7 @@ public sealed class NativeRendererDiscTests
     {
         Reflectance = new LambertReflectance(0.64),
         Sun = SunModel.Disc,
-        KeepTruth = true,
+        KeepGroundTruth = true,
     };
 
     [RequiresTheory(Part.Ldem4)]
@@ -43,7 +43,7 @@ public sealed class NativeRendererDiscTests
         {
             for (int x = 1; x <= Side; x += Step)
             {
-                if (!frame.TryGet(x, y, out SurfaceHit hit, out PixelLight light))
+                if (!frame.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light))
                 {
                     continue;
                 }
@@ -61,16 +61,16 @@ public sealed class NativeRendererDiscTests
                 }
 
                 Assert.Equal(visible, light.VisibleFraction, 12);
-                Assert.Equal(StateOf(visible), light.State is SunState.Night ? SunState.Shadow : light.State);
+                Assert.Equal(StateOf(visible), light.State is IlluminationState.Night ? IlluminationState.Shadow : light.State);
 
                 // A disc that nothing cuts is as bright as its centre, but for the square of its angular radius.
                 Assert.Equal(0.64 * irradiance, frame.RadianceFactors[((y - 1) * Side) + x - 1], 4e-5);
-                parts += light.State == SunState.Penumbra ? 1 : 0;
+                parts += light.State == IlluminationState.Penumbra ? 1 : 0;
             }
         }
 
         Assert.InRange(parts, 3, Side * Side / Step / Step / 4);
     }
 
-    private static SunState StateOf(double visible) => visible > 0.99999 ? SunState.Lit : visible > 0.0 ? SunState.Penumbra : SunState.Shadow;
+    private static IlluminationState StateOf(double visible) => visible > 0.99999 ? IlluminationState.Lit : visible > 0.0 ? IlluminationState.Penumbra : IlluminationState.Shadow;
 }

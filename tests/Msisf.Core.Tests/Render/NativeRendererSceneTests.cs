@@ -21,7 +21,7 @@ public sealed class NativeRendererSceneTests(ITestOutputHelper output)
     /// <summary>m: both compute the point from the same plane; far rays have some 1e9 m.</summary>
     private const double SamePoint = 1e-7;
 
-    private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepTruth = true };
+    private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
     /// <summary>Scenes that see all ground up to a horizon, or a whole pole: of a fine model that computes each sample too much for every day.</summary>
     private static readonly string[] WideScenes =
@@ -36,7 +36,7 @@ public sealed class NativeRendererSceneTests(ITestOutputHelper output)
         Compare(FunctionGrid.Rugged(16), TestLength.Of(300, int.MaxValue), TestLength.Of(120, 10_000), RenderScenes.All);
 
     /// <param name="pixelsPerDegree">Of the model.</param>
-    /// <param name="cellsAcross">Pictures that would hold more are narrowed.</param>
+    /// <param name="cellsAcross">Images that would hold more are narrowed.</param>
     /// <param name="cellsAcrossInLongForm">The same.</param>
     [Theory]
     [InlineData(64, 200, 2000)]
@@ -65,10 +65,10 @@ public sealed class NativeRendererSceneTests(ITestOutputHelper output)
             for (int number = 0; number < pixels; number++)
             {
                 (int x, int y) = (random.Next(1, side + 1), random.Next(1, side + 1));
-                bool isSurface = traced.TryGet(x, y, out SurfaceHit expected, out PixelLight expectedLight);
-                bool isDrawn = drawn.TryGet(x, y, out SurfaceHit hit, out PixelLight light);
+                bool isSurface = traced.TryGet(x, y, out SurfaceHit expected, out PixelIllumination expectedLight);
+                bool isDrawn = drawn.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light);
                 hits += isSurface ? 1 : 0;
-                lit += expectedLight.State == SunState.Lit ? 1 : 0;
+                lit += expectedLight.State == IlluminationState.Lit ? 1 : 0;
                 bool isSame = isDrawn == isSurface && hit.Facet == expected.Facet && light == expectedLight
                     && (hit.PointMoonMe - expected.PointMoonMe).Length <= SamePoint;
                 if (!isSame)

@@ -37,7 +37,7 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
             for (int pixel = 0; pixel < frame.RadianceFactors.Length; pixel++)
             {
                 (int x, int y) = ((pixel % frame.Camera.Width) + 1, (pixel / frame.Camera.Width) + 1);
-                double expected = frame.TryGet(x, y, out SurfaceHit hit, out PixelLight light) && light.State == SunState.Lit
+                double expected = frame.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light) && light.State == IlluminationState.Lit
                     ? RadianceFactor(law, PhotometricAngles.At(hit.PointMoonMe, hit.NormalMoonMe, frame.Camera.PositionMoonMe, frame.LightPositionMoonMe))
                     : 0.0;
                 Assert.True(
@@ -61,15 +61,15 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
         for (int pixel = 0; pixel < facets.RadianceFactors.Length; pixel++)
         {
             (int x, int y) = ((pixel % facets.Camera.Width) + 1, (pixel / facets.Camera.Width) + 1);
-            if (!facets.TryGet(x, y, out SurfaceHit hit, out PixelLight light))
+            if (!facets.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light))
             {
                 continue;
             }
 
-            smooth.TryGet(x, y, out SurfaceHit smoothHit, out PixelLight smoothLight);
+            smooth.TryGet(x, y, out SurfaceHit smoothHit, out PixelIllumination smoothLight);
             Assert.Equal((hit.Facet, hit.PointMoonMe, light), (smoothHit.Facet, smoothHit.PointMoonMe, smoothLight));
             changed += facets.RadianceFactors[pixel] != smooth.RadianceFactors[pixel] ? 1 : 0;
-            if (light.State != SunState.Lit)
+            if (light.State != IlluminationState.Lit)
             {
                 Assert.Equal(0.0, smooth.RadianceFactors[pixel]);
                 bool turnsAway = Vector3D.Dot(hit.NormalMoonMe, facets.LightPositionMoonMe - hit.PointMoonMe) < 0.0;
@@ -117,7 +117,7 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
     {
         RenderScenes.RenderSceneCase scene = RenderScenes.Named(name);
         PinholeCamera camera = scene.Camera(rugged.Grid, 90, 60);
-        NativeRenderOptions options = new() { Reflectance = law, Normals = normals, KeepTruth = true };
+        NativeRenderOptions options = new() { Reflectance = law, Normals = normals, KeepGroundTruth = true };
         return _renderer.Render(camera, new SceneLight(scene.Sun, IsSun: true), options, threads: 2);
     }
 }

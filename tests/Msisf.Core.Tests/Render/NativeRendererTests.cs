@@ -12,7 +12,7 @@ namespace Msisf.Core.Tests.Render;
 /// <summary>What holds for any frame: it depends on its own camera, light and options only, and its samples are what they say.</summary>
 public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<RuggedTerrain>
 {
-    private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepTruth = true };
+    private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
     private readonly NativeRenderer _renderer = new(rugged.Grid);
 
@@ -77,26 +77,26 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
         int surface = 0;
         ForEachPixel(camera, (x, y, pixel) =>
         {
-            bool isSurface = frame.TryGet(x, y, out SurfaceHit hit, out PixelLight light);
+            bool isSurface = frame.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light);
             double cosine = isSurface ? Vector3D.Dot(hit.NormalMoonMe, (camera.PositionMoonMe - hit.PointMoonMe).Normalized()) : 0.0;
-            Assert.Equal(isSurface ? new PixelLight(SunState.Lit, 1.0) : default, light);
+            Assert.Equal(isSurface ? new PixelIllumination(IlluminationState.Lit, 1.0) : default, light);
             Assert.Equal(0.64 * cosine, frame.RadianceFactors[pixel], 1e-12);
             surface += isSurface ? 1 : 0;
         });
         Assert.InRange(surface, 1000, 9999);
     }
 
-    /// <summary>The samples of a pixel are the pixels of a picture with so many times the width and height.</summary>
+    /// <summary>The samples of a pixel are the pixels of an image with so many times the width and height.</summary>
     [Theory]
     [InlineData(2)]
     [InlineData(3)]
-    public void Render_ManySamples_IsTheMeanOfSinglePicturesWithShiftedCentres(int across)
+    public void Render_ManySamples_IsTheMeanOfSingleImagesWithShiftedCentres(int across)
     {
         (PinholeCamera camera, SceneLight sun) = Scene("grazing-sun", 90, 60);
         PinholeCamera fine = new(camera.PositionMoonMe, camera.MoonFromCamera, camera.FieldOfView, across * camera.Width, across * camera.Height);
         using NativeFrame single = _renderer.Render(fine, sun, Options, threads: 2);
 
-        using NativeFrame frame = _renderer.Render(camera, sun, Options with { SamplesAcross = across }, threads: 2);
+        using NativeFrame frame = _renderer.Render(camera, sun, Options with { SubsamplesPerAxis = across }, threads: 2);
 
         int mixed = 0;
         ForEachPixel(camera, (x, y, pixel) =>
@@ -132,7 +132,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
         (PinholeCamera camera, SceneLight sun) = Scene("limb", 60, 60);
         FrameValues centres = FrameValues.Of(_renderer, camera, sun, Options, threads: 2);
 
-        FrameValues many = FrameValues.Of(_renderer, camera, sun, Options with { SamplesAcross = across }, threads: 2);
+        FrameValues many = FrameValues.Of(_renderer, camera, sun, Options with { SubsamplesPerAxis = across }, threads: 2);
 
         Assert.Equal(centres.Truth, many.Truth);
         Assert.NotEqual(centres.RadianceFactors, many.RadianceFactors);
@@ -142,7 +142,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     public void TryGet_WithoutTruth_IsRefused()
     {
         (PinholeCamera camera, SceneLight sun) = Scene("seam", 4, 4);
-        using NativeFrame frame = _renderer.Render(camera, sun, Options with { KeepTruth = false }, threads: 1);
+        using NativeFrame frame = _renderer.Render(camera, sun, Options with { KeepGroundTruth = false }, threads: 1);
 
         Assert.Throws<InvalidOperationException>(() => frame.TryGet(1, 1, out _, out _));
     }
@@ -179,7 +179,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
 
     private double[] Radiance(PinholeCamera camera, SceneLight sun, int across)
     {
-        using NativeFrame frame = _renderer.Render(camera, sun, Options with { SamplesAcross = across }, threads: 2);
+        using NativeFrame frame = _renderer.Render(camera, sun, Options with { SubsamplesPerAxis = across }, threads: 2);
         return frame.RadianceFactors.ToArray();
     }
 

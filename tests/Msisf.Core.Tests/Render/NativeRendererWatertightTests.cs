@@ -11,16 +11,16 @@ using Xunit.Abstractions;
 
 namespace Msisf.Core.Tests.Render;
 
-/// <summary>Small pictures from random cameras of all kinds: no ray that must meet the ground passes through it, and none that can't meet it does.</summary>
+/// <summary>Small images from random cameras of all kinds: no ray that must meet the ground passes through it, and none that can't meet it does.</summary>
 public sealed class NativeRendererWatertightTests(ITestOutputHelper output)
 {
     /// <summary>1: chords of facets lie a little lower than their vertices, 6e-5 of the radius at 1 px/deg.</summary>
     private const double SafePart = 0.999;
 
-    private const int LeastPixels = 16 * 16;
-    private const int MostPixels = 32 * 32;
+    private const int MinPixels = 16 * 16;
+    private const int MaxPixels = 32 * 32;
 
-    private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepTruth = true };
+    private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
     [RequiresFact(Part.Ldem4)]
     public void Render_RealModel_HasNoHole() => AssertNoHole(MemoryElevationGrid.Ldem4(), TestLength.Of(300, 10_000));
@@ -38,15 +38,15 @@ public sealed class NativeRendererWatertightTests(ITestOutputHelper output)
         Random sizes = new(20120222);
         for (int number = 0; number < views; number++)
         {
-            (PinholeCamera camera, _, string kind) = CameraCases.Make(number, grid, sizes.Next(LeastPixels, MostPixels + 1));
+            (PinholeCamera camera, _, string kind) = CameraCases.Make(number, grid, sizes.Next(MinPixels, MaxPixels + 1));
             SceneLight lamp = new(camera.PositionMoonMe, IsSun: false);
             using NativeFrame frame = renderer.Render(camera, lamp, Options, threads: 1);
             for (int pixel = 0; pixel < camera.Width * camera.Height; pixel++)
             {
                 (int x, int y) = ((pixel % camera.Width) + 1, (pixel / camera.Width) + 1);
                 double approach = NearestApproach(camera.RayThrough(x, y));
-                bool mustHit = approach < SafePart * summary.LeastRadius;
-                bool canHit = approach <= summary.GreatestRadius / SafePart;
+                bool mustHit = approach < SafePart * summary.MinRadius;
+                bool canHit = approach <= summary.MaxRadius / SafePart;
                 bool isHit = frame.TryGet(x, y, out _, out _);
                 inside += mustHit ? 1 : 0;
                 outside += canHit ? 0 : 1;

@@ -20,24 +20,24 @@ public class TracedFrameTruthTests
         Ground, new Vector3D(Math.Sqrt(0.75), 0.0, 0.5), new FacetId(359, 0, FacetHalf.NorthEast), 0.25);
 
     [Theory]
-    [InlineData(60.0, false, SunState.Lit)]
-    [InlineData(60.0, true, SunState.Shadow)]
-    [InlineData(-45.0, false, SunState.Lit)]
-    [InlineData(-75.0, false, SunState.Shadow)] // above the horizon; the facet turns away
-    [InlineData(-95.0, false, SunState.Night)]
-    [InlineData(-95.0, true, SunState.Night)]
-    [InlineData(100.0, false, SunState.Lit)] // below the horizon of the sphere; the facet still sees it
-    [InlineData(100.0, true, SunState.Night)]
-    public void TryGet_SunNorthOfTheZenith_HasTheStateOfItsHeight(double degreesFromZenith, bool isHidden, SunState expected)
+    [InlineData(60.0, false, IlluminationState.Lit)]
+    [InlineData(60.0, true, IlluminationState.Shadow)]
+    [InlineData(-45.0, false, IlluminationState.Lit)]
+    [InlineData(-75.0, false, IlluminationState.Shadow)] // above the horizon; the facet turns away
+    [InlineData(-95.0, false, IlluminationState.Night)]
+    [InlineData(-95.0, true, IlluminationState.Night)]
+    [InlineData(100.0, false, IlluminationState.Lit)] // below the horizon of the sphere; the facet still sees it
+    [InlineData(100.0, true, IlluminationState.Night)]
+    public void TryGet_SunNorthOfTheZenith_HasTheStateOfItsHeight(double degreesFromZenith, bool isHidden, IlluminationState expected)
     {
         (double sine, double cosine) = Math.SinCos(double.DegreesToRadians(degreesFromZenith));
         SceneLight sun = new(SunDistance * new Vector3D(cosine, 0.0, sine), IsSun: true);
         TracedFrameTruth truth = new(Camera, sun, new FakeTracer(Slope, isHidden));
 
-        Assert.True(truth.TryGet(2, 2, out SurfaceHit hit, out PixelLight light));
+        Assert.True(truth.TryGet(2, 2, out SurfaceHit hit, out PixelIllumination light));
 
         Assert.Equal(Slope, hit);
-        Assert.Equal(new PixelLight(expected, expected == SunState.Lit ? 1.0 : 0.0), light);
+        Assert.Equal(new PixelIllumination(expected, expected == IlluminationState.Lit ? 1.0 : 0.0), light);
         Assert.Equal(sun.PositionMoonMe, truth.LightPositionMoonMe);
     }
 
@@ -47,9 +47,9 @@ public class TracedFrameTruthTests
         SurfaceHit turnedAway = Slope with { NormalMoonMe = -Slope.NormalMoonMe };
         TracedFrameTruth truth = new(Camera, new SceneLight(Camera.PositionMoonMe, IsSun: false), new FakeTracer(turnedAway, isHidden: true));
 
-        Assert.True(truth.TryGet(2, 2, out _, out PixelLight light));
+        Assert.True(truth.TryGet(2, 2, out _, out PixelIllumination light));
 
-        Assert.Equal(new PixelLight(SunState.Lit, 1.0), light);
+        Assert.Equal(new PixelIllumination(IlluminationState.Lit, 1.0), light);
     }
 
     [Fact]
@@ -57,10 +57,10 @@ public class TracedFrameTruthTests
     {
         TracedFrameTruth truth = new(Camera, new SceneLight(SunDistance * Vector3D.UnitX, IsSun: true), new FakeTracer(null, isHidden: false));
 
-        Assert.False(truth.TryGet(1, 1, out SurfaceHit hit, out PixelLight light));
+        Assert.False(truth.TryGet(1, 1, out SurfaceHit hit, out PixelIllumination light));
 
         Assert.Equal(default, hit);
-        Assert.Equal(SunState.NoSurface, light.State);
+        Assert.Equal(IlluminationState.NoSurface, light.State);
     }
 
     [Fact]

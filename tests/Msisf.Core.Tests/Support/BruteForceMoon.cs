@@ -47,12 +47,12 @@ internal sealed class BruteForceMoon
     /// <param name="origin">m.</param>
     /// <param name="direction">Any length.</param>
     /// <param name="isThere">Which tiles are in the scene; null: all.</param>
-    /// <param name="leastT">Hits before this many lengths of the direction do not count.</param>
-    public (FacetId Facet, double T)? FirstHit(Vector3D origin, Vector3D direction, bool[]? isThere = null, double leastT = 0.0)
+    /// <param name="minT">Hits before this many lengths of the direction do not count.</param>
+    public (FacetId Facet, double T)? FirstHit(Vector3D origin, Vector3D direction, bool[]? isThere = null, double minT = 0.0)
     {
         Vector3D inverse = new(1.0 / direction.X, 1.0 / direction.Y, 1.0 / direction.Z);
         (FacetId Facet, double T)? best = null;
-        Descend(_levels.Count - 1, 0, 0, origin, direction, inverse, isThere, leastT, ref best);
+        Descend(_levels.Count - 1, 0, 0, origin, direction, inverse, isThere, minT, ref best);
         return best;
     }
 
@@ -157,7 +157,7 @@ internal sealed class BruteForceMoon
     }
 
     private void Descend(
-        int level, int row, int column, Vector3D origin, Vector3D direction, Vector3D inverse, bool[]? isThere, double leastT, ref (FacetId Facet, double T)? best)
+        int level, int row, int column, Vector3D origin, Vector3D direction, Vector3D inverse, bool[]? isThere, double minT, ref (FacetId Facet, double T)? best)
     {
         (int rows, int columns) = _sizes[level];
         if (row >= rows || column >= columns || !_levels[level][(row * columns) + column].MayMeet(origin, inverse, best?.T ?? double.PositiveInfinity))
@@ -169,7 +169,7 @@ internal sealed class BruteForceMoon
         {
             for (int child = 0; child < 4; child++)
             {
-                Descend(level - 1, (2 * row) + (child / 2), (2 * column) + (child % 2), origin, direction, inverse, isThere, leastT, ref best);
+                Descend(level - 1, (2 * row) + (child / 2), (2 * column) + (child % 2), origin, direction, inverse, isThere, minT, ref best);
             }
 
             return;
@@ -189,7 +189,7 @@ internal sealed class BruteForceMoon
 
             (Vector3D a, Vector3D b, Vector3D c) = Corners(row, column, half);
             double t = Meet(origin, direction, a, b, c);
-            if (t >= leastT && t < (best?.T ?? double.PositiveInfinity))
+            if (t >= minT && t < (best?.T ?? double.PositiveInfinity))
             {
                 best = (new FacetId(row, column, half), t);
             }

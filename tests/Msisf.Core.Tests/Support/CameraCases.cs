@@ -12,7 +12,7 @@ internal static class CameraCases
 
     /// <param name="number">Of the case.</param>
     /// <param name="grid">The cameras stand above its surface.</param>
-    /// <param name="pixels">Pixels of the picture, about.</param>
+    /// <param name="pixels">Pixels of the image, about.</param>
     public static (PinholeCamera Camera, Vector3D Sun, string Kind) Make(int number, IElevationGrid grid, int pixels)
     {
         Random random = new(20120222 + number);

@@ -4,7 +4,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Tests.Support;
 
 /// <summary>One ray of <see cref="FacetsNearRay"/> and the nearest facet that it was found to meet.</summary>
-internal sealed class FacetSearch(LatticeVertices vertices, Vector3D origin, Vector3D direction, double leastT)
+internal sealed class FacetSearch(LatticeVertices vertices, Vector3D origin, Vector3D direction, double minT)
 {
     /// <summary>Parts of a facet: rays through an edge or a corner hit it.</summary>
     private const double EdgeTolerance = 1e-11;
@@ -88,7 +88,7 @@ internal sealed class FacetSearch(LatticeVertices vertices, Vector3D origin, Vec
         Vector3D q = Cross(fromA, ab);
         double v = Vector3D.Dot(direction, q) / determinant;
         double t = Vector3D.Dot(ac, q) / determinant;
-        if (u >= -EdgeTolerance && v >= -EdgeTolerance && u + v <= 1.0 + EdgeTolerance && t >= leastT && t < T)
+        if (u >= -EdgeTolerance && v >= -EdgeTolerance && u + v <= 1.0 + EdgeTolerance && t >= minT && t < T)
         {
             T = t;
             Facet = facet;

@@ -28,13 +28,13 @@ internal sealed class FacetsNearRay
     /// <summary>The first facet on a ray from outside the ground.</summary>
     /// <param name="origin">m.</param>
     /// <param name="direction">Any length.</param>
-    /// <param name="leastT">Hits before this many lengths of the direction do not count.</param>
-    public (FacetId Facet, Vector3D Point, double T)? FirstHit(Vector3D origin, Vector3D direction, double leastT = 0.0)
+    /// <param name="minT">Hits before this many lengths of the direction do not count.</param>
+    public (FacetId Facet, Vector3D Point, double T)? FirstHit(Vector3D origin, Vector3D direction, double minT = 0.0)
     {
         double offset = origin.Length < FarAway ? 0.0 : (origin.Length - 1e7) / direction.Length;
         Vector3D near = new(
             Moved(origin.X, offset, direction.X), Moved(origin.Y, offset, direction.Y), Moved(origin.Z, offset, direction.Z));
-        FacetSearch search = new(_vertices, near, direction, leastT - offset);
+        FacetSearch search = new(_vertices, near, direction, minT - offset);
         double length = direction.Length;
         Vector3D unit = direction / length;
         double nearest = -Vector3D.Dot(near, unit);

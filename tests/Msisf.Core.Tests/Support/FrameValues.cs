@@ -8,7 +8,7 @@ namespace Msisf.Core.Tests.Support;
 /// <summary>All that a frame says, kept for a comparison to the last bit.</summary>
 /// <param name="RadianceFactors">Bits of each pixel's I/F.</param>
 /// <param name="Truth">What each pixel's centre shows, and its light; null where that is no surface.</param>
-internal sealed record FrameValues(IReadOnlyList<long> RadianceFactors, IReadOnlyList<(SurfaceHit Hit, PixelLight Light)?> Truth)
+internal sealed record FrameValues(IReadOnlyList<long> RadianceFactors, IReadOnlyList<(SurfaceHit Hit, PixelIllumination Light)?> Truth)
 {
     /// <summary>Draws a frame and gives it back.</summary>
     public static FrameValues Of(NativeRenderer renderer, PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads)
@@ -21,10 +21,10 @@ internal sealed record FrameValues(IReadOnlyList<long> RadianceFactors, IReadOnl
     public static FrameValues Of(NativeFrame frame)
     {
         int width = frame.Camera.Width;
-        (SurfaceHit, PixelLight)?[] truth = new (SurfaceHit, PixelLight)?[width * frame.Camera.Height];
+        (SurfaceHit, PixelIllumination)?[] truth = new (SurfaceHit, PixelIllumination)?[width * frame.Camera.Height];
         for (int pixel = 0; pixel < truth.Length; pixel++)
         {
-            truth[pixel] = frame.TryGet((pixel % width) + 1, (pixel / width) + 1, out SurfaceHit hit, out PixelLight light) ? (hit, light) : null;
+            truth[pixel] = frame.TryGet((pixel % width) + 1, (pixel / width) + 1, out SurfaceHit hit, out PixelIllumination light) ? (hit, light) : null;
         }
 
         return new FrameValues(MemoryMarshal.Cast<double, long>(frame.RadianceFactors).ToArray(), truth);

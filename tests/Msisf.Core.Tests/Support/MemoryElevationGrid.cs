@@ -8,7 +8,7 @@ namespace Msisf.Core.Tests.Support;
 internal sealed class MemoryElevationGrid : IElevationGrid
 {
     private readonly float[] _radii;
-    private readonly Lazy<(double Least, double Greatest)> _limits;
+    private readonly Lazy<(double Min, double Max)> _limits;
 
     /// <param name="productId">Name of the model.</param>
     /// <param name="pixelsPerDegree">Samples a degree.</param>
@@ -31,7 +31,7 @@ internal sealed class MemoryElevationGrid : IElevationGrid
     public int PixelsPerDegree { get; }
 
     /// <summary>As tight as can be: what a renderer leaves out by them must be out of sight.</summary>
-    public (double Least, double Greatest) RadiusLimits => _limits.Value;
+    public (double Min, double Max) RadiusLimits => _limits.Value;
 
     private int Samples => 360 * PixelsPerDegree;
 

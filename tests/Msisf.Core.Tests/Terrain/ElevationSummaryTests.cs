@@ -27,9 +27,9 @@ public sealed class ElevationSummaryTests
                 CellRange cells = level.Cells(index / level.Columns, index % level.Columns);
                 int first = Math.Max(cells.FirstLine, 0);
                 int last = Math.Min(cells.EndLine, lines - 1);
-                (double least, double greatest) = grid.RadiusBounds(first, last - first + 1, cells.FirstSample, cells.EndSample - cells.FirstSample + 1);
-                Assert.InRange(level.Bounds[index].Least, least - 0.26, least);
-                Assert.InRange(level.Bounds[index].Greatest, greatest, greatest + 0.26);
+                (double min, double max) = grid.RadiusBounds(first, last - first + 1, cells.FirstSample, cells.EndSample - cells.FirstSample + 1);
+                Assert.InRange(level.Bounds[index].Min, min - 0.26, min);
+                Assert.InRange(level.Bounds[index].Max, max, max + 0.26);
             }
         }
     }
@@ -72,14 +72,14 @@ public sealed class ElevationSummaryTests
         double u = random.NextDouble();
         double v = random.NextDouble() * (1.0 - u);
         Vector3D point = a + (u * (b - a)) + (v * (c - a));
-        Assert.InRange(point.Length, node.LeastRadius, node.GreatestRadius);
+        Assert.InRange(point.Length, node.MinRadius, node.MaxRadius);
         Assert.True(Vector3D.Dot(point.Normalized(), node.Cap.Centre) >= node.Cap.CosRadius);
 
         Vector3D normal = Vector3D.Cross(b - a, c - a);
         if (normal.Length > 1e-3)
         {
             double slope = Vector3D.AngleBetween(normal, point);
-            Assert.True(Math.Tan(slope) <= node.Steepness, $"{Math.Tan(slope)} > {node.Steepness}");
+            Assert.True(Math.Tan(slope) <= node.MaxSlope, $"{Math.Tan(slope)} > {node.MaxSlope}");
         }
     }
 

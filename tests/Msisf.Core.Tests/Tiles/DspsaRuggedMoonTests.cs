@@ -21,8 +21,8 @@ public sealed class DspsaRuggedMoonTests(RuggedMoon rugged) : IClassFixture<Rugg
         for (int number = first; number < end; number++)
         {
             (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, rugged.Grid, number > 1000 ? 600 : 1000);
-            BruteForcePicture whole = new(rugged.Moon, camera, sun, isThere: null);
-            BruteForcePicture selected = new(rugged.Moon, camera, sun, TilesThere.In(Dspsa.Select(camera, sun, rugged.Grid, rugged.Summary)));
+            BruteForceImage whole = new(rugged.Moon, camera, sun, isThere: null);
+            BruteForceImage selected = new(rugged.Moon, camera, sun, TilesThere.In(Dspsa.Select(camera, sun, rugged.Grid, rugged.Summary)));
             bool[] withoutSun = TilesThere.In(Dspsa.Select(camera, null, rugged.Grid, rugged.Summary));
             bool isAllThere = whole.HitTiles.Zip(withoutSun).All(tile => !tile.First || tile.Second);
             if (whole.DifferencesFrom(selected) > 0 || !isAllThere)

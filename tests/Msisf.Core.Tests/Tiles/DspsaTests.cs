@@ -25,8 +25,8 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         {
             (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, ldem4.Grid, PixelsEach);
             TileSelection selection = Dspsa.Select(camera, sun, ldem4.Grid, ldem4.Summary);
-            BruteForcePicture whole = new(ldem4.Moon, camera, sun, isThere: null);
-            BruteForcePicture selected = new(ldem4.Moon, camera, sun, TilesThere.In(selection));
+            BruteForceImage whole = new(ldem4.Moon, camera, sun, isThere: null);
+            BruteForceImage selected = new(ldem4.Moon, camera, sun, TilesThere.In(selection));
             lit += whole.Lit;
             dropped += TileId.Count - selection.Kept.Count;
             if (whole.DifferencesFrom(selected) > 0)
@@ -48,7 +48,7 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         {
             (PinholeCamera camera, _, string kind) = CameraCases.Make(number, ldem4.Grid, PixelsEach);
             bool[] isThere = TilesThere.In(Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary));
-            bool[] isHit = new BruteForcePicture(ldem4.Moon, camera, Sun, isThere: null).HitTiles;
+            bool[] isHit = new BruteForceImage(ldem4.Moon, camera, Sun, isThere: null).HitTiles;
             missed.AddRange(Enumerable.Range(0, TileId.Count).Where(tile => isHit[tile] && !isThere[tile]).Select(tile => $"camera {number} ({kind}): tile {tile}"));
         }
 

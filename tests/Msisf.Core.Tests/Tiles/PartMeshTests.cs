@@ -50,7 +50,7 @@ public class PartMeshTests
             Assert.All(
                 Enumerable.Range(mesh.Layout.VertexCount, edges),
                 foot => Assert.InRange(mesh.Vertex(foot).PositionMoonMe.Length, mesh.WallFootRadius - 0.01, mesh.WallFootRadius + 0.01));
-            Assert.True(mesh.WallFootRadius < ((IElevationGrid)grid).RadiusLimits.Least);
+            Assert.True(mesh.WallFootRadius < ((IElevationGrid)grid).RadiusLimits.Min);
         }
     }
 

@@ -29,7 +29,7 @@ public sealed class PartSelectorTests(Ldem4Fixture ldem4, RuggedMoon rugged) : I
         CheckExactParts(rugged.Grid, rugged.Summary, subdivisions: 2, cells: 5);
 
     [Fact]
-    public void Select_StripsOfAPicture_HaveTheirRowsAsWithAllOfTheMoon()
+    public void Select_StripsOfAImage_HaveTheirRowsAsWithAllOfTheMoon()
     {
         BruteForceMoon moon = new(rugged.Grid, 2);
         PartSelector selector = new(LodLevels.Open(rugged.Grid), rugged.Summary, 0.0, cells: 5);
@@ -38,21 +38,21 @@ public sealed class PartSelectorTests(Ldem4Fixture ldem4, RuggedMoon rugged) : I
         for (int number = 0; number < 36; number++)
         {
             (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, rugged.Grid, PixelsEach);
-            BruteForcePicture all = new(moon, camera, sun, isThere: null);
-            PartSelection picture = selector.Select(camera, sun);
-            whole += picture.Parts.Count;
+            BruteForceImage all = new(moon, camera, sun, isThere: null);
+            PartSelection image = selector.Select(camera, sun);
+            whole += image.Parts.Count;
             IReadOnlyList<PixelRows> strips = PixelRows.Strips(camera.Height, 2, unit: 4);
             foreach (PixelRows rows in strips)
             {
                 PartArea area = new(selector.Select(camera, sun, rows).Parts);
-                PartSelection parts = picture with { Parts = [.. picture.Parts.Where(area.Overlaps)] };
+                PartSelection parts = image with { Parts = [.. image.Parts.Where(area.Overlaps)] };
                 inStrips += parts.Parts.Count;
-                BruteForcePicture strip = new(moon, camera, sun, TilesThere.In(parts, 2));
+                BruteForceImage strip = new(moon, camera, sun, TilesThere.In(parts, 2));
                 Assert.True(all.DifferencesFrom(strip, rows) == 0, $"camera {number} ({kind}), {rows}: {all.DifferencesFrom(strip, rows)} pixels");
             }
         }
 
-        Assert.True(inStrips < 1.6 * whole, $"{inStrips} parts in strips, {whole} in whole pictures: strips save nothing");
+        Assert.True(inStrips < 1.6 * whole, $"{inStrips} parts in strips, {whole} in whole images: strips save nothing");
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -120,8 +120,8 @@ public sealed class PartSelectorTests(Ldem4Fixture ldem4, RuggedMoon rugged) : I
             (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, grid, PixelsEach);
             PartSelection parts = selector.Select(camera, sun);
             bool[] isThere = TilesThere.In(parts, subdivisions);
-            BruteForcePicture whole = new(moon, camera, sun, isThere: null);
-            int differ = whole.DifferencesFrom(new BruteForcePicture(moon, camera, sun, isThere));
+            BruteForceImage whole = new(moon, camera, sun, isThere: null);
+            int differ = whole.DifferencesFrom(new BruteForceImage(moon, camera, sun, isThere));
             bool[] withoutSun = TilesThere.In(selector.Select(camera, null), subdivisions);
             bool isAllThere = whole.HitTiles.Zip(withoutSun).All(square => !square.First || square.Second);
             selected += isThere.Count(there => there);

@@ -21,7 +21,7 @@ public class AnnotationRendererTests
         FrameMetadata frame = ExampleFrame.OfSize(280, 280);
         PixelSampler pixels = ExampleFrame.Sampler(frame, spacing: 20);
 
-        PngPixels picture = Annotate(frame, pixels);
+        PngPixels image = Annotate(frame, pixels);
 
         (int, int)[] shown = [.. pixels.Sample().Select(pixel => (pixel.H, pixel.V))];
         Assert.InRange(shown.Length, 100, 195);
@@ -29,7 +29,7 @@ public class AnnotationRendererTests
         {
             for (int h = 20; h <= 280; h += 20)
             {
-                Assert.Equal(shown.Contains((h, v)), IsRed(picture, h, v));
+                Assert.Equal(shown.Contains((h, v)), IsRed(image, h, v));
             }
         }
     }
@@ -37,7 +37,7 @@ public class AnnotationRendererTests
     [RequiresFact(Part.Cairo)]
     public void Write_TerrainPixels_HaveTheirDotsAndDirections()
     {
-        // A sphere would fill the picture: terrain in the left half only, on the plane x = 1700 km. At pixel (60, 60) it lies 46.6 km west
+        // A sphere would fill the image: terrain in the left half only, on the plane x = 1700 km. At pixel (60, 60) it lies 46.6 km west
         // and as far north; the lamp's latitude is the same there, so that its ground line runs east.
         PinholeCamera nadir = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 200, 200);
         FrameMetadata frame = ExampleFrame.OfSize(200, 200) with { Camera = nadir };
@@ -50,15 +50,15 @@ public class AnnotationRendererTests
         FunctionTruth truth = new(
             nadir,
             new Vector3D(1e7, 0.0, 2.74e5),
-            (x, y) => x <= 100 ? (OnPlane(nadir.RayThrough(x, y)), new PixelLight(SunState.Lit, 1.0)) : null);
+            (x, y) => x <= 100 ? (OnPlane(nadir.RayThrough(x, y)), new PixelIllumination(IlluminationState.Lit, 1.0)) : null);
 
-        PngPixels picture = Annotate(frame, new PixelSampler(new PixelGrid(200, 200, 60, 60), truth, pixelsPerDegree: 4));
+        PngPixels image = Annotate(frame, new PixelSampler(new PixelGrid(200, 200, 60, 60), truth, pixelsPerDegree: 4));
 
-        Assert.True(IsRed(picture, 60, 60));
-        Assert.True(IsRed(picture, 80, 60));
-        Assert.False(IsRed(picture, 40, 60));
-        Assert.False(IsRed(picture, 120, 60));
-        Assert.False(IsRed(picture, 180, 120));
+        Assert.True(IsRed(image, 60, 60));
+        Assert.True(IsRed(image, 80, 60));
+        Assert.False(IsRed(image, 40, 60));
+        Assert.False(IsRed(image, 120, 60));
+        Assert.False(IsRed(image, 180, 120));
     }
 
     [RequiresTheory(Part.Cairo)]
@@ -76,11 +76,11 @@ public class AnnotationRendererTests
             SunPositionMoonMe = 1.5e11 * new Vector3D(0.5, sunRight, sunUp),
         };
 
-        PngPixels picture = Annotate(frame, ExampleFrame.Sampler(frame, spacing: 51));
+        PngPixels image = Annotate(frame, ExampleFrame.Sampler(frame, spacing: 51));
 
-        Assert.True(IsRed(picture, 51 + (20 * stepX), 51 + (20 * stepY)));
-        Assert.False(IsRed(picture, 51 - (20 * stepX), 51 - (20 * stepY)));
-        Assert.False(IsRed(picture, 51 + (20 * stepY), 51 + (20 * stepX)));
+        Assert.True(IsRed(image, 51 + (20 * stepX), 51 + (20 * stepY)));
+        Assert.False(IsRed(image, 51 - (20 * stepX), 51 - (20 * stepY)));
+        Assert.False(IsRed(image, 51 + (20 * stepY), 51 + (20 * stepX)));
     }
 
     [RequiresFact(Part.Cairo)]
@@ -89,10 +89,10 @@ public class AnnotationRendererTests
         PinholeCamera nadir = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 101, 101);
         FrameMetadata frame = ExampleFrame.OfSize(101, 101) with { Camera = nadir, SunPositionMoonMe = new Vector3D(1e11, 0.0, 0.0) };
 
-        PngPixels picture = Annotate(frame, ExampleFrame.Sampler(frame, spacing: 51));
+        PngPixels image = Annotate(frame, ExampleFrame.Sampler(frame, spacing: 51));
 
-        Assert.True(IsRed(picture, 51, 51));
-        Assert.Equal(CountRed(picture, 46, 56), CountRed(picture, 1, 101));
+        Assert.True(IsRed(image, 51, 51));
+        Assert.Equal(CountRed(image, 46, 56), CountRed(image, 1, 101));
     }
 
     [RequiresTheory(Part.Cairo)]
@@ -105,12 +105,12 @@ public class AnnotationRendererTests
     {
         FrameMetadata frame = ExampleFrame.OfSize(size, size);
 
-        PngPixels picture = Annotate(frame, ExampleFrame.Sampler(frame, spacing: size + 1));
+        PngPixels image = Annotate(frame, ExampleFrame.Sampler(frame, spacing: size + 1));
 
-        bool hasLightPixel = Enumerable.Range(0, size * size).Any(i => picture[i % size, i / size, 0] > 200);
+        bool hasLightPixel = Enumerable.Range(0, size * size).Any(i => image[i % size, i / size, 0] > 200);
         Assert.Equal(isThere, hasLightPixel);
-        Assert.Equal(isThere, picture[0, 0, 0] < Background);
-        Assert.Equal(Background, picture[size - 1, size - 1, 0]);
+        Assert.Equal(isThere, image[0, 0, 0] < Background);
+        Assert.Equal(Background, image[size - 1, size - 1, 0]);
     }
 
     [RequiresFact(Part.Cairo)]
@@ -119,32 +119,32 @@ public class AnnotationRendererTests
         FrameMetadata frame = ExampleFrame.OfSize(512, 512);
         PixelSampler pixels = ExampleFrame.Sampler(frame, spacing: 50);
 
-        byte[] first = Bytes(frame, pixels, GreyPicture(512, 512));
+        byte[] first = Bytes(frame, pixels, GreyImage(512, 512));
         using MemoryStream checkedCopy = new();
-        PngHeader header = PngFile.CopyPicture(new MemoryStream(first), checkedCopy, "annotated.png");
+        PngHeader header = PngFile.CopyImage(new MemoryStream(first), checkedCopy, "annotated.png");
 
-        Assert.Equal(first, Bytes(frame, pixels, GreyPicture(512, 512)));
+        Assert.Equal(first, Bytes(frame, pixels, GreyImage(512, 512)));
         Assert.Equal(first, checkedCopy.ToArray());
         Assert.Equal(new PngHeader(512, 512, 8, 2), header);
     }
 
     [RequiresFact(Part.Cairo)]
-    public void Write_PictureOfAnotherSize_IsBadInput()
+    public void Write_ImageOfAnotherSize_IsBadInput()
     {
         FrameMetadata frame = ExampleFrame.OfSize(64, 64);
 
         BadInputException failure = Assert.Throws<BadInputException>(
-            () => Bytes(frame, ExampleFrame.Sampler(frame, spacing: 8), GreyPicture(64, 63)));
+            () => Bytes(frame, ExampleFrame.Sampler(frame, spacing: 8), GreyImage(64, 63)));
 
         Assert.Contains("64 x 63 px, the frame 64 x 64 px", failure.Message, StringComparison.Ordinal);
     }
 
     [RequiresFact(Part.Cairo)]
-    public void Write_CutPicture_IsBadInput()
+    public void Write_CutImage_IsBadInput()
     {
         FrameMetadata frame = ExampleFrame.OfSize(64, 64);
 
-        Assert.Throws<BadInputException>(() => Bytes(frame, ExampleFrame.Sampler(frame, spacing: 8), GreyPicture(64, 64)[..60]));
+        Assert.Throws<BadInputException>(() => Bytes(frame, ExampleFrame.Sampler(frame, spacing: 8), GreyImage(64, 64)[..60]));
     }
 
     [RequiresFact(Part.Cairo)]
@@ -154,26 +154,26 @@ public class AnnotationRendererTests
         using MemoryStream full = new(new byte[10]);
 
         Assert.Throws<NotSupportedException>(() => AnnotationRenderer.Write(
-            new MemoryStream(GreyPicture(64, 64)), full, frame, ExampleFrame.Sampler(frame, spacing: 8)));
+            new MemoryStream(GreyImage(64, 64)), full, frame, ExampleFrame.Sampler(frame, spacing: 8)));
     }
 
     private static PngPixels Annotate(FrameMetadata frame, PixelSampler pixels) =>
-        PngPixels.Read(new MemoryStream(Bytes(frame, pixels, GreyPicture(frame.Camera.Width, frame.Camera.Height))));
+        PngPixels.Read(new MemoryStream(Bytes(frame, pixels, GreyImage(frame.Camera.Width, frame.Camera.Height))));
 
-    private static byte[] Bytes(FrameMetadata frame, PixelSampler pixels, byte[] picture)
+    private static byte[] Bytes(FrameMetadata frame, PixelSampler pixels, byte[] image)
     {
         using MemoryStream annotated = new();
-        AnnotationRenderer.Write(new MemoryStream(picture), annotated, frame, pixels);
+        AnnotationRenderer.Write(new MemoryStream(image), annotated, frame, pixels);
         return annotated.ToArray();
     }
 
     /// <summary>Pixel (x, y) from 1.</summary>
-    private static bool IsRed(PngPixels picture, int x, int y) =>
-        picture[x - 1, y - 1, 0] > 150 && picture[x - 1, y - 1, 1] < Background;
+    private static bool IsRed(PngPixels image, int x, int y) =>
+        image[x - 1, y - 1, 0] > 150 && image[x - 1, y - 1, 1] < Background;
 
-    private static int CountRed(PngPixels picture, int first, int last) =>
+    private static int CountRed(PngPixels image, int first, int last) =>
         Enumerable.Range(first, last - first + 1).Sum(
-            y => Enumerable.Range(first, last - first + 1).Count(x => picture[x - 1, y - 1, 0] != Background));
+            y => Enumerable.Range(first, last - first + 1).Count(x => image[x - 1, y - 1, 0] != Background));
 
-    private static byte[] GreyPicture(int width, int height) => PngBytes.Grey(width, height, Background);
+    private static byte[] GreyImage(int width, int height) => PngBytes.Grey(width, height, Background);
 }

@@ -20,7 +20,7 @@ public sealed class MetadataXmlTests : IDisposable
     public void Write_PublishedExample_IsValid() => AssertValid(ExampleFrame.OfSize(1024, 1024), spacing: 50);
 
     [RequiresFact(Part.Xmllint)]
-    public void Write_PictureOfSpace_IsValid()
+    public void Write_ImageOfSpace_IsValid()
     {
         FrameMetadata frame = ExampleFrame.OfSize(64, 64);
         PinholeCamera away = new(new Vector3D(2e6, 2e6, 0.0), UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, Math.PI), 0.7, 64, 64);

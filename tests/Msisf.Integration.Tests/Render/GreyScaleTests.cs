@@ -21,7 +21,7 @@ public sealed class GreyScaleTests : IDisposable
     [InlineData("+FN16", 65535)]
     public void Level_FacetsFromTerminatorToSubSolarPoint_AreThoseOfPovRay(string fileType, int white)
     {
-        PngPixels picture = Render(fileType);
+        PngPixels image = Render(fileType);
         GreyScale scale = new();
         IReflectance law = ReflectanceFactory.Create("lambert", new Dictionary<string, double>());
 
@@ -29,7 +29,7 @@ public sealed class GreyScaleTests : IDisposable
         {
             // POV-Ray keeps colours as 32-bit floats: 1 of 65535 in about one of a thousand facets.
             int expected = scale.Level(law.RadianceFactor(CosIncidence(i), CosIncidence(i), 0.0), white);
-            Assert.InRange(picture[i, 1, 0], white == 255 ? expected : expected - 1, white == 255 ? expected : expected + 1);
+            Assert.InRange(image[i, 1, 0], white == 255 ? expected : expected - 1, white == 255 ? expected : expected + 1);
         }
     }
 
@@ -58,12 +58,12 @@ public sealed class GreyScaleTests : IDisposable
         }
 
         string scenePath = Path.Combine(_folder.FullName, "facets.pov");
-        string picturePath = Path.Combine(_folder.FullName, "facets.png");
+        string imagePath = Path.Combine(_folder.FullName, "facets.png");
         File.WriteAllText(scenePath, scene.ToString());
-        string[] arguments = [scenePath, "+O" + picturePath, $"+W{Facets}", "+H4", "-A", "-D", fileType];
+        string[] arguments = [scenePath, "+O" + imagePath, $"+W{Facets}", "+H4", "-A", "-D", fileType];
         using Process process = Process.Start(new ProcessStartInfo(TestParts.Program("povray")!, arguments) { RedirectStandardError = true })!;
         process.StandardError.ReadToEnd();
         process.WaitForExit();
-        return PngPixels.Read(picturePath);
+        return PngPixels.Read(imagePath);
     }
 }

@@ -13,21 +13,21 @@ public sealed class PngFileTests : IDisposable
     public void Dispose() => _folder.Delete(recursive: true);
 
     [RequiresFact(Part.PovRay)]
-    public void CopyPicture_FromPovRay_KeepsThePictureAndDropsTheRenderDate()
+    public void CopyImage_FromPovRay_KeepsTheImageAndDropsTheRenderDate()
     {
         string scene = Path.Combine(_folder.FullName, "grey.pov");
-        string picture = Path.Combine(_folder.FullName, "grey.png");
+        string image = Path.Combine(_folder.FullName, "grey.png");
         File.WriteAllText(scene, "#version 3.7; global_settings { assumed_gamma 1.0 } background { rgb 0.5 }");
-        ProcessStartInfo start = new(TestParts.Program("povray")!, [scene, "+O" + picture, "+W8", "+H4", "-D"]) { RedirectStandardError = true };
+        ProcessStartInfo start = new(TestParts.Program("povray")!, [scene, "+O" + image, "+W8", "+H4", "-D"]) { RedirectStandardError = true };
         using (Process process = Process.Start(start)!)
         {
             process.StandardError.ReadToEnd();
             process.WaitForExit();
         }
 
-        byte[] original = File.ReadAllBytes(picture);
+        byte[] original = File.ReadAllBytes(image);
         using MemoryStream copy = new();
-        PngHeader header = PngFile.CopyPicture(new MemoryStream(original), copy, picture);
+        PngHeader header = PngFile.CopyImage(new MemoryStream(original), copy, image);
 
         Assert.Contains("tIME", Encoding.Latin1.GetString(original), StringComparison.Ordinal);
         Assert.DoesNotContain("tIME", Encoding.Latin1.GetString(copy.ToArray()), StringComparison.Ordinal);

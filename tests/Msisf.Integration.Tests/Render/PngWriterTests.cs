@@ -8,7 +8,7 @@ using Xunit;
 
 namespace Msisf.Integration.Tests.Render;
 
-/// <summary>A grey picture of our own as the annotation reads it: by cairo.</summary>
+/// <summary>A grey image of our own as the annotation reads it: by cairo.</summary>
 public class PngWriterTests
 {
     private const int Size = 64;
@@ -35,13 +35,13 @@ public class PngWriterTests
         using MemoryStream annotated = new();
         AnnotationRenderer.Write(own, annotated, frame, ExampleFrame.Sampler(frame, spacing: 32));
         annotated.Position = 0;
-        PngPixels picture = PngPixels.Read(annotated);
+        PngPixels image = PngPixels.Read(annotated);
 
-        Assert.Equal((Size, Size), (picture.Width, picture.Height));
-        Assert.True(picture[31, 31, 0] > 200 && picture[31, 31, 1] < 100, "the grid point in the middle shows the Moon and has a red dot");
+        Assert.Equal((Size, Size), (image.Width, image.Height));
+        Assert.True(image[31, 31, 0] > 200 && image[31, 31, 1] < 100, "the grid point in the middle shows the Moon and has a red dot");
         for (int i = 0; i < Size; i++)
         {
-            Assert.Equal([greys[i], greys[i], greys[i]], new[] { picture[i, 0, 0], picture[i, 0, 1], picture[i, 0, 2] });
+            Assert.Equal([greys[i], greys[i], greys[i]], new[] { image[i, 0, 0], image[i, 0, 1], image[i, 0, 2] });
         }
     }
 }

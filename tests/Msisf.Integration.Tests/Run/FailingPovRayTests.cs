@@ -31,19 +31,19 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
     }
 
     [RequiresFact(Part.Ldem4)]
-    public void Run_PovRayEndsWellWithoutAPicture_IsAFailure()
+    public void Run_PovRayEndsWellWithoutAImage_IsAFailure()
     {
         CommandLineRun run = RunWith("exit 0");
 
         Assert.Equal(3, run.ExitCode);
-        Assert.Contains("ended without a picture: it printed nothing", run.Error, StringComparison.Ordinal);
+        Assert.Contains("ended without an image: it printed nothing", run.Error, StringComparison.Ordinal);
         AssertHoldsTheManifestOnly();
     }
 
     [RequiresFact(Part.Ldem4)]
-    public void Run_PictureIsCutOff_IsAFailureAndLeavesNoFile()
+    public void Run_ImageIsCutOff_IsAFailureAndLeavesNoFile()
     {
-        CommandLineRun run = RunWith("printf '\\211PNG\\r\\n\\032\\n' > picture.png");
+        CommandLineRun run = RunWith("printf '\\211PNG\\r\\n\\032\\n' > image.png");
 
         Assert.NotEqual(0, run.ExitCode);
         Assert.DoesNotContain("bug in msis", run.Error, StringComparison.Ordinal);

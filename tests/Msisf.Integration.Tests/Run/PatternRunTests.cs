@@ -34,23 +34,23 @@ public sealed class PatternRunTests : IDisposable
     public void ForBatch_ThenTheRun_FindsAllPatterns(string levels)
     {
         string batch = BatchFile();
-        string[] picture = ["--width", "48", "--height", "32", "--lod", levels, .. Sources];
+        string[] image = ["--width", "48", "--height", "32", "--lod", levels, .. Sources];
 
-        int made = Made(Msis(["patterns", "--for-batch", batch, .. picture]));
-        CommandLineRun run = Msis(["--batch-file", batch, "--timing", "--output-dir", _folder["out"], .. picture]);
+        int made = Made(Msis(["patterns", "--for-batch", batch, .. image]));
+        CommandLineRun run = Msis(["--batch-file", batch, "--timing", "--output-dir", _folder["out"], .. image]);
 
         Assert.InRange(made, 1, AllPatterns - 1);
         Assert.Contains("\"patterns_made\":0,", run.Error, StringComparison.Ordinal);
-        Assert.Equal(0, Made(Msis(["patterns", "--for-batch", batch, .. picture])));
+        Assert.Equal(0, Made(Msis(["patterns", "--for-batch", batch, .. image])));
     }
 
     [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void ForBatch_SomeFramesOfAnOrbit_AreMadeForThese()
     {
-        string[] picture = ["--width", "48", "--height", "32", .. Sources];
-        string[] render = [.. Kepler, "--timing", "--output-dir", _folder["out"], .. picture];
+        string[] image = ["--width", "48", "--height", "32", .. Sources];
+        string[] render = [.. Kepler, "--timing", "--output-dir", _folder["out"], .. image];
 
-        Assert.InRange(Made(Msis(["patterns", .. Kepler, "--frames", "2:3", .. picture])), 1, AllPatterns - 1);
+        Assert.InRange(Made(Msis(["patterns", .. Kepler, "--frames", "2:3", .. image])), 1, AllPatterns - 1);
         Assert.Contains("\"patterns_made\":0,", Msis([.. render, "--frames", "2:3"]).Error, StringComparison.Ordinal);
         Assert.DoesNotContain("\"patterns_made\":0,", Msis(render).Error, StringComparison.Ordinal);
     }

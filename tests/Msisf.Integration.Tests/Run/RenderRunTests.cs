@@ -153,7 +153,7 @@ public sealed class RenderRunTests : IClassFixture<RenderFixture>, IDisposable
     }
 
     [RequiresFact(Part.Ldem4, Part.PovRay)]
-    public void Run_OnePixel_IsAPicture()
+    public void Run_OnePixel_IsAImage()
     {
         CommandLineRun run = Run("--fixed-state", Section92, "--width", "1", "--height", "1", "--grid", "1");
 

@@ -36,20 +36,20 @@ public sealed class SeriesTests : IDisposable
     public void Run_Again_MakesOnlyWhatIsNotThereAndRight()
     {
         string all = Run("out").Output;
-        byte[] right = File.ReadAllBytes(Picture("out", 1));
-        DateTime written = File.GetLastWriteTimeUtc(Picture("out", 1));
-        byte[] damaged = File.ReadAllBytes(Picture("out", 3));
-        File.Delete(Picture("out", 2));
-        File.WriteAllBytes(Picture("out", 3), [.. damaged[..^1], 0]); // same length
+        byte[] right = File.ReadAllBytes(Image("out", 1));
+        DateTime written = File.GetLastWriteTimeUtc(Image("out", 1));
+        byte[] damaged = File.ReadAllBytes(Image("out", 3));
+        File.Delete(Image("out", 2));
+        File.WriteAllBytes(Image("out", 3), [.. damaged[..^1], 0]); // same length
         Assert.Equal(5, Look("verify", "out").ExitCode);
         CommandLineRun again = Run("out");
 
         Assert.Equal(0, again.ExitCode);
         Assert.Equal(all, again.Output);
         Assert.Contains("Frames: 6, of which 4 there and right (--overwrite makes them again); to make: 0 missing, 2 damaged, 0 of other settings.", again.Error, StringComparison.Ordinal);
-        Assert.Equal(written, File.GetLastWriteTimeUtc(Picture("out", 1)));
-        Assert.Equal(right, File.ReadAllBytes(Picture("out", 1)));
-        Assert.Equal(damaged, File.ReadAllBytes(Picture("out", 3)));
+        Assert.Equal(written, File.GetLastWriteTimeUtc(Image("out", 1)));
+        Assert.Equal(right, File.ReadAllBytes(Image("out", 1)));
+        Assert.Equal(damaged, File.ReadAllBytes(Image("out", 3)));
         Assert.Equal(0, Look("verify", "out").ExitCode);
     }
 
@@ -57,7 +57,7 @@ public sealed class SeriesTests : IDisposable
     public void Run_Overwrite_MakesAllAgain()
     {
         Run("out");
-        File.WriteAllText(Picture("out", 1), "something else");
+        File.WriteAllText(Image("out", 1), "something else");
         CommandLineRun again = Run("out", "--overwrite", "--frame-times", _folder["times"]);
 
         Assert.Equal(0, again.ExitCode);
@@ -69,12 +69,12 @@ public sealed class SeriesTests : IDisposable
     public void Run_OtherSettings_ReplacesTheFrames()
     {
         Run("out");
-        byte[] narrow = File.ReadAllBytes(Picture("out", 1));
+        byte[] narrow = File.ReadAllBytes(Image("out", 1));
         CommandLineRun wide = Run("out", "--fov", "50", "--frames", "1");
 
         Assert.Equal(0, wide.ExitCode);
         Assert.Contains("to make: 0 missing, 0 damaged, 1 of other settings", wide.Error, StringComparison.Ordinal);
-        Assert.NotEqual(narrow, File.ReadAllBytes(Picture("out", 1)));
+        Assert.NotEqual(narrow, File.ReadAllBytes(Image("out", 1)));
         CommandLineRun status = Look("status", "out");
         Assert.Equal(5, status.ExitCode);
         Assert.EndsWith("6 frames: 1 right, 5 of other settings.", status.Output.Trim(), StringComparison.Ordinal);
@@ -98,14 +98,14 @@ public sealed class SeriesTests : IDisposable
     public void CommandLine_OfAFrameOfAnOrbit_MakesTheSameBytes()
     {
         Run("orbit", "--rendering-annotation", "--reflectance", "hapke:w=0.3,b0=1.25", "--samples", "4");
-        string xml = Path.ChangeExtension(Picture("orbit", 5), ".xml");
+        string xml = Path.ChangeExtension(Image("orbit", 5), ".xml");
         string line = XDocument.Load(xml).Descendants("CommandLine").Single().Value;
         string[] words = [.. System.CommandLine.Parsing.CommandLineParser.SplitCommandLine(line.Replace('\'', '"'))];
         CommandLineRun alone = CommandLineRun.Of([.. words, "--ldem", TestParts.Ldem4Label!, "--output-dir", _folder["alone"], "--batch"]);
 
         Assert.True(alone.ExitCode == 0, alone.Error);
-        Assert.Equal(File.ReadAllBytes(Picture("orbit", 5)), File.ReadAllBytes(Picture("alone", 1)));
-        Assert.Equal(File.ReadAllText(xml), File.ReadAllText(Path.ChangeExtension(Picture("alone", 1), ".xml")));
+        Assert.Equal(File.ReadAllBytes(Image("orbit", 5)), File.ReadAllBytes(Image("alone", 1)));
+        Assert.Equal(File.ReadAllText(xml), File.ReadAllText(Path.ChangeExtension(Image("alone", 1), ".xml")));
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -145,7 +145,7 @@ public sealed class SeriesTests : IDisposable
         Assert.Equal([".msisf-claims", ".msisf-manifest.lock"], Directory.EnumerateFileSystemEntries(_folder["out"], ".*").Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
 
-    private string Picture(string folder, int step) => Path.Combine(_folder[folder], $"MoonSurfIllumSim_step_{step:00000}.png");
+    private string Image(string folder, int step) => Path.Combine(_folder[folder], $"MoonSurfIllumSim_step_{step:00000}.png");
 
     private CommandLineRun Run(string folder, params string[] more) => CommandLineRun.Of(
     [

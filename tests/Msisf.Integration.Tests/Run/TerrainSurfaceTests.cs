@@ -44,7 +44,7 @@ public sealed class TerrainSurfaceTests : IClassFixture<RenderFixture>, IDisposa
         using LdemImage grid = LdemImage.Open(LdemLabelReader.ReadFile(TestParts.Ldem4Label!));
         BruteForceMoon moon = new(grid);
         Vector3D sun = VectorIn(root.Element("GeneralInformation")!, "SunPosition");
-        PngPixels picture = PngPixels.Read(_folder["view.png"]);
+        PngPixels image = PngPixels.Read(_folder["view.png"]);
         XElement[] pixels = [.. root.Descendants("Pixel")];
         Assert.InRange(pixels.Length, 350, 370);
         Assert.All(pixels, pixel =>
@@ -56,7 +56,7 @@ public sealed class TerrainSurfaceTests : IClassFixture<RenderFixture>, IDisposa
             bool isLit = StateOf(pixel) == "lit";
             Vector3D point = VectorIn(pixel, "Position");
             Assert.Equal(Vector3D.Dot(moon.Normal(facet), sun - point) > 0.0 && !moon.IsShadowed(facet, point, sun), isLit);
-            Assert.Equal(picture[H(pixel) - 1, V(pixel) - 1, 0] > 0, isLit);
+            Assert.Equal(image[H(pixel) - 1, V(pixel) - 1, 0] > 0, isLit);
             Assert.Equal(!isLit && Vector3D.Dot(point, sun - point) < 0.0, StateOf(pixel) == "night");
         });
         Assert.Equal(["lit", "night", "shadow"], pixels.Select(StateOf).Distinct().Order());

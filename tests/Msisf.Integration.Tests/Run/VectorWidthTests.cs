@@ -10,7 +10,7 @@ namespace Msisf.Integration.Tests.Run;
 /// <summary>The program in processes of its own, with the vectors that the machine has and with narrower ones: the files are the same to the byte.</summary>
 public sealed class VectorWidthTests : IDisposable
 {
-    /// <summary>m: over the north pole, with day, night and long shadows in the picture.</summary>
+    /// <summary>m: over the north pole, with day, night and long shadows in the image.</summary>
     private static readonly Vector3D Position = new(1e5, 2e5, 1.9e6);
 
     private readonly TemporaryFolder _folder = new();

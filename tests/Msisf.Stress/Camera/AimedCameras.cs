@@ -8,14 +8,14 @@ namespace Msisf.Stress.Camera;
 /// <param name="random">Draws.</param>
 internal sealed class AimedCameras(CaseRandom random)
 {
-    /// <summary>px: the longest side of a picture.</summary>
+    /// <summary>px: the longest side of an image.</summary>
     private const int LongestSide = 16384;
 
-    /// <summary>Longest to shortest side of a picture, at most.</summary>
-    private const int GreatestAspect = 1000;
+    /// <summary>Longest to shortest side of an image, at most.</summary>
+    private const int MaxAspect = 1000;
 
-    private const double LeastFovDegrees = 1e-4;
-    private const double GreatestFovDegrees = 179.9;
+    private const double MinFovDegrees = 1e-4;
+    private const double MaxFovDegrees = 179.9;
 
     /// <summary>Kinds of place that <see cref="Zenith"/> goes through.</summary>
     private const int Kinds = 6;
@@ -42,12 +42,12 @@ internal sealed class AimedCameras(CaseRandom random)
         return Towards(position, (sine * sideward) - (cosine * zenith));
     }
 
-    /// <summary>A camera whose pixel looks along a direction, the picture turned at random about it.</summary>
+    /// <summary>A camera whose pixel looks along a direction, the image turned at random about it.</summary>
     public CameraInput Towards(Vector3D position, Vector3D direction)
     {
-        double fov = double.DegreesToRadians(random.Below(2) == 0 ? random.Logarithmic(LeastFovDegrees, GreatestFovDegrees) : random.Between(1.0, GreatestFovDegrees));
+        double fov = double.DegreesToRadians(random.Below(2) == 0 ? random.Logarithmic(MinFovDegrees, MaxFovDegrees) : random.Between(1.0, MaxFovDegrees));
         int width = (int)random.Logarithmic(1.0, LongestSide + 1);
-        int height = (int)random.Logarithmic(Math.Max(1.0, (double)width / GreatestAspect), Math.Min(LongestSide, (double)width * GreatestAspect) + 1.0);
+        int height = (int)random.Logarithmic(Math.Max(1.0, (double)width / MaxAspect), Math.Min(LongestSide, (double)width * MaxAspect) + 1.0);
         PixelFrame frame = new(width, height, random.Below(width) + 1, random.Below(height) + 1);
         return new CameraInput(position, Aimed(frame, fov, direction), fov, frame);
     }

@@ -13,7 +13,7 @@ internal sealed class BorderCases(TerrainUnderTest terrain)
 {
     private static readonly double[] NoNumbers = [double.NaN, double.PositiveInfinity, double.NegativeInfinity];
     private static readonly double[] NoFields = [0.0, -0.0, -1.0, 9e-13, Math.PI, 4.0, double.MaxValue, .. NoNumbers];
-    private static readonly double[] Fields = [Tolerances.LeastFieldOfView, 1e-9, Math.PI / 2.0, 3.14, Math.BitDecrement(Math.PI)];
+    private static readonly double[] Fields = [Tolerances.MinFieldOfView, 1e-9, Math.PI / 2.0, 3.14, Math.BitDecrement(Math.PI)];
     private static readonly double[] Distances =
     [
         0.0, 1e-300, 1.0, 1e6, Math.BitDecrement(MoonConstants.ReferenceRadius), MoonConstants.ReferenceRadius,

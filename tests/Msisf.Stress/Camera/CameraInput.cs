@@ -9,7 +9,7 @@ namespace Msisf.Stress.Camera;
 /// <param name="Position">m, MOON_ME.</param>
 /// <param name="MoonFromCamera">Attitude.</param>
 /// <param name="FieldOfView">rad.</param>
-/// <param name="Frame">The picture and the pixel.</param>
+/// <param name="Frame">The image and the pixel.</param>
 public sealed record CameraInput(Vector3D Position, UnitQuaternion MoonFromCamera, double FieldOfView, PixelFrame Frame)
 {
     /// <summary>The program's camera.</summary>

@@ -1,6 +1,6 @@
 namespace Msisf.Stress.Camera;
 
-/// <summary>A pixel and the picture that it is of.</summary>
+/// <summary>A pixel and the image that it is of.</summary>
 /// <param name="Width">px.</param>
 /// <param name="Height">px.</param>
 /// <param name="X">From 1, right.</param>

@@ -4,7 +4,7 @@ using Msisf.Stress.Reference;
 
 namespace Msisf.Stress.Camera;
 
-/// <summary>The directions of pixels' rays, and the way back from a direction to its place in the picture.</summary>
+/// <summary>The directions of pixels' rays, and the way back from a direction to its place in the image.</summary>
 internal sealed class RayMeasure : IMeasure<RayMeasure>
 {
     /// <summary>2^-53, to which a double is rounded.</summary>
@@ -30,7 +30,7 @@ internal sealed class RayMeasure : IMeasure<RayMeasure>
     public IEnumerable<StressFigure> Figures =>
     [
         _direction.ToFigure("direction of a pixel's ray", "2^-53 rad", DirectionLimit),
-        _place.ToFigure("place in the picture of a direction, to what 2^-53 rad move it", "2^-53 rad", PlaceLimit),
+        _place.ToFigure("place in the image of a direction, to what 2^-53 rad move it", "2^-53 rad", PlaceLimit),
         _pixels.ToFigure("direction of a pixel's ray", "px", null),
         _wrong.ToFigure("rays that are not finite, or not seen by their own camera", string.Empty, 0.0),
     ];
@@ -58,7 +58,7 @@ internal sealed class RayMeasure : IMeasure<RayMeasure>
         }
 
         double angle = PreciseVector.Cross(PreciseVector.From(direction), exact).Length.High / exact.Length.High / direction.Length;
-        double pixelAngle = LeastPixelAngle(camera, direction.Length);
+        double pixelAngle = MinPixelAngle(camera, direction.Length);
         double degrees = double.RadiansToDegrees(input.FieldOfView);
         _direction.Note(angle / Rounding, input.ToString);
         _pixels.Note(angle / pixelAngle, input.ToString);
@@ -83,6 +83,6 @@ internal sealed class RayMeasure : IMeasure<RayMeasure>
     }
 
     /// <summary>rad: what a pixel spans where it is, the shorter way: a step on the image plane, tilted against the line of sight.</summary>
-    private static double LeastPixelAngle(PinholeCamera camera, double rayLength) =>
+    private static double MinPixelAngle(PinholeCamera camera, double rayLength) =>
         camera.Direction.Length / camera.Height / (rayLength * rayLength);
 }

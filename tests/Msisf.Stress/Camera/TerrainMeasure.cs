@@ -15,7 +15,7 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
     private const double ValleyDepth = 1000.0;
 
     /// <summary>m: the tracer moves an origin that is farther from the Moon's centre along its ray.</summary>
-    private const double FarOrigin = MoonConstants.ReferenceRadius + MoonConstants.GreatestRelief;
+    private const double FarOrigin = MoonConstants.ReferenceRadius + MoonConstants.MaxRelief;
 
     /// <summary>m: rounding the moved origin to doubles moves the ray by up to 2e-10 m; so near to an edge either neighbour is right.</summary>
     private const double MovedOrigin = 1e-9;

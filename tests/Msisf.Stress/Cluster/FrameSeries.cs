@@ -5,7 +5,7 @@ namespace Msisf.Stress.Cluster;
 
 /// <summary>A run of the program with many frames, from an orbit.</summary>
 /// <param name="Frames">How many.</param>
-/// <param name="Size">Of the pictures, px by px.</param>
+/// <param name="Size">Of the images, px by px.</param>
 /// <param name="Patterns">POV-Ray's pattern repository, made when needed; null for the native renderer.</param>
 internal sealed record FrameSeries(int Frames, int Size, string? Patterns = null)
 {

@@ -94,7 +94,7 @@ internal sealed class KilledSet : IDisposable
         return killed;
     }
 
-    /// <summary>POV-Rays whose msis was killed end with their picture.</summary>
+    /// <summary>POV-Rays whose msis was killed end with their image.</summary>
     private static IReadOnlyList<string> Processes(string folder)
     {
         Stopwatch watch = Stopwatch.StartNew();

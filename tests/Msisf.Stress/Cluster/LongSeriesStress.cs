@@ -14,10 +14,10 @@ public sealed class LongSeriesStress : IStressTest
     private const int SettledFrame = 1000;
 
     /// <summary>1: a tenth may hold more frames with much ground in sight than another.</summary>
-    private const double MostGrowth = 1.25;
+    private const double MaxGrowth = 1.25;
 
     /// <summary>1: a short series lasts a second or two, in which the machine may have had other work.</summary>
-    private const double MostGrowthOfShort = 2.0;
+    private const double MaxGrowthOfShort = 2.0;
 
     /// <summary>s.</summary>
     private const double LongestStatus = 2.0;
@@ -49,13 +49,13 @@ public sealed class LongSeriesStress : IStressTest
         double again = SecondsOf(folder, series.Arguments(Output), isRightEnd: run => run.Output.Split('\n').Length > 2 * series.Frames);
         double status = SecondsOf(folder, ["status", Output], isRightEnd: _ => true);
         string frames = Text($"{seconds.Length} frames");
-        double mostGrowth = isFull ? MostGrowth : MostGrowthOfShort;
+        double mostGrowth = isFull ? MaxGrowth : MaxGrowthOfShort;
         return new StressReport(
             Name,
             seconds.Length,
             [
                 new StressFigure("median time of a frame in the last tenth, over that in the first", string.Empty, growth, mostGrowth, Text($"{frames}, {1000.0 * first:0.00} ms in the first tenth")),
-                new StressFigure(Text($"resident memory after the last frame, over that after {SettledFrame} frames"), string.Empty, last / settled, MostGrowth, Text($"{frames}, {last / 1e6:0} MB at the end")),
+                new StressFigure(Text($"resident memory after the last frame, over that after {SettledFrame} frames"), string.Empty, last / settled, MaxGrowth, Text($"{frames}, {last / 1e6:0} MB at the end")),
                 new StressFigure("msis status", "s", status, isFull ? LongestStatus : null, frames),
                 new StressFigure("the same call again, which skips all frames", "s", again, null, frames),
             ],

@@ -30,7 +30,7 @@ internal static class SlurmConfiguration
             # The default listens on all interfaces.
             CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
             AuthType=auth/munge
-            # A job that is run again waits as long as a credential lives; 5 s is the least that is allowed.
+            # A job that is run again waits as long as a credential lives; 5 s is the min that is allowed.
             AuthInfo=socket={mungeSocket},cred_expire=5
             StateSaveLocation={folder}/state
             SlurmdSpoolDir={folder}/spool/%n

@@ -14,7 +14,7 @@ using Msisf.TestSupport;
 
 namespace Msisf.Stress.Counts;
 
-/// <summary>What some pictures cost in counts that don't depend on the machine: a change that makes the program do more work shows here, however noisy the times.</summary>
+/// <summary>What some images cost in counts that don't depend on the machine: a change that makes the program do more work shows here, however noisy the times.</summary>
 public static class WorkCounts
 {
     /// <summary>m, MOON_ME, at MJD 55289.</summary>
@@ -28,10 +28,10 @@ public static class WorkCounts
         ("disc", new Vector3D(8.66e6, 5e6, 0.0), 22.0),
     ];
 
-    /// <summary>Counts of pictures of the real model.</summary>
+    /// <summary>Counts of images of the real model.</summary>
     public static IEnumerable<string> OfLdem4() => Of("LDEM_4", MemoryElevationGrid.Ldem4(), Views, side: 512);
 
-    /// <summary>Counts of pictures of a made-up model, fine enough for parts of tiles, and with few enough pixels for levels of detail.</summary>
+    /// <summary>Counts of images of a made-up model, fine enough for parts of tiles, and with few enough pixels for levels of detail.</summary>
     public static IEnumerable<string> OfRuggedMoon() => Of("RUGGED_16", FunctionGrid.Rugged(16), Views[..2], side: 96);
 
     private static IEnumerable<string> Of(string model, IElevationGrid grid, (string Name, Vector3D Position, double Degrees)[] views, int side)
@@ -57,7 +57,7 @@ public static class WorkCounts
         DspsaRun run = new(camera, Sun, grid, summary);
         yield return ("tiles", run.Select().Kept.Count);
         yield return ("nodes visited", run.NodesVisited);
-        foreach ((string name, double error) in new[] { ("exact parts", 0.0), ("parts", PartSelector.UsualErrorPixels) })
+        foreach ((string name, double error) in new[] { ("exact parts", 0.0), ("parts", PartSelector.DefaultErrorPixels) })
         {
             IReadOnlyList<SurfacePart> parts = new PartSelector(levels, summary, error).Select(camera, Sun).Parts;
             yield return (name, parts.Count);

@@ -10,14 +10,14 @@ using Msisf.TestSupport;
 namespace Msisf.Stress.Engines;
 
 /// <summary>Draws the same scene by both renderers, with the program itself.</summary>
-/// <param name="folder">For patterns and pictures.</param>
+/// <param name="folder">For patterns and images.</param>
 /// <param name="grid">LDEM_4.</param>
 /// <param name="ephemeris">Where the Sun is.</param>
-/// <param name="pixels">Of a picture, about.</param>
+/// <param name="pixels">Of an image, about.</param>
 internal sealed class RendererScenes(TemporaryFolder folder, IElevationGrid grid, IEphemeris ephemeris, int pixels)
 {
     /// <summary>1, of the Sun's zenith distance below the camera: the twilight's far side, where peaks are still lit.</summary>
-    private const double LeastSunCosine = -0.1;
+    private const double MinSunCosine = -0.1;
 
     // MJD: 2008 to 2030.
     private const double FirstTime = 54466.0;
@@ -27,7 +27,7 @@ internal sealed class RendererScenes(TemporaryFolder folder, IElevationGrid grid
     /// <param name="number">Of the camera; its kind goes round.</param>
     /// <param name="random">Draws the time.</param>
     /// <exception cref="InvalidOperationException">The program failed.</exception>
-    public RendererPictures Draw(int number, CaseRandom random)
+    public RendererImages Draw(int number, CaseRandom random)
     {
         (PinholeCamera camera, _, string kind) = CameraCases.Make(number, grid, pixels);
         Vector3D position = camera.PositionMoonMe;
@@ -41,7 +41,7 @@ internal sealed class RendererScenes(TemporaryFolder folder, IElevationGrid grid
             "--width", camera.Width.ToString(CultureInfo.InvariantCulture),
             "--height", camera.Height.ToString(CultureInfo.InvariantCulture),
         ];
-        return new RendererPictures(
+        return new RendererImages(
             $"{kind}: {string.Join(' ', scene)}",
             position.Length,
             Run("povray", [.. scene, "--lod", "off", "--pov-options", "Antialias=Off", "--pattern-repos", folder["patterns"]]),
@@ -54,7 +54,7 @@ internal sealed class RendererScenes(TemporaryFolder folder, IElevationGrid grid
         {
             double mjd = random.Between(FirstTime, LastTime);
             Vector3D sun = ephemeris.SunPositionMoonMe(new ModifiedJulianDate(mjd));
-            if (Vector3D.Dot(sun.Normalized(), position.Normalized()) >= LeastSunCosine)
+            if (Vector3D.Dot(sun.Normalized(), position.Normalized()) >= MinSunCosine)
             {
                 return mjd;
             }

@@ -10,10 +10,10 @@ namespace Msisf.Stress.Engines;
 public sealed class RendererStress : IStressTest
 {
     /// <summary>
-    /// 1, part of a picture: as for the pictures of <c>NativePictureTests</c>. A ray, or a ray to the Sun, that passes an edge closer than
+    /// 1, part of an image: as for the images of <c>NativeImageTests</c>. A ray, or a ray to the Sun, that passes an edge closer than
     /// POV-Ray's 32-bit floats are apart may fall to its other side.
     /// </summary>
-    private const double MostDiffering = 0.001;
+    private const double MaxDiffering = 0.001;
 
     /// <summary>Other scenes for another seed.</summary>
     private const int Seeds = 1000;
@@ -23,7 +23,7 @@ public sealed class RendererStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "The two renderers, native and POV-Ray, on LDEM_4 without antialiasing and levels of detail: pictures of 64 x 64 or as many pixels (256 x 256 at full length) by cameras of twelve kinds, from 50 m over the ground to 1e9 m, at the poles, on the seam, along the limb, fields of view from 0.001 to 175 degrees, at random times of the local day.";
+        "The two renderers, native and POV-Ray, on LDEM_4 without antialiasing and levels of detail: images of 64 x 64 or as many pixels (256 x 256 at full length) by cameras of twelve kinds, from 50 m over the ground to 1e9 m, at the poles, on the seam, along the limb, fields of view from 0.001 to 175 degrees, at random times of the local day.";
 
     /// <inheritdoc/>
     public string? MissingPart =>
@@ -44,29 +44,29 @@ public sealed class RendererStress : IStressTest
         long pixels = 0;
         for (int i = 0; i < scenes; i++)
         {
-            RendererPictures pictures = renderers.Draw(Camera(i) + (CameraCases.Kinds * (seed % Seeds)), random);
-            double differing = (double)pictures.Differences.Count / pictures.PixelCount;
-            pixels += pictures.PixelCount;
-            overDistance.Add(pictures.Distance, differing);
-            share.Note(differing, () => Input(pictures));
-            level.Note(pictures.Differences.Select(pixel => Math.Abs(pixel.PovRay - pixel.Native)).DefaultIfEmpty().Max(), () => Input(pictures));
+            RendererImages images = renderers.Draw(Camera(i) + (CameraCases.Kinds * (seed % Seeds)), random);
+            double differing = (double)images.Differences.Count / images.PixelCount;
+            pixels += images.PixelCount;
+            overDistance.Add(images.Distance, differing);
+            share.Note(differing, () => Input(images));
+            level.Note(images.Differences.Select(pixel => Math.Abs(pixel.PovRay - pixel.Native)).DefaultIfEmpty().Max(), () => Input(images));
         }
 
         return new StressReport(
             Name,
             pixels,
             [
-                share.ToFigure("part of a picture's pixels that differ by more than one grey level", "1", MostDiffering),
+                share.ToFigure("part of an image's pixels that differ by more than one grey level", "1", MaxDiffering),
                 level.ToFigure("greatest difference of a pixel, at an edge or a leak", "grey levels of 255", null),
             ],
-            [overDistance.ToSeries("part of a picture's pixels that differ", "1", "distance of the camera from the Moon's centre", "m", MostDiffering)]);
+            [overDistance.ToSeries("part of an image's pixels that differ", "1", "distance of the camera from the Moon's centre", "m", MaxDiffering)]);
     }
 
     /// <summary>All kinds in turn, beginning with a view from 100 km and one of the seam: few tiles, much ground.</summary>
     private static int Camera(int number) =>
         (number / CameraCases.Kinds * CameraCases.Kinds) + (((7 * number) + 2) % CameraCases.Kinds);
 
-    private static string Input(RendererPictures pictures) =>
-        $"{pictures.Scene}, {pictures.PixelCount} pixels; {pictures.Differences.Count} differ: "
-        + string.Join("; ", pictures.Differences.Take(5).Select(pixel => $"({pixel.X}, {pixel.Y}) POV-Ray {pixel.PovRay}, native {pixel.Native}"));
+    private static string Input(RendererImages images) =>
+        $"{images.Scene}, {images.PixelCount} pixels; {images.Differences.Count} differ: "
+        + string.Join("; ", images.Differences.Take(5).Select(pixel => $"({pixel.X}, {pixel.Y}) POV-Ray {pixel.PovRay}, native {pixel.Native}"));
 }

@@ -6,9 +6,9 @@ namespace Msisf.Stress.Fuzz;
 /// <param name="world">Right inputs, which they name.</param>
 internal sealed class ArgumentTarget(FuzzWorld world) : IFuzzTarget
 {
-    private const int MostDamages = 3;
+    private const int MaxDamages = 3;
 
-    /// <summary>px: a greater picture is only slower.</summary>
+    /// <summary>px: a greater image is only slower.</summary>
     private const int LargestSide = 32;
 
     private static readonly string[] SizeOptions = ["--width", "-w", "--height", "-h"];
@@ -32,7 +32,7 @@ internal sealed class ArgumentTarget(FuzzWorld world) : IFuzzTarget
         IReadOnlyList<string>[] calls = [.. Calls()];
         List<string> arguments = [.. calls[random.Below(calls.Length)]];
         HashSet<string> right = [.. arguments];
-        for (int left = isDamaged ? 1 + random.Below(MostDamages) : 0; left > 0; left--)
+        for (int left = isDamaged ? 1 + random.Below(MaxDamages) : 0; left > 0; left--)
         {
             Damage(arguments, random);
         }
@@ -53,8 +53,8 @@ internal sealed class ArgumentTarget(FuzzWorld world) : IFuzzTarget
             .. world.Sources, "--fixed-state", FuzzWorld.State, "--layers", "depth,normal,cell", "--layers-format", "npy", "--reflectance", "hapke:b=0.2,c=0.1", "--albedo", "0.3",
             "--sun", "disc", "--samples", "4", "--shading", "smooth", "--exposure", "2", "--transfer", "linear", "--bit-depth", "16", "--aberration", "lt", "--lod-error", "1",
         ];
-        yield return [.. FuzzWorld.TinyPicture, "--list-patterns", "--ignore-sun", "--fixed-state", FuzzWorld.State, "--ldem", world.Model, "--res", "1", "--lod", "off"];
-        yield return [.. FuzzWorld.TinyPicture, "--fixed-state", FuzzWorld.State, "--ldem", world.Model, "--res", "1", "--timeout", "5", "--pov-options", "-A +Q9", "--jobs", "2", "--timing"];
+        yield return [.. FuzzWorld.TinyImage, "--list-patterns", "--ignore-sun", "--fixed-state", FuzzWorld.State, "--ldem", world.Model, "--res", "1", "--lod", "off"];
+        yield return [.. FuzzWorld.TinyImage, "--fixed-state", FuzzWorld.State, "--ldem", world.Model, "--res", "1", "--timeout", "5", "--pov-options", "-A +Q9", "--jobs", "2", "--timing"];
         yield return ["patterns", "--ldem", world.Model, "--res", "1", "--margin", "0.5", "--format", "mesh", "--batch"];
         yield return ["ldem", "synthesize", "--res", "1", "--seed", "1", "--region", "0:1:0:2", "--batch"];
         yield return ["ldem", "pyramid", world.FineModel];

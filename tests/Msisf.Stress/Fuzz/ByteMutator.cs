@@ -5,8 +5,8 @@ namespace Msisf.Stress.Fuzz;
 /// <summary>Damages bytes at random, as editors, disks, transfers and people do. The same random numbers, the same damage.</summary>
 internal static class ByteMutator
 {
-    private const int MostDamages = 4;
-    private const int MostRepetitions = 3000;
+    private const int MaxDamages = 4;
+    private const int MaxRepetitions = 3000;
 
     /// <summary>A damaged copy.</summary>
     /// <param name="content">The right content; may be empty.</param>
@@ -14,7 +14,7 @@ internal static class ByteMutator
     public static byte[] Mutate(byte[] content, CaseRandom random)
     {
         byte[] damaged = content;
-        for (int left = 1 + random.Below(MostDamages); left > 0; left--)
+        for (int left = 1 + random.Below(MaxDamages); left > 0; left--)
         {
             damaged = Damage(damaged, random);
         }
@@ -42,7 +42,7 @@ internal static class ByteMutator
             11 => SwapTokens(content, random),
             12 => MoveLines(content, random),
             13 => Encode(content, random),
-            _ => Replace(content, place, 0, [.. Enumerable.Repeat(Bytes(FuzzWords.Signs, random), 1 + random.Below(MostRepetitions)).SelectMany(sign => sign)]),
+            _ => Replace(content, place, 0, [.. Enumerable.Repeat(Bytes(FuzzWords.Signs, random), 1 + random.Below(MaxRepetitions)).SelectMany(sign => sign)]),
         };
     }
 
@@ -60,7 +60,7 @@ internal static class ByteMutator
     private static byte[] Repeat(byte[] content, int place, CaseRandom random)
     {
         byte[] piece = content[place..Math.Min(content.Length, place + 1 + random.Below(64))];
-        return Replace(content, place, 0, [.. Enumerable.Repeat(piece, 1 + random.Below(MostRepetitions)).SelectMany(repeated => repeated)]);
+        return Replace(content, place, 0, [.. Enumerable.Repeat(piece, 1 + random.Below(MaxRepetitions)).SelectMany(repeated => repeated)]);
     }
 
     private static byte[] ReplaceToken(byte[] content, CaseRandom random, byte[] by)

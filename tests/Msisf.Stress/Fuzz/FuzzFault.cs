@@ -21,6 +21,6 @@ internal enum FuzzFault
     /// <summary>A temporary file or folder that stays, or an output that is not whole.</summary>
     PartialOutput = 16,
 
-    /// <summary>More memory than a tiny picture may ever need.</summary>
+    /// <summary>More memory than a tiny image may ever need.</summary>
     Memory = 32,
 }

@@ -8,7 +8,7 @@ namespace Msisf.Stress.Fuzz;
 internal sealed class FuzzMeasure(IReadOnlyList<IFuzzTarget> turns, string parent, SemaphoreSlim atOnce, int seed) : IMeasure<FuzzMeasure>
 {
     /// <summary>Bytes, of the whole process while cases run, garbage and all: it has about 1 GB of that, up and down, on a machine with 24 GB.</summary>
-    public const long MostMemory = 3_000_000_000;
+    public const long MaxMemory = 3_000_000_000;
 
     private static readonly FuzzFault[] Faults = [.. Enum.GetValues<FuzzFault>().Where(fault => fault != FuzzFault.None)];
 
@@ -28,7 +28,7 @@ internal sealed class FuzzMeasure(IReadOnlyList<IFuzzTarget> turns, string paren
         FuzzRun? run = FuzzRunner.Run(fuzzCase);
         atOnce.Release();
         FuzzFault found = FuzzJudge.Judge(fuzzCase, run);
-        if (MemoryPeak.Read() > MostMemory)
+        if (MemoryPeak.Read() > MaxMemory)
         {
             found |= FuzzFault.Memory;
             MemoryPeak.Reset();

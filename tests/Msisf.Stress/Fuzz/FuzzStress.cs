@@ -61,9 +61,9 @@ public sealed class FuzzStress : IStressTest
         found.CountOf(FuzzFault.Hang).ToFigure(
             FormattableString.Invariant($"calls that were told to end after {FuzzRunner.LongestWork.TotalSeconds} s and did not within {FuzzRunner.LongestEnd.TotalSeconds} s"), "", 0.0),
         found.CountOf(FuzzFault.ErrorLine).ToFigure("failures without their one line of error, or with more", "", 0.0),
-        found.CountOf(FuzzFault.PartialOutput).ToFigure("calls that left a temporary file, half a picture or half a meta file", "", 0.0),
+        found.CountOf(FuzzFault.PartialOutput).ToFigure("calls that left a temporary file, half an image or half a meta file", "", 0.0),
         found.CountOf(FuzzFault.Memory).ToFigure(
-            FormattableString.Invariant($"calls in which the process came to more than {FuzzMeasure.MostMemory / 1e9} GB"), "", 0.0),
+            FormattableString.Invariant($"calls in which the process came to more than {FuzzMeasure.MaxMemory / 1e9} GB"), "", 0.0),
         new StressFigure("calls that failed, as most of them should", "", cases - found.Successes, null, "no single one"),
     ];
 

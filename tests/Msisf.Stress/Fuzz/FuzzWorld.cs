@@ -9,12 +9,12 @@ namespace Msisf.Stress.Fuzz;
 internal sealed class FuzzWorld : IDisposable
 {
     /// <summary>One pixel, so that a case is all reading and checking.</summary>
-    public static readonly string[] TinyPicture = ["--width", "1", "--height", "1", "--fov", "20", "--batch"];
+    public static readonly string[] TinyImage = ["--width", "1", "--height", "1", "--fov", "20", "--batch"];
 
     /// <summary>A state above the ground, looking down; the kernels cover it.</summary>
     public const string State = "{51544.5,1.9E6,0,0,0,0,0,1}";
 
-    /// <summary>px/deg: the least at which a model's summary is kept in a file.</summary>
+    /// <summary>px/deg: the minimum at which a model's summary is kept in a file.</summary>
     public const int FlatResolution = 17;
 
     private const double Day = 86400.0;
@@ -33,7 +33,7 @@ internal sealed class FuzzWorld : IDisposable
         FlatModel = WriteFlatModel();
         Kernels = WriteKernels();
         Succeed("ldem", "pyramid", FineModel);
-        Succeed([.. TinyPicture, "--list-patterns", "--ignore-sun", "--fixed-state", State, "--ldem", FlatModel, "--res", "17"]);
+        Succeed([.. TinyImage, "--list-patterns", "--ignore-sun", "--fixed-state", State, "--ldem", FlatModel, "--res", "17"]);
         OutputFolder = Path.Combine(_folder.FullName, "output");
         Succeed([.. Render, "--times", "{51544.5,51544.51,51544.52}", "--output-dir", OutputFolder]);
     }
@@ -56,8 +56,8 @@ internal sealed class FuzzWorld : IDisposable
     /// <summary>A run of three frames, complete.</summary>
     public string OutputFolder { get; }
 
-    /// <summary>The options of every picture, but for where the camera is and where it goes.</summary>
-    public string[] Sources => [.. TinyPicture, "--renderer", "native", "--res", "1", "--ldem", Model, "--kernels", Kernels, "--ephemeris", "builtin"];
+    /// <summary>The options of every image, but for where the camera is and where it goes.</summary>
+    public string[] Sources => [.. TinyImage, "--renderer", "native", "--res", "1", "--ldem", Model, "--kernels", Kernels, "--ephemeris", "builtin"];
 
     /// <summary>The run of <see cref="OutputFolder"/>, but for its times and folder.</summary>
     public string[] Render => [.. Sources, "--kepler-set", "{1.9E6,0,0,0,1,0}", "--epoch", "51544.5"];

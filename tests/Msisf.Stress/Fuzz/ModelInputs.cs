@@ -48,13 +48,13 @@ internal sealed class ModelInputs(FuzzWorld world)
     private static IEnumerable<IReadOnlyList<string>> Calls(string model, int resolution)
     {
         string[] source = ["--ldem", model, "--res", resolution.ToString(System.Globalization.CultureInfo.InvariantCulture), "--ignore-sun", "--fixed-state", FuzzWorld.State];
-        yield return [.. FuzzWorld.TinyPicture, "--renderer", "native", .. source, "--output-dir", Path.Combine(Path.GetDirectoryName(model)!, "out")];
+        yield return [.. FuzzWorld.TinyImage, "--renderer", "native", .. source, "--output-dir", Path.Combine(Path.GetDirectoryName(model)!, "out")];
         yield return ListPatterns(model, resolution);
     }
 
     private static string[] ListPatterns(string model, int resolution) =>
     [
-        .. FuzzWorld.TinyPicture, "--list-patterns", "--ignore-sun", "--fixed-state", FuzzWorld.State, "--ldem", model,
+        .. FuzzWorld.TinyImage, "--list-patterns", "--ignore-sun", "--fixed-state", FuzzWorld.State, "--ldem", model,
         "--res", resolution.ToString(System.Globalization.CultureInfo.InvariantCulture),
     ];
 

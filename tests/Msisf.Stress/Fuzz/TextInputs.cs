@@ -80,7 +80,7 @@ internal sealed class TextInputs(FuzzWorld world)
     private IEnumerable<IReadOnlyList<string>> KernelCalls(string path)
     {
         string metaKernel = Path.Combine(FolderOf(path), Path.GetFileName(world.Kernels));
-        string[] call = [.. FuzzWorld.TinyPicture, "--renderer", "native", "--res", "1", "--ldem", world.Model, "--ephemeris", "builtin", "--kernels", metaKernel, .. Output(path)];
+        string[] call = [.. FuzzWorld.TinyImage, "--renderer", "native", "--res", "1", "--ldem", world.Model, "--ephemeris", "builtin", "--kernels", metaKernel, .. Output(path)];
         yield return [.. call, "--fixed-state", FuzzWorld.State];
         yield return [.. call, "--fixed-state", FuzzWorld.State, "--aberration", "lt+s"];
         yield return [.. call, "--kepler-set", "{1.9E6,0,0,0,1,0}", "--epoch", "51544.5", "--time", "51545", "--orbit-frame", "j2000"];

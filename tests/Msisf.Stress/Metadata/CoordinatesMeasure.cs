@@ -36,7 +36,7 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
         _byDistance.ToSeries("latitude, emission below 84 degrees", "degrees", "distance of the camera from the Moon's centre", "m", PixelBounds.PromisedCoordinate),
         _latitude.Series.ToSeries("latitude, camera within 1e7 m", "degrees", "cosine of the emission angle", "1", PixelBounds.PromisedCoordinate),
         _longitude.Series.ToSeries("longitude, camera within 1e7 m, emission below 84 degrees", "degrees", "cosine of the latitude", "1", PixelBounds.PromisedCoordinate),
-        _direction.Series.ToSeries("illumination direction, camera within 1e7 m, emission below 84 degrees", "degrees", "sine of the Sun's zenith angle times that between ground line and line of sight, in the picture", "1", PixelBounds.PromisedDirection),
+        _direction.Series.ToSeries("illumination direction, camera within 1e7 m, emission below 84 degrees", "degrees", "sine of the Sun's zenith angle times that between ground line and line of sight, in the image", "1", PixelBounds.PromisedDirection),
     ];
 
     /// <inheritdoc/>

@@ -8,7 +8,7 @@ namespace Msisf.Stress.Metadata;
 /// <remarks>
 /// The hit point is off by up to <see cref="HitBounds.OnSphere"/>. Seen from the Moon's centre that is the error of the latitude; on a
 /// parallel it is more of the longitude by the cosine of the latitude. The direction of the ground line towards the Sun turns by more
-/// than the point the nearer the Sun is to the zenith, and its picture by more the more it is seen end on: by the sines of
+/// than the point the nearer the Sun is to the zenith, and its image by more the more it is seen end on: by the sines of
 /// the two (<see cref="Reference.PrecisePixel.DirectionSine"/>). Rounding the angle in rad, in degrees and to 16 digits adds a last digit each.
 /// </remarks>
 internal static class PixelBounds
@@ -35,7 +35,7 @@ internal static class PixelBounds
     /// <summary>degrees, of an illumination direction.</summary>
     /// <param name="camera">m, MOON_ME.</param>
     /// <param name="cosEmission">Of the angle between line of sight and zenith.</param>
-    /// <param name="sine">Of the Sun's zenith angle times that between ground line and line of sight, in the picture.</param>
+    /// <param name="sine">Of the Sun's zenith angle times that between ground line and line of sight, in the image.</param>
     public static double Direction(Vector3D camera, double cosEmission, double sine) => Math.Min(
         180.0, double.RadiansToDegrees(DirectionSine(camera, cosEmission) / sine) + LastDigits);
 

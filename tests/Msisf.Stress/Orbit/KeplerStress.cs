@@ -7,17 +7,17 @@ namespace Msisf.Stress.Orbit;
 public sealed class KeplerStress : IStressTest
 {
     /// <summary>ulp of M: the project's plan.</summary>
-    private const double MostResidual = 4.0;
+    private const double MaxResidual = 4.0;
 
     /// <summary>1: the program gives up after 100, which bisection alone would need; Newton's method doubles its digits in each.</summary>
-    private const double MostSteps = 10.0;
+    private const double MaxSteps = 10.0;
 
     /// <summary>ulp of E: half for its own rounding, and half a one of the sine over the slope of the equation at e = 1/2; a sine may be wrong by a little more.</summary>
-    private const double MostAngleError = 1.1;
+    private const double MaxAngleError = 1.1;
 
-    private const double LeastFromParabola = 1e-12;
-    private const double MostTurns = 1e6;
-    private const double LeastAnomaly = 1e-30; // rad
+    private const double MinFromParabola = 1e-12;
+    private const double MaxTurns = 1e6;
+    private const double MinAnomaly = 1e-30; // rad
 
     /// <inheritdoc/>
     public string Name => "kepler";
@@ -35,15 +35,15 @@ public sealed class KeplerStress : IStressTest
             Name,
             cases,
             [
-                all.Given.ToFigure("residual, in units of the last place of the M given", "ulp", MostResidual),
-                all.Reduced.ToFigure("residual, in units of the last place of M less its turns", "ulp", MostResidual),
-                all.Angle.ToFigure("error of E, for M within half a turn", "ulp", MostAngleError),
-                all.Steps.ToFigure("steps to the solution", "", MostSteps),
+                all.Given.ToFigure("residual, in units of the last place of the M given", "ulp", MaxResidual),
+                all.Reduced.ToFigure("residual, in units of the last place of M less its turns", "ulp", MaxResidual),
+                all.Angle.ToFigure("error of E, for M within half a turn", "ulp", MaxAngleError),
+                all.Steps.ToFigure("steps to the solution", "", MaxSteps),
             ],
             [
-                all.OverEccentricity.ToSeries("residual", "ulp of M less its turns", "1 - e", "", MostResidual),
-                all.OverAnomaly.ToSeries("residual", "ulp of M less its turns", "|M|", "rad", MostResidual),
-                all.StepsOverEccentricity.ToSeries("steps to the solution", "", "1 - e", "", MostSteps),
+                all.OverEccentricity.ToSeries("residual", "ulp of M less its turns", "1 - e", "", MaxResidual),
+                all.OverAnomaly.ToSeries("residual", "ulp of M less its turns", "|M|", "rad", MaxResidual),
+                all.StepsOverEccentricity.ToSeries("steps to the solution", "", "1 - e", "", MaxSteps),
             ]);
     }
 
@@ -57,25 +57,25 @@ public sealed class KeplerStress : IStressTest
 
         public WorstCase Steps { get; } = new();
 
-        public SeriesBuilder OverEccentricity { get; } = new(LeastFromParabola, 1.0, 48, isLogarithmic: true);
+        public SeriesBuilder OverEccentricity { get; } = new(MinFromParabola, 1.0, 48, isLogarithmic: true);
 
-        public SeriesBuilder OverAnomaly { get; } = new(LeastAnomaly, 2.0 * Math.PI * MostTurns, 74, isLogarithmic: true);
+        public SeriesBuilder OverAnomaly { get; } = new(MinAnomaly, 2.0 * Math.PI * MaxTurns, 74, isLogarithmic: true);
 
-        public SeriesBuilder StepsOverEccentricity { get; } = new(LeastFromParabola, 1.0, 48, isLogarithmic: true);
+        public SeriesBuilder StepsOverEccentricity { get; } = new(MinFromParabola, 1.0, 48, isLogarithmic: true);
 
         public void Try(int number, CaseRandom random)
         {
             double eccentricity = random.Below(3) switch
             {
-                0 => random.Between(0.0, 1.0 - LeastFromParabola),
-                1 => 1.0 - random.Logarithmic(LeastFromParabola, 1.0),
+                0 => random.Between(0.0, 1.0 - MinFromParabola),
+                1 => 1.0 - random.Logarithmic(MinFromParabola, 1.0),
                 _ => random.Logarithmic(1e-300, 0.1),
             };
             double meanAnomaly = random.Sign() * random.Below(3) switch
             {
                 0 => random.Between(0.0, Math.PI),
-                1 => random.Logarithmic(LeastAnomaly, Math.PI),
-                _ => 2.0 * Math.PI * random.Logarithmic(0.5, MostTurns),
+                1 => random.Logarithmic(MinAnomaly, Math.PI),
+                _ => 2.0 * Math.PI * random.Logarithmic(0.5, MaxTurns),
             };
             Note(meanAnomaly, eccentricity);
         }

@@ -13,7 +13,7 @@ public sealed class PropagationStress : IStressTest
     /// <summary>1, of the distance: what <see cref="ElementsStress"/> allows for a position whose phase is right.</summary>
     private const double Position = 2e-15;
 
-    private const double MostOrbits = 1e6;
+    private const double MaxOrbits = 1e6;
 
     /// <summary>From here on the rounding of the time in seconds is what counts.</summary>
     private const double ManyOrbits = 1e3;
@@ -60,9 +60,9 @@ public sealed class PropagationStress : IStressTest
 
         public WorstCase Metres { get; } = new();
 
-        public SeriesBuilder PhaseOverOrbits { get; } = new(1.0, MostOrbits, 48, isLogarithmic: true);
+        public SeriesBuilder PhaseOverOrbits { get; } = new(1.0, MaxOrbits, 48, isLogarithmic: true);
 
-        public SeriesBuilder MetresOverOrbits { get; } = new(1.0, MostOrbits, 48, isLogarithmic: true);
+        public SeriesBuilder MetresOverOrbits { get; } = new(1.0, MaxOrbits, 48, isLogarithmic: true);
 
         public void Try(int number, CaseRandom random)
         {
@@ -73,7 +73,7 @@ public sealed class PropagationStress : IStressTest
                 random.Between(-Math.PI, Math.PI),
                 random.Between(0.0, Math.PI),
                 random.Between(-Math.PI, Math.PI));
-            double orbits = random.Sign() * random.Logarithmic(1.0, MostOrbits);
+            double orbits = random.Sign() * random.Logarithmic(1.0, MaxOrbits);
             Note(elements, orbits, new ModifiedJulianDate(random.Between(41000.0, 62000.0)));
         }
 

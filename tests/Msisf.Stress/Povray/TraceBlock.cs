@@ -17,12 +17,12 @@ internal sealed class TraceBlock
     private const double EdgeMargin = 0.01;
 
     /// <summary>Of the angle between ray and normal: grazing rays go over to other facets for reasons of their own.</summary>
-    private const double LeastCosine = 0.05;
+    private const double MinCosine = 0.05;
 
-    private const double LeastDistanceKm = 0.01;
+    private const double MinDistanceKm = 0.01;
 
     /// <summary>To the Earth.</summary>
-    private const double GreatestDistanceKm = 4e5;
+    private const double MaxDistanceKm = 4e5;
 
     private readonly TileMesh _mesh;
     private readonly string _productId;
@@ -85,14 +85,14 @@ internal sealed class TraceBlock
             Vector3D normal = Vector3D.Cross(b - a, c - a).Normalized();
             Vector3D outward = random.Direction();
             double cosine = Vector3D.Dot(outward, normal);
-            if (Math.Abs(cosine) < LeastCosine)
+            if (Math.Abs(cosine) < MinCosine)
             {
                 continue;
             }
 
             outward = Math.Sign(cosine) * outward;
-            Vector3D start = target + (random.Logarithmic(LeastDistanceKm, GreatestDistanceKm) * outward);
-            if (FirstHit(start, -outward) is TraceRay ray && ray.Cosine >= LeastCosine)
+            Vector3D start = target + (random.Logarithmic(MinDistanceKm, MaxDistanceKm) * outward);
+            if (FirstHit(start, -outward) is TraceRay ray && ray.Cosine >= MinCosine)
             {
                 return ray;
             }

@@ -73,14 +73,14 @@ internal sealed class TraceErrors
         yield return _missed.ToFigure($"{_form}: rays that miss their facet, although rounded to floats they would meet it", string.Empty, Limit(0.0));
         yield return _missedBeyond.ToFigure($"{_form}: rays that miss their facet, and rounded to floats may miss it", string.Empty, null);
         yield return _hit.ToFigure($"{_form}: from the exact hit", "m", null);
-        yield return _plane.ToFigure($"{_form}: from the facet's plane", "m", Limit(TracePrecisionStress.MostFromPlane));
+        yield return _plane.ToFigure($"{_form}: from the facet's plane", "m", Limit(TracePrecisionStress.MaxFromPlane));
         if (isLimited)
         {
             yield return _planeInFloats.ToFigure(
-                $"{_form}: from the facet's plane, in 2^-24 of the distance from the tile's origin", "1", TracePrecisionStress.MostFromPlaneInFloats);
+                $"{_form}: from the facet's plane, in 2^-24 of the distance from the tile's origin", "1", TracePrecisionStress.MaxFromPlaneInFloats);
         }
 
-        yield return _normal.ToFigure($"{_form}: normal", "degrees", Limit(TracePrecisionStress.MostNormalDegrees));
+        yield return _normal.ToFigure($"{_form}: normal", "degrees", Limit(TracePrecisionStress.MaxNormalDegrees));
     }
 
     /// <summary>Errors over what they depend on.</summary>

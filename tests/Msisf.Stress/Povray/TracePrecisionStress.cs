@@ -16,13 +16,13 @@ public sealed class TracePrecisionStress : IStressTest
     /// Of <see cref="FloatUnit"/> times the distance from the tile's origin: each component of the normal is wrong by half a unit at most
     /// (sqrt(3)/2 in all), the distance of the plane, which is shorter, by half.
     /// </summary>
-    internal const double MostFromPlaneInFloats = 1.4;
+    internal const double MaxFromPlaneInFloats = 1.4;
 
     /// <summary>m: that, 130 km from the tile's origin, where a tile at the equator has its corners and mountains are 20 km high.</summary>
-    internal const double MostFromPlane = 0.011;
+    internal const double MaxFromPlane = 0.011;
 
     /// <summary>Degrees: sqrt(3)/2 of <see cref="FloatUnit"/>, the rounding of the three components.</summary>
-    internal const double MostNormalDegrees = 3.0e-6;
+    internal const double MaxNormalDegrees = 3.0e-6;
 
     private static readonly int[] Resolutions = [4, 16, 64, 256, 1024];
 

@@ -40,7 +40,7 @@ public sealed class PreciseCamera
         + ((DoubleWord)(1 + _height - (2 * y)) / (2 * _height) * _up)
         + ((DoubleWord)((2 * x) - 1 - _width) / (2 * _width) * _right);
 
-    /// <summary>Where a point is in the picture, px from a pixel's centre to the right and down (thesis eq. 9.20); it lies in front.</summary>
+    /// <summary>Where a point is in the image, px from a pixel's centre to the right and down (thesis eq. 9.20); it lies in front.</summary>
     public (DoubleWord Right, DoubleWord Down) PlaceFrom(int x, int y, PreciseVector point)
     {
         PreciseVector seen = point - Position;

@@ -5,7 +5,7 @@ namespace Msisf.Stress.Reference;
 
 /// <summary>
 /// What a pixel shows of the reference sphere, by the thesis's steps (section 9.3) to some 30 digits: the quadratic of eq. 8.4, a second
-/// point 1000 m towards the Sun, the pictures of both. Nothing of the program's own formulas.
+/// point 1000 m towards the Sun, the images of both. Nothing of the program's own formulas.
 /// </summary>
 public sealed class PrecisePixel
 {
@@ -58,7 +58,7 @@ public sealed class PrecisePixel
     }
 
     /// <summary>
-    /// Sine of the Sun's zenith angle times the sine between ground line and line of sight, as much as the picture shows of it: by it the
+    /// Sine of the Sun's zenith angle times the sine between ground line and line of sight, as much as the image shows of it: by it the
     /// illumination direction is known.
     /// </summary>
     public double DirectionSine(Vector3D sun)

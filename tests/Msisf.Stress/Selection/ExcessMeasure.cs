@@ -17,7 +17,7 @@ internal sealed class ExcessMeasure(JudgedMoon moon, ElevationSummary summary, i
     /// <summary>Kept over seen, of all cameras together: what docs/tile-selection.md states, with room for other cameras.</summary>
     private const double TotalLimit = 1.15;
 
-    /// <summary>Pixels of the picture, for the camera's sake.</summary>
+    /// <summary>Pixels of the image, for the camera's sake.</summary>
     private const int Pixels = 1_000_000;
 
     private readonly List<(double Ratio, double Altitude, string Text)> _cameras = [];

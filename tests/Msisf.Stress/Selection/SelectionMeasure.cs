@@ -6,13 +6,13 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.Stress.Selection;
 
-/// <summary>The tiles that the selection keeps, against pictures by rays through every facet.</summary>
+/// <summary>The tiles that the selection keeps, against images by rays through every facet.</summary>
 /// <param name="moon">The Moon.</param>
 /// <param name="summary">What the selection goes by.</param>
 /// <param name="firstCamera">Number of the first of its <see cref="CameraCases"/>.</param>
 internal sealed class SelectionMeasure(JudgedMoon moon, ElevationSummary summary, int firstCamera) : IMeasure<SelectionMeasure>
 {
-    /// <summary>Of each picture, about.</summary>
+    /// <summary>Of each image, about.</summary>
     private const int Pixels = 600;
 
     private readonly CaseCount _differences = new();
@@ -24,7 +24,7 @@ internal sealed class SelectionMeasure(JudgedMoon moon, ElevationSummary summary
     /// <summary>The worst of each quantity.</summary>
     public IEnumerable<StressFigure> Figures =>
     [
-        _differences.ToFigure($"{moon.Grid.ProductId}: pixels that differ from the picture with all tiles", string.Empty, 0.0),
+        _differences.ToFigure($"{moon.Grid.ProductId}: pixels that differ from the image with all tiles", string.Empty, 0.0),
         _missed.ToFigure($"{moon.Grid.ProductId}: tiles that a pixel's ray meets and that are missed, light at the camera", string.Empty, 0.0),
         new StressFigure($"{moon.Grid.ProductId}: pixels compared", "pixels", _pixels, null, $"{_lit} lit, {_kept} tiles kept in all"),
     ];
@@ -34,8 +34,8 @@ internal sealed class SelectionMeasure(JudgedMoon moon, ElevationSummary summary
     {
         (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(firstCamera + number, moon.Grid, Pixels);
         TileSelection selection = Dspsa.Select(camera, sun, moon.Grid, summary);
-        BruteForcePicture whole = new(moon.Facets, camera, sun, isThere: null);
-        BruteForcePicture selected = new(moon.Facets, camera, sun, TilesThere.In(selection));
+        BruteForceImage whole = new(moon.Facets, camera, sun, isThere: null);
+        BruteForceImage selected = new(moon.Facets, camera, sun, TilesThere.In(selection));
         string Text() => $"CameraCases {firstCamera + number} ({kind})";
         _differences.Note(whole.DifferencesFrom(selected), camera.Width * camera.Height, Text);
 

@@ -9,8 +9,8 @@ namespace Msisf.Stress.Time;
 public sealed class CoverStress : IStressTest
 {
     /// <summary>m: the Sun is seen from the Moon between perihelion and aphelion of the Earth, give or take the Moon's own orbit.</summary>
-    private const double LeastSunDistance = 1.460e11;
-    private const double MostSunDistance = 1.530e11;
+    private const double MinSunDistance = 1.460e11;
+    private const double MaxSunDistance = 1.530e11;
 
     /// <summary>MJD: 1900-01-01 and 2051-01-01, the ends of the Moon's orientation in kernels/moon_pa_de421_1900-2050.bpc.</summary>
     private const double Start = 15020.0;
@@ -85,7 +85,7 @@ public sealed class CoverStress : IStressTest
         {
             Vector3D sun = default;
             string? refusal = Refusals.Of(() => sun = engine.SunPositionMoonMe(new ModifiedJulianDate(mjd)));
-            bool isPosition = refusal is null && sun.Length is > LeastSunDistance and < MostSunDistance;
+            bool isPosition = refusal is null && sun.Length is > MinSunDistance and < MaxSunDistance;
             bool namesCover = Says(refusal, "is outside the kernels' cover: the kernels cover 1899-12-31");
             string Input() => MjdText.Of(mjd);
             if (!(mjd >= -678_575.0 && mjd < 2_973_484.0))

@@ -126,7 +126,7 @@ final class SamePatternsTest extends GenerationTestCase
         self::assertFileEquals($fromImage, $fromDatabase);
     }
 
-    /** @return string path of the picture */
+    /** @return string path of the image */
     private function render(string $repository, string $name): string
     {
         $run = ScriptRun::start([
@@ -137,9 +137,9 @@ final class SamePatternsTest extends GenerationTestCase
             '--output-dir', $this->folder->path($name), '--output-name', 'scene',
         ])->wait();
         self::assertSame(0, $run->exitCode, $run->errors);
-        $pictures = glob($this->folder->path("$name/*.png"));
-        self::assertCount(1, $pictures);
+        $images = glob($this->folder->path("$name/*.png"));
+        self::assertCount(1, $images);
 
-        return $pictures[0];
+        return $images[0];
     }
 }

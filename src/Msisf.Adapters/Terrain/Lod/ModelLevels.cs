@@ -25,12 +25,12 @@ public sealed class ModelLevels : IDisposable
     /// <param name="image">The model.</param>
     /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
     /// <param name="cacheBytes">Memory for computed blocks.</param>
-    /// <param name="samplesBetweenForgetting">Samples of the model that are read before their memory is given back.</param>
+    /// <param name="samplesBetweenReleases">Samples of the model that are read before their memory is given back.</param>
     public static ModelLevels Open(
         LdemImage image,
         string? cacheFolder,
-        long cacheBytes = LodLevels.UsualCacheBytes,
-        int samplesBetweenForgetting = LodLevels.UsualSamplesBetweenForgetting)
+        long cacheBytes = LodLevels.DefaultCacheBytes,
+        int samplesBetweenReleases = LodLevels.DefaultSamplesBetweenReleases)
     {
         PyramidPlaces places = PyramidPlaces.Of(image.Set, cacheFolder);
         PyramidFile? file = PyramidFile.TryOpen(places.Beside, image, out string? problem);
@@ -41,7 +41,7 @@ public sealed class ModelLevels : IDisposable
             warning = file is not null ? null : warning ?? (problem is null ? null : Unusable(cached, problem));
         }
 
-        return new ModelLevels(LodLevels.Open(image, file?.Levels, cacheBytes, samplesBetweenForgetting), file, warning);
+        return new ModelLevels(LodLevels.Open(image, file?.Levels, cacheBytes, samplesBetweenReleases), file, warning);
     }
 
     /// <summary>Unmaps the sidecar; the model stays open.</summary>

@@ -19,7 +19,7 @@ internal sealed class ConfigRules
     /// <summary>The values that apply.</summary>
     /// <param name="values">From the files, for options that the command has.</param>
     /// <param name="onLine">Text of an option on the command line by its key; empty of a flag, null if it is not given.</param>
-    /// <param name="draws">Whether the command draws pictures, and so has a renderer.</param>
+    /// <param name="draws">Whether the command draws images, and so has a renderer.</param>
     public static IReadOnlyDictionary<string, ConfigValue> Applicable(
         IReadOnlyDictionary<string, ConfigValue> values, Func<string, string?> onLine, bool draws)
     {

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Render.Photometry;
 
-/// <summary>From radiance factor to grey, the same for all pictures: what is in a picture does not change it.</summary>
+/// <summary>From radiance factor to grey, the same for all images: what is in an image does not change it.</summary>
 public sealed class GreyScale
 {
     // IEC 61966-2-1: linear up to here, then a power.
@@ -11,7 +11,7 @@ public sealed class GreyScale
 
     /// <summary>Makes the scale.</summary>
     /// <param name="exposure">Linear grey of the radiance factor 1, above 0: 1 makes it white, 2 makes white of the half.</param>
-    /// <param name="transfer">From linear grey to the numbers of the picture.</param>
+    /// <param name="transfer">From linear grey to the numbers of the image.</param>
     /// <exception cref="Errors.BadInputException">The exposure is not above 0.</exception>
     public GreyScale(double exposure = 1.0, GreyTransfer transfer = GreyTransfer.Srgb)
     {
@@ -22,19 +22,19 @@ public sealed class GreyScale
     /// <summary>Linear grey of the radiance factor 1.</summary>
     public double Exposure { get; }
 
-    /// <summary>From linear grey to the numbers of the picture.</summary>
+    /// <summary>From linear grey to the numbers of the image.</summary>
     public GreyTransfer Transfer { get; }
 
     /// <summary>The level of one radiance factor, by the plain formula: rounded to the nearest, as POV-Ray does, black and white beyond the ends.</summary>
     /// <param name="radianceFactor">I/F.</param>
-    /// <param name="greatestLevel">White: 255 or 65535.</param>
-    public int Level(double radianceFactor, int greatestLevel) =>
-        (int)Math.Floor((Encode(Math.Clamp(Exposure * radianceFactor, 0.0, 1.0)) * greatestLevel) + 0.5);
+    /// <param name="maxLevel">White: 255 or 65535.</param>
+    public int Level(double radianceFactor, int maxLevel) =>
+        (int)Math.Floor((Encode(Math.Clamp(Exposure * radianceFactor, 0.0, 1.0)) * maxLevel) + 0.5);
 
-    /// <summary>The least radiance factor that has a level: there the formula is half-way between the level and the one before.</summary>
-    /// <param name="level">1 to <paramref name="greatestLevel"/>.</param>
-    /// <param name="greatestLevel">White.</param>
-    internal double LeastRadianceFactor(int level, int greatestLevel) => Decode((level - 0.5) / greatestLevel) / Exposure;
+    /// <summary>The minimum radiance factor that has a level: there the formula is half-way between the level and the one before.</summary>
+    /// <param name="level">1 to <paramref name="maxLevel"/>.</param>
+    /// <param name="maxLevel">White.</param>
+    internal double MinRadianceFactor(int level, int maxLevel) => Decode((level - 0.5) / maxLevel) / Exposure;
 
     private double Encode(double linear) => Transfer switch
     {

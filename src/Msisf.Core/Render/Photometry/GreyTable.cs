@@ -14,27 +14,27 @@ public sealed class GreyTable
     /// </summary>
     private const int StepsPerLevel = 16;
 
-    private readonly int _greatestLevel;
+    private readonly int _maxLevel;
     private readonly double _stepsPerRadianceFactor;
     private readonly double _lastStep;
     private readonly ushort[] _levelBeforeStep;
-    private readonly double[] _least;
+    private readonly double[] _min;
 
     /// <summary>Computes the table: some microseconds and 10 kB for 8 bits, some milliseconds and 2.6 MB for 16.</summary>
     /// <param name="scale">The scale.</param>
     /// <param name="bitDepth">Bits of a level: 8 or 16.</param>
     public GreyTable(GreyScale scale, int bitDepth)
     {
-        Debug.Assert(bitDepth is 8 or 16, "PNG's depths of a grey picture that is shown");
+        Debug.Assert(bitDepth is 8 or 16, "PNG's depths of a grey image that is shown");
         BitDepth = bitDepth;
-        _greatestLevel = (1 << bitDepth) - 1;
+        _maxLevel = (1 << bitDepth) - 1;
         _lastStep = (1 << bitDepth) * StepsPerLevel;
         _stepsPerRadianceFactor = scale.Exposure * _lastStep;
-        _least = new double[_greatestLevel + 2];
-        _least[_greatestLevel + 1] = double.NaN; // nothing passes it, not even infinity
-        for (int level = 1; level <= _greatestLevel; level++)
+        _min = new double[_maxLevel + 2];
+        _min[_maxLevel + 1] = double.NaN; // nothing passes it, not even infinity
+        for (int level = 1; level <= _maxLevel; level++)
         {
-            _least[level] = scale.LeastRadianceFactor(level, _greatestLevel);
+            _min[level] = scale.MinRadianceFactor(level, _maxLevel);
         }
 
         _levelBeforeStep = new ushort[(int)_lastStep + 1];
@@ -42,7 +42,7 @@ public sealed class GreyTable
         for (int step = 0; step < _levelBeforeStep.Length; step++)
         {
             _levelBeforeStep[step] = (ushort)reached;
-            if (reached < _greatestLevel && StepOf(_least[reached + 1]) == step)
+            if (reached < _maxLevel && StepOf(_min[reached + 1]) == step)
             {
                 reached++;
             }
@@ -82,7 +82,7 @@ public sealed class GreyTable
     {
         // The step never falls as the radiance factor grows, so all borders of earlier steps are passed; in its own there is one at most.
         int level = _levelBeforeStep[StepOf(radianceFactor)];
-        return radianceFactor >= _least[level + 1] ? level + 1 : level;
+        return radianceFactor >= _min[level + 1] ? level + 1 : level;
     }
 
     // The native forms are one instruction each, and differ from the others only for NaN and out of the range that is cut off before.

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Render.Photometry;
 
-/// <summary>How a picture's numbers follow from linear light.</summary>
+/// <summary>How an image's numbers follow from linear light.</summary>
 public enum GreyTransfer
 {
     /// <summary>The curve of sRGB (IEC 61966-2-1), which POV-Ray's PNG has too: for screens.</summary>

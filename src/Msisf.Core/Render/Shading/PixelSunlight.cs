@@ -18,7 +18,7 @@ internal sealed class PixelSunlight
     /// <summary>Of the disc, a bit for each point that terrain hides; empty if the light is a point.</summary>
     public ulong[] HiddenPoints { get; private set; } = [];
 
-    /// <summary>Makes room for a picture.</summary>
+    /// <summary>Makes room for an image.</summary>
     /// <param name="pixels">How many.</param>
     /// <param name="hasDisc">Whether the Sun is a disc.</param>
     public void Prepare(int pixels, bool hasDisc)

@@ -19,20 +19,20 @@ internal sealed class SunwardPoints : IReceiverRows
     private readonly VisibleSurface _visible;
     private readonly Vector3D _sun;
     private readonly double[] _cosIncidence;
-    private readonly double _leastCosine;
+    private readonly double _minCosine;
     private readonly ConcurrentBag<Scratch> _idle = [];
 
     /// <summary>Takes a frame.</summary>
     /// <param name="visible">What its pixels show.</param>
     /// <param name="sunMoonMe">m, MOON_ME; or the lamp.</param>
     /// <param name="cosIncidence">Of each pixel, row by row: filled as rows are read; -1 where there is no surface.</param>
-    /// <param name="leastCosine">Points count whose cosine is greater: 0, and a little less for a Sun that is a disc.</param>
-    public SunwardPoints(VisibleSurface visible, Vector3D sunMoonMe, double[] cosIncidence, double leastCosine = 0.0)
+    /// <param name="minCosine">Points count whose cosine is greater: 0, and a little less for a Sun that is a disc.</param>
+    public SunwardPoints(VisibleSurface visible, Vector3D sunMoonMe, double[] cosIncidence, double minCosine = 0.0)
     {
         _visible = visible;
         _sun = sunMoonMe;
         _cosIncidence = cosIncidence;
-        _leastCosine = leastCosine;
+        _minCosine = minCosine;
     }
 
     /// <inheritdoc/>
@@ -59,7 +59,7 @@ internal sealed class SunwardPoints : IReceiverRows
         int count = 0;
         for (int i = 0; i < points.Count; i++)
         {
-            if (cosines[i] > _leastCosine)
+            if (cosines[i] > _minCosine)
             {
                 x[count] = points.X[i];
                 y[count] = points.Y[i];

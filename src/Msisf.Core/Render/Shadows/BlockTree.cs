@@ -25,10 +25,10 @@ internal sealed class BlockTree
 
     public BlockTree(SurfaceModel surface)
     {
-        (double least, double greatest) = surface.Grid.RadiusLimits;
+        (double min, double max) = surface.Grid.RadiusLimits;
         _surface = surface;
         _model = new BlockBounds(
-            MathF.BitDecrement((float)least), MathF.BitIncrement((float)greatest), float.PositiveInfinity);
+            MathF.BitDecrement((float)min), MathF.BitIncrement((float)max), float.PositiveInfinity);
         _sagitta = MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree);
         List<BlockLevel> levels = [];
         for (int edge = 1; edge <= Fan || edge * CellBlock.Size <= LargestGroup * surface.Grid.PixelsPerDegree; edge *= Fan)
@@ -137,5 +137,5 @@ internal sealed class BlockTree
     }
 
     private bool MayCast(SphericalCap cap, BlockBounds found, CasterBounds bounds) => bounds.MayCast(
-        cap, (found.Least * _sagitta) - Tolerances.VertexLattice, found.Greatest + Tolerances.VertexLattice, found.Steepness);
+        cap, (found.Min * _sagitta) - Tolerances.VertexLattice, found.Max + Tolerances.VertexLattice, found.MaxSlope);
 }

@@ -19,74 +19,74 @@ internal sealed class CasterBounds
 
     /// <param name="receivers">The receivers.</param>
     /// <param name="slope">Of the Sun's disc.</param>
-    /// <param name="greatestRadius">m; below the Sun's distance.</param>
-    public CasterBounds(ReceiverSort receivers, double slope, double greatestRadius)
+    /// <param name="maxRadius">m; below the Sun's distance.</param>
+    public CasterBounds(ReceiverSort receivers, double slope, double maxRadius)
     {
         _frame = receivers.Frame;
         _grid = receivers.Grid;
         _receivers = receivers.Box;
         _slope = slope;
-        _deepest = receivers.Grid.GreatestDepth();
+        _deepest = receivers.Grid.MaxDepth();
 
         // The direction from a point to a part of the Sun differs from that from the centre to the Sun's centre by an angle with at most
         // this sine: the parallax, and what the disc adds to it.
-        double sine = Math.Min(1.0, (greatestRadius + (slope * _frame.SunDistance)) / (_frame.SunDistance - greatestRadius));
+        double sine = Math.Min(1.0, (maxRadius + (slope * _frame.SunDistance)) / (_frame.SunDistance - maxRadius));
         _turnSine = sine;
         _turnCosine = Math.Sqrt((1.0 - sine) * (1.0 + sine));
     }
 
     /// <summary>Whether a facet that faces away from the Sun may lie in front of a receiver.</summary>
     /// <param name="cap">Holds the facets.</param>
-    /// <param name="least">m: no facet is lower.</param>
-    /// <param name="greatest">m: no facet is higher.</param>
-    /// <param name="steepness">Tangent of an angle that no facet's slope exceeds; infinite if it is not known.</param>
-    public bool MayCast(SphericalCap cap, double least, double greatest, double steepness)
+    /// <param name="min">m: no facet is lower.</param>
+    /// <param name="max">m: no facet is higher.</param>
+    /// <param name="maxSlope">Tangent of an angle that no facet's slope exceeds; infinite if it is not known.</param>
+    public bool MayCast(SphericalCap cap, double min, double max, double maxSlope)
     {
         double w = Vector3D.Dot(cap.Centre, _frame.AxisW);
-        if (!MayFaceAway(-w, cap, steepness))
+        if (!MayFaceAway(-w, cap, maxSlope))
         {
             return false;
         }
 
-        (double leastW, double greatestW) = Component(w, cap, least, greatest);
-        double leastScale = _frame.SunDistance / (_frame.SunDistance + greatestW);
-        double greatestScale = _frame.SunDistance / (_frame.SunDistance + leastW);
-        (double leastU, double greatestU) = Component(Vector3D.Dot(cap.Centre, _frame.AxisU), cap, least, greatest);
-        (double leastV, double greatestV) = Component(Vector3D.Dot(cap.Centre, _frame.AxisV), cap, least, greatest);
+        (double minW, double maxW) = Component(w, cap, min, max);
+        double minScale = _frame.SunDistance / (_frame.SunDistance + maxW);
+        double maxScale = _frame.SunDistance / (_frame.SunDistance + minW);
+        (double minU, double maxU) = Component(Vector3D.Dot(cap.Centre, _frame.AxisU), cap, min, max);
+        (double minV, double maxV) = Component(Vector3D.Dot(cap.Centre, _frame.AxisV), cap, min, max);
         LightBox box = new(
-            leastU * (leastU < 0.0 ? greatestScale : leastScale),
-            greatestU * (greatestU < 0.0 ? leastScale : greatestScale),
-            leastV * (leastV < 0.0 ? greatestScale : leastScale),
-            greatestV * (greatestV < 0.0 ? leastScale : greatestScale));
-        double leastDepth = leastW * greatestScale;
-        LightBox shaded = LightBox.Intersection(_receivers, box.Widened(_slope * Math.Max(0.0, _deepest - leastDepth)));
-        return !shaded.IsEmpty && leastDepth < _grid.GreatestDepth(_grid.BinsOf(in shaded));
+            minU * (minU < 0.0 ? maxScale : minScale),
+            maxU * (maxU < 0.0 ? minScale : maxScale),
+            minV * (minV < 0.0 ? maxScale : minScale),
+            maxV * (maxV < 0.0 ? minScale : maxScale));
+        double minDepth = minW * maxScale;
+        LightBox shaded = LightBox.Intersection(_receivers, box.Widened(_slope * Math.Max(0.0, _deepest - minDepth)));
+        return !shaded.IsEmpty && minDepth < _grid.MaxDepth(_grid.BinsOf(in shaded));
     }
 
     /// <summary>Bounds of one component of the points between two spheres in the direction of a cap.</summary>
-    private static (double Least, double Greatest) Component(double cosine, SphericalCap cap, double least, double greatest)
+    private static (double Min, double Max) Component(double cosine, SphericalCap cap, double min, double max)
     {
         double across = cap.SinRadius * Math.Sqrt(Math.Max(0.0, (1.0 - cosine) * (1.0 + cosine)));
         double along = cosine * cap.CosRadius;
         double low = (cosine <= -cap.CosRadius ? -1.0 : along - across) - Rounding;
         double high = (cosine >= cap.CosRadius ? 1.0 : along + across) + Rounding;
-        return (low * (low < 0.0 ? greatest : least), high * (high < 0.0 ? least : greatest));
+        return (low * (low < 0.0 ? max : min), high * (high < 0.0 ? min : max));
     }
 
     /// <summary>Whether the Sun is anywhere lower than the steepest slope.</summary>
-    private bool MayFaceAway(double zenithCosine, SphericalCap cap, double steepness)
+    private bool MayFaceAway(double zenithCosine, SphericalCap cap, double maxSlope)
     {
         double zenithSine = Math.Sqrt(Math.Max(0.0, (1.0 - zenithCosine) * (1.0 + zenithCosine)));
         double farCosine = (zenithCosine * cap.CosRadius) - (zenithSine * cap.SinRadius);
         double farSine = (zenithSine * cap.CosRadius) + (zenithCosine * cap.SinRadius);
-        double leastSine = (farCosine * _turnCosine) - (farSine * _turnSine) - Rounding;
-        if (!(leastSine > 0.0 && farSine >= 0.0))
+        double minSine = (farCosine * _turnCosine) - (farSine * _turnSine) - Rounding;
+        if (!(minSine > 0.0 && farSine >= 0.0))
         {
             return true;
         }
 
-        // tan(elevation) > steepness, without the division.
+        // tan(elevation) > maxSlope, without the division.
         double elevationCosine = (farSine * _turnCosine) + (farCosine * _turnSine) + Rounding;
-        return leastSine <= steepness * elevationCosine;
+        return minSine <= maxSlope * elevationCosine;
     }
 }

@@ -105,7 +105,7 @@ internal sealed class CasterScan
         }
 
         bins = grid.BinsOf(in _strip.Box);
-        return _strip.LeastDepth < grid.GreatestDepth(bins);
+        return _strip.MinDepth < grid.MaxDepth(bins);
     }
 
     private void CastStrip(ReceiverGrid grid, GridRange bins, byte[] hidden)
@@ -113,11 +113,11 @@ internal sealed class CasterScan
         ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);
         ref double vs = ref MemoryMarshal.GetArrayDataReference(grid.V);
         ref double ws = ref MemoryMarshal.GetArrayDataReference(grid.W);
-        Vector512<double> leastU = Vector512.Create(_strip.Box.LeastU);
-        Vector512<double> greatestU = Vector512.Create(_strip.Box.GreatestU);
-        Vector512<double> leastV = Vector512.Create(_strip.Box.LeastV);
-        Vector512<double> greatestV = Vector512.Create(_strip.Box.GreatestV);
-        Vector512<double> leastDepth = Vector512.Create(_strip.LeastDepth);
+        Vector512<double> minU = Vector512.Create(_strip.Box.MinU);
+        Vector512<double> maxU = Vector512.Create(_strip.Box.MaxU);
+        Vector512<double> minV = Vector512.Create(_strip.Box.MinV);
+        Vector512<double> maxV = Vector512.Create(_strip.Box.MaxV);
+        Vector512<double> minDepth = Vector512.Create(_strip.MinDepth);
         LightSlab? slab = null;
         for (int row = bins.FirstRow; row <= bins.LastRow; row++)
         {
@@ -127,11 +127,11 @@ internal sealed class CasterScan
                 Tries++;
                 Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
                 Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
-                uint isInBox = ReceiverGrid.Meant(i, end) & (uint)(Vector512.GreaterThan(Vector512.LoadUnsafe(ref ws, (nuint)i), leastDepth)
-                    & Vector512.GreaterThanOrEqual(u, leastU)
-                    & Vector512.LessThanOrEqual(u, greatestU)
-                    & Vector512.GreaterThanOrEqual(v, leastV)
-                    & Vector512.LessThanOrEqual(v, greatestV)).ExtractMostSignificantBits();
+                uint isInBox = ReceiverGrid.Meant(i, end) & (uint)(Vector512.GreaterThan(Vector512.LoadUnsafe(ref ws, (nuint)i), minDepth)
+                    & Vector512.GreaterThanOrEqual(u, minU)
+                    & Vector512.LessThanOrEqual(u, maxU)
+                    & Vector512.GreaterThanOrEqual(v, minV)
+                    & Vector512.LessThanOrEqual(v, maxV)).ExtractMostSignificantBits();
                 if (isInBox == 0)
                 {
                     continue;

@@ -9,7 +9,7 @@ namespace Msisf.Core.Render.Shadows;
 internal sealed class CasterSearch
 {
     private readonly BlockTree _tree;
-    private readonly double _greatestRadius;
+    private readonly double _maxRadius;
     private readonly List<CellBlock> _groups = [];
     private readonly List<CellBlock> _blocks = [];
     private CellBlock[] _found = [];
@@ -20,9 +20,9 @@ internal sealed class CasterSearch
     public CasterSearch(SurfaceModel surface)
     {
         _tree = new BlockTree(surface);
-        (double least, double greatest) = surface.Grid.RadiusLimits;
-        _greatestRadius = greatest + Tolerances.VertexLattice;
-        SolidRadius = (least * MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree)) - Tolerances.VertexLattice;
+        (double min, double max) = surface.Grid.RadiusLimits;
+        _maxRadius = max + Tolerances.VertexLattice;
+        SolidRadius = (min * MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree)) - Tolerances.VertexLattice;
     }
 
     /// <summary>m: no facet is lower.</summary>
@@ -35,7 +35,7 @@ internal sealed class CasterSearch
     /// <exception cref="BadInputException">The Sun is not outside the terrain.</exception>
     public void Check(Vector3D sunMoonMe)
     {
-        if (!(sunMoonMe.Length > _greatestRadius))
+        if (!(sunMoonMe.Length > _maxRadius))
         {
             throw new BadInputException($"The Sun is at {sunMoonMe} m, inside the Moon; give a position outside it.");
         }
@@ -49,7 +49,7 @@ internal sealed class CasterSearch
     /// <returns>The blocks, until the next search.</returns>
     public IReadOnlyList<CellBlock> Find(ReceiverSort receivers, double slope, int threads, CancellationToken cancellation)
     {
-        CasterBounds bounds = new(receivers, slope, _greatestRadius);
+        CasterBounds bounds = new(receivers, slope, _maxRadius);
         _groups.Clear();
         _tree.FindGroups(bounds, _groups);
         if (_counts.Length < _groups.Count)

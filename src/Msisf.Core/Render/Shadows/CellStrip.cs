@@ -32,7 +32,7 @@ internal sealed class CellStrip(BlockVertices vertices)
     public ref readonly LightBox Box => ref _box;
 
     /// <summary>m: none of them is nearer to the Sun.</summary>
-    public double LeastDepth { get; private set; }
+    public double MinDepth { get; private set; }
 
     /// <summary>Moves to other cells.</summary>
     /// <param name="line">Line of the block.</param>
@@ -57,19 +57,19 @@ internal sealed class CellStrip(BlockVertices vertices)
         Vector512<double> vDiagonal = vSouthEast - vNorthWest;
         Vector512<double> southWest = ((uSouthWest - uNorthWest) * vDiagonal) - ((vSouthWest - vNorthWest) * uDiagonal);
         Vector512<double> northEast = (uDiagonal * (vNorthEast - vNorthWest)) - (vDiagonal * (uNorthEast - uNorthWest));
-        Vector512<double> leastU = Min(uNorthWest, uNorthEast, uSouthWest, uSouthEast);
-        Vector512<double> greatestU = Max(uNorthWest, uNorthEast, uSouthWest, uSouthEast);
-        Vector512<double> leastV = Min(vNorthWest, vNorthEast, vSouthWest, vSouthEast);
-        Vector512<double> greatestV = Max(vNorthWest, vNorthEast, vSouthWest, vSouthEast);
-        Vector512<double> isHere = Vector512.LessThanOrEqual(Vector512.Create(receivers.LeastU), greatestU)
-            & Vector512.GreaterThanOrEqual(Vector512.Create(receivers.GreatestU), leastU)
-            & Vector512.LessThanOrEqual(Vector512.Create(receivers.LeastV), greatestV)
-            & Vector512.GreaterThanOrEqual(Vector512.Create(receivers.GreatestV), leastV)
+        Vector512<double> minU = Min(uNorthWest, uNorthEast, uSouthWest, uSouthEast);
+        Vector512<double> maxU = Max(uNorthWest, uNorthEast, uSouthWest, uSouthEast);
+        Vector512<double> minV = Min(vNorthWest, vNorthEast, vSouthWest, vSouthEast);
+        Vector512<double> maxV = Max(vNorthWest, vNorthEast, vSouthWest, vSouthEast);
+        Vector512<double> isHere = Vector512.LessThanOrEqual(Vector512.Create(receivers.MinU), maxU)
+            & Vector512.GreaterThanOrEqual(Vector512.Create(receivers.MaxU), minU)
+            & Vector512.LessThanOrEqual(Vector512.Create(receivers.MinV), maxV)
+            & Vector512.GreaterThanOrEqual(Vector512.Create(receivers.MaxV), minV)
             & Vector512.LessThan(
                 Lanes.Numbers, Vector512.Create((double)(vertices.Samples - 1 - sample)));
         if (slope > 0.0)
         {
-            (southWest, northEast) = GreatestAreas(southWest, northEast, slope);
+            (southWest, northEast) = MaxAreas(southWest, northEast, slope);
         }
 
         _isSouthWestAway = isHere & Vector512.GreaterThan(southWest, Vector512<double>.Zero);
@@ -81,12 +81,12 @@ internal sealed class CellStrip(BlockVertices vertices)
         }
 
         ref double ws = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Z), _northWest);
-        LeastDepth = Least(isAway, Min(
+        MinDepth = Min(isAway, Min(
             Vector512.LoadUnsafe(ref ws),
             Vector512.LoadUnsafe(ref ws, 1),
             Vector512.LoadUnsafe(ref ws, BlockVertices.Stride),
             Vector512.LoadUnsafe(ref ws, BlockVertices.Stride + 1)));
-        _box = new LightBox(Least(isAway, leastU), -Least(isAway, -greatestU), Least(isAway, leastV), -Least(isAway, -greatestV));
+        _box = new LightBox(Min(isAway, minU), -Min(isAway, -maxU), Min(isAway, minV), -Min(isAway, -maxV));
         return true;
     }
 
@@ -123,8 +123,8 @@ internal sealed class CellStrip(BlockVertices vertices)
         return new LightSlab(
             acrossU,
             acrossV,
-            Least(isAway, Min(northWest, northEast, southWest, southEast)) - margin,
-            margin - Least(isAway, -Max(northWest, northEast, southWest, southEast)));
+            Min(isAway, Min(northWest, northEast, southWest, southEast)) - margin,
+            margin - Min(isAway, -Max(northWest, northEast, southWest, southEast)));
     }
 
     /// <summary>A bit for each cell that may lie between a point and a part of the Sun's disc, by its box.</summary>
@@ -135,18 +135,18 @@ internal sealed class CellStrip(BlockVertices vertices)
         ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
         ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
         ref double ws = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Z), _northWest);
-        (Vector512<double> leastU, Vector512<double> greatestU) = Bounds(ref us);
-        (Vector512<double> leastV, Vector512<double> greatestV) = Bounds(ref vs);
-        (Vector512<double> leastW, _) = Bounds(ref ws);
+        (Vector512<double> minU, Vector512<double> maxU) = Bounds(ref us);
+        (Vector512<double> minV, Vector512<double> maxV) = Bounds(ref vs);
+        (Vector512<double> minW, _) = Bounds(ref ws);
         Vector512<double> u = Vector512.Create(point.X);
         Vector512<double> v = Vector512.Create(point.Y);
-        Vector512<double> reach = (Vector512.Create(slope) * (Vector512.Create(point.Z) - leastW)) + Vector512.Create(Tolerances.LightPoint);
+        Vector512<double> reach = (Vector512.Create(slope) * (Vector512.Create(point.Z) - minW)) + Vector512.Create(Tolerances.LightPoint);
         return (uint)((_isSouthWestAway | _isNorthEastAway)
-            & Vector512.LessThan(leastW, Vector512.Create(point.Z))
-            & Vector512.LessThanOrEqual(leastU - reach, u)
-            & Vector512.GreaterThanOrEqual(greatestU + reach, u)
-            & Vector512.LessThanOrEqual(leastV - reach, v)
-            & Vector512.GreaterThanOrEqual(greatestV + reach, v)).ExtractMostSignificantBits();
+            & Vector512.LessThan(minW, Vector512.Create(point.Z))
+            & Vector512.LessThanOrEqual(minU - reach, u)
+            & Vector512.GreaterThanOrEqual(maxU + reach, u)
+            & Vector512.LessThanOrEqual(minV - reach, v)
+            & Vector512.GreaterThanOrEqual(maxV + reach, v)).ExtractMostSignificantBits();
     }
 
     /// <summary>Whether a facet that faces away lies between a point and the Sun.</summary>
@@ -196,10 +196,10 @@ internal sealed class CellStrip(BlockVertices vertices)
     }
 
     /// <summary>
-    /// The signed areas of the facets as the part of the disc sees them for which they are greatest. The ray to a part of the disc moves
+    /// The signed areas of the facets as the part of the disc sees them for which they are maximum. The ray to a part of the disc moves
     /// across by a constant times the depth, so the area is linear in that constant's two components.
     /// </summary>
-    private (Vector512<double> SouthWest, Vector512<double> NorthEast) GreatestAreas(
+    private (Vector512<double> SouthWest, Vector512<double> NorthEast) MaxAreas(
         Vector512<double> southWest, Vector512<double> northEast, double slope)
     {
         ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
@@ -227,7 +227,7 @@ internal sealed class CellStrip(BlockVertices vertices)
         Vector512.Create(slope) * Vector512.Sqrt((alongU * alongU) + (alongV * alongV));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static (Vector512<double> Least, Vector512<double> Greatest) Bounds(ref double corners)
+    private static (Vector512<double> Min, Vector512<double> Max) Bounds(ref double corners)
     {
         Vector512<double> northWest = Vector512.LoadUnsafe(ref corners);
         Vector512<double> northEast = Vector512.LoadUnsafe(ref corners, 1);
@@ -249,6 +249,6 @@ internal sealed class CellStrip(BlockVertices vertices)
         Vector512.MaxNative(Vector512.MaxNative(a, b), Vector512.MaxNative(c, d));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static double Least(Vector512<double> isMeant, Vector512<double> values) =>
-        Lanes.Least(Vector512.ConditionalSelect(isMeant, values, Vector512.Create(double.PositiveInfinity)));
+    private static double Min(Vector512<double> isMeant, Vector512<double> values) =>
+        Lanes.Min(Vector512.ConditionalSelect(isMeant, values, Vector512.Create(double.PositiveInfinity)));
 }

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Greatest depth of the receivers in each bin of a grid, and in squares of twice, four times, ... the edge.</summary>
+/// <summary>Maximum depth of the receivers in each bin of a grid, and in squares of twice, four times, ... the edge.</summary>
 internal sealed class DepthPyramid
 {
     /// <summary>Squares to an edge that a question looks at, at most.</summary>
@@ -61,7 +61,7 @@ internal sealed class DepthPyramid
     }
 
     /// <summary>No receiver in some bins is deeper; m, minus infinity if there is none. Looks at few squares, so it may say too much.</summary>
-    public float Greatest(GridRange bins)
+    public float Max(GridRange bins)
     {
         int level = 0;
         int edge = _size;
@@ -73,15 +73,15 @@ internal sealed class DepthPyramid
         }
 
         float[] squares = _levels[level];
-        float greatest = float.NegativeInfinity;
+        float max = float.NegativeInfinity;
         for (int row = bins.FirstRow >> level; row <= bins.LastRow >> level; row++)
         {
             for (int column = bins.FirstColumn >> level; column <= bins.LastColumn >> level; column++)
             {
-                greatest = MathF.Max(greatest, squares[(row * edge) + column]);
+                max = MathF.Max(max, squares[(row * edge) + column]);
             }
         }
 
-        return greatest;
+        return max;
     }
 }

@@ -74,9 +74,9 @@ internal sealed class DiscRays
         Vector256<double> perA = (w * nextV) - (nextW * v);
         Vector256<double> perB = (u * nextW) - (nextU * w);
         Edges edges = new(value, perA, perB);
-        Vector256<double> steepness = Vector256.Sqrt((perA * perA) + (perB * perB));
+        Vector256<double> maxSlope = Vector256.Sqrt((perA * perA) + (perB * perB));
         Vector512<double> reach = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(_sectorReach));
-        uint sectors = edges.AreNotNegative(_sectorA, _sectorB, 0, reach, steepness);
+        uint sectors = edges.AreNotNegative(_sectorA, _sectorB, 0, reach, maxSlope);
         ulong hidden = 0;
         for (; sectors != 0; sectors &= sectors - 1)
         {
@@ -102,15 +102,15 @@ internal sealed class DiscRays
     {
         /// <summary>A bit for each of eight (a, b) for which none is negative.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public uint AreNotNegative(double[] alongA, double[] alongB, int first, Vector512<double> reach, Vector256<double> steepness)
+        public uint AreNotNegative(double[] alongA, double[] alongB, int first, Vector512<double> reach, Vector256<double> maxSlope)
         {
             Vector512<double> a = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(alongA), (nuint)first);
             Vector512<double> b = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(alongB), (nuint)first);
-            Vector512<double> least = Vector512.MinNative(
-                At(0, a, b) + (reach * Vector512.Create(steepness[0])),
+            Vector512<double> min = Vector512.MinNative(
+                At(0, a, b) + (reach * Vector512.Create(maxSlope[0])),
                 Vector512.MinNative(
-                    At(1, a, b) + (reach * Vector512.Create(steepness[1])), At(2, a, b) + (reach * Vector512.Create(steepness[2]))));
-            return (uint)Vector512.GreaterThanOrEqual(least, Vector512<double>.Zero).ExtractMostSignificantBits();
+                    At(1, a, b) + (reach * Vector512.Create(maxSlope[1])), At(2, a, b) + (reach * Vector512.Create(maxSlope[2]))));
+            return (uint)Vector512.GreaterThanOrEqual(min, Vector512<double>.Zero).ExtractMostSignificantBits();
         }
 
         /// <summary>The same without any reach.</summary>
@@ -119,8 +119,8 @@ internal sealed class DiscRays
         {
             Vector512<double> a = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(alongA), (nuint)first);
             Vector512<double> b = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(alongB), (nuint)first);
-            Vector512<double> least = Vector512.MinNative(At(0, a, b), Vector512.MinNative(At(1, a, b), At(2, a, b)));
-            return (uint)Vector512.GreaterThanOrEqual(least, Vector512<double>.Zero).ExtractMostSignificantBits();
+            Vector512<double> min = Vector512.MinNative(At(0, a, b), Vector512.MinNative(At(1, a, b), At(2, a, b)));
+            return (uint)Vector512.GreaterThanOrEqual(min, Vector512<double>.Zero).ExtractMostSignificantBits();
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -17,7 +17,7 @@ internal static class FacetCaster
     {
         LightBox box = facet.Box;
         GridRange bins = grid.BinsOf(box);
-        if (!(facet.LeastDepth < grid.GreatestDepth(bins)))
+        if (!(facet.MinDepth < grid.MaxDepth(bins)))
         {
             return 0;
         }
@@ -26,13 +26,13 @@ internal static class FacetCaster
         for (int row = bins.FirstRow; row <= bins.LastRow; row++)
         {
             // The first and the last row may hold receivers beyond the grid, so there the facet is cut on one side only.
-            (double least, double greatest) = facet.Between(
+            (double min, double max) = facet.Between(
                 row == bins.FirstRow ? double.NegativeInfinity : grid.AxisV.StartOf(row) - Tolerances.LightPoint,
                 row == bins.LastRow ? double.PositiveInfinity : grid.AxisV.StartOf(row + 1) + Tolerances.LightPoint);
             (int first, int end) = grid.Run(
                 row,
-                Math.Max(bins.FirstColumn, grid.AxisU.BinOf(least - Tolerances.LightPoint)),
-                Math.Min(bins.LastColumn, grid.AxisU.BinOf(greatest + Tolerances.LightPoint)));
+                Math.Max(bins.FirstColumn, grid.AxisU.BinOf(min - Tolerances.LightPoint)),
+                Math.Min(bins.LastColumn, grid.AxisU.BinOf(max + Tolerances.LightPoint)));
             if (end > first)
             {
                 Hide(in facet, grid, first, end, hidden);

@@ -1,10 +1,10 @@
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>The points of a picture that may be lit: surface points of pixels whose facet faces the Sun, row by row.</summary>
+/// <summary>The points of an image that may be lit: surface points of pixels whose facet faces the Sun, row by row.</summary>
 /// <remarks>Each row is read once a frame; several threads read different rows at the same time.</remarks>
 internal interface IReceiverRows
 {
-    /// <summary>Rows of the picture.</summary>
+    /// <summary>Rows of the image.</summary>
     int Rows { get; }
 
     /// <summary>Most receivers a row.</summary>

@@ -13,9 +13,9 @@ internal static class Lanes
         get => Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
     }
 
-    /// <summary>The least of them.</summary>
+    /// <summary>The minimum of them.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double Least(Vector512<double> values)
+    public static double Min(Vector512<double> values)
     {
         Vector256<double> four = Vector256.MinNative(values.GetLower(), values.GetUpper());
         Vector128<double> two = Vector128.MinNative(four.GetLower(), four.GetUpper());

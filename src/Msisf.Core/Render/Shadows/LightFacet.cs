@@ -9,25 +9,25 @@ internal readonly record struct LightFacet(
         Math.Min(Ua, Math.Min(Ub, Uc)), Math.Max(Ua, Math.Max(Ub, Uc)), Math.Min(Va, Math.Min(Vb, Vc)), Math.Max(Va, Math.Max(Vb, Vc)));
 
     /// <summary>m: no point of it is nearer to the Sun.</summary>
-    public double LeastDepth => Math.Min(Wa, Math.Min(Wb, Wc));
+    public double MinDepth => Math.Min(Wa, Math.Min(Wb, Wc));
 
     /// <summary>Bounds of u of the part between two values of v.</summary>
     /// <returns>m; infinite the wrong way round if there is no such part.</returns>
-    public (double LeastU, double GreatestU) Between(double leastV, double greatestV)
+    public (double MinU, double MaxU) Between(double minV, double maxV)
     {
-        double least = double.PositiveInfinity;
-        double greatest = double.NegativeInfinity;
-        AddEdge(Ua, Va, Ub, Vb, leastV, greatestV, ref least, ref greatest);
-        AddEdge(Ub, Vb, Uc, Vc, leastV, greatestV, ref least, ref greatest);
-        AddEdge(Uc, Vc, Ua, Va, leastV, greatestV, ref least, ref greatest);
-        return (least, greatest);
+        double min = double.PositiveInfinity;
+        double max = double.NegativeInfinity;
+        AddEdge(Ua, Va, Ub, Vb, minV, maxV, ref min, ref max);
+        AddEdge(Ub, Vb, Uc, Vc, minV, maxV, ref min, ref max);
+        AddEdge(Uc, Vc, Ua, Va, minV, maxV, ref min, ref max);
+        return (min, max);
     }
 
     private static void AddEdge(
-        double ua, double va, double ub, double vb, double leastV, double greatestV, ref double least, ref double greatest)
+        double ua, double va, double ub, double vb, double minV, double maxV, ref double min, ref double max)
     {
-        double low = Math.Max(leastV, Math.Min(va, vb));
-        double high = Math.Min(greatestV, Math.Max(va, vb));
+        double low = Math.Max(minV, Math.Min(va, vb));
+        double high = Math.Min(maxV, Math.Max(va, vb));
         if (low > high)
         {
             return;
@@ -36,7 +36,7 @@ internal readonly record struct LightFacet(
         double slope = va == vb ? 0.0 : (ub - ua) / (vb - va);
         double atLow = va == vb ? ua : ua + ((low - va) * slope);
         double atHigh = va == vb ? ub : ua + ((high - va) * slope);
-        least = Math.Min(least, Math.Min(atLow, atHigh));
-        greatest = Math.Max(greatest, Math.Max(atLow, atHigh));
+        min = Math.Min(min, Math.Min(atLow, atHigh));
+        max = Math.Max(max, Math.Max(atLow, atHigh));
     }
 }

@@ -4,7 +4,7 @@ using Msisf.Core.Render.Surface;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// Finds which parts of the Sun's disc terrain hides from the points of a picture: what <see cref="ShadowPass"/> does for the Sun's
+/// Finds which parts of the Sun's disc terrain hides from the points of an image: what <see cref="ShadowPass"/> does for the Sun's
 /// centre, for each point of the disc. Points that no shadow comes near cost no more than there. One object serves frame after frame,
 /// one at a time, and keeps its memory.
 /// </summary>

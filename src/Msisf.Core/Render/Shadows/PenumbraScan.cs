@@ -34,22 +34,22 @@ internal sealed class PenumbraScan
         int length = _vertices.Lines * BlockVertices.Stride;
         receivers.Frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
         ReceiverGrid grid = receivers.Grid;
-        double deepest = grid.GreatestDepth();
-        LightBox reach = receivers.Box.Widened(slope * Math.Max(0.0, deepest - LeastDepth(length)));
+        double deepest = grid.MaxDepth();
+        LightBox reach = receivers.Box.Widened(slope * Math.Max(0.0, deepest - MinDepth(length)));
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
             for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
             {
-                if (!_strip.TrySet(line, sample, in reach, slope) || !(_strip.LeastDepth < deepest))
+                if (!_strip.TrySet(line, sample, in reach, slope) || !(_strip.MinDepth < deepest))
                 {
                     continue;
                 }
 
                 // The farther behind the facets, the farther aside they may hide a part of the disc.
-                double depth = grid.GreatestDepth(grid.BinsOf(_strip.Box.Widened(slope * (deepest - _strip.LeastDepth))));
-                if (_strip.LeastDepth < depth)
+                double depth = grid.MaxDepth(grid.BinsOf(_strip.Box.Widened(slope * (deepest - _strip.MinDepth))));
+                if (_strip.MinDepth < depth)
                 {
-                    CastStrip(grid, _strip.Box.Widened(slope * (depth - _strip.LeastDepth)), rays, slope, hidden);
+                    CastStrip(grid, _strip.Box.Widened(slope * (depth - _strip.MinDepth)), rays, slope, hidden);
                 }
             }
         }
@@ -68,13 +68,13 @@ internal sealed class PenumbraScan
             {
                 Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
                 Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
-                Vector512<double> behind = Vector512.LoadUnsafe(ref ws, (nuint)i) - Vector512.Create(_strip.LeastDepth);
+                Vector512<double> behind = Vector512.LoadUnsafe(ref ws, (nuint)i) - Vector512.Create(_strip.MinDepth);
                 Vector512<double> margin = Vector512.Create(slope) * behind;
                 uint isNear = ReceiverGrid.Meant(i, end) & (uint)(Vector512.GreaterThan(behind, Vector512<double>.Zero)
-                    & Vector512.GreaterThanOrEqual(u + margin, Vector512.Create(_strip.Box.LeastU))
-                    & Vector512.LessThanOrEqual(u - margin, Vector512.Create(_strip.Box.GreatestU))
-                    & Vector512.GreaterThanOrEqual(v + margin, Vector512.Create(_strip.Box.LeastV))
-                    & Vector512.LessThanOrEqual(v - margin, Vector512.Create(_strip.Box.GreatestV))).ExtractMostSignificantBits();
+                    & Vector512.GreaterThanOrEqual(u + margin, Vector512.Create(_strip.Box.MinU))
+                    & Vector512.LessThanOrEqual(u - margin, Vector512.Create(_strip.Box.MaxU))
+                    & Vector512.GreaterThanOrEqual(v + margin, Vector512.Create(_strip.Box.MinV))
+                    & Vector512.LessThanOrEqual(v - margin, Vector512.Create(_strip.Box.MaxV))).ExtractMostSignificantBits();
                 for (; isNear != 0; isNear &= isNear - 1)
                 {
                     Hide(grid, i + BitOperations.TrailingZeroCount(isNear), rays, slope, hidden);
@@ -117,14 +117,14 @@ internal sealed class PenumbraScan
         }
     }
 
-    private double LeastDepth(int length)
+    private double MinDepth(int length)
     {
-        double least = double.PositiveInfinity;
+        double min = double.PositiveInfinity;
         for (int i = 0; i < length; i++)
         {
-            least = Math.Min(least, _vertices.Z[i]);
+            min = Math.Min(min, _vertices.Z[i]);
         }
 
-        return least;
+        return min;
     }
 }

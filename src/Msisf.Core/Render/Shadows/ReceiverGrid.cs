@@ -15,7 +15,7 @@ namespace Msisf.Core.Render.Shadows;
 internal sealed class ReceiverGrid
 {
     private const int LaneCount = 8;
-    private const int MostBins = 2048;
+    private const int MaxBins = 2048;
 
     private readonly DepthPyramid _depths = new();
     private LightAxis _u;
@@ -41,7 +41,7 @@ internal sealed class ReceiverGrid
     /// <inheritdoc cref="U"/>
     public double[] W { get; private set; } = [];
 
-    /// <summary>Pixels: row of the picture times its width plus column.</summary>
+    /// <summary>Pixels: row of the image times its width plus column.</summary>
     public int[] Pixels { get; private set; } = [];
 
     /// <summary>Across the rays.</summary>
@@ -63,9 +63,9 @@ internal sealed class ReceiverGrid
         }
 
         // A bin of about 2 x 2 pixels: larger ones give facets more receivers to try in vain, smaller ones more bins to visit.
-        Size = Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MostBins);
-        _u = new LightAxis(box.LeastU, box.GreatestU, Size);
-        _v = new LightAxis(box.LeastV, box.GreatestV, Size);
+        Size = Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MaxBins);
+        _u = new LightAxis(box.MinU, box.MaxU, Size);
+        _v = new LightAxis(box.MinV, box.MaxV, Size);
         _depths.Prepare(Size);
         int room = Size * Size * 5 / 4; // the next frames' numbers differ a little
         if (_starts.Length < (Size * Size) + 1)
@@ -98,11 +98,11 @@ internal sealed class ReceiverGrid
         int count = rows.Count(row);
         Span<long> lanes = stackalloc long[LaneCount];
         Span<float> depths = stackalloc float[LaneCount];
-        (int[] counts, float[] greatest) = _parts[part];
-        Vector512<double> leastU = Vector512.Create(double.PositiveInfinity);
-        Vector512<double> leastV = leastU;
-        Vector512<double> greatestU = -leastU;
-        Vector512<double> greatestV = -leastU;
+        (int[] counts, float[] max) = _parts[part];
+        Vector512<double> minU = Vector512.Create(double.PositiveInfinity);
+        Vector512<double> minV = minU;
+        Vector512<double> maxU = -minU;
+        Vector512<double> maxV = -minU;
         Vector512<double> size = Vector512.Create((double)Size);
         for (int i = 0; i < count; i += LaneCount)
         {
@@ -111,10 +111,10 @@ internal sealed class ReceiverGrid
             Vector512<double> w = Vector512.LoadUnsafe(ref rows.W[0], (nuint)(start + i));
             Vector512<double> isNight = night.Holds(u, v, w);
             Vector512<double> isOut = isNight | Vector512.GreaterThanOrEqual(Lanes.Numbers, Vector512.Create((double)(count - i)));
-            leastU = Vector512.ConditionalSelect(isOut, leastU, Vector512.MinNative(leastU, u));
-            leastV = Vector512.ConditionalSelect(isOut, leastV, Vector512.MinNative(leastV, v));
-            greatestU = Vector512.ConditionalSelect(isOut, greatestU, Vector512.MaxNative(greatestU, u));
-            greatestV = Vector512.ConditionalSelect(isOut, greatestV, Vector512.MaxNative(greatestV, v));
+            minU = Vector512.ConditionalSelect(isOut, minU, Vector512.MinNative(minU, u));
+            minV = Vector512.ConditionalSelect(isOut, minV, Vector512.MinNative(minV, v));
+            maxU = Vector512.ConditionalSelect(isOut, maxU, Vector512.MaxNative(maxU, u));
+            maxV = Vector512.ConditionalSelect(isOut, maxV, Vector512.MaxNative(maxV, v));
             Vector512<double> bins = Vector512.ConditionalSelect(isNight, Vector512.Create(-1.0), (_v.BinsOf(v) * size) + _u.BinsOf(u));
             Vector512.ConvertToInt64Native(bins).CopyTo(lanes);
             Vector512.Narrow(w, w).GetLower().CopyTo(depths);
@@ -125,12 +125,12 @@ internal sealed class ReceiverGrid
                 if (bin >= 0)
                 {
                     counts[bin]++;
-                    greatest[bin] = Math.Max(greatest[bin], depths[lane]);
+                    max[bin] = Math.Max(max[bin], depths[lane]);
                 }
             }
         }
 
-        return new LightBox(Lanes.Least(leastU), -Lanes.Least(-greatestU), Lanes.Least(leastV), -Lanes.Least(-greatestV));
+        return new LightBox(Lanes.Min(minU), -Lanes.Min(-maxU), Lanes.Min(minV), -Lanes.Min(-maxV));
     }
 
     /// <summary>Gives each bin its place, and in it each part; finds the bins' depths. No bin is wanted yet.</summary>
@@ -140,14 +140,14 @@ internal sealed class ReceiverGrid
         for (int bin = 0; bin < Size * Size; bin++)
         {
             _starts[bin] = next;
-            float greatest = float.NegativeInfinity;
+            float max = float.NegativeInfinity;
             foreach ((int[] counts, float[] depths) in _parts)
             {
                 (counts[bin], next) = (next, next + counts[bin]);
-                greatest = Math.Max(greatest, depths[bin]);
+                max = Math.Max(max, depths[bin]);
             }
 
-            _depths.Bins[bin] = MathF.BitIncrement(greatest);
+            _depths.Bins[bin] = MathF.BitIncrement(max);
         }
 
         _depths.Finish();
@@ -208,13 +208,13 @@ internal sealed class ReceiverGrid
     /// <summary>The bins that a box touches.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public GridRange BinsOf(in LightBox box) =>
-        new(_u.BinOf(box.LeastU), _u.BinOf(box.GreatestU), _v.BinOf(box.LeastV), _v.BinOf(box.GreatestV));
+        new(_u.BinOf(box.MinU), _u.BinOf(box.MaxU), _v.BinOf(box.MinV), _v.BinOf(box.MaxV));
 
     /// <summary>No receiver in some bins is deeper; m, minus infinity if there is none. It may say too much.</summary>
-    public float GreatestDepth(GridRange bins) => _depths.Greatest(bins);
+    public float MaxDepth(GridRange bins) => _depths.Max(bins);
 
     /// <summary>No receiver is deeper; m.</summary>
-    public float GreatestDepth() => _depths.Greatest(new GridRange(0, Size - 1, 0, Size - 1));
+    public float MaxDepth() => _depths.Max(new GridRange(0, Size - 1, 0, Size - 1));
 
     /// <summary>A bit for each lane of a vector from one receiver on that comes before another.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -235,6 +235,6 @@ internal sealed class ReceiverGrid
 
     /// <summary>What one thread finds of the bins.</summary>
     /// <param name="Counts">Receivers of each; later the place of the next.</param>
-    /// <param name="Depths">Greatest depth of each, m.</param>
+    /// <param name="Depths">Maximum depth of each, m.</param>
     private sealed record Part(int[] Counts, float[] Depths);
 }

@@ -3,7 +3,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>The receivers of a frame in the order of the picture; the arrays serve all frames of a size.</summary>
+/// <summary>The receivers of a frame in the order of the image; the arrays serve all frames of a size.</summary>
 internal sealed class ReceiverRows
 {
     private static readonly int Lanes = Vector512<double>.Count;
@@ -20,10 +20,10 @@ internal sealed class ReceiverRows
     /// <inheritdoc cref="U"/>
     public double[] W { get; private set; } = [];
 
-    /// <summary>Columns of the picture.</summary>
+    /// <summary>Columns of the image.</summary>
     public int[] Columns { get; private set; } = [];
 
-    /// <summary>Makes room for a picture.</summary>
+    /// <summary>Makes room for an image.</summary>
     public void Prepare(int rows, int width)
     {
         _stride = (width + Lanes - 1) / Lanes * Lanes;

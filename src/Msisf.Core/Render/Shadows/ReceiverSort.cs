@@ -5,11 +5,11 @@ namespace Msisf.Core.Render.Shadows;
 /// <summary>Reads the receivers of a frame, lays out light space for them and sorts them into a grid.</summary>
 internal sealed class ReceiverSort
 {
-    /// <summary>Every so many rows of the picture are read first, to lay out light space.</summary>
+    /// <summary>Every so many rows of the image are read first, to lay out light space.</summary>
     private const int ScoutSpacing = 16;
 
     /// <summary>The sort keeps a count of every bin for each part that it does at the same time.</summary>
-    private const int MostParts = 8;
+    private const int MaxParts = 8;
 
     private readonly ReceiverRows _rows = new();
     private LightBox[] _boxes = [];
@@ -32,7 +32,7 @@ internal sealed class ReceiverSort
     public void Read(IReceiverRows receivers, LightSource sun, NightZone night, int threads, CancellationToken cancellation)
     {
         int rows = receivers.Rows;
-        int parts = Math.Min(threads, MostParts);
+        int parts = Math.Min(threads, MaxParts);
         _rows.Prepare(rows, receivers.Width);
         if (_boxes.Length < rows)
         {
@@ -69,7 +69,7 @@ internal sealed class ReceiverSort
     /// <param name="cancellation">Ends the work.</param>
     public void Sort(IReceiverRows receivers, Action<int> hide, int threads, CancellationToken cancellation)
     {
-        int parts = Math.Min(threads, MostParts);
+        int parts = Math.Min(threads, MaxParts);
         WorkerTeam.Run(threads, parts, (_, part) =>
         {
             for (int row = part; row < receivers.Rows; row += parts)

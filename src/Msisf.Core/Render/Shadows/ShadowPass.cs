@@ -5,7 +5,7 @@ using Msisf.Core.Render.Surface;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// Finds the points of a picture that terrain hides from the Sun, exactly. The surface is closed, so a ray that leaves it towards the
+/// Finds the points of an image that terrain hides from the Sun, exactly. The surface is closed, so a ray that leaves it towards the
 /// Sun can meet it again only through a facet that faces away from the Sun: only these are looked at, and no point can hide itself.
 /// One object serves frame after frame, one at a time, and keeps its memory.
 /// </summary>

@@ -28,7 +28,7 @@ internal sealed class SunDisc
 
     private static readonly int[] Rings = [4, 12, 20, 28];
 
-    /// <summary>Parts of the angle between two points of a ring by which it is turned: of quarters, those that lessen the greatest error.</summary>
+    /// <summary>Parts of the angle between two points of a ring by which it is turned: of quarters, those that lessen the maximum error.</summary>
     private static readonly double[] Turns = [0.5, 0.75, 0.0, 0.75];
 
     private readonly Vector3D[] _pointsMoonMe;
@@ -96,12 +96,12 @@ internal sealed class SunDisc
 
     /// <summary>Whether a facet's plane may cut the disc, seen from a point of it.</summary>
     /// <param name="cosIncidence">Cosine of the angle between the facet's normal and the direction to the disc's centre.</param>
-    public bool IsCut(double cosIncidence) => Math.Abs(cosIncidence) <= -LeastCosine;
+    public bool IsCut(double cosIncidence) => Math.Abs(cosIncidence) <= -MinCosine;
 
     /// <summary>Whether any part of the disc is above a facet's plane, seen from a point of it.</summary>
     /// <param name="cosIncidence">Cosine of the angle between the facet's normal and the direction to the disc's centre.</param>
-    public bool MayLight(double cosIncidence) => cosIncidence > LeastCosine;
+    public bool MayLight(double cosIncidence) => cosIncidence > MinCosine;
 
     /// <summary>Facets whose cosine of the incidence angle is less see nothing of the disc.</summary>
-    public double LeastCosine => -1.01 * Slope; // seen from the near side of the Moon the disc is 1.2e-5 parts wider
+    public double MinCosine => -1.01 * Slope; // seen from the near side of the Moon the disc is 1.2e-5 parts wider
 }

@@ -27,7 +27,7 @@ internal sealed class BlockBoundsTable
     /// <summary>Blocks a row.</summary>
     public int Columns { get; }
 
-    /// <summary>Least and greatest vertex radius (m, not widened by the lattice) and tangent of the steepest facet's slope; rounded outwards.</summary>
+    /// <summary>Minimum and maximum vertex radius (m, not widened by the lattice) and tangent of the steepest facet's slope; rounded outwards.</summary>
     public BlockBounds Of(CellBlock block)
     {
         RowOfBlocks row = Volatile.Read(ref _rows[block.Row]) ?? NewRow(block.Row);
@@ -52,8 +52,8 @@ internal sealed class BlockBoundsTable
         int samples = cells.EndSample - cells.FirstSample + 1;
         Span<double> north = stackalloc double[samples];
         Span<double> line = stackalloc double[samples];
-        double least = double.PositiveInfinity;
-        double greatest = double.NegativeInfinity;
+        double min = double.PositiveInfinity;
+        double max = double.NegativeInfinity;
         double east = 0.0;
         double south = 0.0;
         double cellAngle = 2.0 * Math.PI / _surface.Mesh.Samples;
@@ -66,35 +66,35 @@ internal sealed class BlockBoundsTable
             for (int j = 0; j < samples; j++)
             {
                 double radius = line[j];
-                least = Math.Min(least, radius);
-                greatest = Math.Max(greatest, radius);
+                min = Math.Min(min, radius);
+                max = Math.Max(max, radius);
                 stepEast = Math.Max(stepEast, Math.Abs(radius - west));
                 stepSouth = Math.Max(stepSouth, Math.Abs(radius - north[j]));
                 west = radius;
             }
 
             bool isPole = i < 0 || i == _surface.Mesh.Lines;
-            east = isPole ? east : Math.Max(east, Slope(stepEast, cellAngle * _surface.Latitude(i).Cosine, least));
+            east = isPole ? east : Math.Max(east, Slope(stepEast, cellAngle * _surface.Latitude(i).Cosine, min));
             if (i > cells.FirstLine)
             {
                 // The step to a pole is half a cell long.
                 bool isHalf = i == 0 || i == _surface.Mesh.Lines;
-                south = Math.Max(south, Slope(stepSouth, isHalf ? 0.5 * cellAngle : cellAngle, least));
+                south = Math.Max(south, Slope(stepSouth, isHalf ? 0.5 * cellAngle : cellAngle, min));
             }
 
             line.CopyTo(north);
         }
 
-        if (!(Math.Max(MoonConstants.ReferenceRadius - least, greatest - MoonConstants.ReferenceRadius) <= MoonConstants.GreatestRelief))
+        if (!(Math.Max(MoonConstants.ReferenceRadius - min, max - MoonConstants.ReferenceRadius) <= MoonConstants.MaxRelief))
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{_surface.Grid.ProductId} has radii from {least:R} to {greatest:R} m around line {cells.FirstLine + 2}, sample {cells.FirstSample + 1}; a surface within {MoonConstants.GreatestRelief:R} m of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
+                $"{_surface.Grid.ProductId} has radii from {min:R} to {max:R} m around line {cells.FirstLine + 2}, sample {cells.FirstSample + 1}; a surface within {MoonConstants.MaxRelief:R} m of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
         }
 
         return new BlockBounds(
-            MathF.BitDecrement((float)least),
-            MathF.BitIncrement((float)greatest),
+            MathF.BitDecrement((float)min),
+            MathF.BitIncrement((float)max),
             MathF.BitIncrement((float)(SlopeMargin * double.Hypot(east, south))));
     }
 

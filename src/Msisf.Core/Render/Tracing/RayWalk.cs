@@ -12,7 +12,7 @@ namespace Msisf.Core.Render.Tracing;
 internal ref struct RayWalk
 {
     /// <summary>m: all of the surface is nearer to the Moon's centre.</summary>
-    private const double Top = MoonConstants.ReferenceRadius + MoonConstants.GreatestRelief + 1.0;
+    private const double Top = MoonConstants.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
 
     private readonly LatticeMesh _mesh;
     private readonly SurfaceBounds _bounds;
@@ -52,7 +52,7 @@ internal ref struct RayWalk
         _edge = new EdgeFunction(_near.Origin, ray.Direction);
         _borders = new BlockBorders(mesh, _start, direction);
         _sagitta = MeshBounds.SagittaFactor(mesh.PixelsPerDegree);
-        _bottom = _sagitta * (MoonConstants.ReferenceRadius - MoonConstants.GreatestRelief - 1.0);
+        _bottom = _sagitta * (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief - 1.0);
         _parameter = endParameter - _offset;
         _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
     }
@@ -110,7 +110,7 @@ internal ref struct RayWalk
         for (; kind < SurfaceBounds.Sides.Length && block.Size <= SurfaceBounds.Sides[kind]; kind++)
         {
             RadiusRange range = _bounds.Of(kind, block.Row, block.Column);
-            if (!MayMeet(piece, range.Least, range.Greatest))
+            if (!MayMeet(piece, range.Min, range.Max))
             {
                 return;
             }
@@ -137,10 +137,10 @@ internal ref struct RayWalk
     }
 
     /// <summary>Whether a piece is anywhere as high as facets whose vertices have such radii.</summary>
-    private readonly bool MayMeet(RayPiece piece, double least, double greatest)
+    private readonly bool MayMeet(RayPiece piece, double min, double max)
     {
-        double top = greatest + Tolerances.VertexLattice;
-        double bottom = (least - Tolerances.VertexLattice) * _sagitta;
+        double top = max + Tolerances.VertexLattice;
+        double bottom = (min - Tolerances.VertexLattice) * _sagitta;
         return SquaredRadiusAt(Math.Clamp(-_startRise, piece.Near, piece.Far)) <= top * top
             && Math.Max(SquaredRadiusAt(piece.Near), SquaredRadiusAt(piece.Far)) >= bottom * bottom;
     }
@@ -152,9 +152,9 @@ internal ref struct RayWalk
         Span<double> radii = stackalloc double[4];
         _mesh.ReadRadii(line, sample, radii[..2]);
         _mesh.ReadRadii(line + 1, sample, radii[2..]);
-        double least = Math.Min(Math.Min(radii[0], radii[1]), Math.Min(radii[2], radii[3]));
-        double greatest = Math.Max(Math.Max(radii[0], radii[1]), Math.Max(radii[2], radii[3]));
-        if (!MayMeet(piece, least, greatest))
+        double min = Math.Min(Math.Min(radii[0], radii[1]), Math.Min(radii[2], radii[3]));
+        double max = Math.Max(Math.Max(radii[0], radii[1]), Math.Max(radii[2], radii[3]));
+        if (!MayMeet(piece, min, max))
         {
             return;
         }

@@ -5,7 +5,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Render.Tracing;
 
 /// <summary>
-/// Least and greatest radius of the surface in pages of 256 x 256 cells, blocks of 32 x 32 and patches of 8 x 8, each found when a ray
+/// Minimum and maximum radius of the surface in pages of 256 x 256 cells, blocks of 32 x 32 and patches of 8 x 8, each found when a ray
 /// first comes near it. Safe for several threads: two may find the same bounds at the same time, which come out the same.
 /// </summary>
 internal sealed class SurfaceBounds
@@ -76,15 +76,15 @@ internal sealed class SurfaceBounds
         int last = Math.Min(south, _mesh.Lines - 1);
         int west = pageColumn << PageShift;
         int samples = Math.Min(1 << PageShift, _mesh.Samples - west) + 1;
-        (double least, double greatest) = _grid.RadiusBounds(first, last - first + 1, west, Math.Min(samples, _mesh.Samples));
-        if (!(Math.Abs(least - MoonConstants.ReferenceRadius) <= MoonConstants.GreatestRelief && Math.Abs(greatest - MoonConstants.ReferenceRadius) <= MoonConstants.GreatestRelief))
+        (double min, double max) = _grid.RadiusBounds(first, last - first + 1, west, Math.Min(samples, _mesh.Samples));
+        if (!(Math.Abs(min - MoonConstants.ReferenceRadius) <= MoonConstants.MaxRelief && Math.Abs(max - MoonConstants.ReferenceRadius) <= MoonConstants.MaxRelief))
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{_grid.ProductId} has radii from {least:R} to {greatest:R} m between its lines {first + 1} and {last + 1}, samples {west + 1} and {Math.Min(west + samples, _mesh.Samples)}; a surface within {MoonConstants.GreatestRelief:R} m of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
+                $"{_grid.ProductId} has radii from {min:R} to {max:R} m between its lines {first + 1} and {last + 1}, samples {west + 1} and {Math.Min(west + samples, _mesh.Samples)}; a surface within {MoonConstants.MaxRelief:R} m of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
         }
 
-        RadiusRange range = RadiusRange.Around(least, greatest);
+        RadiusRange range = RadiusRange.Around(min, max);
         range = north < first ? range.With(PoleRadius(north)) : range;
         return new Page(south > last ? range.With(PoleRadius(south)) : range);
     }

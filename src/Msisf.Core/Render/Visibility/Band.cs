@@ -1,7 +1,7 @@
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Rows of a picture that are drawn together: for each pixel the nearest facet so far. One object is used for many frames. A facet is
+/// Rows of an image that are drawn together: for each pixel the nearest facet so far. One object is used for many frames. A facet is
 /// recorded when it first wins a pixel.
 /// </summary>
 internal sealed class Band
@@ -19,7 +19,7 @@ internal sealed class Band
     /// <summary>Elements from one row to the next.</summary>
     public int Stride { get; private set; }
 
-    /// <summary>The picture's columns.</summary>
+    /// <summary>The image's columns.</summary>
     public int Width { get; private set; }
 
     /// <summary>Its first row, from 0.</summary>

@@ -7,10 +7,10 @@ internal sealed class BandWorker
 {
     private readonly ProjectedBlock _block = new();
     private readonly CellSieve _sieve = new();
-    private readonly CrossingCells _crossing = new();
+    private readonly NearPlaneCells _crossing = new();
 
     /// <summary>Draws all blocks that touch a band; returns what that took.</summary>
-    public VisibilityCounts Draw(SurfaceModel surface, PictureView view, List<VisibleBlock> blocks, Band band)
+    public VisibilityCounts Draw(SurfaceModel surface, ImageView view, List<VisibleBlock> blocks, Band band)
     {
         long read = 0;
         long sieved = 0;

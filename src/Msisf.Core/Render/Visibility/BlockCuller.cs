@@ -6,7 +6,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>Finds the blocks that a picture may show; reads those whose place alone does not tell.</summary>
+/// <summary>Finds the blocks that an image may show; reads those whose place alone does not tell.</summary>
 internal sealed class BlockCuller
 {
     /// <summary>Blocks that one thread looks at in a row.</summary>
@@ -17,7 +17,7 @@ internal sealed class BlockCuller
 
     private readonly SurfaceModel _surface;
     private readonly BlockTree _tree;
-    private readonly (double Least, double Greatest) _limits;
+    private readonly (double Min, double Max) _limits;
     private readonly double _sagitta;
     private readonly double _tilt;
     private readonly List<CellBlock> _candidates = [];
@@ -28,17 +28,17 @@ internal sealed class BlockCuller
     {
         _surface = surface;
         _tree = new BlockTree(surface.Mesh);
-        (double least, double greatest) = surface.Grid.RadiusLimits;
-        _limits = (least - BoundsRounding, greatest + BoundsRounding);
+        (double min, double max) = surface.Grid.RadiusLimits;
+        _limits = (min - BoundsRounding, max + BoundsRounding);
         _sagitta = MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree);
         _tilt = Math.PI / 180.0 / surface.Grid.PixelsPerDegree; // up turns by less from a facet's middle to its corners
     }
 
     /// <summary>The blocks that may be seen, always in the same order; valid until the next call.</summary>
-    public List<VisibleBlock> Find(PictureView view, int threads, CancellationToken cancellation)
+    public List<VisibleBlock> Find(ImageView view, int threads, CancellationToken cancellation)
     {
         ViewFrustum frustum = new(view);
-        MoonHorizon horizon = new(view.Camera.PositionMoonMe, LowestPoint(_limits.Least));
+        MoonHorizon horizon = new(view.Camera.PositionMoonMe, LowestPoint(_limits.Min));
         _candidates.Clear();
         _tree.Collect(frustum, horizon, _limits, _candidates);
         if (_found.Length < _candidates.Count)
@@ -71,14 +71,14 @@ internal sealed class BlockCuller
     private VisibleBlock? Look(CellBlock block, ViewFrustum frustum, MoonHorizon horizon)
     {
         BlockBounds bounds = _surface.Bounds.Of(block);
-        if (bounds.Least < _limits.Least || bounds.Greatest > _limits.Greatest)
+        if (bounds.Min < _limits.Min || bounds.Max > _limits.Max)
         {
             throw OutsideLimits(block, bounds);
         }
 
-        BlockBox box = _tree.Blocks.Box(block.Row, block.Column, bounds.Least, bounds.Greatest);
-        if (horizon.Hides(box, bounds.Greatest)
-            || horizon.IsTurnedAway(box, LowestPoint(bounds.Least), bounds.Steepness + _tilt)
+        BlockBox box = _tree.Blocks.Box(block.Row, block.Column, bounds.Min, bounds.Max);
+        if (horizon.Hides(box, bounds.Max)
+            || horizon.IsTurnedAway(box, LowestPoint(bounds.Min), bounds.MaxSlope + _tilt)
             || !frustum.TryFindRows(box, out (int First, int Last) rows))
         {
             return null;
@@ -92,8 +92,8 @@ internal sealed class BlockCuller
         CellRange cells = block.Cells(_surface.Mesh);
         return new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"{_surface.Grid.ProductId}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, samples {cells.FirstSample + 1} to {cells.EndSample + 1}: radii from {bounds.Least:R} to {bounds.Greatest:R} m, but no radius may lie outside {_limits.Least:R} to {_limits.Greatest:R} m. The file is damaged: get it again."));
+            $"{_surface.Grid.ProductId}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, samples {cells.FirstSample + 1} to {cells.EndSample + 1}: radii from {bounds.Min:R} to {bounds.Max:R} m, but no radius may lie outside {_limits.Min:R} to {_limits.Max:R} m. The file is damaged: get it again."));
     }
 
-    private double LowestPoint(double leastRadius) => (leastRadius * _sagitta) - Tolerances.VertexLattice;
+    private double LowestPoint(double minRadius) => (minRadius * _sagitta) - Tolerances.VertexLattice;
 }

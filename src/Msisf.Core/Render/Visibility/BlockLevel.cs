@@ -43,9 +43,9 @@ internal sealed class BlockLevel
     /// <summary>The box that holds all facets of a square whose vertex radii lie within bounds.</summary>
     /// <param name="row">Row of the square.</param>
     /// <param name="column">Column of the square.</param>
-    /// <param name="leastRadius">m.</param>
-    /// <param name="greatestRadius">m.</param>
-    public BlockBox Box(int row, int column, double leastRadius, double greatestRadius)
+    /// <param name="minRadius">m.</param>
+    /// <param name="maxRadius">m.</param>
+    public BlockBox Box(int row, int column, double minRadius, double maxRadius)
     {
         ref readonly RowGeometry geometry = ref _rows[row];
         SineCosine longitude = _longitudes[column];
@@ -53,8 +53,8 @@ internal sealed class BlockLevel
         Vector3D up = new(latitude.Cosine * longitude.Cosine, latitude.Cosine * longitude.Sine, latitude.Sine);
         Vector3D east = new(-longitude.Sine, longitude.Cosine, 0.0);
         Vector3D north = new(-latitude.Sine * longitude.Cosine, -latitude.Sine * longitude.Sine, latitude.Cosine);
-        double highest = greatestRadius + Tolerances.VertexLattice;
-        double lowest = (leastRadius - Tolerances.VertexLattice) * geometry.CapRadius.Cosine;
+        double highest = maxRadius + Tolerances.VertexLattice;
+        double lowest = (minRadius - Tolerances.VertexLattice) * geometry.CapRadius.Cosine;
         return new BlockBox(
             up,
             geometry.CapRadius,
@@ -76,10 +76,10 @@ internal sealed class BlockLevel
 
             double north = FacetMesh.Latitude(cells.FirstLine, mesh.Lines);
             double south = FacetMesh.Latitude(cells.EndLine, mesh.Lines);
-            double greatestCosine = north > 0.0 && south < 0.0 ? 1.0 : Math.Max(Math.Cos(north), Math.Cos(south));
+            double maxCosine = north > 0.0 && south < 0.0 ? 1.0 : Math.Max(Math.Cos(north), Math.Cos(south));
             double halfLongitude = Math.Min(0.5 * Math.PI, (cells.EndSample - cells.FirstSample) * Math.PI / mesh.Samples);
-            double bulge = greatestCosine * Math.Abs(sine) * (1.0 - Math.Cos(halfLongitude)); // parallels are no great circles
-            HalfWidth = Tolerances.CapRadius + (greatestCosine * Math.Sin(halfLongitude));
+            double bulge = maxCosine * Math.Abs(sine) * (1.0 - Math.Cos(halfLongitude)); // parallels are no great circles
+            HalfWidth = Tolerances.CapRadius + (maxCosine * Math.Sin(halfLongitude));
             HalfHeight = Tolerances.CapRadius + Math.Sin(0.5 * (north - south)) + bulge;
         }
 

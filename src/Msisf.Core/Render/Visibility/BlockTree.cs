@@ -6,7 +6,7 @@ namespace Msisf.Core.Render.Visibility;
 /// <summary>The blocks of a model in squares of 2 x 2, 4 x 4, ...: the coarsest ones are some ten to the Moon's girth. Immutable.</summary>
 internal sealed class BlockTree
 {
-    private const int LeastColumns = 8;
+    private const int MinColumns = 8;
 
     private readonly BlockLevel[] _levels;
 
@@ -14,7 +14,7 @@ internal sealed class BlockTree
     {
         int columns = CellBlock.ColumnsOf(mesh);
         int levels = 1;
-        while (columns >> levels >= LeastColumns)
+        while (columns >> levels >= MinColumns)
         {
             levels++;
         }
@@ -29,12 +29,12 @@ internal sealed class BlockTree
     /// <summary>The blocks themselves.</summary>
     public BlockLevel Blocks => _levels[0];
 
-    /// <summary>Appends the blocks that may be in the picture if all that is known of the surface is how far it may reach; always in the same order.</summary>
-    /// <param name="frustum">The picture.</param>
+    /// <summary>Appends the blocks that may be in the image if all that is known of the surface is how far it may reach; always in the same order.</summary>
+    /// <param name="frustum">The image.</param>
     /// <param name="horizon">What is hidden from the camera.</param>
     /// <param name="limits">m: the model's radii.</param>
     /// <param name="blocks">Filled.</param>
-    public void Collect(ViewFrustum frustum, MoonHorizon horizon, (double Least, double Greatest) limits, List<CellBlock> blocks)
+    public void Collect(ViewFrustum frustum, MoonHorizon horizon, (double Min, double Max) limits, List<CellBlock> blocks)
     {
         BlockLevel top = _levels[^1];
         for (int row = 0; row < top.Rows; row++)
@@ -47,7 +47,7 @@ internal sealed class BlockTree
     }
 
     private void Descend(
-        int level, int row, int column, ViewFrustum frustum, MoonHorizon horizon, (double Least, double Greatest) limits, List<CellBlock> blocks)
+        int level, int row, int column, ViewFrustum frustum, MoonHorizon horizon, (double Min, double Max) limits, List<CellBlock> blocks)
     {
         BlockLevel squares = _levels[level];
         if (row >= squares.Rows || column >= squares.Columns)
@@ -55,8 +55,8 @@ internal sealed class BlockTree
             return;
         }
 
-        BlockBox box = squares.Box(row, column, limits.Least, limits.Greatest);
-        if (horizon.Hides(box, limits.Greatest) || !frustum.TryFindRows(box, out _))
+        BlockBox box = squares.Box(row, column, limits.Min, limits.Max);
+        if (horizon.Hides(box, limits.Max) || !frustum.TryFindRows(box, out _))
         {
             return;
         }

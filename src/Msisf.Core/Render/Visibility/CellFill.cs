@@ -34,9 +34,9 @@ internal static class CellFill
 
         DepthPlane southWestPlane = new(northWest, southWest, southEast);
         DepthPlane northEastPlane = new(northWest, southEast, northEast);
-        Vector512<double> least = Vector512.Create(
+        Vector512<double> min = Vector512.Create(
             Math.Min(Math.Min(northWest.InverseDepth, northEast.InverseDepth), Math.Min(southWest.InverseDepth, southEast.InverseDepth)));
-        Vector512<double> greatest = Vector512.Create(
+        Vector512<double> max = Vector512.Create(
             Math.Max(Math.Max(northWest.InverseDepth, northEast.InverseDepth), Math.Max(southWest.InverseDepth, southEast.InverseDepth)));
         Vector512<double> southWestMask = Vector512.Create((halves & FacetCorners.SouthWestHalf) != 0 ? -1L : 0L).AsDouble();
         Vector512<double> northEastMask = Vector512.Create((halves & FacetCorners.NorthEastHalf) != 0 ? -1L : 0L).AsDouble();
@@ -83,7 +83,7 @@ internal static class CellFill
                     inSouthWest,
                     southWestStart + (Vector512.Create(southWestPlane.PerColumn) * columns),
                     northEastStart + (Vector512.Create(northEastPlane.PerColumn) * columns));
-                inverseDepth = Vector512.MinNative(Vector512.MaxNative(inverseDepth, least), greatest);
+                inverseDepth = Vector512.MinNative(Vector512.MaxNative(inverseDepth, min), max);
                 Vector512<double> before = Vector512.LoadUnsafe(ref nearest, (nuint)column);
                 Vector512<double> wins = (inSouthWest | inNorthEast)
                     & Vector512.GreaterThan(inverseDepth, before)
@@ -117,7 +117,7 @@ internal static class CellFill
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<int> Narrow(Vector512<double> mask) => Vector512.Narrow(mask.AsInt64(), mask.AsInt64()).GetLower();
 
-    /// <summary>One over the depth of a facet, linear in the picture.</summary>
+    /// <summary>One over the depth of a facet, linear in the image.</summary>
     private readonly struct DepthPlane
     {
         private readonly CellCorner _a;

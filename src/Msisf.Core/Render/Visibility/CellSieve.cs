@@ -6,13 +6,13 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Draws a block's cells into a band of the picture, eight at a time. Cells that hold no pixel centre fall through; small ones are tested
+/// Draws a block's cells into a band of the image, eight at a time. Cells that hold no pixel centre fall through; small ones are tested
 /// against their pixels together, each cell with its own pixel; wide ones are filled one by one.
 /// </summary>
 /// <remarks>
 /// Whether a pixel lies in a facet is told by the signs of its edges, (a - p) x (b - p), without FMA: the same edge run through the other
 /// way has exactly the opposite value, and zero counts as inside, so no pixel falls between two facets. The edges are also the corners'
-/// weights, by which one over the depth, which is linear in the picture, is that of the pixel.
+/// weights, by which one over the depth, which is linear in the image, is that of the pixel.
 /// </remarks>
 internal sealed class CellSieve
 {
@@ -27,7 +27,7 @@ internal sealed class CellSieve
     private double _turnedArea;
 
     /// <summary>Takes a frame's camera.</summary>
-    public void Begin(PictureView view) => _turnedArea = view.TurnedArea;
+    public void Begin(ImageView view) => _turnedArea = view.BackFaceArea;
 
     /// <summary>Draws the cells of a block that is in front of the camera; returns how many were looked at.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
@@ -83,7 +83,7 @@ internal sealed class CellSieve
         {
             Vector512.Create(Band.NotRecorded).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_numbers));
             bool isOverfull = (rows & Bits(Vector512.GreaterThan(lastColumn - firstColumn, Vector512<double>.One))) != 0;
-            LeaningBox box = isOverfull ? LeaningBox.Along(cells) : LeaningBox.Upright(left, right);
+            ShearedBounds box = isOverfull ? ShearedBounds.Along(cells) : ShearedBounds.Upright(left, right);
             for (Vector512<double> row = firstRow; rows != 0;)
             {
                 (Vector512<double> begin, Vector512<double> end) = box.At(row);

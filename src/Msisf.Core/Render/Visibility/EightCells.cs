@@ -21,17 +21,17 @@ internal readonly ref struct EightCells
         _inverseDepth = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(block.InverseDepth), index);
     }
 
-    /// <summary>Least column of each cell.</summary>
-    public Vector512<double> Left => Least(ref _x);
+    /// <summary>Minimum column of each cell.</summary>
+    public Vector512<double> Left => Min(ref _x);
 
-    /// <summary>Greatest column.</summary>
-    public Vector512<double> Right => Greatest(ref _x);
+    /// <summary>Maximum column.</summary>
+    public Vector512<double> Right => Max(ref _x);
 
-    /// <summary>Least row.</summary>
-    public Vector512<double> Top => Least(ref _y);
+    /// <summary>Minimum row.</summary>
+    public Vector512<double> Top => Min(ref _y);
 
-    /// <summary>Greatest row.</summary>
-    public Vector512<double> Bottom => Greatest(ref _y);
+    /// <summary>Maximum row.</summary>
+    public Vector512<double> Bottom => Max(ref _y);
 
     /// <summary>px2: twice the area of the south-western facets, below 0 where they face the camera.</summary>
     public Vector512<double> SouthWestArea =>
@@ -57,12 +57,12 @@ internal readonly ref struct EightCells
     public Vector512<double> InverseDepth(int corner) => Vector512.LoadUnsafe(ref _inverseDepth, (nuint)corner);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> Least(ref double of) => Vector512.MinNative(
+    private static Vector512<double> Min(ref double of) => Vector512.MinNative(
         Vector512.MinNative(Vector512.LoadUnsafe(ref of), Vector512.LoadUnsafe(ref of, FacetCorners.NorthEast)),
         Vector512.MinNative(Vector512.LoadUnsafe(ref of, FacetCorners.SouthWest), Vector512.LoadUnsafe(ref of, FacetCorners.SouthEast)));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> Greatest(ref double of) => Vector512.MaxNative(
+    private static Vector512<double> Max(ref double of) => Vector512.MaxNative(
         Vector512.MaxNative(Vector512.LoadUnsafe(ref of), Vector512.LoadUnsafe(ref of, FacetCorners.NorthEast)),
         Vector512.MaxNative(Vector512.LoadUnsafe(ref of, FacetCorners.SouthWest), Vector512.LoadUnsafe(ref of, FacetCorners.SouthEast)));
 }

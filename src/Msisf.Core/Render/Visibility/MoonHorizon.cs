@@ -26,27 +26,27 @@ internal sealed class MoonHorizon
     }
 
     /// <summary>Whether the inner sphere hides all that lies in a box.</summary>
-    public bool Hides(in BlockBox box, double greatestRadius)
+    public bool Hides(in BlockBox box, double maxRadius)
     {
         if (!_isOutside)
         {
             return false;
         }
 
-        SineCosine reach = Sum(Sum(_limb, AngleOfCosine(_innerRadius / (greatestRadius + Tolerances.VertexLattice))), box.CapRadius);
+        SineCosine reach = Sum(Sum(_limb, AngleOfCosine(_innerRadius / (maxRadius + Tolerances.VertexLattice))), box.CapRadius);
         bool isBelowPi = reach.Sine > 0.0;
         return isBelowPi && Vector3D.Dot(_toCamera, box.Up) < reach.Cosine;
     }
 
     /// <summary>Whether all facets within a box turn away from the camera.</summary>
     /// <param name="box">The box.</param>
-    /// <param name="leastRadius">m: no facet reaches farther down.</param>
-    /// <param name="steepness">Tangent of the steepest slope.</param>
+    /// <param name="minRadius">m: no facet reaches farther down.</param>
+    /// <param name="maxSlope">Tangent of the steepest slope.</param>
     /// <remarks>
-    /// The camera stands D cos(theta) - r over a point's level at a distance D sin(theta) to the side. cos(theta) + steepness sin(theta)
+    /// The camera stands D cos(theta) - r over a point's level at a distance D sin(theta) to the side. cos(theta) + maxSlope sin(theta)
     /// falls from where its slope is the steepest one.
     /// </remarks>
-    public bool IsTurnedAway(in BlockBox box, double leastRadius, double steepness)
+    public bool IsTurnedAway(in BlockBox box, double minRadius, double maxSlope)
     {
         if (!_isOutside)
         {
@@ -58,8 +58,8 @@ internal sealed class MoonHorizon
         double nearestSine = (sine * box.CapRadius.Cosine) - (cosine * box.CapRadius.Sine);
         double nearestCosine = (cosine * box.CapRadius.Cosine) + (sine * box.CapRadius.Sine);
         return nearestSine > 0.0
-            && nearestSine > steepness * nearestCosine
-            && nearestCosine + (steepness * nearestSine) < leastRadius / _distance;
+            && nearestSine > maxSlope * nearestCosine
+            && nearestCosine + (maxSlope * nearestSine) < minRadius / _distance;
     }
 
     /// <summary>The angle between 0 and pi/2 that has the cosine, or 0.</summary>

@@ -6,7 +6,7 @@ using Msisf.Core.Render.Surface;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>The vertices of one block, in space and in the picture; one object is loaded again and again.</summary>
+/// <summary>The vertices of one block, in space and in the image; one object is loaded again and again.</summary>
 internal sealed class ProjectedBlock
 {
     /// <summary>Elements from one line of vertices to the next.</summary>
@@ -15,14 +15,14 @@ internal sealed class ProjectedBlock
     private const int Rows = CellBlock.Size + 1;
 
     /// <summary>m: less deep vertices lie in the plane of the camera; far above the numbers whose inverse is infinite.</summary>
-    private const double LeastDepth = 1e-200;
+    private const double MinDepth = 1e-200;
 
     private readonly double[] _tops = new double[Rows * Vector512<double>.Count];
     private readonly double[] _bottoms = new double[Rows * Vector512<double>.Count];
     private Vector3D _originFromAnchor;
     private int _lastCellLine;
 
-    /// <summary>m, from <see cref="PictureView.Origin"/>, not from the camera.</summary>
+    /// <summary>m, from <see cref="ImageView.Origin"/>, not from the camera.</summary>
     public BlockVertices Vertices { get; } = new();
 
     /// <summary>Columns of the vertices; line by line, <see cref="Stride"/> elements each.</summary>
@@ -34,7 +34,7 @@ internal sealed class ProjectedBlock
     /// <summary>1/m: one over the depth of the vertices.</summary>
     public double[] InverseDepth { get; } = new double[Rows * Stride];
 
-    /// <summary>All vertices lie in front of the camera and are projected within <see cref="PictureView.CoordinateLimit"/>.</summary>
+    /// <summary>All vertices lie in front of the camera and are projected within <see cref="ImageView.CoordinateLimit"/>.</summary>
     public bool IsInFront { get; private set; }
 
     /// <summary>Halves of the cells of a line that are facets, by the bits of <see cref="FacetCorners"/>: a fan's cells have one.</summary>
@@ -73,12 +73,12 @@ internal sealed class ProjectedBlock
             new Vector3D(nx, ny, nz), offset, Vertices.Cells.FirstLine + line, (2 * (Vertices.Cells.FirstSample + index - (line * Stride))) + half);
     }
 
-    /// <summary>Position of a vertex, m, MOON_ME from <see cref="PictureView.Origin"/>.</summary>
+    /// <summary>Position of a vertex, m, MOON_ME from <see cref="ImageView.Origin"/>.</summary>
     public Vector3D At(int index) => new(Vertices.X[index], Vertices.Y[index], Vertices.Z[index]);
 
     /// <summary>Reads and projects a block.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else draw with unoptimised vectors
-    public void Load(SurfaceModel surface, CellBlock block, PictureView view)
+    public void Load(SurfaceModel surface, CellBlock block, ImageView view)
     {
         Vertices.Load(surface, block, view.Origin);
         _lastCellLine = surface.Mesh.Lines - 1;
@@ -93,12 +93,12 @@ internal sealed class ProjectedBlock
         ref double spaceX = ref MemoryMarshal.GetArrayDataReference(Vertices.X);
         ref double spaceY = ref MemoryMarshal.GetArrayDataReference(Vertices.Y);
         ref double spaceZ = ref MemoryMarshal.GetArrayDataReference(Vertices.Z);
-        ref double pictureX = ref MemoryMarshal.GetArrayDataReference(X);
-        ref double pictureY = ref MemoryMarshal.GetArrayDataReference(Y);
+        ref double imageX = ref MemoryMarshal.GetArrayDataReference(X);
+        ref double imageY = ref MemoryMarshal.GetArrayDataReference(Y);
         ref double inverseDepth = ref MemoryMarshal.GetArrayDataReference(InverseDepth);
         Vector512<double> worst = Vector512<double>.Zero;
-        Vector512<double> least = one;
-        Vector512<double> noDepth = Vector512.Create(LeastDepth);
+        Vector512<double> min = one;
+        Vector512<double> noDepth = Vector512.Create(MinDepth);
         for (int line = 0; line < Vertices.Lines; line++)
         {
             Vector512<double> top = Vector512.Create(double.PositiveInfinity);
@@ -114,10 +114,10 @@ internal sealed class ProjectedBlock
                 Vector512<double> x = (across.Of(sx, sy, sz) * inverse) + centreX;
                 Vector512<double> y = (down.Of(sx, sy, sz) * inverse) + centreY;
                 inverse.StoreUnsafe(ref inverseDepth, index);
-                x.StoreUnsafe(ref pictureX, index);
-                y.StoreUnsafe(ref pictureY, index);
+                x.StoreUnsafe(ref imageX, index);
+                y.StoreUnsafe(ref imageY, index);
                 worst = Vector512.MaxNative(worst, Vector512.MaxNative(Vector512.Abs(x), Vector512.Abs(y)));
-                least = Vector512.MinNative(least, depth);
+                min = Vector512.MinNative(min, depth);
                 top = Vector512.MinNative(top, y);
                 bottom = Vector512.MaxNative(bottom, y);
             }
@@ -126,12 +126,12 @@ internal sealed class ProjectedBlock
             bottom.StoreUnsafe(ref _bottoms[line * Vector512<double>.Count]);
         }
 
-        IsInFront = Vector512.GreaterThanAll(least, noDepth) && Vector512.LessThanOrEqualAll(worst, limit);
+        IsInFront = Vector512.GreaterThanAll(min, noDepth) && Vector512.LessThanOrEqualAll(worst, limit);
     }
 
     /// <summary>Whether the vertex lies in front of the camera and its projection may be used; the same in each block that has it.</summary>
-    public bool IsUsable(int index, PictureView view) =>
-        InverseDepth[index] is > 0.0 and < 1.0 / LeastDepth && Math.Abs(X[index]) <= view.CoordinateLimit && Math.Abs(Y[index]) <= view.CoordinateLimit;
+    public bool IsUsable(int index, ImageView view) =>
+        InverseDepth[index] is > 0.0 and < 1.0 / MinDepth && Math.Abs(X[index]) <= view.CoordinateLimit && Math.Abs(Y[index]) <= view.CoordinateLimit;
 
     /// <summary>Whether a line of cells may touch the rows, if the block is in front.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

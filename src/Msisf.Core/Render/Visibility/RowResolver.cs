@@ -13,12 +13,12 @@ namespace Msisf.Core.Render.Visibility;
 internal sealed class RowResolver
 {
     /// <summary>1, parts of t: more than the depth buffer is wrong, unless a facet is seen edge-on and its plane tells nothing.</summary>
-    private const double GreatestCorrection = 1e-6;
+    private const double MaxCorrection = 1e-6;
 
-    private readonly PictureView _view;
+    private readonly ImageView _view;
     private readonly double[] _right;
 
-    public RowResolver(PictureView view)
+    public RowResolver(ImageView view)
     {
         _view = view;
         _right = new double[view.Camera.Width];
@@ -39,7 +39,7 @@ internal sealed class RowResolver
         Vector3D near = new(
             Along(position.X, parameter, direction.X), Along(position.Y, parameter, direction.Y), Along(position.Z, parameter, direction.Z));
         double correction = (record.Offset - Vector3D.Dot(record.Normal, near)) / Vector3D.Dot(record.Normal, direction);
-        double limit = GreatestCorrection * parameter;
+        double limit = MaxCorrection * parameter;
         correction = correction > -limit ? correction : -limit;
         correction = correction < limit ? correction : limit;
         double perLength = 1.0 / Math.Sqrt(record.Normal.LengthSquared); // sides of 0.01 m to 1e6 m: no overflow
@@ -63,7 +63,7 @@ internal sealed class RowResolver
         double up = (1.0 + height - (2.0 * (row + 1 + _view.OffsetY))) / (2.0 * height);
         Vector3D middle = _view.Camera.Direction + (up * _view.Camera.Up);
         Vector512<double> distance = Vector512.Create(_view.Distance);
-        Vector512<double> greatest = Vector512.Create(GreatestCorrection);
+        Vector512<double> max = Vector512.Create(MaxCorrection);
         ref double parameters = ref MemoryMarshal.GetArrayDataReference(pixels.Parameters);
         ref double x = ref MemoryMarshal.GetArrayDataReference(pixels.X);
         ref double y = ref MemoryMarshal.GetArrayDataReference(pixels.Y);
@@ -85,7 +85,7 @@ internal sealed class RowResolver
             Vector512<double> nx = Vector512.LoadUnsafe(ref normalX, i);
             Vector512<double> ny = Vector512.LoadUnsafe(ref normalY, i);
             Vector512<double> nz = Vector512.LoadUnsafe(ref normalZ, i);
-            Vector512<double> limit = greatest * parameter;
+            Vector512<double> limit = max * parameter;
             Vector512<double> correction = Held(
                 (offset - ((nx * nearX) + (ny * nearY) + (nz * nearZ))) / ((nx * directionX) + (ny * directionY) + (nz * directionZ)), -limit, limit);
             (parameter + correction).StoreUnsafe(ref parameters, i);
@@ -121,8 +121,8 @@ internal sealed class RowResolver
 
     /// <summary>Holds values within limits; what is no number becomes the lower limit.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> Held(Vector512<double> value, Vector512<double> least, Vector512<double> greatest) =>
-        Vector512.MinNative(Vector512.MaxNative(value, least), greatest);
+    private static Vector512<double> Held(Vector512<double> value, Vector512<double> min, Vector512<double> max) =>
+        Vector512.MinNative(Vector512.MaxNative(value, min), max);
 
     /// <summary>Puts the row's pixels one after the other; x holds their part of the way to the right for now, y their planes' offset.</summary>
     private void Gather(Band band, int row, SurfaceRow pixels)

@@ -36,7 +36,7 @@ internal sealed class SurfaceRow
     /// <inheritdoc cref="NormalX"/>
     public double[] NormalZ { get; private set; } = [];
 
-    /// <summary>Makes room for a picture's width.</summary>
+    /// <summary>Makes room for an image's width.</summary>
     internal void EnsureWidth(int width)
     {
         int size = width + Padding;

@@ -2,14 +2,14 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>The rays of a picture's pixels as a cone with four sides; tells what of a box may be in the picture.</summary>
+/// <summary>The rays of an image's pixels as a cone with four sides; tells what of a box may be in the image.</summary>
 internal sealed class ViewFrustum
 {
-    private readonly PictureView _view;
+    private readonly ImageView _view;
     private readonly Vector3D[] _inward;
     private readonly double _margin;
 
-    public ViewFrustum(PictureView view)
+    public ViewFrustum(ImageView view)
     {
         _view = view;
 
@@ -31,8 +31,8 @@ internal sealed class ViewFrustum
 
     /// <summary>Rows in which a box may be seen.</summary>
     /// <param name="box">The box.</param>
-    /// <param name="rows">From 0; all of the picture's for a box that the camera's plane meets.</param>
-    /// <returns>False for a box that is certainly outside the picture.</returns>
+    /// <param name="rows">From 0; all of the image's for a box that the camera's plane meets.</param>
+    /// <returns>False for a box that is certainly outside the image.</returns>
     public bool TryFindRows(in BlockBox box, out (int First, int Last) rows)
     {
         rows = (0, _view.Camera.Height - 1);

@@ -32,7 +32,7 @@ internal sealed class VisibilityPass
     /// <exception cref="Errors.BadInputException">The elevation model holds what can't be right.</exception>
     public VisibleSurface Run(PinholeCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
     {
-        PictureView view = new(camera, offsetX, offsetY);
+        ImageView view = new(camera, offsetX, offsetY);
         List<VisibleBlock> blocks = _culler.Find(view, threads, cancellation);
         _result.Begin(view);
         while (_workers.Count < threads)

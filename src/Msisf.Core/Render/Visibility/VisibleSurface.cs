@@ -17,8 +17,8 @@ internal sealed class VisibleSurface
     /// <summary>px.</summary>
     public int Height { get; private set; }
 
-    /// <summary>The frame's picture.</summary>
-    public PictureView View { get; private set; } = null!;
+    /// <summary>The frame's image.</summary>
+    public ImageView View { get; private set; } = null!;
 
     /// <summary>What the frame took.</summary>
     public VisibilityCounts Counts { get; private set; }
@@ -57,7 +57,7 @@ internal sealed class VisibleSurface
     public FacetId FacetOf(int y, int number) => BandOf(y, out _).Records[number].Facet;
 
     /// <summary>Goes to a new frame.</summary>
-    internal void Begin(PictureView view)
+    internal void Begin(ImageView view)
     {
         View = view;
         Width = view.Camera.Width;

@@ -16,8 +16,8 @@ public abstract class BlockedGrid : IElevationGrid
         ProductId = source.ProductId;
 
         // Means lie between the samples, but for the rounding of their heights.
-        (double least, double greatest) = source.RadiusLimits;
-        RadiusLimits = (least - Tolerances.VertexLattice, greatest + Tolerances.VertexLattice);
+        (double min, double max) = source.RadiusLimits;
+        RadiusLimits = (min - Tolerances.VertexLattice, max + Tolerances.VertexLattice);
         Layout = new LodLayout(pixelsPerDegree);
     }
 
@@ -28,7 +28,7 @@ public abstract class BlockedGrid : IElevationGrid
     public int PixelsPerDegree => Layout.PixelsPerDegree;
 
     /// <inheritdoc/>
-    public (double Least, double Greatest) RadiusLimits { get; }
+    public (double Min, double Max) RadiusLimits { get; }
 
     /// <summary>The level's blocks.</summary>
     protected LodLayout Layout { get; }
@@ -54,8 +54,8 @@ public abstract class BlockedGrid : IElevationGrid
     public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
     {
         Layout.CheckRange(firstLine, lines, firstSample, samples);
-        float least = float.PositiveInfinity;
-        float greatest = float.NegativeInfinity;
+        float min = float.PositiveInfinity;
+        float max = float.NegativeInfinity;
         for (int line = firstLine, nextLine; line < firstLine + lines; line = nextLine)
         {
             nextLine = Math.Min(firstLine + lines, (line | (LodLayout.Side - 1)) + 1);
@@ -70,14 +70,14 @@ public abstract class BlockedGrid : IElevationGrid
                 {
                     foreach (float height in heights.Slice(((i & (LodLayout.Side - 1)) << LodLayout.SideShift) + inBlock, count))
                     {
-                        least = Math.Min(least, height);
-                        greatest = Math.Max(greatest, height);
+                        min = Math.Min(min, height);
+                        max = Math.Max(max, height);
                     }
                 }
             }
         }
 
-        return (MoonConstants.ReferenceRadius + least, MoonConstants.ReferenceRadius + greatest);
+        return (MoonConstants.ReferenceRadius + min, MoonConstants.ReferenceRadius + max);
     }
 
     /// <summary>The samples of a block.</summary>

@@ -5,7 +5,7 @@ namespace Msisf.Core.Terrain.Lod;
 /// <summary>How far the surface of a coarser level lies from the model's.</summary>
 public static class LevelDeviation
 {
-    /// <summary>The greatest difference in height between a part's facets and the model's samples under or over them, m.</summary>
+    /// <summary>The maximum difference in height between a part's facets and the model's samples under or over them, m.</summary>
     /// <param name="levels">The model and its levels.</param>
     /// <param name="part">A part of any level; 0 for the model itself.</param>
     public static double Of(LodLevels levels, SurfacePart part)

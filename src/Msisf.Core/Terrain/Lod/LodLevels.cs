@@ -8,13 +8,13 @@ namespace Msisf.Core.Terrain.Lod;
 public sealed class LodLevels
 {
     /// <summary>Bytes of computed blocks that are kept if nothing else is asked for.</summary>
-    public const long UsualCacheBytes = 256L << 20;
+    public const long DefaultCacheBytes = 256L << 20;
 
     /// <summary>128 MB of 16-bit samples: reading goes on at full speed. The system maps several times that, as it reads around what is asked for.</summary>
-    public const int UsualSamplesBetweenForgetting = 1 << 26;
+    public const int DefaultSamplesBetweenReleases = 1 << 26;
 
     /// <summary>8 MB of 16-bit samples: the levels take little memory, and more time to compute.</summary>
-    public const int SparingSamplesBetweenForgetting = 1 << 22;
+    public const int SparingSamplesBetweenReleases = 1 << 22;
 
     private readonly IElevationGrid[] _levels;
 
@@ -27,12 +27,12 @@ public sealed class LodLevels
     /// <param name="source">The model.</param>
     /// <param name="stored">Levels that were made before, in any order (their resolutions say which); those without one are computed when they are read.</param>
     /// <param name="cacheBytes">Memory for computed blocks, all levels together.</param>
-    /// <param name="samplesBetweenForgetting">Samples of the model that are read before their memory is given back.</param>
+    /// <param name="samplesBetweenReleases">Samples of the model that are read before their memory is given back.</param>
     public static LodLevels Open(
         IElevationGrid source,
         IReadOnlyList<IElevationGrid>? stored = null,
-        long cacheBytes = UsualCacheBytes,
-        int samplesBetweenForgetting = UsualSamplesBetweenForgetting)
+        long cacheBytes = DefaultCacheBytes,
+        int samplesBetweenReleases = DefaultSamplesBetweenReleases)
     {
         LodCache cache = new(cacheBytes);
         IElevationGrid[] levels = new IElevationGrid[CountOf(source.PixelsPerDegree)];
@@ -41,7 +41,7 @@ public sealed class LodLevels
         {
             int resolution = source.PixelsPerDegree >> level;
             levels[level] = stored?.FirstOrDefault(grid => grid.PixelsPerDegree == resolution)
-                ?? new ReducedGrid(source, level, levels[level - 1] as ReducedGrid, cache, samplesBetweenForgetting);
+                ?? new ReducedGrid(source, level, levels[level - 1] as ReducedGrid, cache, samplesBetweenReleases);
         }
 
         return new LodLevels(levels);

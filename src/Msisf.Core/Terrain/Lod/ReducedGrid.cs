@@ -10,7 +10,7 @@ public sealed class ReducedGrid : BlockedGrid
 {
     private readonly LodCache _cache;
     private readonly IElevationGrid _source;
-    private readonly int _blocksBetweenForgetting;
+    private readonly int _blocksBetweenReleases;
     private readonly ReducedGrid? _below;
     private readonly BlockReducer _fromSource;
     private readonly BlockReducer? _fromBelow;
@@ -23,13 +23,13 @@ public sealed class ReducedGrid : BlockedGrid
     /// <param name="halvings">At least 1.</param>
     /// <param name="below">The level of one halving less, if it is computed from the same source; its blocks are used if they are there.</param>
     /// <param name="cache">Bounds the memory.</param>
-    /// <param name="samplesBetweenForgetting">Samples of the model after which it may give their memory back.</param>
-    internal ReducedGrid(IElevationGrid source, int halvings, ReducedGrid? below, LodCache cache, int samplesBetweenForgetting)
+    /// <param name="samplesBetweenReleases">Samples of the model after which it may give their memory back.</param>
+    internal ReducedGrid(IElevationGrid source, int halvings, ReducedGrid? below, LodCache cache, int samplesBetweenReleases)
         : base(source, source.PixelsPerDegree >> halvings)
     {
         _cache = cache;
         _source = source;
-        _blocksBetweenForgetting = Math.Max(1, (samplesBetweenForgetting / LodLayout.BlockSamples) >> (2 * halvings));
+        _blocksBetweenReleases = Math.Max(1, (samplesBetweenReleases / LodLayout.BlockSamples) >> (2 * halvings));
         _below = below;
         _fromSource = new BlockReducer(source, halvings);
         _fromBelow = below is null ? null : new BlockReducer(below, 1);
@@ -65,9 +65,9 @@ public sealed class ReducedGrid : BlockedGrid
         float[] heights = new float[LodLayout.BlockSamples];
         BlockReducer reducer = _fromBelow is not null && IsKnownBelow(row, column) ? _fromBelow : _fromSource;
         reducer.Reduce(row, column, heights);
-        if (reducer == _fromSource && Interlocked.Increment(ref _blocksFromSource) % _blocksBetweenForgetting == 0)
+        if (reducer == _fromSource && Interlocked.Increment(ref _blocksFromSource) % _blocksBetweenReleases == 0)
         {
-            _source.Forget(); // what was reduced is not read again, and is much
+            _source.ReleasePages(); // what was reduced is not read again, and is much
         }
 
         LodBlock?[] slots = Volatile.Read(ref _rows[row])

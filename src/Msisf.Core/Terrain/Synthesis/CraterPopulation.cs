@@ -16,7 +16,7 @@ internal sealed class CraterPopulation
     private const double Exponent = 1.83;
     private const double MareCoefficient = 3e-3; // per km2
     private const double MareExponent = 3.0;
-    private const double LeastMareDensity = 1.0 / 130.0;
+    private const double MinMareDensity = 1.0 / 130.0;
     private const double OldestFreshnessLog2 = -5.0;
 
     private readonly ulong _seed;
@@ -43,7 +43,7 @@ internal sealed class CraterPopulation
     /// <summary>1: density of craters of a diameter in m on the maria, over that on highlands.</summary>
     public static double MareDensity(double diameter) => Math.Clamp(
         MareCoefficient / Coefficient * PortableMath.Pow(1e-3 * diameter, Exponent - MareExponent),
-        LeastMareDensity,
+        MinMareDensity,
         1.0);
 
     /// <summary>Every crater that may reach into a band of latitudes and longitudes, in an order that does not depend on the band.</summary>
@@ -55,9 +55,9 @@ internal sealed class CraterPopulation
     {
         for (int octave = (int)Math.Floor(PortableMath.Log2(_smallest)); Math.ScaleB(1.0, octave) < _largest; octave++)
         {
-            double least = Math.ScaleB(1.0, octave);
-            double density = HighlandsCountAbove(least) - HighlandsCountAbove(2.0 * least);
-            double reach = Crater.Reach * least / MoonConstants.ReferenceRadius * (180.0 / Math.PI);
+            double min = Math.ScaleB(1.0, octave);
+            double density = HighlandsCountAbove(min) - HighlandsCountAbove(2.0 * min);
+            double reach = Crater.Reach * min / MoonConstants.ReferenceRadius * (180.0 / Math.PI);
             foreach (CraterCell cell in new CraterCells(octave).Near(southDegrees, northDegrees, westDegrees, widthDegrees, reach))
             {
                 foreach (Crater crater in InCell(cell, octave, density))
@@ -70,7 +70,7 @@ internal sealed class CraterPopulation
 
     private IEnumerable<Crater> InCell(CraterCell cell, int octave, double density)
     {
-        double least = Math.ScaleB(1.0, octave);
+        double min = Math.ScaleB(1.0, octave);
         SplitMix64 random = SplitMix64.For(_seed, Purpose + ((ulong)octave << 8), cell.Band, cell.Column);
         double none = PortableMath.Exp2(-density * cell.Area / 0.69314718055994530942);
 
@@ -79,7 +79,7 @@ internal sealed class CraterPopulation
         {
             (double sinLatitude, double longitude) = cell.Place(random.NextUniform(), random.NextUniform());
             double part = 1.0 - (random.NextUniform() * (1.0 - PortableMath.Exp2(-Exponent)));
-            double diameter = least * PortableMath.Pow(part, -1.0 / Exponent);
+            double diameter = min * PortableMath.Pow(part, -1.0 / Exponent);
             double freshness = PortableMath.Exp2(OldestFreshnessLog2 * random.NextUniform());
             double kept = random.NextUniform();
             Crater crater = new(sinLatitude, longitude, 0.5 * diameter, freshness);

@@ -70,8 +70,8 @@ internal static class CraterStamp
     {
         // Reached where cos(longitude difference) >= bound.
         double product = frame.CosLatitude[line] * crater.CosLatitude;
-        double least = 1.0 - (0.5 * reach * reach * 1.01) - (crater.SinLatitude * frame.SinLatitude[line]);
-        double bound = least / Math.Abs(product);
+        double min = 1.0 - (0.5 * reach * reach * 1.01) - (crater.SinLatitude * frame.SinLatitude[line]);
+        double bound = min / Math.Abs(product);
         if (bound > 1.0)
         {
             return (0, -1);

@@ -22,7 +22,7 @@ internal static class DetailSpectrum
     private const double CraterSlopePower = 0.0108;
 
     // Craters are sparse: even where they fill the law there is this part of noise between them.
-    private const double LeastNoisePart = 0.15;
+    private const double MinNoisePart = 0.15;
 
     /// <summary>Octaves from the base's spacing down to the output's.</summary>
     /// <param name="seed">The user's seed.</param>
@@ -55,7 +55,7 @@ internal static class DetailSpectrum
         double fine = Target(law, spacing / 2.0, baseSpacing, baseTangent);
         double coarse = Target(law, spacing, baseSpacing, baseTangent);
         double power = (fine * fine) - (coarse * coarse);
-        double noisePower = Math.Max(power - craterPower, LeastNoisePart * power);
+        double noisePower = Math.Max(power - craterPower, MinNoisePart * power);
         return Math.Sqrt(noisePower) * spacing / (MedianOverRms * GradientNoise.RmsSlope * VisibleSlope);
     }
 

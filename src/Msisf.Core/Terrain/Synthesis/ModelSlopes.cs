@@ -7,7 +7,7 @@ namespace Msisf.Core.Terrain.Synthesis;
 /// <param name="Maria">Tangent, where the mare fraction is 1.</param>
 internal sealed record ModelSlopes(double? Highlands, double? Maria)
 {
-    private const int LeastCount = 200; // samples; a median of fewer says little
+    private const int MinCount = 200; // samples; a median of fewer says little
     private const int NorthernmostDegree = 60; // nearer the poles the samples of a line crowd together
 
     /// <summary>Measures a model on lines and samples about a degree apart.</summary>
@@ -56,6 +56,6 @@ internal sealed record ModelSlopes(double? Highlands, double? Maria)
     private static double? Median(List<double> values)
     {
         values.Sort();
-        return values.Count < LeastCount ? null : values[values.Count / 2];
+        return values.Count < MinCount ? null : values[values.Count / 2];
     }
 }

@@ -15,7 +15,7 @@ public sealed class SyntheticTerrain
     /// <summary>1: how many times finer than its base a model can be; a tile holds at least seven base pixels each way.</summary>
     public const int LargestRatio = 512;
 
-    // Three samples across are the least that show a bowl.
+    // Three samples across are the minimum that show a bowl.
     private const double SmallestCraterInSamples = 3.0;
 
     // The base shows what is larger than two of its samples.

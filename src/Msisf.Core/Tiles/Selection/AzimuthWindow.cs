@@ -8,14 +8,14 @@ internal sealed class AzimuthWindow
 
     /// <param name="middle">rad.</param>
     /// <param name="width">rad; 2 pi or more: all around.</param>
-    /// <param name="greatestBinWidth">rad.</param>
+    /// <param name="maxBinWidth">rad.</param>
     /// <param name="mostBins">At most so many bins are made.</param>
-    public AzimuthWindow(double middle, double width, double greatestBinWidth, int mostBins)
+    public AzimuthWindow(double middle, double width, double maxBinWidth, int mostBins)
     {
         IsFull = width >= 2.0 * Math.PI;
         _middle = middle;
         _width = Math.Min(width, 2.0 * Math.PI);
-        Bins = Math.Clamp((int)Math.Ceiling(_width / greatestBinWidth), Math.Min(16, mostBins), mostBins);
+        Bins = Math.Clamp((int)Math.Ceiling(_width / maxBinWidth), Math.Min(16, mostBins), mostBins);
         BinWidth = _width / Bins;
     }
 

@@ -10,18 +10,18 @@ namespace Msisf.Core.Tiles.Selection;
 internal sealed class CasterVisitor : ISurfaceVisitor
 {
     /// <summary>Facets whose shadow rays are looked at; afterwards all that may throw a shadow on a block counts.</summary>
-    private const int MostFacets = 3_000;
+    private const int MaxFacets = 3_000;
 
     private readonly SunView _sun;
     private readonly ElevationSummary _summary;
-    private readonly TurnedFacets _facets;
+    private readonly BackFaces _facets;
     private readonly bool[] _kept;
     private readonly List<int> _newlyKept;
     private readonly List<int>[] _candidates;
     private readonly AzimuthIndex _tiles = new(72);
     private readonly int[] _asked = new int[TileId.Count];
     private int _question;
-    private int _facetBudget = MostFacets;
+    private int _facetBudget = MaxFacets;
 
     /// <param name="sun">The Moon from the Sun.</param>
     /// <param name="summary">Bounds of the terrain.</param>
@@ -32,7 +32,7 @@ internal sealed class CasterVisitor : ISurfaceVisitor
     {
         _sun = sun;
         _summary = summary;
-        _facets = new TurnedFacets(sun.Table, summary, sun.Position, patch);
+        _facets = new BackFaces(sun.Table, summary, sun.Position, patch);
         _kept = kept;
         _newlyKept = newlyKept;
         for (int tile = 0; tile < TileId.Count; tile++)

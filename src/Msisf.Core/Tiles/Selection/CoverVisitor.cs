@@ -12,18 +12,18 @@ internal sealed class CoverVisitor : ISurfaceVisitor
     private const int Bins = 360;
 
     /// <summary>Facets that are looked at; afterwards what a block may cover counts as covered.</summary>
-    private const int MostFacets = 1500;
+    private const int MaxFacets = 1500;
 
     private readonly BoundsTable _table;
-    private readonly TurnedFacets _facets;
+    private readonly BackFaces _facets;
     private readonly double _limb;
     private readonly AzimuthIndex _soughtTiles = new(Bins);
     private readonly AzimuthIndex _turned = new(Bins);
     private readonly List<PolarBounds> _turnedFacets = [];
-    private int _facetBudget = MostFacets;
+    private int _facetBudget = MaxFacets;
 
     /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="frame">The picture.</param>
+    /// <param name="frame">The image.</param>
     /// <param name="table">From the camera.</param>
     /// <param name="camera">m, MOON_ME.</param>
     /// <param name="patch">For reading; not the one that the walk reads.</param>
@@ -31,10 +31,10 @@ internal sealed class CoverVisitor : ISurfaceVisitor
     public CoverVisitor(ElevationSummary summary, FramePyramid frame, BoundsTable table, Vector3D camera, TerrainPatch patch, IReadOnlyList<int> dark)
     {
         _table = table;
-        _facets = new TurnedFacets(table, summary, camera, patch);
+        _facets = new BackFaces(table, summary, camera, patch);
 
         // From where a sphere as high as the highest terrain turns away, a facet that does so is taken for granted.
-        _limb = PolarView.Arc(Math.Min(1.0, summary.GreatestRadius / table.View.Distance));
+        _limb = PolarView.Arc(Math.Min(1.0, summary.MaxRadius / table.View.Distance));
         AzimuthIndex asked = new(Bins);
         foreach (int tile in dark)
         {
@@ -156,7 +156,7 @@ internal sealed class CoverVisitor : ISurfaceVisitor
         return false;
     }
 
-    /// <summary>The least arc at which a ray that entered through the target can leave the Moon.</summary>
+    /// <summary>The minimum arc at which a ray that entered through the target can leave the Moon.</summary>
     private double FirstExit(in PolarBounds target)
     {
         double exit = _limb;

@@ -5,7 +5,7 @@ using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Which levels of detail a picture allows where.</summary>
+/// <summary>Which levels of detail an image allows where.</summary>
 internal sealed class DetailRule
 {
     /// <summary>
@@ -48,7 +48,7 @@ internal sealed class DetailRule
     /// <summary>rad: what is hidden by less than this counts as seen.</summary>
     public double Slack => ErrorsOfSlack * _errorPixels * _pixel;
 
-    /// <summary>px: the picture is taken to be so much wider on each side; one for antialiasing, the rest for what a level may move.</summary>
+    /// <summary>px: the image is taken to be so much wider on each side; one for antialiasing, the rest for what a level may move.</summary>
     public double MarginPixels => 1.0 + (2.0 * _errorPixels);
 
     /// <summary>The coarsest level that any ground in sight may be drawn with.</summary>
@@ -56,9 +56,9 @@ internal sealed class DetailRule
     public int CoarsestLevel(ElevationSummary summary)
     {
         double distance = _camera.Length;
-        double least = summary.LeastRadius;
-        double toHorizon = Math.Sqrt(Math.Max(0.0, (distance - least) * (distance + least)));
-        double behind = Math.Sqrt((summary.GreatestRadius - least) * (summary.GreatestRadius + least));
+        double min = summary.MinRadius;
+        double toHorizon = Math.Sqrt(Math.Max(0.0, (distance - min) * (distance + min)));
+        double behind = Math.Sqrt((summary.MaxRadius - min) * (summary.MaxRadius + min));
         return LevelOfCell(WidestCell((toHorizon + behind) * _pixel));
     }
 
@@ -69,7 +69,7 @@ internal sealed class DetailRule
         Vector3D toCentre = centre - _camera;
         double distance = toCentre.Length;
 
-        // Towards the corners of a flat picture an angle takes more pixels, by the square of the cosine along the radius.
+        // Towards the corners of a flat image an angle takes more pixels, by the square of the cosine along the radius.
         double cos = Math.Clamp(Vector3D.Dot(toCentre, _forward) / distance, _cosCorner, 1.0);
         return Math.Max(0.0, distance - radius) * _pixel * cos * cos;
     }
@@ -78,7 +78,7 @@ internal sealed class DetailRule
     public double WidestCell(double metresPerPixel) => ErrorsACell * _errorPixels * metresPerPixel;
 
     /// <summary>m: so far may a shadow's edge move where a pixel covers so much.</summary>
-    public double GreatestShift(double metresPerPixel) => _errorPixels * metresPerPixel;
+    public double MaxShift(double metresPerPixel) => _errorPixels * metresPerPixel;
 
     /// <summary>The coarsest level with cells no wider than this.</summary>
     /// <param name="widest">m.</param>

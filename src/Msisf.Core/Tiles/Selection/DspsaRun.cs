@@ -8,7 +8,7 @@ namespace Msisf.Core.Tiles.Selection;
 internal sealed class DspsaRun
 {
     /// <summary>So many rounds look closely at what dark tiles cover; then all that may be links of a chain along the limb are kept.</summary>
-    private const int MostCloseRounds = 1;
+    private const int MaxCloseRounds = 1;
 
     /// <summary>px: antialiasing's jitter stays within a pixel.</summary>
     private const double AntialiasingPixels = 1.0;
@@ -30,9 +30,9 @@ internal sealed class DspsaRun
     /// <param name="sunPositionMoonMe">m, MOON_ME; null for a light at the camera.</param>
     /// <param name="grid">The model.</param>
     /// <param name="summary">Of the same model.</param>
-    /// <param name="marginPixels">So much wider is the picture taken to be on each side.</param>
+    /// <param name="marginPixels">So much wider is the image taken to be on each side.</param>
     /// <param name="slack">rad: what is hidden by less than this counts as seen.</param>
-    /// <param name="rows">The rows that matter; null for the whole picture.</param>
+    /// <param name="rows">The rows that matter; null for the whole image.</param>
     public DspsaRun(
         PinholeCamera camera,
         Vector3D? sunPositionMoonMe,
@@ -107,7 +107,7 @@ internal sealed class DspsaRun
     private static TileId IdOf(int tile) =>
         new(90 - (TileId.SizeDegrees * ((tile / TileId.Columns) + 1)), TileId.SizeDegrees * (tile % TileId.Columns));
 
-    /// <summary>The azimuths about the line to the Moon's centre that the picture covers.</summary>
+    /// <summary>The azimuths about the line to the Moon's centre that the image covers.</summary>
     private (double Middle, double Width) FrameAzimuths()
     {
         Vector3D up = _view.Axis;
@@ -116,20 +116,20 @@ internal sealed class DspsaRun
             return (0.0, 2.0 * Math.PI);
         }
 
-        // The picture is a convex cone without the axis, so less than half a turn, and its edges bound it.
+        // The image is a convex cone without the axis, so less than half a turn, and its edges bound it.
         double middle = _view.AzimuthOf(_frame.Middle);
-        double least = 0.0;
-        double greatest = 0.0;
+        double min = 0.0;
+        double max = 0.0;
         foreach (Vector3D edge in _frame.Edges)
         {
             double turn = AzimuthWindow.Wrapped(_view.AzimuthOf(edge) - middle);
-            least = Math.Min(least, turn);
-            greatest = Math.Max(greatest, turn);
+            min = Math.Min(min, turn);
+            max = Math.Max(max, turn);
         }
 
-        // Where the axis is on the border of the picture, rounding decides between a half turn and more.
-        double width = greatest - least + (2.0 * Tolerances.WindowMargin);
-        return width < 0.9 * Math.PI ? (middle + (0.5 * (least + greatest)), width) : (0.0, 2.0 * Math.PI);
+        // Where the axis is on the border of the image, rounding decides between a half turn and more.
+        double width = max - min + (2.0 * Tolerances.WindowMargin);
+        return width < 0.9 * Math.PI ? (middle + (0.5 * (min + max)), width) : (0.0, 2.0 * Math.PI);
     }
 
     private List<int> TilesInFrame()
@@ -204,12 +204,12 @@ internal sealed class DspsaRun
             foreach (int tile in dark.Where(tile => !_kept[tile]))
             {
                 cover.Reset();
-                if (round <= MostCloseRounds || !cover.MayLeaveBeforeLimb(tile))
+                if (round <= MaxCloseRounds || !cover.MayLeaveBeforeLimb(tile))
                 {
                     Walk(tile, cover);
                 }
 
-                if (cover.Covers || (round > MostCloseRounds && cover.MayLeaveBeforeLimb(tile)))
+                if (cover.Covers || (round > MaxCloseRounds && cover.MayLeaveBeforeLimb(tile)))
                 {
                     _kept[tile] = true;
                     _reasons[tile] = TileReason.DarkButCovering;

@@ -4,7 +4,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>What lies in the picture: the four-sided pyramid of the camera's rays, somewhat wider all around.</summary>
+/// <summary>What lies in the image: the four-sided pyramid of the camera's rays, somewhat wider all around.</summary>
 internal sealed class FramePyramid
 {
     private readonly Vector3D _camera;
@@ -13,7 +13,7 @@ internal sealed class FramePyramid
 
     /// <param name="camera">The camera.</param>
     /// <param name="marginPixels">So much wider on each side: a pixel for antialiasing's jitter, more where the surface that is drawn may differ from the model's.</param>
-    /// <param name="rows">The rows that matter; null for the whole picture.</param>
+    /// <param name="rows">The rows that matter; null for the whole image.</param>
     public FramePyramid(PinholeCamera camera, double marginPixels, PixelRows? rows = null)
     {
         _camera = camera.PositionMoonMe;
@@ -49,7 +49,7 @@ internal sealed class FramePyramid
     /// <summary>Directions of the four edges, MOON_ME.</summary>
     public ReadOnlySpan<Vector3D> Edges => _edges;
 
-    /// <summary>Whether a direction from the camera is in the picture.</summary>
+    /// <summary>Whether a direction from the camera is in the image.</summary>
     public bool Holds(Vector3D direction)
     {
         foreach (Vector3D inward in _inward)
@@ -86,9 +86,9 @@ internal sealed class FramePyramid
         return side;
     }
 
-    /// <summary>Cuts off what is outside the picture.</summary>
+    /// <summary>Cuts off what is outside the image.</summary>
     /// <param name="polygon">Corners, m, MOON_ME; convex. Holds the result, which can have four corners more.</param>
-    /// <param name="count">Corners before; after: 0 if nothing is in the picture.</param>
+    /// <param name="count">Corners before; after: 0 if nothing is in the image.</param>
     public void Clip(Span<Vector3D> polygon, ref int count)
     {
         Span<Vector3D> cut = stackalloc Vector3D[polygon.Length];

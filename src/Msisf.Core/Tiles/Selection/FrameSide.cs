@@ -1,6 +1,6 @@
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Where something lies against the picture.</summary>
+/// <summary>Where something lies against the image.</summary>
 internal enum FrameSide
 {
     /// <summary>Certainly not in it.</summary>

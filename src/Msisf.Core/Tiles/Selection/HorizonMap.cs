@@ -41,7 +41,7 @@ internal sealed class HorizonMap
     /// <summary>Whether no ray from the viewpoint within the window's azimuths reaches any point within the bounds.</summary>
     public bool Hides(in PolarBounds bounds)
     {
-        if (bounds.Near >= _coreArc && bounds.GreatestSlope < _coreSlope)
+        if (bounds.Near >= _coreArc && bounds.MaxSlope < _coreSlope)
         {
             return true;
         }
@@ -53,7 +53,7 @@ internal sealed class HorizonMap
         }
 
         (int first, int count) = Window.Touched(bounds.Azimuth, bounds.HalfWidth);
-        return count > 0 && IsReached((int)Math.Min(ring, Rings - 1), first, count, bounds.GreatestSlope);
+        return count > 0 && IsReached((int)Math.Min(ring, Rings - 1), first, count, bounds.MaxSlope);
     }
 
     /// <summary>Whether an occluder with this bound could raise the map anywhere.</summary>
@@ -61,7 +61,7 @@ internal sealed class HorizonMap
     {
         double ring = Math.Ceiling((bounds.Far - _firstArc) * _ringsPerArc);
         (int first, int count) = Window.Touched(bounds.Azimuth, bounds.HalfWidth);
-        return count > 0 && ring < Rings && !IsReached((int)Math.Max(ring, 0.0), first, count, bounds.GreatestSlope);
+        return count > 0 && ring < Rings && !IsReached((int)Math.Max(ring, 0.0), first, count, bounds.MaxSlope);
     }
 
     /// <summary>Notes that everywhere, inside the window and outside, the Moon reaches a slope.</summary>
@@ -79,8 +79,8 @@ internal sealed class HorizonMap
 
     /// <summary>Notes that at every azimuth of a bin terrain not farther than an arc reaches a slope.</summary>
     /// <param name="bin">May be outside: a full window goes round, another ignores it.</param>
-    /// <param name="farArc">Greatest arc of the terrain.</param>
-    /// <param name="slope">Least slope of the terrain.</param>
+    /// <param name="farArc">Maximum arc of the terrain.</param>
+    /// <param name="slope">Minimum slope of the terrain.</param>
     public void Raise(int bin, double farArc, double slope)
     {
         int bins = Window.Bins;

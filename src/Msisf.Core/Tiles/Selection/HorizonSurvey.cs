@@ -3,14 +3,14 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Makes a horizon map of the model as seen from a viewpoint: first from the blocks' least radii, then from the edges of the blocks that matter most.</summary>
+/// <summary>Makes a horizon map of the model as seen from a viewpoint: first from the blocks' minimum radii, then from the edges of the blocks that matter most.</summary>
 internal sealed class HorizonSurvey
 {
     /// <summary>rad: where the viewpoint stands higher than this in the ground's sky the map is not made: no tile is hidden whole there, and parts do not matter.</summary>
-    private const double GreatestElevation = Math.PI / 15.0;
+    private const double MaxElevation = Math.PI / 15.0;
 
     /// <summary>Bins of a map; all around that is 0.09 degrees, a third of a cell at 4 px/deg.</summary>
-    private const int MostBins = 4096;
+    private const int MaxBins = 4096;
 
     /// <summary>Bins to a cell at the limb; more add work and nothing else.</summary>
     private const double BinsPerCell = 2.5;
@@ -43,16 +43,16 @@ internal sealed class HorizonSurvey
     /// <param name="width">rad.</param>
     public HorizonMap EmptyMap(double middle, double width)
     {
-        double least = (_summary.LeastRadius * MeshBounds.SagittaFactor(_summary.PixelsPerDegree)) - Tolerances.VertexLattice;
-        double toTangent = AngleOfCosine(least / _view.Distance);
-        double lastAngle = Math.Min(Math.PI, toTangent + AngleOfCosine(least / _summary.GreatestRadius));
-        double sight = 0.5 * (_summary.LeastRadius + _summary.GreatestRadius) * Math.Cos(GreatestElevation) / _view.Distance;
-        double firstAngle = Math.Max(0.0, AngleOfCosine(sight) - GreatestElevation);
-        AzimuthWindow window = new(middle, width, _cellAngle / BinsPerCell / Math.Sin(Math.Min(lastAngle, 0.5 * Math.PI)), MostBins);
+        double min = (_summary.MinRadius * MeshBounds.SagittaFactor(_summary.PixelsPerDegree)) - Tolerances.VertexLattice;
+        double toTangent = AngleOfCosine(min / _view.Distance);
+        double lastAngle = Math.Min(Math.PI, toTangent + AngleOfCosine(min / _summary.MaxRadius));
+        double sight = 0.5 * (_summary.MinRadius + _summary.MaxRadius) * Math.Cos(MaxElevation) / _view.Distance;
+        double firstAngle = Math.Max(0.0, AngleOfCosine(sight) - MaxElevation);
+        AzimuthWindow window = new(middle, width, _cellAngle / BinsPerCell / Math.Sin(Math.Min(lastAngle, 0.5 * Math.PI)), MaxBins);
         HorizonMap map = new(window, Math.Sin(0.5 * firstAngle), Math.Sin(0.5 * lastAngle));
-        if (_view.Distance > least)
+        if (_view.Distance > min)
         {
-            map.RaiseAll(Math.Sin(0.5 * toTangent), _view.TangentSlope(least));
+            map.RaiseAll(Math.Sin(0.5 * toTangent), _view.TangentSlope(min));
         }
 
         return map;
@@ -102,7 +102,7 @@ internal sealed class HorizonSurvey
                 PolarBounds bounds = _view.Bounds(node);
                 if (Concerns(map, relevant, node, bounds))
                 {
-                    candidates.Add(new Candidate(bounds.GreatestSlope, (row * _blocks.Columns) + column, count));
+                    candidates.Add(new Candidate(bounds.MaxSlope, (row * _blocks.Columns) + column, count));
                     if (count == 1)
                     {
                         RaiseByInnerCap(map, node, inner);
@@ -144,7 +144,7 @@ internal sealed class HorizonSurvey
         bounds.Near < map.LastArc && !map.NeverHides(bounds)
         && map.Window.Touched(bounds.Azimuth, bounds.HalfWidth).Count > 0 && relevant(node, bounds);
 
-    /// <summary>Each half plane that meets the cap inside a block meets the block's terrain there, at its least radius or higher.</summary>
+    /// <summary>Each half plane that meets the cap inside a block meets the block's terrain there, at its minimum radius or higher.</summary>
     private void RaiseByInnerCap(HorizonMap map, in TerrainNode node, double inner)
     {
         (double sin, double cos) = Math.SinCos(inner);
@@ -159,7 +159,7 @@ internal sealed class HorizonSurvey
         int last = (int)Math.Floor(place + half) - 1;
         for (int bin = (int)Math.Ceiling(place - half); bin <= last; bin++)
         {
-            map.Raise(bin, bounds.Far, bounds.LeastSlope);
+            map.Raise(bin, bounds.Far, bounds.MinSlope);
         }
     }
 

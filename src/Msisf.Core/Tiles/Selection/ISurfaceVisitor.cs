@@ -3,18 +3,18 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Is shown what of the surface may be in the picture, coarse before fine.</summary>
+/// <summary>Is shown what of the surface may be in the image, coarse before fine.</summary>
 internal interface ISurfaceVisitor
 {
     /// <summary>A node that may be seen.</summary>
     /// <param name="node">Its place and bounds.</param>
     /// <param name="bounds">From the camera.</param>
-    /// <param name="certain">It is wholly in the picture and looking closer would not show it hidden.</param>
+    /// <param name="certain">It is wholly in the image and looking closer would not show it hidden.</param>
     /// <param name="place">Which one it is.</param>
     Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place);
 
     /// <summary>A facet that may be seen.</summary>
-    /// <param name="part">Its part in the picture, a convex polygon; m, MOON_ME.</param>
+    /// <param name="part">Its part in the image, a convex polygon; m, MOON_ME.</param>
     /// <param name="bounds">The part's, from the camera.</param>
     /// <param name="facet">The whole facet.</param>
     Visit Facet(ReadOnlySpan<Vector3D> part, in PolarBounds bounds, in Facet facet);

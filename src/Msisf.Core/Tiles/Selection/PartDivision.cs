@@ -2,7 +2,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Divides the tiles of one selection into parts, leaves out those that the picture does not need, and gives each a level of detail.</summary>
+/// <summary>Divides the tiles of one selection into parts, leaves out those that the image does not need, and gives each a level of detail.</summary>
 internal sealed class PartDivision
 {
     private readonly DspsaRun _run;
@@ -15,7 +15,7 @@ internal sealed class PartDivision
     private readonly SeenBlocks _seen;
     private readonly ShadowDemand? _shadows;
     private readonly List<SurfacePart> _parts = [];
-    private readonly (double WidestCell, double GreatestDeviation)?[] _demands;
+    private readonly (double WidestCell, double MaxDeviation)?[] _demands;
 
     /// <param name="run">The selection of tiles, done.</param>
     /// <param name="rule">Which level is allowed where.</param>
@@ -168,7 +168,7 @@ internal sealed class PartDivision
     }
 
     /// <summary>What the blocks that the square touches are needed for.</summary>
-    private (bool IsSeen, double WidestCell, double GreatestDeviation) DemandOn(SurfacePart square)
+    private (bool IsSeen, double WidestCell, double MaxDeviation) DemandOn(SurfacePart square)
     {
         bool[] seen = _seen.Of(DspsaRun.NumberOf(square.Tile));
         int side = _finest.Subdivisions;
@@ -184,7 +184,7 @@ internal sealed class PartDivision
                 if (_demands[(row * side) + column] is (double, double) demand)
                 {
                     widestCell = Math.Min(widestCell, demand.WidestCell);
-                    deviation = Math.Min(deviation, demand.GreatestDeviation);
+                    deviation = Math.Min(deviation, demand.MaxDeviation);
                 }
             }
         }

@@ -1,23 +1,23 @@
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Where a piece of the surface can lie in the half planes of a <see cref="PolarView"/>.</summary>
-/// <param name="Near">Least <see cref="PolarPoint.Arc"/>.</param>
-/// <param name="Far">Greatest arc.</param>
+/// <param name="Near">Minimum <see cref="PolarPoint.Arc"/>.</param>
+/// <param name="Far">Maximum arc.</param>
 /// <param name="Azimuth">rad, of the middle.</param>
 /// <param name="HalfWidth">rad; pi or more: all around.</param>
-/// <param name="LeastSlope">Of the lines of sight to it.</param>
-/// <param name="GreatestSlope">Of the lines of sight to it.</param>
+/// <param name="MinSlope">Of the lines of sight to it.</param>
+/// <param name="MaxSlope">Of the lines of sight to it.</param>
 internal readonly record struct PolarBounds(
-    double Near, double Far, double Azimuth, double HalfWidth, double LeastSlope, double GreatestSlope)
+    double Near, double Far, double Azimuth, double HalfWidth, double MinSlope, double MaxSlope)
 {
     /// <summary>The bounds of a piece that is seen higher by a small angle: slopes are cotangents of the angle from the axis.</summary>
     /// <param name="angle">rad.</param>
-    public PolarBounds Raised(double angle) => this with { GreatestSlope = GreatestSlope + (angle * (1.0 + (GreatestSlope * GreatestSlope))) };
+    public PolarBounds Raised(double angle) => this with { MaxSlope = MaxSlope + (angle * (1.0 + (MaxSlope * MaxSlope))) };
 
     /// <summary>Both can be met by one ray from the viewpoint.</summary>
     public bool CanShareRayWith(in PolarBounds other)
     {
-        if (LeastSlope > other.GreatestSlope || other.LeastSlope > GreatestSlope)
+        if (MinSlope > other.MaxSlope || other.MinSlope > MaxSlope)
         {
             return false;
         }

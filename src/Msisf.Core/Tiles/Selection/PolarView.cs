@@ -70,22 +70,22 @@ internal sealed class PolarView
 
         double cosNear = (cos * cap.CosRadius) + (sin * cap.SinRadius);
         double cosFar = (cos * cap.CosRadius) - (sin * cap.SinRadius);
-        double least = Math.Min(Slope(node.LeastRadius, cosNear, sinNear), Slope(node.LeastRadius, cosFar, sinFar));
+        double min = Math.Min(Slope(node.MinRadius, cosNear, sinNear), Slope(node.MinRadius, cosFar, sinFar));
         double half = cap.SinRadius / sin; // below 1, as the cap does not reach the axis
         return new PolarBounds(
             Arc(cosNear),
             Arc(cosFar),
             Math.Atan2(north, east),
             Math.Atan2(half, Math.Sqrt((1.0 - half) * (1.0 + half))),
-            least,
-            GreatestSlope(node.GreatestRadius, cosNear, sinNear, cosFar, sinFar));
+            min,
+            MaxSlope(node.MaxRadius, cosNear, sinNear, cosFar, sinFar));
     }
 
     /// <summary>Sine of half an angle from its cosine.</summary>
     public static double Arc(double cos) => Math.Sqrt(Math.Max(0.0, 0.5 * (1.0 - cos)));
 
     /// <summary>On a sphere the slope grows with the angle up to the tangent ray and falls behind it; over the viewpoint it falls all the way.</summary>
-    private double GreatestSlope(double radius, double cosNear, double sinNear, double cosFar, double sinFar)
+    private double MaxSlope(double radius, double cosNear, double sinNear, double cosFar, double sinFar)
     {
         double cosTangent = Math.Min(1.0, radius / Distance);
         if (cosNear <= cosTangent)
@@ -104,25 +104,25 @@ internal sealed class PolarView
         bool holdsFarPole = !((sin * cap.CosRadius) + (cos * cap.SinRadius) > 0.0);
         double cosFar = holdsFarPole ? -1.0 : (cos * cap.CosRadius) - (sin * cap.SinRadius);
         double sinFar = (sin * cap.CosRadius) + (cos * cap.SinRadius);
-        double greatest;
-        if (holdsNearPole && node.GreatestRadius >= Distance)
+        double max;
+        if (holdsNearPole && node.MaxRadius >= Distance)
         {
-            greatest = double.PositiveInfinity;
+            max = double.PositiveInfinity;
         }
         else if (holdsNearPole)
         {
-            double cosTangent = node.GreatestRadius / Distance;
-            greatest = !holdsFarPole && cosFar >= cosTangent
-                ? Slope(node.GreatestRadius, cosFar, sinFar)
-                : TangentSlope(node.GreatestRadius);
+            double cosTangent = node.MaxRadius / Distance;
+            max = !holdsFarPole && cosFar >= cosTangent
+                ? Slope(node.MaxRadius, cosFar, sinFar)
+                : TangentSlope(node.MaxRadius);
         }
         else
         {
-            greatest = cosNear <= Math.Min(1.0, node.GreatestRadius / Distance)
-                ? Slope(node.GreatestRadius, cosNear, Math.Max(sinNear, double.Epsilon))
-                : TangentSlope(node.GreatestRadius);
+            max = cosNear <= Math.Min(1.0, node.MaxRadius / Distance)
+                ? Slope(node.MaxRadius, cosNear, Math.Max(sinNear, double.Epsilon))
+                : TangentSlope(node.MaxRadius);
         }
 
-        return new PolarBounds(Arc(cosNear), Arc(cosFar), 0.0, 2.0 * Math.PI, double.NegativeInfinity, greatest);
+        return new PolarBounds(Arc(cosNear), Arc(cosFar), 0.0, 2.0 * Math.PI, double.NegativeInfinity, max);
     }
 }

@@ -5,7 +5,7 @@ namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// Writes the edges of a patch of terrain into a horizon map. Lines of edges (along the rows, the columns and the diagonals of the mesh) are
-/// followed from bin to bin; a bin whose two borders a line crosses is covered by it, at no less than the least slope between.
+/// followed from bin to bin; a bin whose two borders a line crosses is covered by it, at no less than the minimum slope between.
 /// </summary>
 internal sealed class RidgeTracer
 {
@@ -20,7 +20,7 @@ internal sealed class RidgeTracer
     // State of the line that is being followed.
     private int _direction;
     private bool _entered;
-    private double _least;
+    private double _min;
     private double _farthest;
 
     /// <param name="map">Is raised.</param>
@@ -134,7 +134,7 @@ internal sealed class RidgeTracer
         if (_entered)
         {
             PolarPoint point = _points[to];
-            _least = Math.Min(_least, SafeSlope(point.Rise, point.Across));
+            _min = Math.Min(_min, SafeSlope(point.Rise, point.Across));
         }
 
         return end;
@@ -158,12 +158,12 @@ internal sealed class RidgeTracer
         double slope = SafeSlope(Math.FusedMultiplyAdd(part, to.Rise - from.Rise, from.Rise), along);
         if (_entered)
         {
-            double least = Math.Min(_least, slope);
-            _map.Raise(_direction > 0 ? border - 1 : border, _farthest, least < 0.0 ? least * _chordFactor : least);
+            double min = Math.Min(_min, slope);
+            _map.Raise(_direction > 0 ? border - 1 : border, _farthest, min < 0.0 ? min * _chordFactor : min);
         }
 
         _entered = true;
-        _least = slope;
+        _min = slope;
         _farthest = farthest;
     }
 

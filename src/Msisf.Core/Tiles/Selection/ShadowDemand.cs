@@ -13,7 +13,7 @@ internal sealed class ShadowDemand
 
     private readonly SunView _sun;
     private readonly DetailRule _rule;
-    private readonly TurnedFacets _facets;
+    private readonly BackFaces _facets;
     private readonly AzimuthIndex _index = new(Bins);
     private readonly List<Target> _targets = [];
 
@@ -25,7 +25,7 @@ internal sealed class ShadowDemand
     {
         _sun = sun;
         _rule = rule;
-        _facets = new TurnedFacets(sun.Table, summary, sun.Position, patch);
+        _facets = new BackFaces(sun.Table, summary, sun.Position, patch);
     }
 
     /// <summary>Notes a place that is seen.</summary>
@@ -37,17 +37,17 @@ internal sealed class ShadowDemand
             return; // black without any shadow
         }
 
-        Vector3D toSun = _sun.Position - (node.GreatestRadius * node.Cap.Centre);
+        Vector3D toSun = _sun.Position - (node.MaxRadius * node.Cap.Centre);
         double sin = Vector3D.Dot(toSun, node.Cap.Centre) / toSun.Length;
         double tanElevation = Math.Max(0.0, sin) / Math.Sqrt((1.0 - sin) * (1.0 + sin));
         double metresPerPixel = _rule.MetresPerPixel(node);
         _index.Add(_targets.Count, bounds);
-        _targets.Add(new Target(bounds, _rule.WidestCell(metresPerPixel), _rule.GreatestShift(metresPerPixel) * tanElevation));
+        _targets.Add(new Target(bounds, _rule.WidestCell(metresPerPixel), _rule.MaxShift(metresPerPixel) * tanElevation));
     }
 
     /// <summary>How coarse a piece of the surface may be that is not seen itself.</summary>
-    /// <returns>Null if its shadow can fall on nothing that is seen; else the widest cell and the greatest difference in height, m.</returns>
-    public (double WidestCell, double GreatestDeviation)? Of(in TerrainNode node)
+    /// <returns>Null if its shadow can fall on nothing that is seen; else the widest cell and the maximum difference in height, m.</returns>
+    public (double WidestCell, double MaxDeviation)? Of(in TerrainNode node)
     {
         PolarBounds bounds = _sun.View.Bounds(node);
         if (!_facets.MayBeIn(node, bounds))
@@ -67,7 +67,7 @@ internal sealed class ShadowDemand
                 {
                     isNeeded = true;
                     cell = Math.Min(cell, target.WidestCell);
-                    deviation = Math.Min(deviation, target.GreatestDeviation);
+                    deviation = Math.Min(deviation, target.MaxDeviation);
                 }
             }
         }
@@ -75,5 +75,5 @@ internal sealed class ShadowDemand
         return isNeeded ? (cell, deviation) : null;
     }
 
-    private readonly record struct Target(PolarBounds Bounds, double WidestCell, double GreatestDeviation);
+    private readonly record struct Target(PolarBounds Bounds, double WidestCell, double MaxDeviation);
 }

@@ -3,11 +3,11 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Walks down a tile to its facets, leaving out what is outside the picture or certainly hidden from the camera.</summary>
+/// <summary>Walks down a tile to its facets, leaving out what is outside the image or certainly hidden from the camera.</summary>
 internal sealed class SurfaceWalk
 {
     /// <summary>Corners of a triangle that four planes have cut.</summary>
-    private const int MostCorners = 8;
+    private const int MaxCorners = 8;
 
     private readonly ElevationSummary _summary;
     private readonly FramePyramid _frame;
@@ -18,7 +18,7 @@ internal sealed class SurfaceWalk
     private readonly double _slack;
 
     /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="frame">The picture.</param>
+    /// <param name="frame">The image.</param>
     /// <param name="view">From the camera.</param>
     /// <param name="horizon">What the terrain hides from the camera.</param>
     /// <param name="camera">m, MOON_ME.</param>
@@ -36,7 +36,7 @@ internal sealed class SurfaceWalk
         _patch = patch;
     }
 
-    /// <summary>Whether the last walk met anything inside the picture.</summary>
+    /// <summary>Whether the last walk met anything inside the image.</summary>
     public bool MetFrame { get; private set; }
 
     /// <summary>Nodes of the summary's tree that all walks have entered: a measure of the work that no machine changes.</summary>
@@ -58,8 +58,8 @@ internal sealed class SurfaceWalk
         PolarPoint first = view.Project(polygon[0]);
         double near = first.Arc;
         double far = first.Arc;
-        double least = double.PositiveInfinity;
-        double greatest = double.NegativeInfinity;
+        double min = double.PositiveInfinity;
+        double max = double.NegativeInfinity;
         double lowest = 0.0;
         double highest = 0.0;
         double nearest = double.PositiveInfinity;
@@ -73,8 +73,8 @@ internal sealed class SurfaceWalk
             nearest = Math.Min(nearest, across);
             near = Math.Min(near, point.Arc);
             far = Math.Max(far, point.Arc);
-            least = Math.Min(least, slope - margin);
-            greatest = Math.Max(greatest, slope + margin);
+            min = Math.Min(min, slope - margin);
+            max = Math.Max(max, slope + margin);
             lowest = Math.Min(lowest, turn);
             highest = Math.Max(highest, turn);
         }
@@ -96,8 +96,8 @@ internal sealed class SurfaceWalk
             Math.Min(1.0, far * (1.0 + bulge)),
             first.Azimuth + (0.5 * (lowest + highest)),
             reach,
-            least < 0.0 ? least * chord : least,
-            greatest > 0.0 ? greatest * chord : greatest);
+            min < 0.0 ? min * chord : min,
+            max > 0.0 ? max * chord : max);
     }
 
     private bool Enter(int depth, int row, int column, bool inside, ISurfaceVisitor visitor)
@@ -175,7 +175,7 @@ internal sealed class SurfaceWalk
             return true;
         }
 
-        Span<Vector3D> part = stackalloc Vector3D[MostCorners];
+        Span<Vector3D> part = stackalloc Vector3D[MaxCorners];
         part[0] = facet.A;
         part[1] = facet.B;
         part[2] = facet.C;

@@ -17,14 +17,14 @@ public class GreyTableTests
     public void Convert_BothSidesOfEveryBorder_IsTheFormulasLevel(int bitDepth, double exposure, GreyTransfer transfer)
     {
         GreyScale scale = new(exposure, transfer);
-        int greatest = (1 << bitDepth) - 1;
-        double[] borders = [.. Enumerable.Range(1, greatest).Select(level => Border(scale, level, greatest))];
+        int max = (1 << bitDepth) - 1;
+        double[] borders = [.. Enumerable.Range(1, max).Select(level => Border(scale, level, max))];
 
         int[] below = Convert(scale, bitDepth, [.. borders.Select(border => border * (1.0 - Rounding))]);
         int[] above = Convert(scale, bitDepth, [.. borders.Select(border => border * (1.0 + Rounding))]);
 
-        Assert.Equal(Enumerable.Range(0, greatest), below);
-        Assert.Equal(Enumerable.Range(1, greatest), above);
+        Assert.Equal(Enumerable.Range(0, max), below);
+        Assert.Equal(Enumerable.Range(1, max), above);
     }
 
     [Theory]
@@ -47,14 +47,14 @@ public class GreyTableTests
             [0, 0, 0, 0, white, white, white],
             Convert(new GreyScale(), bitDepth, [double.NegativeInfinity, -1.0, -0.0, 0.0, 1.0, 1e300, double.PositiveInfinity]));
 
-    /// <summary>By bisection: the least radiance factor to which the plain formula gives the level.</summary>
-    private static double Border(GreyScale scale, int level, int greatest)
+    /// <summary>By bisection: the minimum radiance factor to which the plain formula gives the level.</summary>
+    private static double Border(GreyScale scale, int level, int max)
     {
         double below = 0.0;
         double above = 1.0 / scale.Exposure;
         for (double middle = 0.5 * above; below < middle && middle < above; middle = 0.5 * (below + above))
         {
-            (below, above) = scale.Level(middle, greatest) >= level ? (below, middle) : (middle, above);
+            (below, above) = scale.Level(middle, max) >= level ? (below, middle) : (middle, above);
         }
 
         return above;

@@ -19,14 +19,14 @@ public sealed class SunwardPointsTests
     [InlineData("oblique-20km", 0.0)]
     [InlineData("half-sky", 0.0)]
     [InlineData("grazing-sun", -0.005)]
-    public void Read_AllRows_GivesThePointsAndCosinesOfThePlainFormula(string scene, double leastCosine)
+    public void Read_AllRows_GivesThePointsAndCosinesOfThePlainFormula(string scene, double minCosine)
     {
         IElevationGrid grid = FunctionGrid.Rugged(4);
         RenderScenes.RenderSceneCase given = RenderScenes.Named(scene);
         PinholeCamera camera = given.Camera(grid, Side, Side);
         VisibleSurface visible = new VisibilityPass(new SurfaceModel(grid)).Run(camera, threads: 1, CancellationToken.None);
         double[] cosines = new double[Side * Side];
-        SunwardPoints points = new(visible, given.Sun, cosines, leastCosine);
+        SunwardPoints points = new(visible, given.Sun, cosines, minCosine);
         double[] x = new double[Side];
         double[] y = new double[Side];
         double[] z = new double[Side];
@@ -46,8 +46,8 @@ public sealed class SunwardPointsTests
                 bool isSurface = visible.TryGet(column + 1, row + 1, out SurfaceHit hit);
                 double cosine = isSurface ? SunwardPoints.CosIncidence(hit.NormalMoonMe, hit.PointMoonMe, given.Sun) : -1.0;
                 Assert.Equal(cosine, cosines[(row * Side) + column]);
-                Assert.Equal(cosine > leastCosine, found.TryGetValue(column, out Vector3D point));
-                Assert.True(cosine <= leastCosine || point == hit.PointMoonMe, $"{column}, {row}");
+                Assert.Equal(cosine > minCosine, found.TryGetValue(column, out Vector3D point));
+                Assert.True(cosine <= minCosine || point == hit.PointMoonMe, $"{column}, {row}");
             }
 
             sunward += count;

@@ -99,7 +99,7 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
                     Vector3D target = disc.PointsMoonMe[bit];
 
                     // Where the facet's own plane hides a point of the disc, it does not matter what else does.
-                    bool isAbove = Vector3D.Dot(normal, (target - point.Position).Normalized()) > SurfacePoints.LeastCosine;
+                    bool isAbove = Vector3D.Dot(normal, (target - point.Position).Normalized()) > SurfacePoints.MinCosine;
                     bool isHidden = isAbove && moon.IsShadowed(point.Facet, point.Position, target);
                     different |= isAbove && isHidden != ((hidden[i] >> bit & 1) != 0) ? 1UL << bit : 0;
                 }

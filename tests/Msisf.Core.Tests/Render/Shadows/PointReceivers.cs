@@ -3,7 +3,7 @@ using Msisf.Core.Render.Shadows;
 
 namespace Msisf.Core.Tests.Render.Shadows;
 
-/// <summary>Given points as a picture of so many columns.</summary>
+/// <summary>Given points as an image of so many columns.</summary>
 internal sealed class PointReceivers(IReadOnlyList<Vector3D> points, int width) : IReceiverRows
 {
     public int Rows => (points.Count + width - 1) / width;

@@ -13,7 +13,7 @@ using Xunit;
 
 namespace Msisf.Core.Tests.Render.Shadows;
 
-/// <summary>Every pixel of whole pictures against single rays to the Sun.</summary>
+/// <summary>Every pixel of whole images against single rays to the Sun.</summary>
 public sealed class ShadowPassSceneTests
 {
     [RequiresFact(Part.Ldem4)]

@@ -98,7 +98,7 @@ public sealed class ShadowPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fix
         ShadowPass pass = new(new SurfaceModel(FunctionGrid.Hilly(4)));
         byte[] hidden = [7, 7, 7, 7];
         pass.Run(new PointReceivers([], 2), 1.5e11 * Vector3D.UnitX, hidden, 2, default);
-        Assert.Equal([7, 7, 7, 7], hidden); // a picture without rows has no pixel
+        Assert.Equal([7, 7, 7, 7], hidden); // an image without rows has no pixel
         pass.Run(new PointReceivers([1_738_000.0 * Vector3D.UnitX], 4), 1.5e11 * Vector3D.UnitX, hidden, 2, default);
         Assert.Equal([0, 0, 0, 0], hidden);
     }

@@ -11,7 +11,7 @@ internal readonly record struct SurfacePoint(Vector3D Position, BruteForceMoon.F
 internal static class SurfacePoints
 {
     /// <summary>A ray that rises less than this out of its facet may meet it again beyond the millimetre that the brute force leaves out.</summary>
-    public const double LeastCosine = 1e-4;
+    public const double MinCosine = 1e-4;
 
     private const double SunDistance = 1.496e11; // m
 
@@ -39,9 +39,9 @@ internal static class SurfacePoints
     /// <param name="sun">m.</param>
     /// <param name="count">How many, or fewer if so much as twenty times that many do not face the Sun.</param>
     /// <param name="random">Gives the places.</param>
-    /// <param name="leastCosine">Of the incidence angle.</param>
+    /// <param name="minCosine">Of the incidence angle.</param>
     public static List<SurfacePoint> Facing(
-        BruteForceMoon moon, Vector3D middle, double radius, Vector3D sun, int count, Random random, double leastCosine = LeastCosine)
+        BruteForceMoon moon, Vector3D middle, double radius, Vector3D sun, int count, Random random, double minCosine = MinCosine)
     {
         List<SurfacePoint> points = [];
         for (int i = 0; i < 20 * count && points.Count < count; i++)
@@ -52,7 +52,7 @@ internal static class SurfacePoints
             direction = direction.Normalized();
             (BruteForceMoon.FacetId facet, double t) = moon.FirstHit(4e6 * direction, -direction)!.Value;
             Vector3D point = (4e6 - t) * direction;
-            if (Vector3D.Dot(moon.Normal(facet), (sun - point).Normalized()) > leastCosine)
+            if (Vector3D.Dot(moon.Normal(facet), (sun - point).Normalized()) > minCosine)
             {
                 points.Add(new SurfacePoint(point, facet));
             }

@@ -28,14 +28,14 @@ public sealed class BlockBoundsTableTests
                     {
                         Vector3D northWest = vertices[i, j];
                         Vector3D southEast = vertices[i + 1, j + 1];
-                        Assert.InRange(northWest.Length, bounds.Least - Tolerances.VertexLattice, bounds.Greatest + Tolerances.VertexLattice);
+                        Assert.InRange(northWest.Length, bounds.Min - Tolerances.VertexLattice, bounds.Max + Tolerances.VertexLattice);
                         steepest = Math.Max(steepest, Slope(northWest, vertices[i + 1, j], southEast));
                         steepest = Math.Max(steepest, Slope(northWest, southEast, vertices[i, j + 1]));
                     }
                 }
 
-                Assert.InRange(steepest, 0.0, bounds.Steepness);
-                Assert.InRange(bounds.Steepness, 0.0, (2.5 * steepest) + 0.01); // a bound that says nothing would pass too
+                Assert.InRange(steepest, 0.0, bounds.MaxSlope);
+                Assert.InRange(bounds.MaxSlope, 0.0, (2.5 * steepest) + 0.01); // a bound that says nothing would pass too
             }
         }
     }

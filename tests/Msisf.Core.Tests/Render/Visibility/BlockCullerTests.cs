@@ -11,7 +11,7 @@ namespace Msisf.Core.Tests.Render.Visibility;
 
 public sealed class BlockCullerTests
 {
-    /// <summary>Every facet of every block that is left out: it is outside the picture, turns away, or lies behind the greatest sphere within the Moon.</summary>
+    /// <summary>Every facet of every block that is left out: it is outside the image, turns away, or lies behind the maximum sphere within the Moon.</summary>
     [Fact]
     public void Find_BlocksLeftOut_AreOutOfSight()
     {
@@ -27,14 +27,14 @@ public sealed class BlockCullerTests
         {
             (PinholeCamera camera, _, string kind) = CameraCases.Make(number, grid, 1024);
             Vector3D position = camera.PositionMoonMe;
-            HashSet<CellBlock> found = [.. culler.Find(new PictureView(camera, 0.0, 0.0), threads: 2, CancellationToken.None).Select(block => block.Block)];
+            HashSet<CellBlock> found = [.. culler.Find(new ImageView(camera, 0.0, 0.0), threads: 2, CancellationToken.None).Select(block => block.Block)];
             for (int i = 0; i < facets.Length; i++)
             {
                 Vector3D toMiddle = places[i].Middle - position;
                 if (Vector3D.Dot(places[i].Normal, toMiddle) < 0.0 && !found.Contains(CellBlock.Containing(facets[i].Line, facets[i].Sample)))
                 {
                     leftOut++;
-                    if (IsInPicture(camera, toMiddle) && !IsBehindSphere(position, places[i].Middle, grid.RadiusLimits.Least))
+                    if (IsInImage(camera, toMiddle) && !IsBehindSphere(position, places[i].Middle, grid.RadiusLimits.Min))
                     {
                         wrong.Add($"view {number} ({kind}), {facets[i]}");
                     }
@@ -60,7 +60,7 @@ public sealed class BlockCullerTests
         return (vertices.NormalOf(facet), (a + b + c) / 3.0);
     }
 
-    private static bool IsInPicture(PinholeCamera camera, Vector3D direction) =>
+    private static bool IsInImage(PinholeCamera camera, Vector3D direction) =>
         camera.TryProject(direction, out RenderingPoint point)
         && point.X >= 0.5 && point.X <= camera.Width + 0.5 && point.Y >= 0.5 && point.Y <= camera.Height + 0.5;
 

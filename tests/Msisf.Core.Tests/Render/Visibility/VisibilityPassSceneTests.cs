@@ -11,7 +11,7 @@ using Xunit;
 
 namespace Msisf.Core.Tests.Render.Visibility;
 
-/// <summary>Every pixel of whole pictures against single rays.</summary>
+/// <summary>Every pixel of whole images against single rays.</summary>
 public sealed class VisibilityPassSceneTests
 {
     /// <summary>m: what rounding may part two computations of a hit by.</summary>

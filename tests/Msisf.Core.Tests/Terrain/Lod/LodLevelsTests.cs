@@ -117,7 +117,7 @@ public sealed class LodLevelsTests
     public void ReadRadii_BlockUsedAgainAndAgain_StaysInASmallCache()
     {
         CountingGrid source = new(FunctionGrid.Rough(16));
-        IElevationGrid grid = LodLevels.Open(source, cacheBytes: 0).Level(1); // the least: 8 blocks
+        IElevationGrid grid = LodLevels.Open(source, cacheBytes: 0).Level(1); // the minimum: 8 blocks
         double[] radii = new double[1];
         for (int block = 0; block < 45; block++)
         {

@@ -15,10 +15,10 @@ public sealed class CraterPopulationTests
         const double MoonKm2 = 4.0 * Math.PI * 1737.4 * 1737.4;
         double[] diametersKm = [.. new CraterPopulation(seed: 5, NoMaria, smallest: 8000.0, largest: 150_000.0)
             .Near(-90.0, 90.0, 0.0, 360.0).Select(crater => 2e-3 * crater.Radius)];
-        for (double least = 8.0; least < 100.0; least *= 1.5)
+        for (double min = 8.0; min < 100.0; min *= 1.5)
         {
-            double expected = MoonKm2 * 0.079 * (Math.Pow(least, -1.83) - Math.Pow(1.5 * least, -1.83));
-            int counted = diametersKm.Count(diameter => diameter >= least && diameter < 1.5 * least);
+            double expected = MoonKm2 * 0.079 * (Math.Pow(min, -1.83) - Math.Pow(1.5 * min, -1.83));
+            int counted = diametersKm.Count(diameter => diameter >= min && diameter < 1.5 * min);
             Assert.InRange(counted, expected - (PoissonSigmas * Math.Sqrt(expected)), expected + (PoissonSigmas * Math.Sqrt(expected)));
         }
     }

@@ -49,11 +49,11 @@ public sealed class DetailRuleTests(RuggedMoon rugged) : IClassFixture<RuggedMoo
     }
 
     /// <summary>
-    /// From 0.2 radii over (0, 2.5) the meridian of 5 degrees is seen at tan = 0.2171 beside the nadir. The picture ends 2 of its 20 pixels before
+    /// From 0.2 radii over (0, 2.5) the meridian of 5 degrees is seen at tan = 0.2171 beside the nadir. The image ends 2 of its 20 pixels before
     /// that. Antialiasing reaches 1 pixel beyond, an error of a pixel 2 more.
     /// </summary>
     [Fact]
-    public void MarginPixels_GroundBesideThePicture_IsThere()
+    public void MarginPixels_GroundBesideTheImage_IsThere()
     {
         FunctionGrid smooth = FunctionGrid.OfHeights(Resolution, (_, _) => 0.0);
         double longitude = 2.5 * Math.PI / 180.0;

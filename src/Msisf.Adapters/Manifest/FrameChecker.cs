@@ -1,0 +1,82 @@
+using System.Globalization;
+using Msisf.Adapters.IO;
+
+namespace Msisf.Adapters.Manifest;
+
+/// <summary>Judges frames: what is to be there, what the manifest says was made, and what lies in the folder. Safe for several threads.</summary>
+public sealed class FrameChecker
+{
+    private readonly string _folder;
+    private readonly CheckDepth _depth;
+    private readonly FileStructure? _structure;
+
+    /// <summary>Takes the folder.</summary>
+    /// <param name="folder">Of the outputs.</param>
+    /// <param name="depth">How closely to look.</param>
+    /// <param name="structure">Looks into files, too, if it is given.</param>
+    public FrameChecker(string folder, CheckDepth depth, FileStructure? structure = null)
+    {
+        _folder = folder;
+        _depth = depth;
+        _structure = structure;
+    }
+
+    /// <summary>Judges a frame.</summary>
+    /// <param name="expected">What is to be there.</param>
+    /// <param name="made">What was made last under its name; null for nothing.</param>
+    /// <param name="failed">What failed since; null for nothing.</param>
+    public FrameCheck Judge(ExpectedRecord expected, FrameRecord? made, FailedRecord? failed)
+    {
+        (FrameState state, string reason) = made is null ? (FrameState.Missing, "not made yet")
+            : made.Frame != expected.Frame ? (FrameState.OtherSettings, "made with other settings, or from another state")
+            : JudgeFiles(made.Files);
+        return state != FrameState.Complete && failed is not null && failed.Frame == expected.Frame
+            ? new FrameCheck(expected, FrameState.Failed, failed.Cause)
+            : new FrameCheck(expected, state, reason);
+    }
+
+    private (FrameState State, string Reason) JudgeFiles(IReadOnlyList<OutputFile> files)
+    {
+        FileInfo[] there = [.. files.Select(file => Target(new FileInfo(Path.Combine(_folder, file.Name))))];
+        if (Array.TrueForAll(there, file => !file.Exists))
+        {
+            return (FrameState.Missing, "its files are gone");
+        }
+
+        foreach ((OutputFile made, FileInfo file) in files.Zip(there))
+        {
+            try
+            {
+                if (ProblemWith(made, file) is string problem)
+                {
+                    return (FrameState.Damaged, $"{made.Name}: {problem}");
+                }
+            }
+            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            {
+                return (FrameState.Damaged, $"{made.Name}: can't be read: {exception.Message}");
+            }
+        }
+
+        return (FrameState.Complete, string.Empty);
+    }
+
+    /// <summary>The file itself where outputs were moved and links left in their place.</summary>
+    private static FileInfo Target(FileInfo file) => file.LinkTarget is null ? file : file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file;
+
+    private string? ProblemWith(OutputFile made, FileInfo file)
+    {
+        if (!file.Exists)
+        {
+            return "missing";
+        }
+
+        if (file.Length != made.Bytes)
+        {
+            return string.Create(CultureInfo.InvariantCulture, $"{file.Length} bytes long, {made.Bytes} were written");
+        }
+
+        bool isSame = _depth == CheckDepth.Lengths || FileHash.Sha256Of(file.FullName) == made.Sha256;
+        return _structure?.ProblemWith(file.FullName) ?? (isSame ? null : "its checksum is not that of the file that was written");
+    }
+}

@@ -1,7 +1,0 @@
-namespace Msisf.Adapters.Manifest;
-
-/// <summary>What was found of a frame.</summary>
-/// <param name="Expected">The frame.</param>
-/// <param name="State">How it stands.</param>
-/// <param name="Reason">Why, in words; empty if it is right.</param>
-public sealed record FrameJudgement(ExpectedRecord Expected, FrameState State, string Reason);

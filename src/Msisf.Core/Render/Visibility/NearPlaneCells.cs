@@ -1,0 +1,161 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>Draws facets that have corners behind the camera or so near to its plane that they can't be projected.</summary>
+internal sealed class NearPlaneCells
+{
+    /// <summary>Parts of the coordinates of an edge's ends: an edge that meets the camera's plane nearer to its middle leads out on both sides.</summary>
+    private const double MiddleOfPlane = 1e-6;
+
+    private ImageView _view = null!;
+
+    /// <summary>Takes a frame's camera.</summary>
+    public void Begin(ImageView view) => _view = view;
+
+    /// <summary>Draws the cells of any block one by one; returns how many were looked at.</summary>
+    public long DrawAll(ProjectedBlock block, Band band)
+    {
+        int lines = block.Vertices.Lines - 1;
+        int samples = block.Vertices.Samples - 1;
+        for (int line = 0; line < lines; line++)
+        {
+            uint halves = block.HalvesOf(line);
+            for (int sample = 0; sample < samples; sample++)
+            {
+                DrawCell(block, (line * ProjectedBlock.Stride) + sample, halves, band);
+            }
+        }
+
+        return lines * samples;
+    }
+
+    private void DrawCell(ProjectedBlock block, int index, uint halves, Band band)
+    {
+        if (block.IsUsable(index, _view)
+            && block.IsUsable(index + FacetCorners.NorthEast, _view)
+            && block.IsUsable(index + FacetCorners.SouthWest, _view)
+            && block.IsUsable(index + FacetCorners.SouthEast, _view))
+        {
+            CellFill.Draw(block, index, halves, band);
+            return;
+        }
+
+        for (uint left = halves; left != 0; left &= left - 1)
+        {
+            DrawFacet(block, index, BitOperations.TrailingZeroCount(left), band);
+        }
+    }
+
+    private void DrawFacet(ProjectedBlock block, int index, int half, Band band)
+    {
+        HomogeneousEdges.Corner a = Corner(block, index);
+        HomogeneousEdges.Corner b = Corner(block, index + FacetCorners.Second(half));
+        HomogeneousEdges.Corner c = Corner(block, index + FacetCorners.Third(half));
+        Extent extent = new(_view);
+        Vector3D inImageA = extent.Add(a.FromCamera);
+        Vector3D inImageB = extent.Add(b.FromCamera);
+        Vector3D inImageC = extent.Add(c.FromCamera);
+        extent.AddEdge(inImageA, inImageB);
+        extent.AddEdge(inImageB, inImageC);
+        extent.AddEdge(inImageC, inImageA);
+        PixelRange pixels = extent.PixelsOf(band);
+        if (!pixels.IsEmpty)
+        {
+            HomogeneousEdges edges = new(a, b, c, _view);
+            Fill(block, index, half, a.FromCamera, edges, pixels, band);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void Fill(ProjectedBlock block, int index, int half, Vector3D corner, HomogeneousEdges edges, PixelRange pixels, Band band)
+    {
+        // One over the depth is linear in the image; that it is above 0 the edges have told.
+        Vector3D normal = block.Record(index, half).Normal;
+        double scale = 1.0 / (Vector3D.Dot(normal, corner) * _view.Distance);
+        Vector512<double> perColumn = Vector512.Create(Vector3D.Dot(normal, _view.RayPerColumn) * scale);
+        Vector512<double> lastColumn = Vector512.Create((double)pixels.LastColumn);
+        int number = Band.NotRecorded;
+        for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
+        {
+            edges.MoveTo(row);
+            Vector512<double> atColumn0 = Vector512.Create(Vector3D.Dot(normal, _view.FirstRay + (row * _view.RayPerRow)) * scale);
+            Span<double> nearest = band.InverseDepths.AsSpan((row - band.FirstRow) * band.Stride, band.Stride);
+            Span<int> facets = band.Facets.AsSpan((row - band.FirstRow) * band.Stride, band.Stride);
+            for (int column = pixels.FirstColumn; column <= pixels.LastColumn; column += Vector512<double>.Count)
+            {
+                Vector512<double> columns = Vector512.Create((double)column) + Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
+                Vector512<double> inverseDepth = atColumn0 + (perColumn * columns);
+                Vector512<double> before = Vector512.LoadUnsafe(ref nearest[column]);
+                Vector512<double> wins = Vector512.LessThanOrEqual(edges.Outside(columns), Vector512<double>.Zero)
+                    & Vector512.GreaterThan(inverseDepth, before)
+                    & Vector512.LessThanOrEqual(columns, lastColumn);
+                for (uint bits = (uint)wins.ExtractMostSignificantBits(); bits != 0; bits &= bits - 1)
+                {
+                    int lane = BitOperations.TrailingZeroCount(bits);
+                    number = number == Band.NotRecorded ? band.Add(block, index, half) : number;
+                    nearest[column + lane] = inverseDepth[lane];
+                    facets[column + lane] = number;
+                }
+            }
+        }
+    }
+
+    private HomogeneousEdges.Corner Corner(ProjectedBlock block, int index) =>
+        new(block.At(index) - _view.Remainder, block.X[index], block.Y[index], block.IsUsable(index, _view));
+
+    /// <summary>The image's part in which a facet may lie, from its corners in front and where its edges leave through the camera's plane.</summary>
+    private struct Extent(ImageView view)
+    {
+        private double _left = double.PositiveInfinity;
+        private double _right = double.NegativeInfinity;
+        private double _top = double.PositiveInfinity;
+        private double _bottom = double.NegativeInfinity;
+
+        /// <summary>Adds a corner; returns its products with across, down and forward.</summary>
+        public Vector3D Add(Vector3D fromCamera)
+        {
+            Vector3D inImage = new(
+                Vector3D.Dot(fromCamera, view.Across), Vector3D.Dot(fromCamera, view.Down), Vector3D.Dot(fromCamera, view.Forward));
+            if (inImage.Z > 0.0)
+            {
+                Widen((inImage.X / inImage.Z) + view.CentreX, ref _left, ref _right);
+                Widen((inImage.Y / inImage.Z) + view.CentreY, ref _top, ref _bottom);
+            }
+
+            return inImage;
+        }
+
+        public void AddEdge(Vector3D a, Vector3D b)
+        {
+            if (a.Z > 0.0 == b.Z > 0.0)
+            {
+                return;
+            }
+
+            double part = a.Z / (a.Z - b.Z);
+            Open(a.X, b.X, part, ref _left, ref _right);
+            Open(a.Y, b.Y, part, ref _top, ref _bottom);
+        }
+
+        /// <summary>One pixel wider, for rounding.</summary>
+        public readonly PixelRange PixelsOf(Band band) => PixelRange.Within(_left - 1.0, _right + 1.0, _top - 1.0, _bottom + 1.0, band);
+
+        private static void Widen(double value, ref double min, ref double max)
+        {
+            min = Math.Min(min, value);
+            max = Math.Max(max, value);
+        }
+
+        private static void Open(double a, double b, double part, ref double min, ref double max)
+        {
+            double crossing = a + (part * (b - a));
+            double middle = MiddleOfPlane * (Math.Abs(a) + Math.Abs(b));
+            min = crossing < middle ? double.NegativeInfinity : min;
+            max = crossing > -middle ? double.PositiveInfinity : max;
+        }
+    }
+}

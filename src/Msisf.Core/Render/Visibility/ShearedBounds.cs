@@ -1,0 +1,66 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>
+/// A box about each of eight cells whose left and right sides lean as the cell's longer side does: of a cell that is long and thin, as all
+/// are round a pole, it holds few pixels more. A cell lies in such a box whichever way it leans.
+/// </summary>
+internal readonly struct ShearedBounds
+{
+    /// <summary>px: more than rounding moves its sides.</summary>
+    private const double Slack = 1e-6;
+
+    /// <summary>Columns a row: more would not fit along an image's rows better, but cost digits.</summary>
+    private const double MaxLean = 64.0;
+
+    private readonly Vector512<double> _top;
+    private readonly Vector512<double> _lean;
+    private readonly Vector512<double> _left;
+    private readonly Vector512<double> _right;
+
+    private ShearedBounds(Vector512<double> top, Vector512<double> lean, Vector512<double> left, Vector512<double> right)
+    {
+        _top = top;
+        _lean = lean;
+        _left = left - Vector512.Create(Slack);
+        _right = right + Vector512.Create(Slack);
+    }
+
+    /// <summary>The box that does not lean.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static ShearedBounds Upright(Vector512<double> left, Vector512<double> right) =>
+        new(Vector512<double>.Zero, Vector512<double>.Zero, left, right);
+
+    /// <summary>The box that leans as the cells' western or northern sides, whichever go through more rows.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static ShearedBounds Along(EightCells cells)
+    {
+        Vector512<double> top = cells.Y(0);
+        Vector512<double> x = cells.X(0);
+        Vector512<double> westX = cells.X(FacetCorners.SouthWest) - x;
+        Vector512<double> westY = cells.Y(FacetCorners.SouthWest) - top;
+        Vector512<double> northX = cells.X(FacetCorners.NorthEast) - x;
+        Vector512<double> northY = cells.Y(FacetCorners.NorthEast) - top;
+        Vector512<double> isWest = Vector512.GreaterThan(Vector512.Abs(westY), Vector512.Abs(northY));
+        Vector512<double> lean = Vector512.ConditionalSelect(isWest, westX, northX) / Vector512.ConditionalSelect(isWest, westY, northY);
+        lean = Vector512.MinNative(Vector512.MaxNative(lean, Vector512.Create(-MaxLean)), Vector512.Create(MaxLean));
+        Vector512<double> northEast = cells.X(FacetCorners.NorthEast) - (lean * northY);
+        Vector512<double> southWest = cells.X(FacetCorners.SouthWest) - (lean * westY);
+        Vector512<double> southEast = cells.X(FacetCorners.SouthEast) - (lean * (cells.Y(FacetCorners.SouthEast) - top));
+        return new ShearedBounds(
+            top,
+            lean,
+            Vector512.MinNative(Vector512.MinNative(x, northEast), Vector512.MinNative(southWest, southEast)),
+            Vector512.MaxNative(Vector512.MaxNative(x, northEast), Vector512.MaxNative(southWest, southEast)));
+    }
+
+    /// <summary>Its left and right side in a row of each cell.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public (Vector512<double> Left, Vector512<double> Right) At(Vector512<double> row)
+    {
+        Vector512<double> shift = _lean * (row - _top);
+        return (_left + shift, _right + shift);
+    }
+}

@@ -1,0 +1,101 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tiles.Selection;
+
+/// <summary>
+/// Where facets that are not certainly turned towards a viewpoint lie. Only through such a facet can a ray to the viewpoint enter the
+/// ground, and a ray from it leave the ground. A block's facets are looked at when they are first asked for.
+/// </summary>
+internal sealed class BackFaces
+{
+    /// <summary>Blocks with more cells than this are not read: their own bounds stand for their facets.</summary>
+    private const int MaxCellsRead = 64;
+
+    /// <summary>Blocks read at most, some 10 microseconds each; the others' own bounds stand for their facets.</summary>
+    private const int MaxBlocksRead = 100;
+
+    private readonly BoundsTable _table;
+    private readonly ElevationSummary _summary;
+    private readonly TerrainPatch _patch;
+    private readonly Vector3D _viewpoint;
+    private readonly PolarBounds[]?[] _facets;
+    private readonly List<PolarBounds> _found = [];
+    private int _blocksToRead = MaxBlocksRead;
+
+    /// <param name="table">Bounds from the viewpoint.</param>
+    /// <param name="summary">Bounds of the terrain.</param>
+    /// <param name="viewpoint">m, MOON_ME.</param>
+    /// <param name="patch">For reading; not the one that a walk reads.</param>
+    public BackFaces(BoundsTable table, ElevationSummary summary, Vector3D viewpoint, TerrainPatch patch)
+    {
+        _table = table;
+        _summary = summary;
+        _viewpoint = viewpoint;
+        _patch = patch;
+        _facets = new PolarBounds[summary.Levels[1].Bounds.Length][];
+    }
+
+    /// <summary>Bounds of the facets of a tile's block that may be turned away.</summary>
+    public ReadOnlySpan<PolarBounds> Of(int tile, int block)
+    {
+        (int row, int column) = _summary.Levels[1].PlaceOf(tile, block);
+        return _facets[(row * _summary.Levels[1].Columns) + column] ??= Find(row, column, _table.Blocks(tile)[block]);
+    }
+
+    /// <summary>Whether the viewpoint may stand lower over a node's ground than its steepest facet could be.</summary>
+    public bool MayBeIn(in TerrainNode node, in PolarBounds bounds)
+    {
+        double cos = 1.0 - (2.0 * bounds.Far * bounds.Far);
+        double sin = Math.Sqrt(Math.Max(0.0, (1.0 - cos) * (1.0 + cos)));
+        double distance = _table.View.Distance;
+        return !((distance * cos) - node.MaxRadius > node.MaxSlope * distance * sin);
+    }
+
+    /// <summary>Whether the viewpoint is so far under a node's horizon that all its facets are certainly turned away.</summary>
+    public bool AreAllOf(in TerrainNode node, in PolarBounds bounds)
+    {
+        double cos = 1.0 - (2.0 * bounds.Near * bounds.Near);
+        double sin = Math.Sqrt(Math.Max(0.0, (1.0 - cos) * (1.0 + cos)));
+        double distance = _table.View.Distance;
+        return (distance * cos) - node.MinRadius < -node.MaxSlope * distance * sin;
+    }
+
+    private PolarBounds[] Find(int row, int column, in PolarBounds bounds)
+    {
+        SummaryLevel level = _summary.Levels[1];
+        if (!MayBeIn(level.Node(row, column), bounds))
+        {
+            return [];
+        }
+
+        CellRange cells = level.Cells(row, column);
+        if ((cells.EndLine - cells.FirstLine) * (cells.EndSample - cells.FirstSample) > MaxCellsRead || _blocksToRead-- <= 0)
+        {
+            return [bounds];
+        }
+
+        _found.Clear();
+        _patch.Load(cells);
+        for (int line = 0; line + 1 < _patch.Lines; line++)
+        {
+            for (int sample = 0; sample + 1 < _patch.Samples; sample++)
+            {
+                Vector3D northWest = _patch[line, sample];
+                Vector3D southEast = _patch[line + 1, sample + 1];
+                AddIfTurned(new Facet(northWest, _patch[line + 1, sample], southEast));
+                AddIfTurned(new Facet(northWest, southEast, _patch[line, sample + 1]));
+            }
+        }
+
+        return [.. _found];
+    }
+
+    private void AddIfTurned(in Facet facet)
+    {
+        if (!facet.FacesCertainly(_viewpoint))
+        {
+            _found.Add(SurfaceWalk.BoundsOf(_table.View, [facet.A, facet.B, facet.C]));
+        }
+    }
+}

@@ -1,0 +1,88 @@
+using Msisf.Adapters.IO;
+using Msisf.Adapters.Manifest;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Manifest;
+
+public sealed class FrameCheckerTests : IDisposable
+{
+    private static readonly ExpectedRecord Expected = new("r1", 1, "m", "f1");
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Judge_AllFilesAsWritten_IsRight() => Assert.Equal(FrameState.Complete, Judge(Made(), CheckDepth.Checksums).State);
+
+    [Fact]
+    public void Judge_NothingMade_IsMissing() => Assert.Equal(FrameState.Missing, Judge(null, CheckDepth.Lengths).State);
+
+    [Fact]
+    public void Judge_NothingMadeButAFailure_SaysWhy()
+    {
+        FrameCheck judgement = new FrameChecker(_folder.Path, CheckDepth.Lengths).Judge(Expected, null, new FailedRecord(1, "m", "f1", "killed"));
+
+        Assert.Equal((FrameState.Failed, "killed"), (judgement.State, judgement.Reason));
+    }
+
+    [Fact]
+    public void Judge_FailureOfOtherSettings_IsMissing() => Assert.Equal(
+        FrameState.Missing, new FrameChecker(_folder.Path, CheckDepth.Lengths).Judge(Expected, null, new FailedRecord(1, "m", "f0", "killed")).State);
+
+    [Fact]
+    public void Judge_OtherSettings_IsNoticed() => Assert.Equal(FrameState.OtherSettings, Judge(Made() with { Frame = "f0" }, CheckDepth.Checksums).State);
+
+    [Fact]
+    public void Judge_AllFilesGone_IsMissing()
+    {
+        FrameRecord made = Made();
+        Array.ForEach(Directory.GetFiles(_folder.Path), File.Delete);
+
+        Assert.Equal(FrameState.Missing, Judge(made, CheckDepth.Lengths).State);
+    }
+
+    [Fact]
+    public void Judge_LinkToTheFile_IsRight()
+    {
+        FrameRecord made = Made();
+        File.Move(_folder["m.pov"], _folder["elsewhere"]);
+        File.CreateSymbolicLink(_folder["m.pov"], _folder["elsewhere"]);
+        Assert.Equal(FrameState.Complete, Judge(made, CheckDepth.Checksums).State);
+        File.Delete(_folder["elsewhere"]);
+        Assert.Equal(FrameState.Damaged, Judge(made, CheckDepth.Lengths).State);
+    }
+
+    [Fact]
+    public void Judge_OneFileGone_IsDamagedByName()
+    {
+        FrameRecord made = Made();
+        File.Delete(_folder["m.pov"]);
+        FrameCheck judgement = Judge(made, CheckDepth.Lengths);
+
+        Assert.Equal((FrameState.Damaged, "m.pov: missing"), (judgement.State, judgement.Reason));
+    }
+
+    [Theory]
+    [InlineData("scenf", CheckDepth.Lengths, FrameState.Complete)] // the quick look can't see it
+    [InlineData("scenf", CheckDepth.Checksums, FrameState.Damaged)]
+    [InlineData("scen", CheckDepth.Lengths, FrameState.Damaged)]
+    [InlineData("", CheckDepth.Lengths, FrameState.Damaged)]
+    public void Judge_ChangedFile_IsDamaged(string content, CheckDepth depth, FrameState expected)
+    {
+        FrameRecord made = Made();
+        File.WriteAllText(_folder["m.pov"], content);
+
+        Assert.Equal(expected, Judge(made, depth).State);
+    }
+
+    private FrameCheck Judge(FrameRecord? made, CheckDepth depth) => new FrameChecker(_folder.Path, depth).Judge(Expected, made, null);
+
+    private FrameRecord Made()
+    {
+        string[] paths = [_folder.Write("m.txt", "image"), _folder.Write("m.pov", "scene")];
+        return new FrameRecord(1, "m", "f1", "s1", [.. paths.Select(path => new OutputFile(
+            Path.GetFileName(path), new FileInfo(path).Length, FileHash.Sha256Of(path)))]);
+    }
+}

@@ -1,0 +1,78 @@
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Run;
+
+/// <summary>Images of POV-Ray from parts of tiles, beside those from whole patterns.</summary>
+public sealed class PartImageTests(RenderFixture fixture) : IClassFixture<RenderFixture>, IDisposable
+{
+    /// <summary>Half of the Moon, 64 px a radius; the terminator runs through it.</summary>
+    private static readonly string[] Disc =
+        ["--state-vectors", "{8.66e6,5e6,0,0,0,100}", "--epoch", "55289", "--time", "55289", "--fov", "22", "--width", "160", "--height", "160"];
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    /// <summary>The disc has half a million triangles, so where there are two cores it is drawn in strips.</summary>
+    [RequiresFact(Part.Ldem4, Part.PovRay)]
+    public void Render_PartsOfTheModelItself_IsTheImageOfWholePatternsByteForByte()
+    {
+        Render("whole", "--lod", "off");
+        Render("parts", "--lod-error", "0");
+
+        Assert.Equal(File.ReadAllBytes(_folder["whole.png"]), File.ReadAllBytes(_folder["parts.png"]));
+        Assert.True(Includes("parts") <= Includes("whole"), "more tiles than whole patterns");
+    }
+
+    [RequiresFact(Part.Ldem4, Part.PovRay)]
+    public void Render_CoarserLevels_StayNearTheModelsImageWithFarFewerTriangles()
+    {
+        Render("whole", "--lod", "off");
+        Render("half", "--lod-error", "0.5");
+        Render("coarse", "--lod-error", "1");
+        PngPixels whole = PngPixels.Read(_folder["whole.png"]);
+
+        Assert.Contains("_level_1_", File.ReadAllText(_folder["half.pov"]), StringComparison.Ordinal);
+        Assert.Contains("_level_2_", File.ReadAllText(_folder["coarse.pov"]), StringComparison.Ordinal);
+
+        // Cells of 0.8 and 1.5 px beside those of 0.4; measured 3.3 and 4.1 grey levels.
+        double half = RootMeanSquare(whole, PngPixels.Read(_folder["half.png"]));
+        double coarse = RootMeanSquare(whole, PngPixels.Read(_folder["coarse.png"]));
+        Assert.InRange(half, 0.1, 5.0);
+        Assert.InRange(coarse, half, 6.0);
+    }
+
+    [RequiresFact(Part.Ldem4, Part.PovRay)]
+    public void Render_Again_MakesNoPartAnew()
+    {
+        CommandLineRun first = Render("first", "--timing");
+        CommandLineRun again = Render("again", "--timing");
+
+        Assert.DoesNotContain("\"patterns_made\":0,", first.Error, StringComparison.Ordinal);
+        Assert.Contains("\"patterns_made\":0,", again.Error, StringComparison.Ordinal);
+        Assert.Equal(File.ReadAllBytes(_folder["first.png"]), File.ReadAllBytes(_folder["again.png"]));
+    }
+
+    private static double RootMeanSquare(PngPixels a, PngPixels b)
+    {
+        double sum = 0.0;
+        for (int pixel = 0; pixel < a.Width * a.Height; pixel++)
+        {
+            double difference = a[pixel % a.Width, pixel / a.Width, 0] - b[pixel % a.Width, pixel / a.Width, 0];
+            sum += difference * difference;
+        }
+
+        return Math.Sqrt(sum / (a.Width * a.Height));
+    }
+
+    private int Includes(string name) => File.ReadLines(_folder[$"{name}.pov"]).Count(line => line.StartsWith("#include", StringComparison.Ordinal));
+
+    private CommandLineRun Render(string name, params string[] more)
+    {
+        string[] common = [.. fixture.Common(_folder.Path).Where((_, index) => index is not (2 or 3)), "--pattern-repos", _folder["patterns"]];
+        CommandLineRun run = CommandLineRun.Of([.. Disc, "--output-name", name, .. more, .. common]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        return run;
+    }
+}
