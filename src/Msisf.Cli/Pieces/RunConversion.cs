@@ -52,22 +52,17 @@ internal sealed class RunConversion
             NeedsPatterns = run.Settings.Renderer == RendererKind.PovRay,
             PatternArguments = arguments.OfPatterns(batchFile, run.Engine),
             OutputFolder = run.Settings.OutputFolder,
-            Pieces = Cut(run, cut, cancellation),
+            Pieces = Cut(run, cut),
         };
         string text = slurm is null ? ScriptText.Of(format, script) : ScriptText.Slurm(script, slurm);
         Write(script, text, statesFile, run.States, hasLogs: slurm is not null);
         return new ConvertedRun(path, statesFile, run.Settings.OutputFolder, run.Frames.Count, script.Pieces.Count);
     }
 
-    private static IReadOnlyList<StepRanges> Cut(PlannedRun run, CutSettings cut, CancellationToken cancellation)
+    private static IReadOnlyList<StepRanges> Cut(PlannedRun run, CutSettings cut)
     {
         int[] steps = [.. run.Frames.Select(frame => frame.Step)];
-        return cut switch
-        {
-            { FramesPerPiece: int size } => RunCutter.BySize(steps, size),
-            { IsBalanced: true } => RunCutter.ByCost(steps, CostSurvey.Of(run, cancellation), cut.Pieces!.Value),
-            _ => RunCutter.ByCount(steps, cut.Pieces!.Value),
-        };
+        return cut.FramesPerPiece is int size ? RunCutter.BySize(steps, size) : RunCutter.ByCount(steps, cut.Pieces!.Value);
     }
 
     private static string CallOf(ParseResult line)
