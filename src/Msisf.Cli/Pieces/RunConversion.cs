@@ -1,9 +1,12 @@
 using System.CommandLine;
 using System.Text;
-using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Input;
+using Msisf.App.Cluster;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
 using Msisf.Cli.Options;
-using Msisf.Cli.Run;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;

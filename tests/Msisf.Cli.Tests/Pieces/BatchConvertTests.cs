@@ -3,7 +3,7 @@ using System.Runtime.Versioning;
 using System.Text;
 using Msisf.Adapters.Input;
 using Msisf.Cli.Options;
-using Msisf.Cli.Run;
+using Msisf.Cli.Pieces;
 using Msisf.Core.Scene;
 using Msisf.TestSupport;
 using Xunit;
