@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Msisf.App.Settings;
 
 namespace Msisf.Cli.Options;
 

@@ -2,7 +2,6 @@ using System.CommandLine;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Render;
 using Msisf.App.Preparation;
-using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;

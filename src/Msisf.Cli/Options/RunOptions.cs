@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Msisf.App.Rendering;
 
 namespace Msisf.Cli.Options;
 
