@@ -1,5 +1,6 @@
+using Msisf.App.Host;
 using Msisf.Cli;
-using Msisf.Cli.Run;
+using Msisf.Cli.Output;
 
 namespace Msisf.TestSupport;
 
@@ -19,7 +20,7 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
         using StringWriter output = new();
         using StringWriter error = new();
         string? Variable(string name) => name == "XDG_CONFIG_HOME" ? configHome : Environment.GetEnvironmentVariable(name);
-        ProgramHost host = new(output, error, () => new StringReader(standardInput), TimeProvider.System, Variable);
+        ProgramHost host = ConsoleHost.Create(output, error, () => new StringReader(standardInput), TimeProvider.System, Variable);
         int exitCode = Within.Seconds(LimitSeconds, $"msis {string.Join(' ', arguments)}", Task.Run(() => CommandLineProgram.RunAsync(arguments, host)))
             .GetAwaiter()
             .GetResult();
