@@ -55,7 +55,8 @@ public sealed class PatternMakerTests : IDisposable
         await Within.Seconds(60, "the first read of the model", reads.Task);
         foreach (string path in made)
         {
-            File.Copy(path, Path.Combine(Path.GetDirectoryName(ClaimsFile)!, Path.GetFileName(path)));
+            // A copy that goes on is locked, and can't be read; a pattern gets its name when it is whole.
+            File.Move(path, Path.Combine(Path.GetDirectoryName(ClaimsFile)!, Path.GetFileName(path)));
         }
 
         other.StandardInput.Close();
