@@ -1,5 +1,6 @@
 using Msisf.Cli.Options;
 using Msisf.Cli.Run;
+using Msisf.Core.Lod;
 using Msisf.Core.Render;
 using Msisf.Core.Tiles;
 
@@ -55,7 +56,7 @@ internal static class CostSurvey
         RenderSettings settings = run.Settings;
         int across = settings.Renderer == RendererKind.Native ? settings.Native.Render.SubsamplesPerAxis : 1;
         int level = settings.LevelOfDetailError is double error
-            ? LevelOfDetail.For(frame.Camera, across, settings.PixelsPerDegree, run.Model.Levels.Count, error)
+            ? new DetailRule(run.Model.Levels, error).LevelOfImage(frame.Camera.Footprint, across)
             : 0;
         int resolution = settings.PixelsPerDegree >> level;
         long faces = run.Model.Select(frame).Kept.Sum(choice => (long)TileMeshLayout.For(choice.Tile, resolution).FaceCount);

@@ -5,6 +5,7 @@ using Msisf.Adapters.Terrain.Lod;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Lod;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
@@ -63,5 +64,5 @@ internal static class FurtherFramesChild
 
     private static IElevationGrid LevelFor(Scene scene, LodLevels levels) => levels.Level(scene.IsExact
         ? 0
-        : LevelOfDetail.For(scene.Camera, subsamplesPerAxis: 1, scene.PixelsPerDegree, levels.Count));
+        : new DetailRule(levels, DetailRule.DefaultErrorOfImage).LevelOfImage(scene.Camera.Footprint, subsamplesPerAxis: 1));
 }
