@@ -3,7 +3,6 @@ using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
-using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Cli.Run;
 

@@ -1,6 +1,5 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Terrain;
-using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Core.Lod;
 

@@ -1,5 +1,5 @@
+using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
-using Msisf.Adapters.Terrain.Lod;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;
 using Msisf.Benchmarks.Thesis;
@@ -8,7 +8,6 @@ using Msisf.Core.Lod;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
-using Msisf.Core.Terrain.Lod;
 using Msisf.TestSupport.Images;
 
 namespace Msisf.Benchmarks.Fronts;

@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
-using Msisf.Core.Terrain;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
 
 namespace Msisf.Core.Tiles.Selection;
 

@@ -1,7 +1,8 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 

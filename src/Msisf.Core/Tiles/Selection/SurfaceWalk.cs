@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 
