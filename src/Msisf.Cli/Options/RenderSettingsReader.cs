@@ -10,7 +10,6 @@ using Msisf.Core.Lod;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
-using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Options;
 
