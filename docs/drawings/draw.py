@@ -36,7 +36,7 @@ def stage(name):
 
 
 def data_flow():
-    drawing = Drawing(960, 430, "The way of the data through the program")
+    drawing = Drawing(960, 408, "The way of the data through the program")
     rows = (60, 165, 270, 365)
 
     def box(column, row, title, words="", colour=INK, width=150, height=62):
@@ -51,7 +51,8 @@ def data_flow():
     box(0, rows[2], "elevation model", "LDEM label, image", GREY)
     box(1, rows[0], f"{stage('Orbit')}, {stage('Attitude')}", "a state for each time")
     box(1, rows[1], stage("Ephemeris"), "Sun, Moon's axes")
-    box(1, rows[2], stage("Terrain"), "samples, levels")
+    box(1, rows[2], stage("Terrain"), "heights on a grid")
+    box(2, rows[2], f"{stage('Mesh')}, {stage('Lod')}", "facets, levels")
     box(2, rows[0], stage("Camera"), "rays of the pixels")
     box(2, rows[3], stage("Tiles"), "which, patterns", BLUE)
     box(3, rows[3], stage("Scene"), ".pov, POV-Ray", BLUE)
@@ -72,14 +73,14 @@ def data_flow():
     drawing.arrow((362, rows[0]), (404, rows[0]))                                # state -> camera
     drawing.arrow((554, rows[0]), (788, rows[0]))                                # camera -> metadata
     drawing.arrow((479, rows[0] + 31), (479, 125), (596, 125))                   # camera -> native
-    drawing.arrow((362, rows[1]), (596, rows[1]), colour=INK)                    # Sun -> native
-    drawing.arrow((362, rows[2]), (596, rows[2]), colour=INK)                    # terrain -> native
-    drawing.arrow((479, rows[2]), (479, rows[3] - 31), colour=BLUE)              # terrain -> tiles
+    drawing.arrow((362, rows[1]), (596, rows[1]))                                # Sun -> native
+    drawing.arrow((362, rows[2]), (404, rows[2]))
+    drawing.arrow((554, rows[2]), (596, rows[2]))                                # mesh -> native
+    drawing.arrow((479, rows[2] + 31), (479, rows[3] - 31), colour=BLUE)         # mesh -> tiles
     drawing.arrow((554, rows[3]), (596, rows[3]), colour=BLUE)
     drawing.arrow((726, rows[3] - 31), (766, rows[3] - 68), (766, rows[1] + 52), (788, rows[1] + 52), colour=BLUE)
     drawing.arrow((746, rows[1] + 24), (788, rows[1] + 24), colour=ORANGE)
     drawing.arrow((746, 296), (863, 296), (863, rows[3] - 31), colour=ORANGE)
-    drawing.dot(479, rows[2])
     return drawing
 
 
