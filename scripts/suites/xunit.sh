@@ -10,15 +10,14 @@ seconds_a_project=900 # a run that hangs must end before the machine's own limit
 
 # run_project NAME: a host that crashes or hangs leaves a report without its tests, so its exit code counts too.
 run_project() {
-    local project=$1 assembly=tests/$1/bin/Debug/net10.0/$1.dll code=0 limit=(env)
+    local project=$1 assembly=tests/$1/bin/Debug/net10.0/$1.dll code=0
     rm -f "$reports/$project.trx"
     # a broken build may leave an assembly of an earlier one, whose results would say nothing of these sources
     if [ ! -e "$assembly" ] || [ -n "${MSISF_BUILD_FAILED:-}" ]; then
         record skipped "$project" 'all tests (missing: the build)'
         return 0
     fi
-    ! have timeout || limit=(timeout --kill-after=10 "$seconds_a_project")
-    "${limit[@]}" dotnet test "$assembly" --logger "trx;LogFileName=$project.trx" --results-directory "$reports" ||
+    within "$seconds_a_project" dotnet test "$assembly" --logger "trx;LogFileName=$project.trx" --results-directory "$reports" ||
         code=$?
     record_report "$project" "$reports/$project.trx"
     if [ "$code" -ne 0 ] && [ "$(count failed "$project")" -eq 0 ]; then
