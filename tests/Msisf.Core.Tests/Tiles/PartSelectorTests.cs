@@ -30,7 +30,7 @@ public sealed class PartSelectorTests(Ldem4Fixture ldem4, RuggedMoon rugged) : I
         CheckExactParts(rugged.Grid, rugged.Summary, subdivisions: 2, cells: 5);
 
     [Fact]
-    public void Select_StripsOfAImage_HaveTheirRowsAsWithAllOfTheMoon()
+    public void Select_StripsOfAnImage_HaveTheirRowsAsWithAllOfTheMoon()
     {
         BruteForceMoon moon = new(rugged.Grid, 2);
         PartSelector selector = new(LodLevels.Open(rugged.Grid), rugged.Summary, 0.0, cells: 5);
