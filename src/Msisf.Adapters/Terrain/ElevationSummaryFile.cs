@@ -2,8 +2,8 @@ using System.Buffers.Binary;
 using System.Security.Cryptography;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
 
 namespace Msisf.Adapters.Terrain;
 

@@ -5,7 +5,6 @@ using Msisf.App.Host;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;

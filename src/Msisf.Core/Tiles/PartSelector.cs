@@ -2,7 +2,6 @@ using System.Collections.Concurrent;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles.Selection;

@@ -10,27 +10,19 @@ namespace Msisf.Core.Tiles;
 /// <remarks>Each vertex depends on its sample alone, so tiles meet bit for bit. All steps are in docs/pattern-format.md.</remarks>
 public sealed class TileMeshBuilder
 {
-    private static readonly SineCosine NorthPole = SineCosine.OfDegrees(90, 1);
-    private static readonly SineCosine SouthPole = SineCosine.OfDegrees(-90, 1);
-    private static readonly SineCosine ZeroDegrees = SineCosine.OfDegrees(0, 1);
-
-    private readonly IElevationGrid _grid;
+    private readonly FacetMesh _mesh;
     private readonly GridDirections _directions;
-    private readonly Lazy<double> _northPoleRadius;
-    private readonly Lazy<double> _southPoleRadius;
 
     /// <summary>Prepares the directions of the grid's samples.</summary>
     /// <param name="grid">The whole Moon.</param>
     public TileMeshBuilder(IElevationGrid grid)
     {
-        _grid = grid;
+        _mesh = new FacetMesh(grid);
         _directions = new GridDirections(grid.PixelsPerDegree);
-        _northPoleRadius = new Lazy<double>(() => FacetMesh.MeanRadius(grid, 0));
-        _southPoleRadius = new Lazy<double>(() => FacetMesh.MeanRadius(grid, (180 * grid.PixelsPerDegree) - 1));
     }
 
     /// <summary>m: where the walls of parts end (<see cref="TileMeshLayout.HasWall"/>), below all ground.</summary>
-    public double WallFootRadius => _grid.RadiusLimits.Min - Skirt.DepthBelowLowest;
+    public double WallFootRadius => _mesh.Grid.RadiusLimits.Min - Skirt.DepthBelowLowest;
 
     /// <summary>The radius of each vertex, in vertex order, without those of a wall's foot.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
@@ -43,17 +35,17 @@ public sealed class TileMeshBuilder
         for (int row = 0; row < layout.Lines; row++)
         {
             Span<double> line = radii.AsSpan(firstRow + (row * layout.Samples), layout.Samples);
-            _grid.ReadRadii(layout.FirstLine + row, layout.FirstSample, line);
+            _mesh.ReadRadii(layout.FirstLine + row, layout.FirstSample, line);
         }
 
         if (layout.HasNorthPole)
         {
-            radii[0] = _northPoleRadius.Value;
+            radii[0] = _mesh.NorthPoleRadius;
         }
 
         if (layout.HasSouthPole)
         {
-            radii[^1] = _southPoleRadius.Value;
+            radii[^1] = _mesh.SouthPoleRadius;
         }
 
         return radii;
@@ -74,33 +66,14 @@ public sealed class TileMeshBuilder
             longitudes[column] = _directions.Longitude(SampleOf(layout, column));
         }
 
-        int vertex = 0;
-        if (layout.HasNorthPole)
+        for (int vertex = 0; vertex < radii.Length; vertex++)
         {
-            Place(offsets, vertex, layout, radii[vertex], origin, NorthPole, ZeroDegrees);
-            vertex++;
+            Place(offsets, vertex, layout, radii[vertex], origin, DirectionOf(layout, vertex, longitudes));
         }
 
-        for (int row = 0; row < layout.Lines; row++)
+        for (int foot = 0; foot < border.Length; foot++)
         {
-            SineCosine latitude = _directions.Latitude(layout.FirstLine + row);
-            for (int column = 0; column < layout.Samples; column++)
-            {
-                Place(offsets, vertex, layout, radii[vertex], origin, latitude, longitudes[column]);
-                vertex++;
-            }
-        }
-
-        if (layout.HasSouthPole)
-        {
-            Place(offsets, vertex, layout, radii[vertex], origin, SouthPole, ZeroDegrees);
-            vertex++;
-        }
-
-        foreach (int top in border)
-        {
-            (SineCosine latitude, SineCosine longitude) = DirectionOf(layout, top, longitudes);
-            Place(offsets, vertex++, layout, WallFootRadius, origin, latitude, longitude);
+            Place(offsets, radii.Length + foot, layout, WallFootRadius, origin, DirectionOf(layout, border[foot], longitudes));
         }
 
         return new TileMesh(layout, radii, offsets, [.. layout.CreateFaces(), .. Skirt.Faces(border, radii.Length)], WallFootRadius);
@@ -109,24 +82,19 @@ public sealed class TileMeshBuilder
     private (SineCosine Latitude, SineCosine Longitude) DirectionOf(TileMeshLayout layout, int vertex, SineCosine[] longitudes)
     {
         int firstRow = layout.HasNorthPole ? 1 : 0;
-        if (vertex < firstRow)
-        {
-            return (NorthPole, ZeroDegrees);
-        }
-
-        (int row, int column) = int.DivRem(vertex - firstRow, layout.Samples);
-        return row == layout.Lines ? (SouthPole, ZeroDegrees) : (_directions.Latitude(layout.FirstLine + row), longitudes[column]);
+        (int row, int column) = vertex < firstRow ? (-1, 0) : int.DivRem(vertex - firstRow, layout.Samples);
+        return (_directions.Latitude(layout.FirstLine + row), longitudes[column]);
     }
 
     private static void Place(
-        int[] offsets, int vertex, TileMeshLayout layout, double radius, LatticePoint origin, SineCosine latitude, SineCosine longitude)
+        int[] offsets, int vertex, TileMeshLayout layout, double radius, LatticePoint origin, (SineCosine Latitude, SineCosine Longitude) direction)
     {
         if (!(radius > 0.0 && radius < LatticePoint.RadiusLimit))
         {
             throw OutOfReach(layout, vertex, radius);
         }
 
-        LatticePoint point = LatticePoint.Nearest(radius, latitude, longitude);
+        LatticePoint point = LatticePoint.Nearest(radius, direction.Latitude, direction.Longitude);
         int x = point.X - origin.X;
         int y = point.Y - origin.Y;
         int z = point.Z - origin.Z;

@@ -16,16 +16,11 @@ namespace Msisf.Core.Tracing;
 /// </remarks>
 public sealed class TerrainTracer : ISurface, ITerrainTracer
 {
-    private readonly LatticeMesh _mesh;
-    private readonly SurfaceBounds _bounds;
+    private readonly SurfaceModel _surface;
 
-    /// <summary>Takes the model; reads its first and last line for the poles.</summary>
+    /// <summary>Takes the model; reads nothing of it yet.</summary>
     /// <param name="grid">The whole Moon.</param>
-    public TerrainTracer(IElevationGrid grid)
-    {
-        _mesh = new LatticeMesh(grid);
-        _bounds = new SurfaceBounds(grid, _mesh);
-    }
+    public TerrainTracer(IElevationGrid grid) => _surface = new SurfaceModel(grid);
 
     /// <inheritdoc/>
     /// <exception cref="BadInputException">The ray is not finite or has no direction; the model has a radius that is none of the Moon.</exception>
@@ -44,7 +39,7 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     public bool TryTrace(Ray ray, out SurfaceHit hit)
     {
         RequireRay(ray);
-        RayWalk walk = new(_mesh, _bounds, ray, double.PositiveInfinity, stopsAtAnyHit: false);
+        RayWalk walk = new(_surface, ray, double.PositiveInfinity, stopsAtAnyHit: false);
         walk.Run();
         hit = walk.Facet is FacetId facet
             ? new SurfaceHit(walk.Point, walk.Normal.Normalized(), facet, walk.Parameter)
@@ -63,13 +58,13 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
         Ray ray = new(pointMoonMe, lightMoonMe - pointMoonMe);
         RequireRay(ray);
         RequireFacet(facet);
-        Vector3D normal = _mesh.Corners(facet.Line, facet.Sample).NormalOf(facet.Half);
+        Vector3D normal = _surface.Corners(facet.Line, facet.Sample).NormalOf(facet.Half);
         if (!(Vector3D.Dot(normal, ray.Direction) > 0.0))
         {
             return true;
         }
 
-        RayWalk walk = new(_mesh, _bounds, ray, endParameter: 1.0, stopsAtAnyHit: true);
+        RayWalk walk = new(_surface, ray, endParameter: 1.0, stopsAtAnyHit: true);
         walk.Run();
         return walk.Facet is not null;
     }
@@ -85,8 +80,8 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     private void RequireFacet(FacetId facet)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(facet.Line, -1, nameof(facet));
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Line, _mesh.Lines, nameof(facet));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Line, _surface.Mesh.Lines, nameof(facet));
         ArgumentOutOfRangeException.ThrowIfNegative(facet.Sample, nameof(facet));
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Sample, _mesh.Samples, nameof(facet));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Sample, _surface.Mesh.Samples, nameof(facet));
     }
 }

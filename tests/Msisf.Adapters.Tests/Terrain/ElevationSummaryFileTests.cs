@@ -1,6 +1,6 @@
 using Msisf.Adapters.Terrain;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Terrain;

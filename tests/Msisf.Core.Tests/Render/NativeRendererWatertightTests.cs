@@ -1,10 +1,10 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 using Msisf.Core.Tests.Support;
+using Msisf.Core.Tiles;
 using Msisf.TestSupport;
 using Xunit;
 using Xunit.Abstractions;

@@ -4,7 +4,6 @@ using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Terrain;

@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;

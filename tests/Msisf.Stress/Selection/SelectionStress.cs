@@ -1,4 +1,4 @@
-using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Tiles;
 
 namespace Msisf.Stress.Selection;
 

@@ -51,9 +51,9 @@ internal sealed class ProjectedBlock
     /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
     public FacetRecord Record(int index, int half)
     {
-        ref double x = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(Vertices.X), index);
-        ref double y = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(Vertices.Y), index);
-        ref double z = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(Vertices.Z), index);
+        ref double x = ref BlockVertices.CornersFrom(Vertices.X, index);
+        ref double y = ref BlockVertices.CornersFrom(Vertices.Y, index);
+        ref double z = ref BlockVertices.CornersFrom(Vertices.Z, index);
         int second = FacetCorners.Second(half);
         int third = FacetCorners.Third(half);
         double ux = Unsafe.Add(ref x, second) - x;

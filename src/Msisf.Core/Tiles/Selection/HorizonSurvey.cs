@@ -118,7 +118,7 @@ internal sealed class HorizonSurvey
     private bool[] RelevantTiles(HorizonMap map, Relevance relevant)
     {
         SummaryLevel level = _summary.Levels[0];
-        bool[] tiles = new bool[level.Bounds.Length];
+        bool[] tiles = new bool[level.Count];
         for (int tile = 0; tile < tiles.Length; tile++)
         {
             TerrainNode node = level.Node(tile / level.Columns, tile % level.Columns);

@@ -3,9 +3,10 @@ using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tests.Support;
+using Msisf.Core.Tiles;
 using Xunit;
 
-namespace Msisf.Core.Tests.Mesh.Bounds;
+namespace Msisf.Core.Tests.Tiles;
 
 public sealed class ElevationSummaryTests
 {
@@ -23,14 +24,15 @@ public sealed class ElevationSummaryTests
         foreach (SummaryLevel level in summary.Levels)
         {
             // A prime step: samples of all rows and columns, both borders included.
-            for (int index = 0; index < level.Bounds.Length; index += level.Bounds.Length > 10_000 ? 61 : 1)
+            for (int index = 0; index < level.Count; index += level.Count > 10_000 ? 61 : 1)
             {
                 CellRange cells = level.Cells(index / level.Columns, index % level.Columns);
                 int first = Math.Max(cells.FirstLine, 0);
                 int last = Math.Min(cells.EndLine, lines - 1);
                 (double min, double max) = grid.RadiusBounds(first, last - first + 1, cells.FirstSample, cells.EndSample - cells.FirstSample + 1);
-                Assert.InRange(level.Bounds[index].Min, min - 0.26, min);
-                Assert.InRange(level.Bounds[index].Max, max, max + 0.26);
+                NodeBounds bounds = level.BoundsOf(index / level.Columns, index % level.Columns);
+                Assert.InRange(bounds.Min, min - 0.26, min);
+                Assert.InRange(bounds.Max, max, max + 0.26);
             }
         }
     }
@@ -43,7 +45,7 @@ public sealed class ElevationSummaryTests
         TerrainPatch patch = new(mesh);
         SummaryLevel level = summary.Levels[^1];
         Random random = new(7);
-        for (int index = 0; index < level.Bounds.Length; index += 17)
+        for (int index = 0; index < level.Count; index += 17)
         {
             TerrainNode node = level.Node(index / level.Columns, index % level.Columns);
             patch.Load(level.Cells(index / level.Columns, index % level.Columns));

@@ -1,7 +1,6 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 
-namespace Msisf.Core.Tracing;
+namespace Msisf.Core.Mesh;
 
 /// <summary>The vertices of a cell, MOON_ME; two of them are the same on the polar side of a fan.</summary>
 /// <param name="NorthWest">m.</param>

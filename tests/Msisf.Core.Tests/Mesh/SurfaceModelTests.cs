@@ -1,13 +1,12 @@
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tiles;
-using Msisf.Core.Tracing;
 using Msisf.TestSupport;
 using Xunit;
 
-namespace Msisf.Core.Tests.Tracing;
+namespace Msisf.Core.Tests.Mesh;
 
-public sealed class LatticeMeshTests
+public sealed class SurfaceModelTests
 {
     /// <summary>The facets of a tile in the order of the pattern format: north fan, cells, south fan.</summary>
     [Theory]
@@ -17,7 +16,7 @@ public sealed class LatticeMeshTests
     public void Corners_CellsOfATile_AreTheFacetsOfItsPattern(int southDegrees, int westDegrees)
     {
         FunctionGrid grid = FunctionGrid.Rough(4);
-        LatticeMesh lattice = new(grid);
+        SurfaceModel surface = new(grid);
         TileId tile = new(southDegrees, westDegrees);
         TileMeshBuilder builder = new(grid);
         TileMeshLayout layout = TileMeshLayout.For(tile, 4, 0);
@@ -27,7 +26,7 @@ public sealed class LatticeMeshTests
         {
             for (int sample = tile.FirstSample(4); sample < tile.FirstSample(4) + 20; sample++)
             {
-                CellCorners corners = lattice.Corners(line, sample);
+                CellCorners corners = surface.Corners(line, sample);
                 facets.AddRange(line == 719 ? [] : [corners.Facet(FacetHalf.SouthWest)]);
                 facets.AddRange(line == -1 ? [] : [corners.Facet(FacetHalf.NorthEast)]);
             }
