@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Msisf.App.Rendering;
 
 namespace Msisf.Cli.Options;
 

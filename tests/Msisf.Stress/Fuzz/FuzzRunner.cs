@@ -1,6 +1,6 @@
 using System.Diagnostics;
+using Msisf.App.Host;
 using Msisf.Cli;
-using Msisf.Cli.Run;
 
 namespace Msisf.Stress.Fuzz;
 
