@@ -4,7 +4,7 @@ using Msisf.Core.Orbit;
 namespace Msisf.App.Settings;
 
 /// <summary>The options of thesis table 6.1: where the camera is, when, and how it points.</summary>
-public static class CameraOptions
+internal static class CameraOptions
 {
     /// <summary>One state.</summary>
     public static NumberListSpec FixedState { get; } = new(

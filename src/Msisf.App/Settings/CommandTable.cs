@@ -3,7 +3,7 @@ using Msisf.App.Settings.Specs;
 namespace Msisf.App.Settings;
 
 /// <summary>All commands of the program with their options: the one place where they are declared.</summary>
-public static class CommandTable
+internal static class CommandTable
 {
     private static readonly OptionGroup General = new("General", [RunOptions.Config, RunOptions.Help]);
 
@@ -15,8 +15,8 @@ public static class CommandTable
         NativeOptions.Group, PovOptions.Group, RunOptions.Group,
     ];
 
-    /// <summary>All options of a run, but for help and version.</summary>
-    public static IEnumerable<OptionSpec> RunOptionsOfRender => OfRender.SelectMany(group => group.Options);
+    /// <summary>All options of a run.</summary>
+    public static IEnumerable<OptionSpec> OptionsOfRun => OfRender.SelectMany(group => group.Options);
 
     /// <summary>msis patterns.</summary>
     public static CommandSpec Patterns { get; } = new("patterns", "Make surface patterns for POV-Ray ahead of a run.")

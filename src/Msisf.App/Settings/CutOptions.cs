@@ -4,7 +4,7 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings;
 
 /// <summary>The options that say into which pieces a run is cut.</summary>
-public static class CutOptions
+internal static class CutOptions
 {
     /// <summary>How many pieces.</summary>
     public static WholeNumberSpec Pieces { get; } = new("--pieces", "N", 1, int.MaxValue, "Cut the run into so many pieces") { IsOfOneCall = true };

@@ -5,7 +5,7 @@ using Msisf.App.Settings.Specs;
 namespace Msisf.App.Settings;
 
 /// <summary>The options of the commands that look at a folder of outputs.</summary>
-public static class FolderOptions
+internal static class FolderOptions
 {
     /// <summary>Frames a second: more than any display shows.</summary>
     private const double MaxFrameRate = 1000.0;

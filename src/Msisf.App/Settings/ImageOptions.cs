@@ -3,7 +3,7 @@ using Msisf.App.Settings.Specs;
 namespace Msisf.App.Settings;
 
 /// <summary>The options of the image itself.</summary>
-public static class ImageOptions
+internal static class ImageOptions
 {
     /// <summary>px: the largest side of an image.</summary>
     private const int MaxSide = 16384;

@@ -5,7 +5,7 @@ using Msisf.Core.Ephemeris;
 namespace Msisf.App.Settings;
 
 /// <summary>The options that say where the light comes from.</summary>
-public static class LightOptions
+internal static class LightOptions
 {
     /// <summary>Light from the camera.</summary>
     public static FlagSpec IgnoreSun { get; } = new("--ignore-sun", "Light the scene from the camera instead of the Sun");

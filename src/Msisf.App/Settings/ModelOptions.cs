@@ -1,9 +1,12 @@
+using System.Globalization;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain.Synthesis;
 
 namespace Msisf.App.Settings;
 
 /// <summary>The options of the commands that work on elevation models.</summary>
-public static class ModelOptions
+internal static class ModelOptions
 {
     /// <summary>Resolution of a new model, px/deg.</summary>
     public static WholeNumberSpec NewResolution { get; } = SurfaceOptions.Resolution with
@@ -43,4 +46,28 @@ public static class ModelOptions
 
     /// <summary>Compares instead of making.</summary>
     public static FlagSpec Verify { get; } = new("--verify", "Make nothing; read the model and its pyramid and compare them") { IsOfOneCall = true };
+
+    /// <summary>Reads what msis ldem synthesize makes.</summary>
+    /// <exception cref="BadInputException">A value is wrong.</exception>
+    public static SynthesisSettings ReadSynthesis(OptionValues values) => new(
+        NewResolution.Read(values),
+        ulong.TryParse(values.Text(Seed), NumberStyles.None, CultureInfo.InvariantCulture, out ulong seed)
+            ? seed
+            : throw new BadInputException($"{Seed.Name} is '{values.Text(Seed)}'; a whole number from 0 to {ulong.MaxValue} is needed.").About(Seed),
+        Base.ReadIfGiven(values),
+        Region.ReadIfGiven(values) is { } region ? ReadRegion(region) : MoonRegion.WholeMoon,
+        NewFolder.Read(values),
+        RunOptions.Batch.Read(values));
+
+    private static MoonRegion ReadRegion(string text)
+    {
+        try
+        {
+            return MoonRegion.Parse(text);
+        }
+        catch (UsageException exception)
+        {
+            throw new BadInputException(exception.Message, exception).About(Region); // it names the option
+        }
+    }
 }

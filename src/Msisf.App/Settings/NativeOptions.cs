@@ -6,7 +6,7 @@ using Msisf.Core.Render.Photometry;
 namespace Msisf.App.Settings;
 
 /// <summary>What only the program's own renderer can do.</summary>
-public static class NativeOptions
+internal static class NativeOptions
 {
     /// <summary>Samples a pixel.</summary>
     public static WholeNumberSpec Samples { get; } = new(

@@ -5,7 +5,7 @@ using Msisf.Core.Metadata;
 namespace Msisf.App.Settings;
 
 /// <summary>The options of the files that are written, but for those of one renderer.</summary>
-public static class OutputOptions
+internal static class OutputOptions
 {
     /// <summary>Folder of the outputs.</summary>
     public static PathSpec Folder { get; } = new("--output-dir", PathKind.Folder, "Folder of the outputs")

@@ -1,10 +1,11 @@
 using Msisf.Adapters.Tiles;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 
 /// <summary>The options of msis patterns. There is none for a password: every user sees the arguments of a program.</summary>
-public static class PatternsOptions
+internal static class PatternsOptions
 {
     /// <summary>Where the samples come from; the value is true for the database.</summary>
     public static ChoiceSpec<bool> Source { get; } = new(
@@ -61,4 +62,44 @@ public static class PatternsOptions
 
     /// <summary>Options that have a meaning for both.</summary>
     public static OptionGroup Model { get; } = new("Surface model", [SurfaceOptions.Resolution, SurfaceOptions.Ldem, PovOptions.PatternRepository]);
+
+    /// <summary>Reads the run whose patterns are made; null if none is given.</summary>
+    /// <exception cref="MsisfException">An option is wrong, or has no meaning with or without a run.</exception>
+    public static (CameraSettings Camera, RenderSettings Settings)? ReadRun(OptionValues values)
+    {
+        if (CameraSettingsReader.ReadIfGiven(values, ForBatch) is not { } camera)
+        {
+            Refuse(OfRun, values, $"is for the patterns of a run only. Say of which by {ForBatch.Name}, or leave it out.");
+            return null;
+        }
+
+        Refuse(WholeMoon, values, "has no meaning for the patterns of a run. Leave it out, or make those of the whole Moon.");
+        return (camera, RenderSettingsReader.Read(values));
+    }
+
+    /// <summary>Reads which patterns of the whole Moon are made.</summary>
+    /// <exception cref="MsisfException">An option is wrong, or contradicts another.</exception>
+    public static WholeMoonSettings ReadWholeMoon(OptionValues values)
+    {
+        PatternOptions patterns = Margin.Named(() => new PatternOptions(Margin.Read(values), Format.Read(values)));
+        WholeMoonSettings settings = new(
+            SurfaceOptions.Resolution.Read(values), SurfaceOptions.Ldem.ReadIfGiven(values), Source.Read(values), DefaultsFile.ReadIfGiven(values),
+            PovOptions.PatternRepository.Read(values), patterns, RunOptions.Batch.Read(values));
+        return settings switch
+        {
+            { IsDatabase: true, Ldem: not null } =>
+                throw new UsageException("--ldem and --source mysql contradict each other. Give one of them.").About(SurfaceOptions.Ldem, Source),
+            { IsDatabase: false, DefaultsFile: not null } =>
+                throw new UsageException("--defaults-file is for --source mysql only. Leave it out, or give --source mysql.").About(DefaultsFile, Source),
+            _ => settings,
+        };
+    }
+
+    private static void Refuse(OptionGroup group, OptionValues values, string why)
+    {
+        if (group.Options.FirstOrDefault(values.IsGiven) is { } wrong)
+        {
+            throw new UsageException($"{wrong.Name} {why}").About(wrong);
+        }
+    }
 }

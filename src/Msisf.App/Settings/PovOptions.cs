@@ -3,7 +3,7 @@ using Msisf.App.Settings.Specs;
 namespace Msisf.App.Settings;
 
 /// <summary>What has a meaning with POV-Ray only.</summary>
-public static class PovOptions
+internal static class PovOptions
 {
     /// <summary>s: what a timer takes.</summary>
     private const int MaxTimeout = int.MaxValue / 1000;

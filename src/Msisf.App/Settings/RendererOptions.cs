@@ -5,7 +5,7 @@ using Msisf.Core.Render;
 namespace Msisf.App.Settings;
 
 /// <summary>The choice of the renderer, and which options have a meaning with which one.</summary>
-public static class RendererOptions
+internal static class RendererOptions
 {
     /// <summary>The renderer.</summary>
     public static ChoiceSpec<RendererKind> Renderer { get; } = new(

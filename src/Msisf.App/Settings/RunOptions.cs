@@ -3,7 +3,7 @@ using Msisf.App.Settings.Specs;
 namespace Msisf.App.Settings;
 
 /// <summary>The options that say how a run goes; none of them changes an image.</summary>
-public static class RunOptions
+internal static class RunOptions
 {
     /// <summary>More frames at once than any computer runs.</summary>
     private const int MaxJobs = 1024;

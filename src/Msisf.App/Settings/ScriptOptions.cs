@@ -4,7 +4,7 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings;
 
 /// <summary>The options of a script that makes a run in pieces.</summary>
-public static class ScriptOptions
+internal static class ScriptOptions
 {
     /// <summary>What runs the pieces.</summary>
     public static ChoiceSpec<ScriptFormat> Format { get; } = new(
@@ -22,6 +22,9 @@ public static class ScriptOptions
         DefaultNote = "./msis-pieces with the format's ending",
     };
 
+    /// <summary>The script of msis submit, in the folder of the outputs.</summary>
+    public static string SlurmScriptName { get; } = NameOf(ScriptFormat.Slurm);
+
     /// <summary>Follows the jobs of Slurm.</summary>
     public static FlagSpec Wait { get; } = new("--wait", "Tell the progress, and end with the exit code of the whole") { IsOfOneCall = true };
 
@@ -34,4 +37,16 @@ public static class ScriptOptions
             ? format
             : throw new UsageException($"{wrong.Name} is for --format slurm only. Choose that, or leave it out.").About(wrong);
     }
+
+    /// <summary>Where the script goes.</summary>
+    /// <exception cref="BadInputException">The path is empty.</exception>
+    public static string ReadPath(OptionValues values) => Script.ReadIfGiven(values) ?? NameOf(Format.Read(values));
+
+    private static string NameOf(ScriptFormat format) => format switch
+    {
+        ScriptFormat.Sh => "msis-pieces.sh",
+        ScriptFormat.Bat => "msis-pieces.bat",
+        ScriptFormat.Parallel => "msis-pieces.parallel.sh",
+        _ => "msis-pieces.slurm.sh",
+    };
 }

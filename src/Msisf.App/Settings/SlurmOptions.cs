@@ -5,7 +5,7 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings;
 
 /// <summary>What Slurm is asked for.</summary>
-public static partial class SlurmOptions
+internal static partial class SlurmOptions
 {
     /// <summary>More would only hide what is wrong.</summary>
     private const int MaxRetries = 100;

@@ -6,7 +6,7 @@ using Msisf.Core.Tiles;
 namespace Msisf.App.Settings;
 
 /// <summary>The options of the elevation model and its levels of detail.</summary>
-public static class SurfaceOptions
+internal static class SurfaceOptions
 {
     /// <summary>px/deg: the finest product that NASA offers (LDEM_1024).</summary>
     public const int MaxResolution = 1024;

@@ -3,7 +3,7 @@ namespace Msisf.App.Settings.Specs;
 /// <summary>One command of the program, and what can be given to it.</summary>
 /// <param name="Name">As it is called; the program's own name for the render command.</param>
 /// <param name="Summary">What it does: one sentence.</param>
-public sealed record CommandSpec(string Name, string Summary)
+internal sealed record CommandSpec(string Name, string Summary)
 {
     /// <summary>More sentences for the command's own help; null for none.</summary>
     public string? Details { get; init; }

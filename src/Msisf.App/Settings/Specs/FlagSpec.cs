@@ -2,7 +2,7 @@ namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option without a value; in a configuration file true or false.</summary>
 /// <inheritdoc/>
-public sealed record FlagSpec(string Name, string Help) : OptionSpec(Name, Help)
+internal sealed record FlagSpec(string Name, string Help) : OptionSpec(Name, Help)
 {
     /// <inheritdoc/>
     public override string? ValueName => null;

@@ -4,9 +4,10 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is several numbers in braces, e.g. "{qx,qy,qz,q0}", quoted or taken apart by the shell.</summary>
-/// <inheritdoc/>
+/// <param name="Name">Long name with its dashes.</param>
 /// <param name="Fields">The numbers' names in their order; a single one for a list of any length.</param>
-public sealed record NumberListSpec(string Name, IReadOnlyList<string> Fields, string Help) : OptionSpec(Name, Help)
+/// <param name="Help">See <see cref="OptionSpec"/>.</param>
+internal sealed record NumberListSpec(string Name, IReadOnlyList<string> Fields, string Help) : OptionSpec(Name, Help)
 {
     /// <inheritdoc/>
     public override string ValueName => Fields is [string only] ? $"{{{only},{only},...}}" : $"{{{string.Join(',', Fields)}}}";

@@ -5,7 +5,7 @@ namespace Msisf.App.Settings.Specs;
 /// <summary>The numbers that an option takes; the default is 0 alone.</summary>
 /// <param name="Min">Smallest, or the limit below all if <see cref="ExcludesMin"/>.</param>
 /// <param name="Max">Largest, or the limit above all if <see cref="ExcludesMax"/>.</param>
-public readonly record struct NumberRange(double Min, double Max)
+internal readonly record struct NumberRange(double Min, double Max)
 {
     /// <summary>Whether <see cref="Min"/> itself is too small.</summary>
     public bool ExcludesMin { get; init; }

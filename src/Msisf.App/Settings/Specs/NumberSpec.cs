@@ -5,9 +5,10 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a finite number.</summary>
-/// <inheritdoc/>
+/// <param name="Name">Long name with its dashes.</param>
 /// <param name="ValueName">Its unit or meaning, e.g. "DEGREES".</param>
-public sealed record NumberSpec(string Name, string ValueName, string Help) : OptionSpec(Name, Help)
+/// <param name="Help">See <see cref="OptionSpec"/>.</param>
+internal sealed record NumberSpec(string Name, string ValueName, string Help) : OptionSpec(Name, Help)
 {
     /// <inheritdoc/>
     public override string ValueName { get; } = ValueName;

@@ -3,7 +3,7 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>Says of a failure which options it is about, so that the place of a setting in a configuration file can be told with it.</summary>
-public static class OptionErrors
+internal static class OptionErrors
 {
     /// <summary>Adds options to a failure.</summary>
     /// <param name="exception">The failure.</param>

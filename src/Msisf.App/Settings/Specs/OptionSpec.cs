@@ -6,7 +6,7 @@ namespace Msisf.App.Settings.Specs;
 /// </summary>
 /// <param name="Name">Long name with its dashes, e.g. "--fov".</param>
 /// <param name="Help">What it does: one sentence without a full stop, and without choices, range and default, which are added to it.</param>
-public abstract record OptionSpec(string Name, string Help)
+internal abstract record OptionSpec(string Name, string Help)
 {
     /// <summary>Other names, e.g. "-f".</summary>
     public IReadOnlyList<string> Aliases { get; init; } = [];

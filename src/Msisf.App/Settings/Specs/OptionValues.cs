@@ -3,7 +3,7 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>The options of one call as text: those of the command line, and behind them those of the configuration files. Immutable.</summary>
-public sealed class OptionValues
+internal sealed class OptionValues
 {
     private readonly Dictionary<string, OptionValue> _values;
 

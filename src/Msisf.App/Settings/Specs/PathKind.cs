@@ -1,7 +1,7 @@
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>What a path leads to.</summary>
-public enum PathKind
+internal enum PathKind
 {
     /// <summary>A file.</summary>
     File,

@@ -3,9 +3,10 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a path; in a configuration file it is relative to that file's folder.</summary>
-/// <inheritdoc/>
+/// <param name="Name">Long name with its dashes.</param>
 /// <param name="Kind">What lies there.</param>
-public sealed record PathSpec(string Name, PathKind Kind, string Help) : OptionSpec(Name, Help)
+/// <param name="Help">See <see cref="OptionSpec"/>.</param>
+internal sealed record PathSpec(string Name, PathKind Kind, string Help) : OptionSpec(Name, Help)
 {
     /// <summary>The default; null if there is none.</summary>
     public string? Default { get; init; }

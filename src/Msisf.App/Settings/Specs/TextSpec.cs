@@ -5,7 +5,7 @@ namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a text that this option alone understands.</summary>
 /// <inheritdoc/>
-public sealed record TextSpec(string Name, string ValueName, string Help) : OptionSpec(Name, Help)
+internal sealed record TextSpec(string Name, string ValueName, string Help) : OptionSpec(Name, Help)
 {
     /// <inheritdoc/>
     public override string ValueName { get; } = ValueName;

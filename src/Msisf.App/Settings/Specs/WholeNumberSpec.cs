@@ -4,11 +4,12 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a whole number.</summary>
-/// <inheritdoc/>
+/// <param name="Name">Long name with its dashes.</param>
 /// <param name="ValueName">Its unit or meaning, e.g. "PX".</param>
 /// <param name="Min">The smallest.</param>
 /// <param name="Max">The largest; <see cref="int.MaxValue"/> where none is needed.</param>
-public sealed record WholeNumberSpec(string Name, string ValueName, int Min, int Max, string Help) : OptionSpec(Name, Help)
+/// <param name="Help">See <see cref="OptionSpec"/>.</param>
+internal sealed record WholeNumberSpec(string Name, string ValueName, int Min, int Max, string Help) : OptionSpec(Name, Help)
 {
     /// <inheritdoc/>
     public override string ValueName { get; } = ValueName;
