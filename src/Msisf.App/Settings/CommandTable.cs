@@ -7,6 +7,8 @@ internal static class CommandTable
 {
     private static readonly OptionGroup General = new("General", [RunOptions.Config, RunOptions.Help]);
 
+    private static readonly OptionGroup OnlyHelp = General with { Options = [RunOptions.Help] };
+
     private static readonly OptionGroup Progress = General with { Options = [RunOptions.Batch, .. General.Options] };
 
     private static readonly OptionGroup[] OfRender =
@@ -63,7 +65,7 @@ internal static class CommandTable
         [
             ("Ten pieces for GNU parallel:", "msis batchconvert --format parallel --pieces 10 --batch-file approach.tab"),
         ],
-        Groups = [new OptionGroup("Pieces", [ScriptOptions.Format, CutOptions.Pieces, CutOptions.FramesPerPiece, ScriptOptions.Script]), SlurmOptions.Group, .. OfRender, General with { Options = [RunOptions.Help] }],
+        Groups = [new OptionGroup("Pieces", [ScriptOptions.Format, CutOptions.Pieces, CutOptions.FramesPerPiece, ScriptOptions.Script]), SlurmOptions.Group, .. OfRender, OnlyHelp],
     };
 
     /// <summary>msis submit.</summary>
@@ -71,7 +73,7 @@ internal static class CommandTable
     {
         Details = "Takes all options of a run. The script is that of msis batchconvert --format slurm, in the folder of the outputs.",
         Examples = [("Forty pieces, followed to their end:", "msis submit --pieces 40 --wait --batch-file approach.tab")],
-        Groups = [new OptionGroup("Pieces", [CutOptions.Pieces, CutOptions.FramesPerPiece, ScriptOptions.Wait]), SlurmOptions.Group, .. OfRender, General with { Options = [RunOptions.Help] }],
+        Groups = [new OptionGroup("Pieces", [CutOptions.Pieces, CutOptions.FramesPerPiece, ScriptOptions.Wait]), SlurmOptions.Group, .. OfRender, OnlyHelp],
     };
 
     /// <summary>msis ldem synthesize.</summary>
@@ -93,7 +95,7 @@ internal static class CommandTable
     /// <summary>msis ldem.</summary>
     public static CommandSpec Ldem { get; } = new("ldem", "Make elevation models and their levels of detail.")
     {
-        Groups = [General],
+        Groups = [OnlyHelp],
         Commands = [Synthesize, Pyramid],
     };
 
@@ -107,7 +109,7 @@ internal static class CommandTable
     /// <summary>msis config.</summary>
     public static CommandSpec Config { get; } = new("config", "Show the settings of configuration files.")
     {
-        Groups = [General],
+        Groups = [OnlyHelp],
         Commands = [ConfigShow],
     };
 

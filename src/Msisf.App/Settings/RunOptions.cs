@@ -50,7 +50,7 @@ internal static class RunOptions
     };
 
     /// <summary>Prints help.</summary>
-    public static FlagSpec Help { get; } = new("--help", "Show this help; msis COMMAND --help shows that of a command") { Aliases = ["-?"], IsOfOneCall = true };
+    public static FlagSpec Help { get; } = new("--help", "Show this help") { Aliases = ["-?"], IsOfOneCall = true };
 
     /// <summary>Prints the version.</summary>
     public static FlagSpec Version { get; } = new("--version", "Show the version of msis") { IsOfOneCall = true };

@@ -40,7 +40,7 @@ internal static class SurfaceOptions
     {
         Limits = new NumberRange(0.0, MaxLevelOfDetailError),
         DefaultNote = string.Create(
-            CultureInfo.InvariantCulture, $"{PartSelector.DefaultErrorPixels}, native {Core.Render.LevelOfDetail.DefaultErrorPixels}"),
+            CultureInfo.InvariantCulture, $"{PartSelector.DefaultErrorPixels} with POV-Ray, {Core.Render.LevelOfDetail.DefaultErrorPixels} native"),
     };
 
     /// <summary>All of them.</summary>

@@ -56,7 +56,7 @@ internal static class HelpText
         .. command.Argument is { } argument ? Section("Argument", null, Entry(argument.Name, argument.Help)) : [],
         .. command.Groups.SelectMany(group => Section(group.Title, group.Note, group.Options.SelectMany(OptionLines))),
         .. command.Commands.Count > 0
-            ? Section("Commands", "Shown with all options by msis COMMAND --help.", command.Commands.SelectMany(inner => Entry(inner.Name, inner.Summary.TrimEnd('.'))))
+            ? Section("Commands", "msis COMMAND --help shows what a command takes.", command.Commands.SelectMany(inner => Entry(inner.Name, inner.Summary.TrimEnd('.'))))
             : [],
     ];
 

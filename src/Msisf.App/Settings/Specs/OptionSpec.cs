@@ -41,8 +41,8 @@ internal abstract record OptionSpec(string Name, string Help)
     /// <summary>Key in a configuration file: the long name without its dashes.</summary>
     public string Key => Name[2..];
 
-    /// <summary>What follows the sentence in help: range and default, e.g. "1 to 16384, default 1024"; empty if there is neither.</summary>
-    public string Notes => string.Join(", ", NoteParts());
+    /// <summary>What follows the sentence in help: range and default, e.g. "1 to 16384; default: 1024"; empty if there is neither.</summary>
+    public string Notes => string.Join("; ", NoteParts());
 
     private IEnumerable<string> NoteParts()
     {
@@ -58,7 +58,7 @@ internal abstract record OptionSpec(string Name, string Help)
 
         if (DefaultNote is not null || DefaultValue is not null)
         {
-            yield return $"default {DefaultNote ?? DefaultValue}";
+            yield return $"default: {DefaultNote ?? DefaultValue}";
         }
     }
 }
