@@ -1,5 +1,4 @@
 using Msisf.Adapters.Ephemeris;
-using Msisf.App.Rendering;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;

@@ -1,5 +1,5 @@
+using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
-using Msisf.Adapters.Terrain.Lod;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;

@@ -3,6 +3,7 @@ using System.Runtime.Versioning;
 using System.Text;
 using Msisf.Adapters.Input;
 using Msisf.Cli.Options;
+using Msisf.Cli.Output;
 using Msisf.Cli.Pieces;
 using Msisf.Core.Scene;
 using Msisf.TestSupport;
@@ -151,7 +152,7 @@ public sealed class BatchConvertTests : IDisposable
         }
 
         ParseResult line = command.Parse(mode);
-        StateSource source = new(options, line, () => throw new InvalidOperationException("no ephemeris is needed"), () => TextReader.Null, new Log(TextWriter.Null));
+        StateSource source = new(options, line, () => throw new InvalidOperationException("no ephemeris is needed"), () => TextReader.Null, new ConsoleLog(TextWriter.Null));
         return source.Read(ModeRules.Check(options, option => line.GetResult(option) is { Implicit: false })!.Value, CancellationToken.None);
     }
 }
