@@ -1,11 +1,10 @@
-using System.CommandLine;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
 using Msisf.App.Host;
 using Msisf.App.Series;
-using Msisf.Cli.Options;
+using Msisf.App.Settings;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Commands;
@@ -16,34 +15,19 @@ internal static class MergeCommand
     private const string SheetName = "contact-sheet.png";
     private const string VideoName = "video.mp4";
 
-    /// <summary>More than any display shows.</summary>
-    private const double MaxFrameRate = 1000.0;
-
-    /// <summary>Declares the command and its options.</summary>
-    public static Command Create(ProgramHost host)
+    /// <summary>Does it.</summary>
+    public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
-        Argument<string> folder = CheckCommand.FolderArgument();
-        Option<bool> sheet = OptionFactory.Flag("--contact-sheet", [], $"Make {SheetName}: small images of up to {ContactSheet.MaxImages} frames of the last run");
-        Option<string?> video = OptionFactory.Value("--video", [], "FPS", $"Make {VideoName} of the last run with so many frames a second, if ffmpeg is there");
-        Command command = new("merge", "Puts the manifest into the order that it has whoever made the frames; on request makes a contact sheet and a video.")
+        string path = call.Values.Argument!;
+        try
         {
-            folder, sheet, video,
-        };
-        command.SetAction(async (line, cancellation) =>
+            return await MergeAsync(
+                path, FolderOptions.ContactSheet.Read(call.Values), FolderOptions.Video.ReadIfGiven(call.Values), call.Host, cancellation).ConfigureAwait(false);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
-            StrayOptions.Refuse(line);
-            double? rate = line.GetValue(video) is string text ? FrameRate(video, text) : null;
-            string path = line.GetRequiredValue(folder);
-            try
-            {
-                return await Task.Run(() => MergeAsync(path, line.GetValue(sheet), rate, host, cancellation), cancellation).ConfigureAwait(false);
-            }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-            {
-                throw new ExternalPartException($"{path}: can't be written: {exception.Message}", exception);
-            }
-        });
-        return command;
+            throw new ExternalPartException($"{path}: can't be written: {exception.Message}", exception);
+        }
     }
 
     private static async Task<int> MergeAsync(string folder, bool wantsSheet, double? frameRate, ProgramHost host, CancellationToken cancellation)
@@ -103,9 +87,4 @@ internal static class MergeCommand
         File.Move(made, path, overwrite: true);
         host.Results.WriteLine(path);
     }
-
-    private static double FrameRate(Option option, string text) =>
-        OptionText.Number(option, text) is > 0.0 and <= MaxFrameRate and double rate
-            ? rate
-            : throw new BadInputException($"{option.Name} is {text}; frames a second above 0 and up to {MaxFrameRate} are needed.");
 }

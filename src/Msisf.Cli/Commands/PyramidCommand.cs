@@ -1,49 +1,24 @@
-using System.CommandLine;
 using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
-using Msisf.Cli.Options;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary>Makes or checks the sidecar with a model's levels of detail.</summary>
+/// <summary><c>msis ldem pyramid</c>: makes or checks the sidecar with a model's levels of detail.</summary>
 internal static class PyramidCommand
 {
-    /// <summary>Declares the command, its argument and its options.</summary>
-    public static Command Create(ProgramHost host)
+    /// <summary>Does it.</summary>
+    public static int Run(CommandCall call, CancellationToken cancellation)
     {
-        Argument<string?> model = new("model")
-        {
-            HelpName = "LABEL|FOLDER",
-            Description = "The model: its label, its image, or the folder that it lies in with --res (default ./input/ldem)",
-            Arity = ArgumentArity.ZeroOrOne,
-        };
-        Option<string?> resolution = OptionFactory.Value("--res", ["-r"], "RESOLUTION", "Resolution of the model in px/deg; needed for a folder");
-        Option<bool> verify = OptionFactory.Flag("--verify", [], "Make nothing; read the model and its pyramid and compare them");
-        Option<bool> batch = OptionFactory.Flag("--batch", ["-b"], "Unattended: draw no progress bar");
-        Command command = new("pyramid", "Writes a model's coarser levels into a file beside it, so that far views of fine models need not read it all.")
-        {
-            model, resolution, verify, batch,
-        };
-        command.SetAction((line, cancellation) => Task.Run(
-            () =>
-            {
-                StrayOptions.Refuse(line);
-                int? asked = line.GetValue(resolution) is string text
-                    ? OptionText.WholeNumber(resolution, text, 1, SourceSettings.FinestResolution)
-                    : null;
-                using LdemImage image = LdemImage.Open(Find(line.GetValue(model), asked, host));
-                PyramidPlaces places = PyramidPlaces.Of(image.Set, CacheFolder.Of(host));
-                host.Results.WriteLine(line.GetValue(verify)
-                    ? Verify(image, places, host, cancellation)
-                    : Make(image, places, line.GetValue(batch), host, cancellation));
-                return 0;
-            },
-            cancellation));
-        return command;
+        using LdemImage image = LdemImage.Open(Find(call.Values.Argument, ModelOptions.ModelResolution.ReadIfGiven(call.Values), call.Host));
+        PyramidPlaces places = PyramidPlaces.Of(image.Set, CacheFolder.Of(call.Host));
+        call.Host.Results.WriteLine(ModelOptions.Verify.Read(call.Values)
+            ? Verify(image, places, call.Host, cancellation)
+            : Make(image, places, RunOptions.Batch.Read(call.Values), call.Host, cancellation));
+        return 0;
     }
 
     private static LdemSet Find(string? path, int? resolution, ProgramHost host)

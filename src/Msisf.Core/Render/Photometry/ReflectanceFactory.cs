@@ -19,6 +19,9 @@ public static class ReflectanceFactory
         ["hapke"] = ["w", "b", "c", "b0", "h", "theta"],
     };
 
+    /// <summary>The names of the laws.</summary>
+    public static IReadOnlyList<string> Laws { get; } = [.. ParametersOfLaw.Keys];
+
     /// <summary>Makes the law.</summary>
     /// <param name="law">Its name.</param>
     /// <param name="parameters">Values by name; what is missing has the Moon's value.</param>
