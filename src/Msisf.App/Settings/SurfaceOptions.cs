@@ -1,6 +1,5 @@
 using System.Globalization;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Render;
 using Msisf.Core.Tiles;
 
 namespace Msisf.App.Settings;
