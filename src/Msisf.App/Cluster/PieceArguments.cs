@@ -43,7 +43,7 @@ internal sealed class PieceArguments
     public IReadOnlyList<string> OfPatterns(string batchFile, EphemerisChoice? engine) =>
     [
         PatternsOptions.ForBatch.Name, batchFile,
-        .. PatternsOptions.Model.Options.Concat(PatternsOptions.Deciding).SelectMany(Words),
+        .. PatternsOptions.Deciding.SelectMany(Words),
         .. Engine(engine),
     ];
 

@@ -2,6 +2,8 @@ using System.Collections.Concurrent;
 using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
@@ -51,7 +53,8 @@ internal sealed class ElevationModel : IDisposable
     /// <param name="host">Where the installation is, and where notes go.</param>
     public static ElevationModel Open(string? explicitPath, int pixelsPerDegree, bool isSparing, ProgramHost host)
     {
-        LdemImage image = LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)));
+        LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
+            () => LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)))));
         host.Log.Note(image.Set.IsSynthetic
             ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
             : $"Elevation: {image.ProductId} ({image.Set.Description}).");

@@ -1,6 +1,7 @@
 using System.Data.Common;
 using Msisf.App.Host;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Terrain;
 using Msisf.MySql;
 
@@ -24,7 +25,7 @@ internal sealed class GridSource : IDisposable
     {
         if (settings.IsDatabase)
         {
-            return FromDatabase(DatabaseSettings.Read(settings.DefaultsFile, host.Environment), settings.PixelsPerDegree, host);
+            return FromDatabase(PatternsOptions.DefaultsFile.Concerned(() => DatabaseSettings.Read(settings.DefaultsFile, host.Environment)), settings.PixelsPerDegree, host);
         }
 
         ElevationModel model = ElevationModel.Open(settings.Ldem, settings.PixelsPerDegree, isSparing: true, host);

@@ -10,6 +10,7 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Series;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
@@ -86,7 +87,10 @@ internal sealed class RenderRun : IDisposable
     }
 
     private Task<string> AskPovRayVersion() =>
-        PovRayVersion.AskAsync(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+        PovRayVersion.AskAsync(FindPovRay());
+
+    private string FindPovRay() =>
+        PovOptions.Program.Concerned(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private RunIdentity Identify(ElevationModel model, IReadOnlyList<(string Name, string Sha256)> kernels, string? povRayVersion)
     {
@@ -140,7 +144,7 @@ internal sealed class RenderRun : IDisposable
 
     private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files, int processes)
     {
-        PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+        PovRayProcess povRay = new(FindPovRay());
         ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
         return new PovRayFrameRenderer(_settings, model, patterns, povRay, processes, files, _times);
     }
@@ -160,7 +164,7 @@ internal sealed class RenderRun : IDisposable
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
-            throw new ExternalPartException($"--output-dir {folder}: the folder can't be made: {exception.Message}", exception);
+            throw new ExternalPartException($"--output-dir {folder}: the folder can't be made: {exception.Message}", exception).About(OutputOptions.Folder);
         }
     }
 }

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Msisf.Adapters.Metadata;
 using Msisf.App.Settings.Specs;
 
 namespace Msisf.App.Settings;

@@ -23,7 +23,8 @@ internal static class NativeSettingsReader
         {
             Render = new NativeRenderOptions
             {
-                Reflectance = (albedo is null ? (OptionSpec)NativeOptions.Reflectance : NativeOptions.Albedo).Named(() => ReflectanceFactory.Create(law, parameters, albedo)),
+                Reflectance = NativeOptions.Reflectance.Concerned(
+                    () => (albedo is null ? (OptionSpec)NativeOptions.Reflectance : NativeOptions.Albedo).Named(() => ReflectanceFactory.Create(law, parameters, albedo))),
                 Sun = NativeOptions.Sun.Read(values),
                 Normals = NativeOptions.Shading.Read(values),
                 SubsamplesPerAxis = SubsamplesPerAxis(NativeOptions.Samples.Read(values)),

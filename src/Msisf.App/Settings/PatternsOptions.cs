@@ -45,23 +45,23 @@ internal static class PatternsOptions
     /// <summary>Options that have a meaning for the whole Moon only.</summary>
     public static OptionGroup WholeMoon { get; } = new("All patterns of the Moon", [Source, DefaultsFile, Margin, Format]);
 
-    /// <summary>Options of a run on which the choice of its patterns depends, but for the camera, the surface model, and which frames.</summary>
+    /// <summary>Options that have a meaning for both.</summary>
+    public static OptionGroup Model { get; } = new("Surface model", [SurfaceOptions.Resolution, SurfaceOptions.Ldem, PovOptions.PatternRepository]);
+
+    /// <summary>Options of a run on which the choice of its patterns depends, but for the camera, the ephemeris, and which frames.</summary>
     public static IReadOnlyList<OptionSpec> Deciding { get; } =
     [
         ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height, SurfaceOptions.LevelOfDetail, SurfaceOptions.LevelOfDetailError,
-        LightOptions.IgnoreSun, LightOptions.Aberration, LightOptions.Kernels,
+        LightOptions.IgnoreSun, .. Model.Options, LightOptions.Aberration, LightOptions.Kernels,
     ];
 
     /// <summary>Options that have a meaning for the patterns of a run only.</summary>
     public static OptionGroup OfRun { get; } = new(
         "Patterns of a run",
-        [ForBatch, .. CameraOptions.Group.Options.Where(option => option != CameraOptions.BatchFile), .. Deciding, LightOptions.Ephemeris, RunOptions.Frames, RunOptions.Jobs])
+        [ForBatch, .. CameraOptions.Group.Options.Where(option => option != CameraOptions.BatchFile), .. Deciding.Except(Model.Options), LightOptions.Ephemeris, RunOptions.Frames, RunOptions.Jobs])
     {
         Note = "The run is given by --for-batch, or as for msis itself. All of these must be what the run has.",
     };
-
-    /// <summary>Options that have a meaning for both.</summary>
-    public static OptionGroup Model { get; } = new("Surface model", [SurfaceOptions.Resolution, SurfaceOptions.Ldem, PovOptions.PatternRepository]);
 
     /// <summary>Reads the run whose patterns are made; null if none is given.</summary>
     /// <exception cref="MsisfException">An option is wrong, or has no meaning with or without a run.</exception>

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Lod;
-using Msisf.Core.Render;
+using Msisf.Core.Tiles;
 
 namespace Msisf.App.Settings;
 
@@ -40,7 +39,7 @@ internal static class SurfaceOptions
     {
         Limits = new NumberRange(0.0, MaxLevelOfDetailError),
         DefaultNote = string.Create(
-            CultureInfo.InvariantCulture, $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native"),
+            CultureInfo.InvariantCulture, $"{PartSelector.DefaultErrorPixels} with POV-Ray, {Core.Render.LevelOfDetail.DefaultErrorPixels} native"),
     };
 
     /// <summary>All of them.</summary>

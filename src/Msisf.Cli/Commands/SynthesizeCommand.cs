@@ -11,7 +11,7 @@ internal static class SynthesizeCommand
     public static int Run(CommandCall call, CancellationToken cancellation)
     {
         SynthesisSettings settings = ModelOptions.ReadSynthesis(call.Values);
-        using LdemImage? continued = settings.BaseModel is { } path ? LdemImage.Open(LdemCatalog.Read(path)) : null;
+        using LdemImage? continued = settings.BaseModel is { } path ? ModelOptions.Base.Concerned(() => LdemImage.Open(LdemCatalog.Read(path))) : null;
         SyntheticLdemOptions options = new(settings.PixelsPerDegree, settings.Seed, settings.Folder) { Base = continued, Region = settings.Region };
         using IRunProgress progress = call.Host.Progress.Start("Synthesis", FractionProgress.Steps, settings.Unattended);
         call.Host.Results.WriteLine(SyntheticLdemWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation));

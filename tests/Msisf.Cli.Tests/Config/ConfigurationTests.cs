@@ -55,7 +55,7 @@ public sealed class ConfigurationTests : IDisposable
     [InlineData("list-patterns: true", "'list-patterns' can't stand in a configuration file: it belongs to one call")]
     [InlineData("verify: true", "it belongs to one call")]
     [InlineData("config: b.yaml", "it belongs to one call")]
-    [InlineData("help: true", "'help' is no option")]
+    [InlineData("help: true", "it belongs to one call")]
     [InlineData("<<: {fov: 4}", "'<<' takes a value")]
     public void Run_WrongFile_IsRefusedWithItsPlace(string settings, string message)
     {

@@ -1,10 +1,11 @@
-using System.CommandLine;
 using System.Runtime.Versioning;
 using System.Text;
 using Msisf.Adapters.Input;
-using Msisf.Cli.Options;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Cli.Output;
-using Msisf.Cli.Pieces;
 using Msisf.Core.Scene;
 using Msisf.TestSupport;
 using Xunit;
@@ -144,15 +145,8 @@ public sealed class BatchConvertTests : IDisposable
     /// <summary>The states that the render command takes images of.</summary>
     private static IReadOnlyList<SpacecraftState> StatesOf(string[] mode)
     {
-        ModeOptions options = new();
-        RootCommand command = new();
-        foreach (Option option in options.All)
-        {
-            command.Options.Add(option);
-        }
-
-        ParseResult line = command.Parse(mode);
-        StateSource source = new(options, line, () => throw new InvalidOperationException("no ephemeris is needed"), () => TextReader.Null, new ConsoleLog(TextWriter.Null));
-        return source.Read(ModeRules.Check(options, option => line.GetResult(option) is { Implicit: false })!.Value, CancellationToken.None);
+        OptionValues values = new(mode.Chunk(2).Select(pair => KeyValuePair.Create(pair[0], new OptionValue([pair[1]]))));
+        ProgramHost host = ConsoleHost.Create(TextWriter.Null, TextWriter.Null, () => TextReader.Null, TimeProvider.System, _ => null);
+        return new StateSource(() => throw new InvalidOperationException("no ephemeris is needed"), host).Read(CameraSettingsReader.Read(values), CancellationToken.None);
     }
 }

@@ -45,7 +45,7 @@ internal sealed record NumberSpec(string Name, string ValueName, string Help) : 
 
         return Limits is not { } limits || limits.Contains(number)
             ? number
-            : throw new BadInputException($"{Name} is {text}; a number {limits} is needed.").About(this);
+            : throw new BadInputException($"{Name} is {text}; its range is {limits}.").About(this);
     }
 
     /// <summary>The shortest text that reads back to the same number.</summary>

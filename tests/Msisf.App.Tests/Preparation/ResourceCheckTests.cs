@@ -1,11 +1,10 @@
-using System.CommandLine;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
-using Msisf.Cli.Options;
+using Msisf.App.Tests.Settings;
 using Msisf.Core.Errors;
 using Xunit;
 
-namespace Msisf.Cli.Tests;
+namespace Msisf.App.Tests.Preparation;
 
 public sealed class ResourceCheckTests
 {
@@ -49,13 +48,5 @@ public sealed class ResourceCheckTests
     public void AtOnce_CoresAndMemory_AreNotExceeded(string options, int frames, int expected) =>
         Assert.Equal(expected, ResourceCheck.AtOnce(Settings(options), frames, cores: 8, Gibibyte));
 
-    private static RenderSettings Settings(string options)
-    {
-        ImageOptions image = new();
-        SourceOptions source = new();
-        RunOptions run = new();
-        NativeOptions native = new();
-        RootCommand command = [.. image.All, .. source.All, .. run.All, .. native.All];
-        return new RenderSettingsReader(command.Parse(options)).Read(image, source, run, native);
-    }
+    private static RenderSettings Settings(string options) => RenderSettingsReader.Read(Given.Options(options));
 }
