@@ -1,6 +1,5 @@
 using System.Reflection;
 using System.Runtime.CompilerServices;
-using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
 using Xunit;
 
@@ -11,8 +10,8 @@ public sealed class HouseRuleTests
 {
     private static readonly Type[] OwnTypes =
     [
-        .. ((Assembly[])[typeof(MsisfException).Assembly, typeof(AtomicFile).Assembly])
-            .SelectMany(assembly => assembly.GetTypes())
+        .. ((string[])["Msisf.Core", "Msisf.Adapters", "Msisf.MySql", "Msisf.App"])
+            .SelectMany(name => Assembly.Load(name).GetTypes())
             .Where(type => type.GetCustomAttribute<CompilerGeneratedAttribute>() is null && !type.FullName!.Contains('<', StringComparison.Ordinal)),
     ];
 

@@ -23,7 +23,7 @@ internal sealed record PatternOrder(string Path, TileMeshLayout Layout, TileMesh
     /// <summary>What the file of an order must hold.</summary>
     public sealed class Content(PatternOrder order, double[] radii, byte[] header)
     {
-        /// <summary>Whether the file is there and right; one read, whatever its size.</summary>
+        /// <summary>Whether the file is there and complete; one read, whatever its size.</summary>
         /// <exception cref="BadInputException">The file is not of this program.</exception>
         /// <exception cref="ExternalPartException">The file is there but can't be read.</exception>
         public bool IsThere() => PatternFile.Inspect(order.Path, header) switch

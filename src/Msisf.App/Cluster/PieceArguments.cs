@@ -21,7 +21,7 @@ internal sealed class PieceArguments
         Refuse(RunOptions.FrameTimes, "names one file, and all pieces would write it");
         if (endsWithCheck)
         {
-            Refuse(RunOptions.Frames, "makes a part of the run, and this script looks at all of it in the end; what is there and right is not made again");
+            Refuse(RunOptions.Frames, "makes a part of the run, and this script looks at all of it in the end; what is there and complete is not made again");
         }
 
         Refuse(RunOptions.Overwrite, "would make all frames again each time a piece is run again; remove the outputs in place of it");

@@ -1,4 +1,5 @@
 using System.Text;
+using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Input;
 using Msisf.App.Host;
@@ -34,11 +35,20 @@ internal sealed class RunConversion
         CutSettings cut = CutOptions.Read(values);
         SlurmSettings? slurm = format == ScriptFormat.Slurm ? SlurmOptions.Read(values) : null;
         PieceArguments arguments = new(values, endsWithCheck: format is ScriptFormat.Parallel or ScriptFormat.Slurm);
-        using PlannedRun run = RunPlanner.Plan(CameraSettingsReader.Read(values), RenderSettingsReader.Read(values), _host, cancellation);
-        CheckResources(run, slurm);
-        string path = Path.GetFullPath(scriptPath(run.Settings));
-        string? statesFile = run.BatchFile is null ? $"{path}.states.tab" : null;
-        string batchFile = run.BatchFile ?? statesFile!;
+        CameraSettings camera = CameraSettingsReader.Read(values);
+        RenderSettings settings = RenderSettingsReader.Read(values);
+        if (camera is BatchFileSettings { IsStandardInput: true })
+        {
+            throw new UsageException("--batch-file -: standard input can't be read again by each piece. Save it to a file, and give that.");
+        }
+
+        using EphemerisSource ephemeris = new(settings, _host);
+        using PreparedRun run = PreparedRun.Of(camera, settings, ephemeris, _host, cancellation);
+        EphemerisChoice? engine = ephemeris.Opened?.Choice;
+        CheckResources(settings, run.Frames.Count, slurm);
+        string path = Path.GetFullPath(scriptPath(settings));
+        string? statesFile = camera is BatchFileSettings ? null : $"{path}.states.tab";
+        string batchFile = statesFile ?? ((BatchFileSettings)camera).Path;
         PieceScript script = new()
         {
             Path = path,
@@ -46,19 +56,19 @@ internal sealed class RunConversion
             Version = _host.Version,
             Launcher = _host.Installation.Launcher,
             WorkingFolder = Directory.GetCurrentDirectory(),
-            Arguments = arguments.OfPiece(batchFile, run.Engine),
-            HasJobs = run.Settings.Jobs is not null,
-            NeedsPatterns = run.Settings.Renderer == RendererKind.PovRay,
-            PatternArguments = arguments.OfPatterns(batchFile, run.Engine),
-            OutputFolder = run.Settings.OutputFolder,
+            Arguments = arguments.OfPiece(batchFile, engine),
+            HasJobs = settings.Jobs is not null,
+            NeedsPatterns = settings.Renderer == RendererKind.PovRay,
+            PatternArguments = arguments.OfPatterns(batchFile, engine),
+            OutputFolder = settings.OutputFolder,
             Pieces = Cut(run, cut),
         };
         string text = slurm is null ? ScriptText.Of(format, script) : ScriptText.Slurm(script, slurm);
         Write(script, text, statesFile, run.States, hasLogs: slurm is not null);
-        return new ConvertedRun(path, statesFile, run.Settings.OutputFolder, run.Frames.Count, script.Pieces.Count);
+        return new ConvertedRun(path, statesFile, settings.OutputFolder, run.Frames.Count, script.Pieces.Count);
     }
 
-    private static IReadOnlyList<StepRanges> Cut(PlannedRun run, CutSettings cut)
+    private static IReadOnlyList<StepRanges> Cut(PreparedRun run, CutSettings cut)
     {
         int[] steps = [.. run.Frames.Select(frame => frame.Step)];
         return cut.FramesPerPiece is int size ? RunCutter.BySize(steps, size) : RunCutter.ByCount(steps, cut.Pieces!.Value);
@@ -72,16 +82,16 @@ internal sealed class RunConversion
     }
 
     /// <summary>Refuses what a piece would refuse for want of memory, and what the whole run would need of the disk.</summary>
-    private static void CheckResources(PlannedRun run, SlurmSettings? slurm)
+    private static void CheckResources(RenderSettings settings, int frames, SlurmSettings? slurm)
     {
-        int atOnce = run.Settings.Jobs ?? slurm?.CpusPerTask ?? 1;
-        string folder = Path.GetFullPath(run.Settings.OutputFolder);
+        int atOnce = settings.Jobs ?? slurm?.CpusPerTask ?? 1;
+        string folder = Path.GetFullPath(settings.OutputFolder);
         while (!Directory.Exists(folder))
         {
             folder = Path.GetDirectoryName(folder)!;
         }
 
-        ResourceCheck.Check(run.Settings, run.Frames.Count, atOnce, slurm?.MemoryBytes ?? long.MaxValue, new DriveInfo(folder).AvailableFreeSpace);
+        ResourceCheck.Check(settings, frames, atOnce, slurm?.MemoryBytes ?? long.MaxValue, new DriveInfo(folder).AvailableFreeSpace);
     }
 
     private static void Write(PieceScript script, string text, string? statesFile, IReadOnlyList<SpacecraftState> states, bool hasLogs)

@@ -37,7 +37,7 @@ internal sealed class FrameLoop
 
     /// <summary>Makes all frames; the paths of a frame's files are printed as soon as those of all frames before it are.</summary>
     /// <param name="frames">The frames.</param>
-    /// <param name="known">The outputs of each that is there and right; null for each that is to be made.</param>
+    /// <param name="known">The outputs of each that is there and complete; null for each that is to be made.</param>
     /// <param name="atOnce">So many are drawn at once.</param>
     /// <param name="cores">Shared by them.</param>
     /// <param name="cancellation">Leaves finished frames and no other files.</param>

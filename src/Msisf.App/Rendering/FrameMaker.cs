@@ -6,7 +6,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Makes a frame if it is not there and right, and no other process is making it. Safe for several threads.</summary>
+/// <summary>Makes a frame if it is not there and complete, and no other process is making it. Safe for several threads.</summary>
 internal sealed class FrameMaker
 {
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(50);
@@ -59,7 +59,7 @@ internal sealed class FrameMaker
 
     private async Task<FrameOutputs> MakeIfNeededAsync(Frame frame, int threads, CancellationToken cancellation)
     {
-        if (_ledger.Judge(frame).State == FrameState.Complete)
+        if (_ledger.Check(frame).State == FrameState.Complete)
         {
             return new FrameOutputs(_ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true);
         }

@@ -23,7 +23,7 @@ internal static class CommandTable
     /// <summary>msis patterns.</summary>
     public static CommandSpec Patterns { get; } = new("patterns", "Make surface patterns for POV-Ray ahead of a run.")
     {
-        Details = "Makes all 2,592 patterns of an elevation model, or exactly those that the images of a run need. Patterns that are there and right are kept. The folder is printed.",
+        Details = "Makes all 2,592 patterns of an elevation model, or exactly those that the images of a run need. Patterns that are there and complete are kept. The folder is printed.",
         Examples =
         [
             ("All patterns of the model with 4 pixels a degree:", "msis patterns --res 4"),
@@ -35,7 +35,7 @@ internal static class CommandTable
     /// <summary>msis status.</summary>
     public static CommandSpec Status { get; } = new("status", "Say which images of a run are there, missing or damaged.")
     {
-        Details = "Looks at the length of each file. A line for each image that is not right (step, name, state, reason; separated by tabs), then a summary; exit code 0 if all are well, else 5.",
+        Details = "Looks at the length of each file. A line for each image that is not complete (step, name, state, reason; separated by tabs), then a summary; exit code 0 if all are well, else 5.",
         Argument = FolderOptions.Folder,
         Groups = [General with { Options = [FolderOptions.PrintFrames, .. General.Options] }],
     };
@@ -51,7 +51,7 @@ internal static class CommandTable
     /// <summary>msis merge.</summary>
     public static CommandSpec Merge { get; } = new("merge", "Order a run's manifest; make a contact sheet and a video.")
     {
-        Details = "Puts the manifest into the order of the steps, whichever process made the images. Exit code 5 if images are not right.",
+        Details = "Puts the manifest into the order of the steps, whichever process made the images. Exit code 5 if images are not complete.",
         Argument = FolderOptions.Folder,
         Examples = [("A video with 30 images a second:", "msis merge orbit --video 30")],
         Groups = [General with { Options = [FolderOptions.ContactSheet, FolderOptions.Video, .. General.Options] }],

@@ -30,4 +30,8 @@ internal static class FolderOptions
     {
         Limits = new NumberRange(0.0, MaxFrameRate) { ExcludesMin = true },
     };
+
+    /// <summary>Reads what msis merge makes.</summary>
+    /// <exception cref="BadInputException">A value is wrong.</exception>
+    public static MergeSettings ReadMerge(OptionValues values) => new(ContactSheet.Read(values), Video.ReadIfGiven(values));
 }

@@ -59,6 +59,11 @@ internal static class ModelOptions
         NewFolder.Read(values),
         RunOptions.Batch.Read(values));
 
+    /// <summary>Reads which model's levels are made.</summary>
+    /// <exception cref="BadInputException">A value is wrong.</exception>
+    public static PyramidSettings ReadPyramid(OptionValues values) =>
+        new(values.Argument, ModelResolution.ReadIfGiven(values), RunOptions.Batch.Read(values));
+
     private static MoonRegion ReadRegion(string text)
     {
         try

@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Series;
 using Msisf.App.Settings;
@@ -12,23 +13,43 @@ internal static class CheckCommand
 
     /// <summary>The quick one.</summary>
     public static int Status(CommandCall call, CancellationToken cancellation) =>
-        Report(call, FrameSet.Read(call.Values.Argument!, CheckDepth.Lengths, structure: null, call.Host.Log, cancellation));
+        Report(call, SeriesStatus.Read(call.Values.Argument!, call.Host, cancellation));
 
     /// <summary>The thorough one.</summary>
-    public static int Verify(CommandCall call, CancellationToken cancellation) => Report(call, FrameSet.Read(
-        call.Values.Argument!, CheckDepth.Checksums, new FileStructure(call.Host.Installation.MetaFileDtd), call.Host.Log, cancellation));
+    public static int Verify(CommandCall call, CancellationToken cancellation) =>
+        Report(call, SeriesStatus.Verify(call.Values.Argument!, call.Host, cancellation));
 
-    private static int Report(CommandCall call, FrameSet frames)
+    private static int Report(CommandCall call, SeriesStatus status)
     {
         if (FolderOptions.PrintFrames.Read(call.Values))
         {
-            call.Host.Results.WriteLine(frames.StepsToMake().ToString());
+            call.Host.Results.WriteLine(status.StepsToMake().ToString());
         }
         else
         {
-            frames.Print(call.Host.Results);
+            Print(status, call.Host.Results);
         }
 
-        return frames.CountOf(FrameState.Complete) == frames.Count ? 0 : ExitNotComplete;
+        return status.IsComplete ? 0 : ExitNotComplete;
     }
+
+    /// <summary>A line for each frame that is not complete (step, name, state, reason; separated by tabs), and a summary.</summary>
+    private static void Print(SeriesStatus status, TextWriter results)
+    {
+        foreach (FrameCheck frame in status.Incomplete)
+        {
+            results.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{frame.Expected.Step}\t{frame.Expected.Name}\t{Word(frame.State)}\t{frame.Reason.ReplaceLineEndings(" ")}"));
+        }
+
+        int count = status.Frames.Count;
+        IEnumerable<string> others = Enum.GetValues<FrameState>().Where(state => state != FrameState.Complete && status.CountOf(state) > 0)
+            .Select(state => string.Create(CultureInfo.InvariantCulture, $", {status.CountOf(state)} {Word(state)}"));
+        results.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{count} frame{(count == 1 ? string.Empty : "s")}: {status.CountOf(FrameState.Complete)} complete{string.Concat(others)}."));
+    }
+
+    private static string Word(FrameState state) => state == FrameState.OtherSettings ? "of other settings" : state.ToString().ToLowerInvariant();
 }

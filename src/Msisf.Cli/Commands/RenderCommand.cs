@@ -1,4 +1,3 @@
-using Msisf.App.Preparation;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
 
@@ -11,9 +10,19 @@ internal static class RenderCommand
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         CameraSettings camera = CameraSettingsReader.Read(call.Values);
-        using RenderRun rendering = new(RenderSettingsReader.Read(call.Values), call.Host);
-        StateSource states = new(rendering.Ephemeris, call.Host);
-        await rendering.RunAsync(() => states.Read(camera, cancellation), cancellation).ConfigureAwait(false);
+        RenderSettings settings = RenderSettingsReader.Read(call.Values);
+        if (settings.ListPatterns)
+        {
+            PatternList.Print(camera, settings, call.Host, cancellation);
+            return 0;
+        }
+
+        IReadOnlyList<FrameOutputs> outputs = await RenderRun.RunAsync(camera, settings, call.Host, cancellation).ConfigureAwait(false);
+        if (settings.Timing)
+        {
+            call.Host.Log.Raw(TimingReport.Of(call.Host.Times, outputs));
+        }
+
         return 0;
     }
 }

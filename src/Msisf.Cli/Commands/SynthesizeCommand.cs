@@ -1,5 +1,4 @@
-using Msisf.Adapters.Terrain;
-using Msisf.App.Host;
+using Msisf.App.Preparation;
 using Msisf.App.Settings;
 
 namespace Msisf.Cli.Commands;
@@ -10,11 +9,7 @@ internal static class SynthesizeCommand
     /// <summary>Does it.</summary>
     public static int Run(CommandCall call, CancellationToken cancellation)
     {
-        SynthesisSettings settings = ModelOptions.ReadSynthesis(call.Values);
-        using LdemImage? continued = settings.BaseModel is { } path ? ModelOptions.Base.Concerned(() => LdemImage.Open(LdemCatalog.Read(path))) : null;
-        SyntheticLdemOptions options = new(settings.PixelsPerDegree, settings.Seed, settings.Folder) { Base = continued, Region = settings.Region };
-        using IRunProgress progress = call.Host.Progress.Start("Synthesis", FractionProgress.Steps, settings.Unattended);
-        call.Host.Results.WriteLine(SyntheticLdemWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation));
+        call.Host.Results.WriteLine(SyntheticModel.Write(ModelOptions.ReadSynthesis(call.Values), call.Host, cancellation));
         return 0;
     }
 }

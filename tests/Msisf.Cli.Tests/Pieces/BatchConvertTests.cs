@@ -147,6 +147,6 @@ public sealed class BatchConvertTests : IDisposable
     {
         OptionValues values = new(mode.Chunk(2).Select(pair => KeyValuePair.Create(pair[0], new OptionValue([pair[1]]))));
         ProgramHost host = ConsoleHost.Create(TextWriter.Null, TextWriter.Null, () => TextReader.Null, TimeProvider.System, _ => null);
-        return new StateSource(() => throw new InvalidOperationException("no ephemeris is needed"), host).Read(CameraSettingsReader.Read(values), CancellationToken.None);
+        return new StateReader(() => throw new InvalidOperationException("no ephemeris is needed"), host).Read(CameraSettingsReader.Read(values), CancellationToken.None);
     }
 }

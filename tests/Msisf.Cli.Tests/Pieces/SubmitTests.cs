@@ -51,7 +51,7 @@ public sealed class SubmitTests : IDisposable
     }
 
     [RequiresTheory(Part.Ldem4)]
-    [InlineData(0, "1 frames are there and right")]
+    [InlineData(0, "1 frames are there and complete")]
     [InlineData(5, "frames are missing after all retries")]
     [InlineData(3, "the last job ended with exit code 3")]
     public void Submit_Wait_EndsWithTheCodeOfTheWhole(int result, string message)

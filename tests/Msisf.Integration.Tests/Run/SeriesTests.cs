@@ -46,7 +46,7 @@ public sealed class SeriesTests : IDisposable
 
         Assert.Equal(0, again.ExitCode);
         Assert.Equal(all, again.Output);
-        Assert.Contains("Frames: 6, of which 4 there and right (--overwrite makes them again); to make: 0 missing, 2 damaged, 0 of other settings.", again.Error, StringComparison.Ordinal);
+        Assert.Contains("Frames: 6, of which 4 there and complete (--overwrite makes them again); to make: 0 missing, 2 damaged, 0 of other settings.", again.Error, StringComparison.Ordinal);
         Assert.Equal(written, File.GetLastWriteTimeUtc(Image("out", 1)));
         Assert.Equal(right, File.ReadAllBytes(Image("out", 1)));
         Assert.Equal(damaged, File.ReadAllBytes(Image("out", 3)));
@@ -77,7 +77,7 @@ public sealed class SeriesTests : IDisposable
         Assert.NotEqual(narrow, File.ReadAllBytes(Image("out", 1)));
         CommandLineRun status = Look("status", "out");
         Assert.Equal(5, status.ExitCode);
-        Assert.EndsWith("6 frames: 1 right, 5 of other settings.", status.Output.Trim(), StringComparison.Ordinal);
+        Assert.EndsWith("6 frames: 1 complete, 5 of other settings.", status.Output.Trim(), StringComparison.Ordinal);
     }
 
     [RequiresFact(Part.Ldem4)]

@@ -14,14 +14,14 @@ using Msisf.Core.Terrain;
 namespace Msisf.App.Preparation;
 
 /// <summary>The states of the spacecraft that a run takes images of; all are known before the first image.</summary>
-internal sealed class StateSource
+internal sealed class StateReader
 {
     private readonly Func<IEphemeris> _ephemeris;
     private readonly ProgramHost _host;
 
     /// <param name="ephemeris">Opens the ephemeris, which not every orbit needs.</param>
     /// <param name="host">The world.</param>
-    public StateSource(Func<IEphemeris> ephemeris, ProgramHost host) => (_ephemeris, _host) = (ephemeris, host);
+    public StateReader(Func<IEphemeris> ephemeris, ProgramHost host) => (_ephemeris, _host) = (ephemeris, host);
 
     /// <summary>Reads or computes all states.</summary>
     /// <param name="camera">How they are given.</param>

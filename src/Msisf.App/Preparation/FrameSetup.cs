@@ -10,20 +10,17 @@ using Msisf.Core.Scene;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>Turns states into frames, and refuses a run that could not be finished before its first image is made.</summary>
-internal static class FramePlanner
+/// <summary>Turns the states of a run into its frames: cameras and lights.</summary>
+internal static class FrameSetup
 {
-    /// <summary>Cameras that lie in the ground and are named in the message.</summary>
-    private const int NamedSteps = 5;
-
-    /// <summary>Cameras and lights of the frames that are to be made. The Sun's positions are computed here, one after another: CSPICE is not thread-safe.</summary>
+    /// <summary>The frames that are to be made. The Sun's positions are computed here, one after another: CSPICE is not thread-safe.</summary>
     /// <param name="states">Of the whole run, in the order of the input.</param>
     /// <param name="names">Of all its frames.</param>
     /// <param name="settings">The options; they say which steps are to be made.</param>
     /// <param name="sun">The ephemeris; not asked if the Sun is ignored.</param>
     /// <param name="cancellation">Stops between two states.</param>
     /// <exception cref="MsisfException">A step that the run does not have, a time outside the kernels' cover, ...</exception>
-    public static Frame[] Plan(
+    public static Frame[] Of(
         IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, Func<IEphemeris> sun, CancellationToken cancellation)
     {
         if (settings.Frames is { } chosen && chosen.Last > states.Count)
@@ -63,30 +60,6 @@ internal static class FramePlanner
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"the camera of step {step} is {distance:E3} m from the Moon's centre; POV-Ray draws nothing beyond {PovSceneWriter.MaxDistance:E0} m. Use --renderer native, or move it closer on the same line, with a field of view that is larger by as much."));
-        }
-    }
-
-    /// <summary>Refuses cameras in the ground.</summary>
-    /// <exception cref="BadInputException">A camera lies below the terrain; the message names the steps.</exception>
-    public static void RefuseCamerasInTheGround(IReadOnlyList<Frame> frames, ElevationModel model, CancellationToken cancellation)
-    {
-        List<string> buried = [];
-        int count = 0;
-        foreach (Frame frame in frames)
-        {
-            cancellation.ThrowIfCancellationRequested();
-            Vector3D position = frame.Camera.PositionMoonMe;
-            double depth = model.DepthBelowGround(position);
-            if (depth > 0.0 && ++count <= NamedSteps)
-            {
-                buried.Add(string.Create(CultureInfo.InvariantCulture, $"step {frame.Step} (MJD {frame.Time.Days:R}) by {depth:F1} m"));
-            }
-        }
-
-        if (count > 0)
-        {
-            string rest = count > NamedSteps ? $" and {count - NamedSteps} more" : string.Empty;
-            throw new BadInputException($"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.");
         }
     }
 }
