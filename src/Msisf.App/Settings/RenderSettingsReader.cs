@@ -2,10 +2,10 @@ using Msisf.Adapters.Render;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
+using Msisf.Core.Lod;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
-using Msisf.Core.Tiles;
 
 namespace Msisf.App.Settings;
 
@@ -68,7 +68,7 @@ internal static class RenderSettingsReader
                     .About(SurfaceOptions.LevelOfDetailError, SurfaceOptions.LevelOfDetail);
         }
 
-        return given ?? (renderer == RendererKind.Native ? LevelOfDetail.DefaultErrorPixels : PartSelector.DefaultErrorPixels);
+        return given ?? (renderer == RendererKind.Native ? DetailRule.DefaultErrorOfImage : DetailRule.DefaultErrorOfParts);
     }
 
     private static Aberration Aberration(OptionValues values)

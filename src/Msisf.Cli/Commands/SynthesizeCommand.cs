@@ -1,6 +1,7 @@
 using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 
 namespace Msisf.Cli.Commands;
 
