@@ -1,6 +1,5 @@
 using System.CommandLine;
 using Msisf.App.Host;
-using Msisf.App.Settings;
 using Msisf.App.Settings.Config;
 using Msisf.App.Settings.Specs;
 using Msisf.Cli.Commands;

@@ -1,6 +1,6 @@
 using System.Globalization;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Tiles;
+using Msisf.Core.Lod;
 
 namespace Msisf.App.Settings;
 
@@ -39,7 +39,7 @@ internal static class SurfaceOptions
     {
         Limits = new NumberRange(0.0, MaxLevelOfDetailError),
         DefaultNote = string.Create(
-            CultureInfo.InvariantCulture, $"{PartSelector.DefaultErrorPixels} with POV-Ray, {Core.Render.LevelOfDetail.DefaultErrorPixels} native"),
+            CultureInfo.InvariantCulture, $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native"),
     };
 
     /// <summary>All of them.</summary>

@@ -1,5 +1,6 @@
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 
 namespace Msisf.Cli.Commands;
 

@@ -1,4 +1,3 @@
-using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 
 namespace Msisf.Cli.Help;
