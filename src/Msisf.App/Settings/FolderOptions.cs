@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 
