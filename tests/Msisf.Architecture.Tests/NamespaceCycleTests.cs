@@ -7,7 +7,6 @@ namespace Msisf.Architecture.Tests
     public sealed class NamespaceCycleTests
     {
         [Theory]
-        [InlineData("Msisf.Core")]
         [InlineData("Msisf.Adapters")]
         [InlineData("Msisf.MySql")]
         [InlineData("Msisf.App")]
