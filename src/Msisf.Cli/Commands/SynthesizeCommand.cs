@@ -1,6 +1,5 @@
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
-using Msisf.App.Settings.Specs;
 
 namespace Msisf.Cli.Commands;
 
