@@ -4,14 +4,18 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>Reads the [client] group of an option file of the MySQL and MariaDB clients. A message never shows a line's text.</summary>
+/// <summary>Reads the [client] group of an option file of the MySQL and MariaDB clients. A message never shows a value.</summary>
 internal static partial class ClientOptionFile
 {
     private const UnixFileMode OfOthers = UnixFileMode.GroupRead | UnixFileMode.GroupWrite | UnixFileMode.GroupExecute
         | UnixFileMode.OtherRead | UnixFileMode.OtherWrite | UnixFileMode.OtherExecute;
 
-    /// <summary>The options of the group by name.</summary>
-    /// <exception cref="BadInputException">The file can't be read, others can read its password, or a line is no option.</exception>
+    private static readonly string[] Tls = ["ssl-ca", "ssl-mode", "ssl-verify-server-cert"];
+
+    /// <summary>The options of the group by name, with "-" between words.</summary>
+    /// <exception cref="BadInputException">
+    /// The file can't be read, others can read its password, a line is no option, or an option would change the connection in a way that is not supported.
+    /// </exception>
     public static IReadOnlyDictionary<string, string> Read(string path)
     {
         try
@@ -47,7 +51,14 @@ internal static partial class ClientOptionFile
             {
                 if (isClient)
                 {
-                    options[option.Groups["name"].Value] = Unquoted(option.Groups["value"].Value);
+                    string name = option.Groups["name"].Value.Replace('_', '-');
+                    options[name] = Unquoted(option.Groups["value"].Value);
+                    if (OfConnection().IsMatch(name) && !Tls.Contains(name))
+                    {
+                        throw new BadInputException(string.Create(
+                            CultureInfo.InvariantCulture,
+                            $"{path}, line {i + 1}: the option {name} is not supported here. Leave it out; host, port, socket, {string.Join(", ", Tls)} say how to connect."));
+                    }
                 }
             }
             else
@@ -77,8 +88,12 @@ internal static partial class ClientOptionFile
         });
     }
 
-    [GeneratedRegex(@"\A(?<name>[\w-]+)\s*(?:=\s*(?<value>.*))?\z", RegexOptions.CultureInvariant)]
+    [GeneratedRegex(@"\A(?<name>[0-9A-Za-z_-]+)\s*(?:=\s*(?<value>.*))?\z", RegexOptions.CultureInvariant)]
     private static partial Regex Option();
+
+    /// <summary>Options that change the connection: to leave one out unread could mean another server, or one that is not verified.</summary>
+    [GeneratedRegex(@"\Aprotocol\z|(?:\A|-)(?:ssl|tls)(?:-|\z)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase)]
+    private static partial Regex OfConnection();
 
     [GeneratedRegex("""\A(?<quote>["'])(?<text>(?:\\.|(?!\k<quote>)[^\\])*)\k<quote>(?:\s*#.*)?\z""", RegexOptions.CultureInvariant)]
     private static partial Regex Quoted();

@@ -11,16 +11,17 @@ internal static partial class ImportedModel
     private const int FormatVersion = 1;
 
     /// <summary>The model's name for the patterns; the parts of a model above 128 px/deg have the model's name.</summary>
-    /// <param name="connection">Open, to the database of the tables.</param>
+    /// <param name="database">That of the tables.</param>
     /// <param name="table">Name of the table.</param>
     /// <exception cref="BadInputException">Nothing was imported, not all of it, or parts of several models.</exception>
-    public static string ReadProductId(DbConnection connection, string table)
+    /// <exception cref="ExternalPartException">The database failed.</exception>
+    public static string ReadProductId(Database database, string table) => database.Query(
+        "SELECT product_id, state, format_version, rows_done, row_count FROM ldem_import WHERE table_name = @table ORDER BY first_row, first_col",
+        [("@table", table)],
+        reader => ProductId(reader, table));
+
+    private static string ProductId(DbDataReader reader, string table)
     {
-        using DbCommand command = connection.CreateCommand();
-        command.CommandText =
-            "SELECT product_id, state, format_version, rows_done, row_count FROM ldem_import WHERE table_name = @table ORDER BY first_row, first_col";
-        command.AddValue("@table", table);
-        using DbDataReader reader = command.ExecuteReader();
         List<string> names = [];
         while (reader.Read())
         {

@@ -17,9 +17,12 @@ internal sealed class FakeMoon
         _grid = grid;
         _records = [.. records];
         Source = new FakeDataSource(Answer);
+        Database = new Database(Source, "fake", CancellationToken.None);
     }
 
     public FakeDataSource Source { get; }
+
+    public Database Database { get; }
 
     public int SampleQueries => _sampleQueries;
 
@@ -40,7 +43,7 @@ internal sealed class FakeMoon
 
         if (!text.Contains($"FROM {table} ", StringComparison.Ordinal))
         {
-            throw new NoSuchTableException();
+            throw new MySqlException(1146, $"Table '{text}' doesn't exist");
         }
 
         Interlocked.Increment(ref _sampleQueries);

@@ -10,8 +10,27 @@ public sealed class FakeDataSource(Func<string, IReadOnlyDictionary<string, obje
 
     public override string ConnectionString => connectionString;
 
+    /// <summary>Called when a connection is opened.</summary>
+    public Action Opening { get; init; } = () => { };
+
+    /// <summary>Called to stop a query, as the package connects a second time for it.</summary>
+    public Action Cancelling { get; init; } = () => { };
+
+    /// <summary>Called when the source is closed.</summary>
+    public Action Closing { get; init; } = () => { };
+
     /// <summary>How many connections were not given back.</summary>
     public int OpenConnections => _openConnections;
 
-    protected override DbConnection CreateDbConnection() => new FakeConnection(answer, change => Interlocked.Add(ref _openConnections, change));
+    internal void CountOpen(int change) => Interlocked.Add(ref _openConnections, change);
+
+    internal DataTable Answer(string text, IReadOnlyDictionary<string, object> parameters) => answer(text, parameters);
+
+    protected override DbConnection CreateDbConnection() => new FakeConnection(this);
+
+    protected override void Dispose(bool disposing)
+    {
+        Closing();
+        base.Dispose(disposing);
+    }
 }

@@ -68,7 +68,7 @@ internal sealed class PatternsCommand
             ? OptionText.Choice(_format, name, [("mesh2", PatternFormat.Mesh2), ("mesh", PatternFormat.Mesh)])
             : PatternFormat.Mesh2;
         PatternOptions options = OptionText.Named(_margin, () => new PatternOptions(marginDegrees, form));
-        using GridSource grid = GridSource.Open(line, _source, _database, _host);
+        using GridSource grid = GridSource.Open(line, _source, _database, _host, cancellation);
         string root = line.GetValue(_source.PatternRepository) is string folder
             ? OptionText.FilePath(_source.PatternRepository, folder)
             : SourceSettings.DefaultRepository;

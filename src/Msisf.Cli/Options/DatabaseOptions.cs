@@ -10,7 +10,7 @@ internal sealed class DatabaseOptions
 
     public Option<string?> DefaultsFile { get; } = OptionFactory.Value(
         "--defaults-file", [], "FILE",
-        "With --source mysql: option file with the connection in its [client] group; what it leaves out comes from MSISF_DB_HOST, _PORT, _SOCKET, _USER, _PASSWORD and _DATABASE");
+        "With --source mysql: option file with the connection in its [client] group; what it leaves out comes from MSISF_DB_HOST, _PORT, _SOCKET, _USER, _PASSWORD, _DATABASE and _SSL_CA");
 
     public IEnumerable<Option> All => [Source, DefaultsFile];
 }

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using System.Data.Common;
 using Msisf.Cli.Options;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
@@ -20,7 +19,7 @@ internal sealed class GridSource : IDisposable
 
     public IElevationGrid Grid { get; }
 
-    public static GridSource Open(ParseResult line, SourceOptions source, DatabaseOptions database, ProgramHost host)
+    public static GridSource Open(ParseResult line, SourceOptions source, DatabaseOptions database, ProgramHost host, CancellationToken cancellation)
     {
         int resolution = SourceSettings.Resolution(line, source);
         string? ldem = line.GetValue(source.Ldem) is string path ? OptionText.FilePath(source.Ldem, path) : null;
@@ -29,7 +28,7 @@ internal sealed class GridSource : IDisposable
         if (isDatabase)
         {
             return ldem is null
-                ? FromDatabase(DatabaseSettings.Read(optionFile, host.Environment), resolution, host)
+                ? FromDatabase(DatabaseSettings.Read(optionFile, host.Environment), resolution, host, cancellation)
                 : throw new UsageException("--ldem and --source mysql contradict each other. Give one of them.");
         }
 
@@ -44,18 +43,23 @@ internal sealed class GridSource : IDisposable
 
     public void Dispose() => _owner.Dispose();
 
-    private static GridSource FromDatabase(DatabaseSettings settings, int resolution, ProgramHost host)
+    private static GridSource FromDatabase(DatabaseSettings settings, int resolution, ProgramHost host, CancellationToken cancellation)
     {
-        DbDataSource connections = MySqlProvider.Open(settings, Path.Combine(AppContext.BaseDirectory, "mysql"));
+        if (settings.IsUnverified)
+        {
+            host.Log.Note($"The server {settings.Server} is not verified: no ssl-ca says who may answer (docs/database.md, TLS).");
+        }
+
+        Database database = Database.Open(settings, Path.Combine(AppContext.BaseDirectory, "mysql"), cancellation);
         try
         {
-            LdemTableGrid grid = LdemTableGrid.Open(connections, resolution);
+            LdemTableGrid grid = LdemTableGrid.Open(database, resolution);
             host.Log.Note($"Elevation: {grid.ProductId} (database {settings.Database}).");
-            return new GridSource(grid, connections);
+            return new GridSource(grid, database);
         }
         catch
         {
-            connections.Dispose();
+            database.Dispose();
             throw;
         }
     }
