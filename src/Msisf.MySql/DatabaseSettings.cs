@@ -51,7 +51,7 @@ public sealed partial class DatabaseSettings
     /// <summary>The server for messages: its socket, or host and port.</summary>
     public string Server => Socket ?? (Port is int port ? string.Create(CultureInfo.InvariantCulture, $"{Host}:{port}") : Host);
 
-    /// <summary>Whether another computer could answer in the server's place, and no option says that this is wanted.</summary>
+    /// <summary>Whether the server is on another computer and no option says whether to verify it.</summary>
     public bool IsUnverified => Socket is null && Tls.Mode == TlsMode.Default && Host != LocalHost
         && !(IPAddress.TryParse(Host, out IPAddress? address) && IPAddress.IsLoopback(address));
 

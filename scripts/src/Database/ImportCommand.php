@@ -48,7 +48,9 @@ final class ImportCommand
             static fn (string $path): LdemImage => LdemImage::open(LdemLabelReader::readFile($path)),
             $this->options->operands
         );
-        $connection = Connection::open(ConnectionOptions::settings($this->options), $load !== LoaderChoice::Insert);
+        $settings = ConnectionOptions::settings($this->options);
+        $settings->warn($this->output);
+        $connection = Connection::open($settings, $load !== LoaderChoice::Insert);
         if ($this->options->has('create')) {
             $this->create($connection);
         }
@@ -78,16 +80,26 @@ final class ImportCommand
     private function create(Connection $connection): void
     {
         $accounts = new Accounts($connection);
-        $accounts->createDatabase();
+        $this->tellMade("database $connection->database", $accounts->createDatabase());
         $connection->useDatabase();
         (new Schema($connection))->createImports();
+        $host = $this->options->requiredText('user-host');
         foreach (self::PASSWORDS as $user => $variable) {
             $password = getenv($variable);
             if ($password === false || $password === '') {
                 $this->output->notice("no user $user is made: $variable is not set");
             } else {
-                $accounts->createUser($user, $this->options->requiredText('user-host'), $password);
+                $this->tellMade("user '$user'@'$host'", $accounts->createUser($user, $host, $password));
             }
+        }
+    }
+
+    private function tellMade(string $what, bool $isNew): void
+    {
+        if ($isNew) {
+            $this->output->result("$what made");
+        } else {
+            $this->output->notice("$what was there and stays as it is");
         }
     }
 }
