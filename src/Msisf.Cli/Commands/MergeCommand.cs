@@ -3,9 +3,9 @@ using Msisf.Adapters.IO;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
+using Msisf.App.Host;
+using Msisf.App.Series;
 using Msisf.Cli.Options;
-using Msisf.Cli.Run;
-using Msisf.Cli.Sets;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Commands;

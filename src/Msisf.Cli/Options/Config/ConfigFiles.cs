@@ -1,5 +1,5 @@
 using Msisf.Adapters.Input;
-using Msisf.Cli.Run;
+using Msisf.App.Host;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Options.Config;
