@@ -20,7 +20,7 @@ internal static class DatabaseFailure
         [1049] = "Make it with scripts/ldem_mysql_insert.php --create, as a user who may.",
         [1142] = Rights,
         [1146] = "Import the elevation model first (scripts/ldem_mysql_insert.php).",
-        [1698] = "This user logs in by another way than a password (docs/database.md, root).",
+        [1698] = "This user logs in by the socket, not by a password (docs/database.md, In short).",
     };
 
     /// <summary>A failure of the connection or of a statement.</summary>

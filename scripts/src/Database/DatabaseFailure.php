@@ -31,7 +31,7 @@ final class DatabaseFailure
         1227 => 'The user lacks rights; docs/database.md lists those that are needed.',
         1290 => 'The server runs with an option that forbids it (read-only?).',
         1410 => 'The user lacks rights; docs/database.md lists those that are needed.',
-        1698 => 'This user logs in by another way than a password (docs/database.md, root).',
+        1698 => 'This user logs in by the socket, not by a password (docs/database.md, In short).',
         2002 => 'Is the server running, and are host, port or socket right?',
         2006 => 'The server has gone away: restart it if it is down, and run this again.',
         2013 => 'The server has gone away: restart it if it is down, and run this again.',
