@@ -12,9 +12,11 @@ internal static partial class ClientOptionFile
 
     private static readonly string[] Tls = ["ssl-ca", "ssl-mode", "ssl-verify-server-cert"];
 
+    private static string Supported => $"host, port, socket, {string.Join(", ", Tls)}";
+
     /// <summary>The options of the group by name, with "-" between words.</summary>
     /// <exception cref="BadInputException">
-    /// The file can't be read, others can read its password, a line is no option, or an option would change the connection in a way that is not supported.
+    /// The file can't be read, others can read its password, a line is no option, or an option that changes the connection is not supported.
     /// </exception>
     public static IReadOnlyDictionary<string, string> Read(string path)
     {
@@ -57,7 +59,7 @@ internal static partial class ClientOptionFile
                     {
                         throw new BadInputException(string.Create(
                             CultureInfo.InvariantCulture,
-                            $"{path}, line {i + 1}: the option {name} is not supported here. Leave it out; host, port, socket, {string.Join(", ", Tls)} say how to connect."));
+                            $"{path}, line {i + 1}: the option {name} is not supported here. Leave it out; {Supported} say how to connect."));
                     }
                 }
             }

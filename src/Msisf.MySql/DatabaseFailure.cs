@@ -8,6 +8,9 @@ namespace Msisf.MySql;
 internal static class DatabaseFailure
 {
     private const string Connecting = "Is the server running, and are host, port or socket right?";
+    private const string BrokenOff =
+        "The connection broke off: restart the server if it is down, and run this again; finished patterns are kept.";
+
     private const string Rights = "The user lacks rights; docs/database.md lists those that are needed.";
 
     /// <summary>What to do, by the server's error number; the PHP scripts have the same advice.</summary>
@@ -34,15 +37,18 @@ internal static class DatabaseFailure
             return OfProvider(exception, "MySqlConnector");
         }
 
-        int number = exception.Data["Server Error Code"] is int code and > 0 ? code : 0; // of MySqlException; negative codes are the provider's own
-        return new ExternalPartException($"database {server}: {What(exception)}{(number > 0 ? $" (error {number})" : string.Empty)}. {AdviceFor(exception, number)}", exception);
+        int number = exception.Data["Server Error Code"] is int code and > 0 ? code : 0; // of MySqlException; others are the provider's own
+        string shown = number > 0 ? $" (error {number})" : string.Empty;
+        return new ExternalPartException($"database {server}: {What(exception)}{shown}. {AdviceFor(exception, number)}", exception);
     }
 
     /// <summary>The provider's own files are damaged or do not fit.</summary>
     /// <param name="exception">Why they can't be loaded.</param>
     /// <param name="part">What is to be loaded, for the message.</param>
     public static ExternalPartException OfProvider(Exception exception, string part) =>
-        new($"{part}: can't be loaded: {What(exception)}. Its files beside msis are damaged or do not fit: remove publish/ and run scripts/build.sh.", exception);
+        new(
+            $"{part}: can't be loaded: {What(exception)}. Its files beside msis are damaged or do not fit: remove publish/ and run scripts/build.sh.",
+            exception);
 
     /// <summary>The exception's text and that of its innermost cause, on one line, without a full stop.</summary>
     private static string What(Exception exception)
@@ -65,7 +71,7 @@ internal static class DatabaseFailure
         return cause switch
         {
             AuthenticationException => "Does the server's certificate come from the authority in ssl-ca, and does it name the host?",
-            IOException or System.Net.Sockets.SocketException => "The connection broke off: restart the server if it is down, and run this again; finished patterns are kept.",
+            IOException or System.Net.Sockets.SocketException => BrokenOff,
             DbException => number > 0 ? "The server's documentation explains the number." : Connecting,
             _ => "Is it a MySQL or MariaDB server that answers there? Check host and port.",
         };

@@ -9,7 +9,8 @@ namespace Msisf.MySql;
 public sealed partial class DatabaseSettings
 {
     /// <summary>Where servers put their socket: Debian's packages, Red Hat's, and a server built from source or on macOS.</summary>
-    internal static readonly IReadOnlyList<string> DefaultSockets = ["/run/mysqld/mysqld.sock", "/var/lib/mysql/mysql.sock", "/tmp/mysql.sock"];
+    internal static readonly IReadOnlyList<string> DefaultSockets =
+        ["/run/mysqld/mysqld.sock", "/var/lib/mysql/mysql.sock", "/tmp/mysql.sock"];
 
     private const string DefaultDatabase = "msisf";
     private const string LocalHost = "localhost";
@@ -26,7 +27,9 @@ public sealed partial class DatabaseSettings
         Tls = TlsSettings.Read(valueOf);
         if (Socket is not null && Tls.Mode is TlsMode.Required or TlsMode.VerifyIdentity)
         {
-            throw new BadInputException($"ssl options are for a server on the network, and this is the socket {Socket}. Leave them out, or give the host by another name than localhost.");
+            throw new BadInputException(
+                $"ssl options are for a server on the network, and this is the socket {Socket}. "
+                + "Leave them out, or give the host by another name than localhost.");
         }
     }
 
@@ -66,9 +69,13 @@ public sealed partial class DatabaseSettings
     public static DatabaseSettings Read(string? optionFile, Func<string, string?> environment)
     {
         IReadOnlyDictionary<string, string> file = optionFile is null ? new Dictionary<string, string>() : ClientOptionFile.Read(optionFile);
-        return new DatabaseSettings(name => file.TryGetValue(name, out string? value) && (value.Length > 0 || name is "password" or "ssl-verify-server-cert")
-            ? value
-            : environment($"MSISF_DB_{name.Replace('-', '_').ToUpperInvariant()}") is { Length: > 0 } variable ? variable : null);
+        return new DatabaseSettings(name =>
+        {
+            bool mayBeEmpty = name is "password" or "ssl-verify-server-cert";
+            return file.TryGetValue(name, out string? value) && (value.Length > 0 || mayBeEmpty)
+                ? value
+                : environment($"MSISF_DB_{name.Replace('-', '_').ToUpperInvariant()}") is { Length: > 0 } variable ? variable : null;
+        });
     }
 
     /// <summary>The first that is there; the first of all if none is.</summary>
@@ -97,7 +104,8 @@ public sealed partial class DatabaseSettings
         return Port is null
             ? DefaultSocket(DefaultSockets)
             : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"database port {Port}: localhost is the server's socket, which has no port. Give host=127.0.0.1, or leave the port out."));
+                CultureInfo.InvariantCulture,
+                $"database port {Port}: localhost is the server's socket, which has no port. Give host=127.0.0.1, or leave the port out."));
     }
 
     private static string HostOf(string text) => HostName().IsMatch(text)

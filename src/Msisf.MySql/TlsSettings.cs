@@ -2,7 +2,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>Encryption of the connection, from the options ssl-mode, ssl-ca and ssl-verify-server-cert; the PHP scripts follow the same rules.</summary>
+/// <summary>Encryption of the connection, by ssl-mode, ssl-ca and ssl-verify-server-cert; the PHP scripts follow the same rules.</summary>
 /// <param name="Mode">What is asked for.</param>
 /// <param name="CertificateAuthority">PEM file of the trusted authority; null for those of the system.</param>
 public sealed record TlsSettings(TlsMode Mode, string? CertificateAuthority)
@@ -32,7 +32,9 @@ public sealed record TlsSettings(TlsMode Mode, string? CertificateAuthority)
         bool declines = mode is TlsMode.Disabled or TlsMode.Required || verifies == false;
         if (asks && declines)
         {
-            throw new BadInputException("ssl-mode, ssl-ca and ssl-verify-server-cert contradict each other: one asks to verify the server, another one not to. Leave one of them out.");
+            throw new BadInputException(
+                "ssl-mode, ssl-ca and ssl-verify-server-cert contradict each other: one asks to verify the server, another one not to. "
+                + "Leave one of them out.");
         }
 
         TlsMode chosen = asks ? TlsMode.VerifyIdentity : mode ?? (declines ? TlsMode.Required : TlsMode.Default);

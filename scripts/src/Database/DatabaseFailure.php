@@ -39,7 +39,7 @@ final class DatabaseFailure
         4031 => 'The server has closed the idle connection. Run this again.',
     ];
 
-    private const ADVICE_OTHER_SERVICE = 'The connection broke off at once. Is it a MySQL or MariaDB server that answers there? Check host and port.';
+    private const ADVICE_OTHER_SERVICE = 'Is it a MySQL or MariaDB server that answers there? Check host and port.';
 
     private const ADVICE_TLS = 'Does the server have TLS, does its certificate come from the authority in ssl-ca, and does it name the host?';
 

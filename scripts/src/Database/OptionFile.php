@@ -61,8 +61,8 @@ final class OptionFile
                 if (in_array($name, self::KNOWN, true)) {
                     $values[$name] = self::unquoted($option[2] ?? '');
                 } elseif (preg_match(self::OF_CONNECTION, $name) === 1) {
-                    throw BadInputException::atLine($path, $index + 1, "the option $name is not supported here. Leave it out; host, port, socket, "
-                        . implode(', ', self::TLS) . ' say how to connect.');
+                    throw BadInputException::atLine($path, $index + 1, "the option $name is not supported here. "
+                        . 'Leave it out; host, port, socket, ' . implode(', ', self::TLS) . ' say how to connect.');
                 }
             }
         }

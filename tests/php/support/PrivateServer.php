@@ -31,7 +31,10 @@ final class PrivateServer
             throw new RuntimeException($install->output . $install->errors);
         }
         // Before the first connection: the installation lets root in from 127.0.0.1, too.
-        file_put_contents($this->folder->path('init'), "DELETE FROM mysql.global_priv WHERE User = 'root' AND Host <> 'localhost'; FLUSH PRIVILEGES;\n");
+        file_put_contents(
+            $this->folder->path('init'),
+            "DELETE FROM mysql.global_priv WHERE User = 'root' AND Host <> 'localhost'; FLUSH PRIVILEGES;\n",
+        );
         $this->restart();
     }
 
@@ -84,7 +87,11 @@ final class PrivateServer
     public function kill(): void
     {
         proc_terminate($this->process, 9);
+        $deadline = hrtime(true) + 60_000_000_000;
         while (proc_get_status($this->process)['running']) {
+            if (hrtime(true) > $deadline) {
+                throw new RuntimeException('mariadbd did not end within 60 s of its SIGKILL');
+            }
             usleep(2000);
         }
     }

@@ -76,15 +76,6 @@ final class ConnectionSettingsTest extends TestCase
         self::assertSame($one, ConnectionSettings::defaultSocket([$one, $other]));
     }
 
-    public function testDataSourceIsTheSocketOrHostAndPort(): void
-    {
-        $socket = $this->fromFile("[client]\nuser=me\nsocket=/srv/db.sock\n");
-        $host = $this->fromFile("[client]\nuser=me\nhost=::1\nport=3307\n");
-        self::assertSame('mysql:unix_socket=/srv/db.sock;charset=utf8mb4', $socket->dataSource());
-        self::assertSame('mysql:host=::1;port=3307;charset=utf8mb4', $host->dataSource());
-        self::assertSame(['/srv/db.sock', '::1:3307'], [$socket->server(), $host->server()]);
-    }
-
     /** @dataProvider tlsOptions */
     public function testTlsIsWhatPdoCallsIt(string $option, array $expected): void
     {
@@ -130,6 +121,34 @@ final class ConnectionSettingsTest extends TestCase
     {
         $settings = ConnectionSettings::read(null, ['MSISF_DB_USER' => 'me', 'MSISF_DB_PASSWORD' => self::PASSWORD]);
         self::assertStringNotContainsString('p4ss', print_r($settings, true));
+    }
+
+    /** @dataProvider servers */
+    public function testReadServerIsNamedAsItIsReached(array $environment, string $dataSource, string $server): void
+    {
+        $settings = ConnectionSettings::read(null, ['MSISF_DB_USER' => 'me', ...$environment]);
+
+        self::assertSame([$dataSource, $server], [$settings->dataSource(), $settings->server()]);
+    }
+
+    public static function servers(): array
+    {
+        $socket = ['MSISF_DB_SOCKET' => '/run/db.sock'];
+
+        return [
+            'the first port' => [['MSISF_DB_HOST' => 'db', 'MSISF_DB_PORT' => '1'], 'mysql:host=db;port=1;charset=utf8mb4', 'db:1'],
+            'the last port' => [['MSISF_DB_HOST' => '::1', 'MSISF_DB_PORT' => '65535'], 'mysql:host=::1;port=65535;charset=utf8mb4', '::1:65535'],
+            'no port' => [['MSISF_DB_HOST' => 'db'], 'mysql:host=db;charset=utf8mb4', 'db'],
+            'a socket' => [$socket, 'mysql:unix_socket=/run/db.sock;charset=utf8mb4', '/run/db.sock'],
+            'a socket and a port' => [[...$socket, 'MSISF_DB_PORT' => '1'], 'mysql:unix_socket=/run/db.sock;charset=utf8mb4', '/run/db.sock'],
+        ];
+    }
+
+    public function testReadLongestNameOfADatabaseIsAccepted(): void
+    {
+        $name = str_repeat('a_1', 21) . 'Z';
+
+        self::assertSame($name, ConnectionSettings::read(null, ['MSISF_DB_USER' => 'me', 'MSISF_DB_DATABASE' => $name])->database);
     }
 
     public function testReadNoUserIsAUsageError(): void
