@@ -90,7 +90,11 @@ public sealed class DatabaseTests : IDisposable
             isAsked.Set();
             Block();
             return new DataTable();
-        }) { Cancelling = Block, Closing = Block };
+        })
+        {
+            Cancelling = Block,
+            Closing = Block,
+        };
         Database database = new(source, "db", cancellation.Token);
         Task run = Task.Run(() =>
         {
@@ -123,7 +127,11 @@ public sealed class DatabaseTests : IDisposable
             isAsked.Set();
             Assert.True(isStopped.Wait(TimeSpan.FromMinutes(1)));
             throw new MySqlException(1317, "Query execution was interrupted");
-        }) { Cancelling = isStopped.Set, Closing = () => hasClosed = true };
+        })
+        {
+            Cancelling = isStopped.Set,
+            Closing = () => hasClosed = true,
+        };
         Database database = new(source, "db", cancellation.Token);
         Task run = Task.Run(() => LdemTableGrid.Open(database, 4));
         Assert.True(isAsked.Wait(TimeSpan.FromSeconds(30)));
