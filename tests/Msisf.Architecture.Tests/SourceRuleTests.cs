@@ -24,6 +24,14 @@ public sealed partial class SourceRuleTests
     public void Sources_HaveNoRegionsAndNoTodo() =>
         Assert.All(Sources, path => Assert.DoesNotMatch(RegionOrTodo(), File.ReadAllText(path)));
 
+    /// <summary>Arguments pass without a shell, pipes are drained and children are ended in one place.</summary>
+    [Fact]
+    public void OtherPrograms_AreStarted_InOnePlaceOnly() =>
+        Assert.Equal(
+            ["src/Msisf.Adapters/Programs/ChildProgram.cs"],
+            Sources.Where(path => File.ReadAllText(path).Contains("ProcessStartInfo", StringComparison.Ordinal))
+                .Select(path => Path.GetRelativePath(TestParts.RepositoryRoot, path)));
+
     /// <summary>The crater profile's published fits are in km.</summary>
     [Fact]
     public void KilometresAppear_OnlyAtTheBorderToPovRayAndSpice() =>

@@ -23,15 +23,7 @@ internal static class KernelFile
     public static StreamReader OpenText(string path) => new(OpenBinary(path), Encoding.UTF8);
 
     /// <summary>Opens a binary kernel; unbuffered, because each read takes a whole record.</summary>
-    public static FileStream OpenBinary(string path)
-    {
-        try
-        {
-            return new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new BadInputException($"{path}: the kernel can't be opened: {exception.Message}", exception);
-        }
-    }
+    public static FileStream OpenBinary(string path) => FileErrors.ToBadInput(
+        $"{path}: the kernel can't be opened",
+        () => new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0));
 }

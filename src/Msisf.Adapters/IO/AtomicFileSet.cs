@@ -80,15 +80,5 @@ public sealed class AtomicFileSet : IDisposable
         }
     }
 
-    private static void Wrapped(string path, Action work)
-    {
-        try
-        {
-            work();
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"{path}: can't be written: {exception.Message}", exception);
-        }
-    }
+    private static void Wrapped(string path, Action work) => FileErrors.ToExternalPart($"{path}: can't be written", work);
 }

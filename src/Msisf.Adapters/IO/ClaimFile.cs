@@ -2,6 +2,7 @@ using System.Buffers.Binary;
 using System.Collections.Concurrent;
 using System.Security.Cryptography;
 using System.Text;
+using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.IO;
 
@@ -26,7 +27,7 @@ public sealed class ClaimFile : IDisposable
             // Sharing both ways takes no lock on the whole file over NFS, which would be in the way of the claims.
             return new ClaimFile(new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0));
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return new ClaimFile(null);
         }
@@ -52,7 +53,7 @@ public sealed class ClaimFile : IDisposable
 
             return new Claim(this, place);
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             if (!FileLock.IsHeldByAnother(exception))
             {
@@ -79,7 +80,7 @@ public sealed class ClaimFile : IDisposable
                 _locks?.Unlock(place, 1);
             }
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return; // there was no lock: the claim held within the process only
         }

@@ -56,7 +56,7 @@ public sealed class WorkFolder : IDisposable
 
                 removed++;
             }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            catch (Exception exception) when (exception.IsFileError())
             {
                 continue; // in use, or another user's
             }
@@ -77,7 +77,7 @@ public sealed class WorkFolder : IDisposable
                 Thread.Sleep(1);
             }
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             throw new ExternalPartException($"{Path}: can't be removed: {exception.Message}", exception);
         }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Adapters.IO;
+using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Manifest;
 
@@ -52,7 +53,7 @@ public sealed class FrameChecker
                     return (FrameState.Damaged, $"{made.Name}: {problem}");
                 }
             }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            catch (Exception exception) when (exception.IsFileError())
             {
                 return (FrameState.Damaged, $"{made.Name}: can't be read: {exception.Message}");
             }

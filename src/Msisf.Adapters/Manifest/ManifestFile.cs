@@ -68,18 +68,11 @@ public sealed class ManifestFile
     /// <typeparam name="T">Of the result.</typeparam>
     /// <param name="work">What is done.</param>
     /// <exception cref="ExternalPartException">The file system refuses, or another process keeps the lock.</exception>
-    public T Locked<T>(Func<T> work)
+    public T Locked<T>(Func<T> work) => FileErrors.ToExternalPart($"{FilePath}: can't be written", () =>
     {
-        try
-        {
-            using FileStream held = TakeLock();
-            return work();
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"{FilePath}: can't be written: {exception.Message}", exception);
-        }
-    }
+        using FileStream held = TakeLock();
+        return work();
+    });
 
     /// <summary>Appends lines. Within <see cref="Locked"/> only.</summary>
     public void AppendLocked(IEnumerable<ManifestRecord> records) => AppendBytes([.. records.SelectMany(ManifestLine.Write)]);

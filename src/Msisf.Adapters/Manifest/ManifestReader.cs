@@ -35,29 +35,22 @@ public sealed class ManifestReader : IDisposable
     /// <summary>Reads what there is more by now; a last line without its end waits for the next call.</summary>
     /// <returns>Whether there was more.</returns>
     /// <exception cref="ExternalPartException">The file can't be read.</exception>
-    public bool Refresh()
+    public bool Refresh() => FileErrors.ToExternalPart($"{_path}: can't be read", () =>
     {
-        try
+        if (!TryOpen() || _stream!.Position >= _stream.Length)
         {
-            if (!TryOpen() || _stream!.Position >= _stream.Length)
-            {
-                return false;
-            }
-
-            byte[] buffer = ArrayPool<byte>.Shared.Rent(ChunkBytes);
-            for (int read = _stream.Read(buffer); read > 0; read = _stream.Read(buffer))
-            {
-                Take((byte[])[.. _rest, .. buffer.AsSpan(0, read)]);
-            }
-
-            ArrayPool<byte>.Shared.Return(buffer);
-            return true;
+            return false;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+
+        byte[] buffer = ArrayPool<byte>.Shared.Rent(ChunkBytes);
+        for (int read = _stream.Read(buffer); read > 0; read = _stream.Read(buffer))
         {
-            throw new ExternalPartException($"{_path}: can't be read: {exception.Message}", exception);
+            Take((byte[])[.. _rest, .. buffer.AsSpan(0, read)]);
         }
-    }
+
+        ArrayPool<byte>.Shared.Return(buffer);
+        return true;
+    });
 
     /// <summary>Closes the file.</summary>
     public void Dispose() => _stream?.Dispose();

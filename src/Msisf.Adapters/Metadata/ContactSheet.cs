@@ -60,7 +60,7 @@ public static class ContactSheet
             using FileStream stream = File.OpenRead(path);
             return CairoImage.FromPng(stream);
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             throw new ExternalPartException($"{path}: can't be read: {exception.Message}", exception);
         }

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Programs;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
@@ -20,18 +21,11 @@ public static class PovRayProgram
                 return Path.GetFullPath(givenPath);
             }
 
-            return FirstIn([givenPath]) ?? throw new PovRayException(
+            return SearchPath.Find(givenPath, Names) ?? throw new PovRayException(
                 $"--pov-path {givenPath}: neither POV-Ray itself nor a folder that holds {string.Join(" or ", Names)}. Give the path of POV-Ray 3.7.");
         }
 
-        return FirstIn(searchPath.Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)) ?? throw new PovRayException(
+        return SearchPath.Find(searchPath, Names) ?? throw new PovRayException(
             $"POV-Ray is missing: no {string.Join(" or ", Names)} on the PATH. Install POV-Ray 3.7 (Debian, Ubuntu: apt install povray) or give --pov-path.");
     }
-
-    private static string? FirstIn(IEnumerable<string> folders) =>
-        (from folder in folders
-         from name in Names
-         let candidate = Path.Combine(folder, name)
-         where File.Exists(candidate)
-         select Path.GetFullPath(candidate)).FirstOrDefault();
 }

@@ -86,7 +86,7 @@ public static class ElevationSummaryFile
         {
             return File.Exists(path) ? Read(File.ReadAllBytes(path), source) : null;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or BadInputException)
+        catch (Exception exception) when (exception.IsFileError() || exception is BadInputException)
         {
             return null; // an unreadable file is as good as none: the summary is made again
         }

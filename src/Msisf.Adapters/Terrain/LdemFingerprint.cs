@@ -25,7 +25,7 @@ public sealed record LdemFingerprint(string ProductId, long ImageBytes, string S
         long bytes = 0;
         foreach (LdemLabel label in set.Parts)
         {
-            try
+            FileErrors.ToExternalPart($"{label.LabelPath}: can't be read", () =>
             {
                 using FileStream text = File.OpenRead(label.LabelPath);
                 Append(hash, text, 0, Math.Min(text.Length, SummarySource.LongestLabel));
@@ -38,11 +38,7 @@ public sealed record LdemFingerprint(string ProductId, long ImageBytes, string S
                 }
 
                 bytes += image.Length;
-            }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-            {
-                throw new ExternalPartException($"{label.LabelPath}: can't be read: {exception.Message}", exception);
-            }
+            });
         }
 
         return new LdemFingerprint(set.ProductId, bytes, Convert.ToHexStringLower(hash.GetHashAndReset()));

@@ -16,18 +16,11 @@ public static class LdemLabelReader
     /// <summary>Reads a label's file.</summary>
     /// <param name="labelPath">The .LBL file, or an image with its label attached.</param>
     /// <exception cref="BadInputException">The label is missing, unreadable, incomplete, contradicts itself, or describes no cylindrical lunar elevation model.</exception>
-    public static LdemLabel ReadFile(string labelPath)
+    public static LdemLabel ReadFile(string labelPath) => FileErrors.ToBadInput($"{labelPath}: can't be read", () =>
     {
-        try
-        {
-            using FileStream stream = File.OpenRead(labelPath);
-            return Read(stream, labelPath);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new BadInputException($"{labelPath}: can't be read: {exception.Message}", exception);
-        }
-    }
+        using FileStream stream = File.OpenRead(labelPath);
+        return Read(stream, labelPath);
+    });
 
     /// <summary>Reads a label.</summary>
     /// <param name="stream">Begins with the label.</param>

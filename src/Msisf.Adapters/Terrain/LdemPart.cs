@@ -57,7 +57,7 @@ internal sealed unsafe class LdemPart : IDisposable
     {
         string path = FileNames.FindIgnoringCase(label.ImagePath)
             ?? throw new BadInputException($"{label.ImagePath}: missing; {label.LabelPath} says that the samples are there. Put the file beside its label.");
-        try
+        return FileErrors.ToBadInput($"{path}: can't be read", () =>
         {
             FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read);
             try
@@ -70,11 +70,7 @@ internal sealed unsafe class LdemPart : IDisposable
                 stream.Dispose();
                 throw;
             }
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new BadInputException($"{path}: can't be read: {exception.Message}", exception);
-        }
+        });
     }
 
     /// <summary>Radii of consecutive samples, m.</summary>

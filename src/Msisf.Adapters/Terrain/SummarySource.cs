@@ -31,22 +31,15 @@ public sealed record SummarySource(string ProductId, int PixelsPerDegree, long I
 
     /// <summary>The source that a label describes, as its files are now.</summary>
     /// <exception cref="ExternalPartException">They can't be read.</exception>
-    public static SummarySource Of(LdemLabel label)
+    public static SummarySource Of(LdemLabel label) => FileErrors.ToExternalPart($"{label.LabelPath}: can't be read", () =>
     {
-        try
-        {
-            FileInfo image = new(FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath);
-            using FileStream stream = File.OpenRead(label.LabelPath);
-            byte[] text = new byte[Math.Min(LongestLabel, stream.Length)];
-            stream.ReadExactly(text);
-            return new SummarySource(
-                label.ProductId, label.PixelsPerDegree, image.Length, image.LastWriteTimeUtc, Encoding.Latin1.GetString(text));
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"{label.LabelPath}: can't be read: {exception.Message}", exception);
-        }
-    }
+        FileInfo image = new(FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath);
+        using FileStream stream = File.OpenRead(label.LabelPath);
+        byte[] text = new byte[Math.Min(LongestLabel, stream.Length)];
+        stream.ReadExactly(text);
+        return new SummarySource(
+            label.ProductId, label.PixelsPerDegree, image.Length, image.LastWriteTimeUtc, Encoding.Latin1.GetString(text));
+    });
 
     /// <summary>32 bytes that differ when any of it differs.</summary>
     internal byte[] Fingerprint() => SHA256.HashData(Encoding.UTF8.GetBytes(Text()));

@@ -55,7 +55,7 @@ public static class SyntheticLdemWriter
             });
             return label;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             throw new ExternalPartException($"{image}: can't be written: {exception.Message}", exception);
         }

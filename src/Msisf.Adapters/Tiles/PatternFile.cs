@@ -46,7 +46,7 @@ internal static class PatternFile
         {
             return State.Missing;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             throw new ExternalPartException($"{path}: can't be read: {exception.Message} Move it away, or choose another pattern repository.", exception);
         }

@@ -124,24 +124,12 @@ public sealed class PatternRepository : IDisposable
         {
             if (!_claims.TryGetValue(folder, out ClaimFile? claims))
             {
-                MakeFolder(folder);
+                FileErrors.ToExternalPart($"{folder}: can't be made; choose another pattern repository", () => Directory.CreateDirectory(folder));
                 claims = ClaimFile.Open(Path.Combine(folder, ClaimsName));
                 _claims.Add(folder, claims);
             }
 
             return claims;
-        }
-    }
-
-    private static void MakeFolder(string folder)
-    {
-        try
-        {
-            Directory.CreateDirectory(folder);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"{folder}: can't be made: {exception.Message} Choose another pattern repository.", exception);
         }
     }
 
@@ -169,7 +157,7 @@ public sealed class PatternRepository : IDisposable
         {
             file.Delete();
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             // Another user's leftover is theirs to remove; the patterns themselves are all there.
             return;

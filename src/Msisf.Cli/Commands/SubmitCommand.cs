@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using Msisf.Adapters.Cluster;
+using Msisf.Adapters.Programs;
 using Msisf.Cli.Options;
 using Msisf.Cli.Pieces;
 using Msisf.Cli.Run;

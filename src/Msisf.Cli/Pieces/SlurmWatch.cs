@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Adapters.Cluster;
+using Msisf.Adapters.Programs;
 using Msisf.Adapters.Manifest;
 using Msisf.Cli.Run;
 using Msisf.Core.Errors;

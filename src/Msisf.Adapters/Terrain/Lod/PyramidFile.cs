@@ -57,7 +57,7 @@ public sealed unsafe class PyramidFile : IDisposable
             stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read);
             (file, problem) = Open(path, stream, image);
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             problem = $"can't be read: {exception.Message}";
         }

@@ -1,5 +1,6 @@
 using System.Security.Cryptography;
 using System.Text;
+using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain.Lod;
 
@@ -39,7 +40,7 @@ public sealed record PyramidPlaces(string Beside, string? Cached)
             using FileStream file = new(probe, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 1, FileOptions.DeleteOnClose);
             return true;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return false;
         }

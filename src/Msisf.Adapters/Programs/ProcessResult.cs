@@ -1,6 +1,6 @@
-namespace Msisf.Adapters.Cluster;
+namespace Msisf.Adapters.Programs;
 
-/// <summary>What came of one call of a program.</summary>
+/// <summary>What a program gave when it ended.</summary>
 /// <param name="ExitCode">Its exit code.</param>
 /// <param name="Output">Its standard output.</param>
 /// <param name="Error">Its standard error.</param>
