@@ -6,7 +6,7 @@ namespace Msisf.Adapters.Layers;
 /// <summary>Computes a frame's layers, all rows in parallel, a few layers at a time so that memory does not grow with their number.</summary>
 internal static class LayerPasses
 {
-    /// <summary>bytes of planes in a pass: at 1024 x 1024 px all layers take three passes, so a pixel is looked up three times, not seventeen.</summary>
+    /// <summary>bytes of planes in a pass: at 1024 x 1024 px all layers take three passes, so a pixel is looked up three times, not sixteen.</summary>
     private const long MemoryOfAPass = 64L << 20;
 
     /// <summary>Computes layers and hands them on, one after the other.</summary>

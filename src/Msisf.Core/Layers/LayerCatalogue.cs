@@ -8,16 +8,12 @@ public static class LayerCatalogue
     [
         new(
             "depth", LayerType.Real64, "m",
-            "Distance from the camera's focal point to the surface point along the pixel's ray. NOT the depth along the optical axis: that is Z_DEPTH.",
-            SurfaceValues.Range),
+            "Distance of the surface point from the camera's focal point along the optical axis: the depth map of computer vision.",
+            SurfaceValues.Depth),
         new(
             "range", LayerType.Real64, "m",
-            "Slant range from the camera's focal point to the surface point: the same number as DEPTH, under the name that remote sensing has for it.",
+            "Distance of the surface point from the camera's focal point along the pixel's ray: the slant range of remote sensing.",
             SurfaceValues.Range),
-        new(
-            "z-depth", LayerType.Real64, "m",
-            "Depth along the optical axis: the part of DEPTH along the viewing direction. What computer vision calls a depth map.",
-            SurfaceValues.AxialDepth),
         new(
             "position", LayerType.Real64, "m",
             "Surface point from the Moon's centre, in MOON_ME.",

@@ -13,8 +13,8 @@ public class LayerSetTests
     {
         string[] names = [.. LayerSet.Parse(text).Layers.Select(layer => layer.Name)];
 
-        Assert.Equal(17, names.Length);
-        Assert.Equal(17, names.Distinct().Count());
+        Assert.Equal(16, names.Length);
+        Assert.Equal(16, names.Distinct().Count());
     }
 
     [Fact]

@@ -9,7 +9,7 @@ namespace Msisf.Core.Tests.Layers;
 internal sealed record ReferenceLayers(string Scene, PinholeCamera Camera, int X, int Y, Vector3D Sun, IReadOnlyList<double> Values)
 {
     /// <summary>The layers whose values the line holds, in this order; a vector has three.</summary>
-    public static readonly string[] Names = ["depth", "z-depth", "position", "height", "incidence", "emission", "phase", "pixel-scale"];
+    public static readonly string[] Names = ["range", "depth", "position", "height", "incidence", "emission", "phase", "pixel-scale"];
 
     public static ReferenceLayers[] Read() =>
         [.. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "layers.tsv"))
