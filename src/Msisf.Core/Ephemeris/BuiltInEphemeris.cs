@@ -54,6 +54,11 @@ public sealed class BuiltInEphemeris : IEphemeris
             sunFromMoonKm = (PositionKm(Sun, tdbSeconds - lightSeconds) ?? throw Cover.LightFromOutside(time)) - moonKm;
         }
 
+        if (!(sunFromMoonKm.Length is > 0.0 and < double.PositiveInfinity))
+        {
+            throw new BadInputException($"The kernels put the Sun at {sunFromMoonKm} km from the Moon: they are damaged. Use other kernels.");
+        }
+
         if (aberration == Aberration.LightTimeAndStellar)
         {
             sunFromMoonKm = LightSpeed.SeenFromMoving(sunFromMoonKm, MoonVelocity(tdbSeconds, time));

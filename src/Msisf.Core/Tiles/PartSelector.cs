@@ -29,13 +29,14 @@ public sealed class PartSelector
     /// <param name="summary">Of the same model.</param>
     /// <param name="errorPixels">So far, in pixels, a coarser level may move what is seen, or the edge of a shadow that falls on it; 0 for the model itself everywhere.</param>
     /// <param name="cells">Cells to a part's edge.</param>
-    /// <exception cref="BadInputException">The summary is of another model, or the error is none.</exception>
+    /// <exception cref="BadInputException">The summary is of another model.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The error is negative or not finite, or there are no cells.</exception>
     public PartSelector(LodLevels levels, ElevationSummary summary, double errorPixels, int cells = SurfacePart.DefaultCells)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(cells, 1);
         if (!(errorPixels >= 0.0 && double.IsFinite(errorPixels)))
         {
-            throw new BadInputException($"The error of levels of detail is {errorPixels} px; 0 or more is needed.");
+            throw new ArgumentOutOfRangeException(nameof(errorPixels), errorPixels, "The error of levels of detail is finite and not below 0 px.");
         }
 
         summary.CheckFits(levels.Level(0));

@@ -24,6 +24,16 @@ public class BuiltInEphemerisTests
         Assert.Equal(new Vector3D(899_500.0, -8_250.0, -2_000.0), ephemeris.SunPositionMoonMe(Time));
     }
 
+    [Theory]
+    [InlineData(0.0)]
+    [InlineData(double.PositiveInfinity)]
+    public void SunPositionMoonMe_NoDirectionFromTheMoon_IsBadInput(double sunX)
+    {
+        BuiltInEphemeris ephemeris = Make([Position(10, 0, new(sunX, 0.0, 0.0)), Position(301, 0, default)], angles: default);
+
+        Assert.Throws<BadInputException>(() => ephemeris.SunPositionMoonMe(Time, Aberration.LightTimeAndStellar));
+    }
+
     [Fact]
     public void MoonMeFromJ2000_QuarterTurnAboutZ_TakesXToMinusY()
     {

@@ -27,7 +27,8 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     }
 
     /// <inheritdoc/>
-    /// <exception cref="BadInputException">The ray is not finite or has no direction; the model has a radius that is none of the Moon.</exception>
+    /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
+    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
     public bool TryFirstHit(Ray ray, out Vector3D pointMoonMe)
     {
         bool isHit = TryTrace(ray, out SurfaceHit hit);
@@ -39,7 +40,8 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     /// <param name="ray">MOON_ME, from a point that is not inside the Moon; on the ground is allowed.</param>
     /// <param name="hit">The point, with the facet's normal; <c>default</c> if there is none.</param>
     /// <returns>Whether there is one.</returns>
-    /// <exception cref="BadInputException">The ray is not finite or has no direction; the model has a radius that is none of the Moon.</exception>
+    /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
+    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
     public bool TryTrace(Ray ray, out SurfaceHit hit)
     {
         RequireRay(ray);
@@ -55,7 +57,8 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     /// <param name="pointMoonMe">m, MOON_ME, on the facet.</param>
     /// <param name="facet">The facet on which the point lies.</param>
     /// <param name="lightMoonMe">The Sun or another point of light outside the Moon, m, MOON_ME.</param>
-    /// <exception cref="BadInputException">Point or light is not finite, or they are the same; the model has a radius that is none of the Moon.</exception>
+    /// <exception cref="ArgumentException">Point or light is not finite, or they are the same.</exception>
+    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The model has no such facet.</exception>
     public bool IsHidden(Vector3D pointMoonMe, FacetId facet, Vector3D lightMoonMe)
     {
@@ -77,7 +80,7 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     {
         if (!(ray.Origin.IsFinite && ray.Direction.IsFinite && ray.Direction.LengthSquared > 0.0))
         {
-            throw new BadInputException($"The ray from {ray.Origin} along {ray.Direction} is not finite or has no direction.");
+            throw new ArgumentException($"The ray from {ray.Origin} along {ray.Direction} is not finite or has no direction.", nameof(ray));
         }
     }
 
