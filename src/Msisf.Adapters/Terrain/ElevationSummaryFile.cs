@@ -2,6 +2,7 @@ using System.Buffers.Binary;
 using System.Security.Cryptography;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Terrain;

@@ -1,8 +1,8 @@
 using System.Globalization;
 using Msisf.Adapters.Terrain.Pds;
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
-using Msisf.Core.Tiles;
 
 namespace Msisf.Adapters.Terrain;
 

@@ -1,3 +1,4 @@
+using Msisf.Core.Mesh;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Adapters.Tiles;

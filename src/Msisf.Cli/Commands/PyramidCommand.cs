@@ -1,6 +1,6 @@
 using System.CommandLine;
+using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
-using Msisf.Adapters.Terrain.Lod;
 using Msisf.Cli.Options;
 using Msisf.Cli.Progress;
 using Msisf.Cli.Run;

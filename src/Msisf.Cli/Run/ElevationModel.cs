@@ -1,13 +1,14 @@
 using System.Collections.Concurrent;
+using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
-using Msisf.Adapters.Terrain.Lod;
 using Msisf.Core.Camera;
+using Msisf.Core.Lod;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render;
-using Msisf.Core.Render.Tracing;
 using Msisf.Core.Terrain;
-using Msisf.Core.Terrain.Lod;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Cli.Run;
 

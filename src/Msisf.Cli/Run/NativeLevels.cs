@@ -1,8 +1,8 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Camera;
+using Msisf.Core.Lod;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
-using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Cli.Run;
 

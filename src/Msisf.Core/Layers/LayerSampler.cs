@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Render;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Layers;
 

@@ -3,6 +3,7 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Metadata;
 

@@ -1,9 +1,10 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Shadows;
-using Msisf.Core.Render.Surface;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render;
 

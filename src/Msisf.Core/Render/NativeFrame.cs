@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render;
 

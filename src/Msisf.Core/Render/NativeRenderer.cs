@@ -1,6 +1,6 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Camera;
-using Msisf.Core.Render.Surface;
+using Msisf.Core.Mesh;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 

@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render;
 

@@ -1,5 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles.Selection;

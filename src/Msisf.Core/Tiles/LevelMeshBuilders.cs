@@ -1,6 +1,6 @@
 using System.Collections.Concurrent;
+using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
-using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Core.Tiles;
 

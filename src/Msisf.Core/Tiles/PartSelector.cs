@@ -1,9 +1,10 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Lod;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
-using Msisf.Core.Terrain.Lod;
 using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.Core.Tiles;

@@ -6,7 +6,7 @@ namespace Msisf.Core.Tiles;
 /// A piece of the surface that a scene includes as one mesh: a tile, or a square part of it, at one level of detail. <c>default</c> is none.
 /// </summary>
 /// <param name="Tile">The tile.</param>
-/// <param name="Level">0: the model itself; each further level has half the resolution (<see cref="Terrain.Lod.LodLevels"/>).</param>
+/// <param name="Level">0: the model itself; each further level has half the resolution (<see cref="Lod.LodLevels"/>).</param>
 /// <param name="Subdivisions">Parts to the tile's edge, a power of two; 1: the whole tile.</param>
 /// <param name="Row">Row of the part in its tile, 0 northernmost.</param>
 /// <param name="Column">Column of the part in its tile, 0 westernmost.</param>

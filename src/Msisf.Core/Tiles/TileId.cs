@@ -1,5 +1,5 @@
 using System.Globalization;
-using Msisf.Core.Terrain;
+using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Tiles;
 

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 

@@ -7,8 +7,8 @@ using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
-using Msisf.Core.Terrain;
 using Msisf.Core.Time;
+using Msisf.Core.Tracing;
 using Msisf.TestSupport;
 using Xunit;
 

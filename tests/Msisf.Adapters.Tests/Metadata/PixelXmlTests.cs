@@ -1,5 +1,6 @@
 using System.Text;
 using Msisf.Adapters.Metadata;
+using Msisf.Core.Mesh;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Terrain;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Terrain;
 using Xunit;
 

@@ -1,13 +1,13 @@
+using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
-using Msisf.Adapters.Terrain.Lod;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;
 using Msisf.Benchmarks.Thesis;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Lod;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
-using Msisf.Core.Terrain.Lod;
 using Msisf.TestSupport.Images;
 
 namespace Msisf.Benchmarks.Fronts;

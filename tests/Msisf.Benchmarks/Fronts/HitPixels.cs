@@ -2,9 +2,9 @@ using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
-using Msisf.Core.Render.Tracing;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Benchmarks.Fronts;
 

@@ -1,15 +1,15 @@
 using System.Diagnostics;
 using System.Runtime.Intrinsics;
+using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
-using Msisf.Adapters.Terrain.Lod;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Lod;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
-using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Benchmarks.Measures;
 

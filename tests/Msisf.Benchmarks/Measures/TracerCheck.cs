@@ -1,8 +1,8 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Render;
-using Msisf.Core.Render.Tracing;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Benchmarks.Measures;
 

@@ -4,13 +4,12 @@ using Msisf.Adapters.Tiles;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render;
-using Msisf.Core.Render.Surface;
-using Msisf.Core.Render.Tracing;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
-using CellBlock = Msisf.Core.Render.Surface.CellBlock;
+using Msisf.Core.Tracing;
+using CellBlock = Msisf.Core.Mesh.CellBlock;
 
 namespace Msisf.Benchmarks.Micro;
 

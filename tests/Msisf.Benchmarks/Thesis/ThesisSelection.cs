@@ -2,6 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Benchmarks.Thesis;
 

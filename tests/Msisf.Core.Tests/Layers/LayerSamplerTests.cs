@@ -5,6 +5,7 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tracing;
 using Msisf.TestSupport;
 using Xunit;
 

@@ -2,7 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 using Xunit;
 
 namespace Msisf.Core.Tests.Metadata;

@@ -3,9 +3,9 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Shadows;
-using Msisf.Core.Render.Tracing;
 using Msisf.Core.Scene;
 using Msisf.Core.Tests.Support;
+using Msisf.Core.Tracing;
 using Msisf.TestSupport;
 using Xunit;
 

@@ -5,6 +5,7 @@ using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 using Msisf.Core.Tests.Support;
+using Msisf.Core.Tracing;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render;

@@ -1,8 +1,9 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
-using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render;

@@ -2,6 +2,7 @@ using System.Runtime.InteropServices;
 using Msisf.Core.Camera;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Tests.Support;
 

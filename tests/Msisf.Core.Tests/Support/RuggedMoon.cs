@@ -1,3 +1,4 @@
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tests.Support;

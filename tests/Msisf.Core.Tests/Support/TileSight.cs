@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tiles;
 

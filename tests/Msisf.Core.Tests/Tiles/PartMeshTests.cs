@@ -1,10 +1,11 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Lod;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render.Tracing;
 using Msisf.Core.Terrain;
-using Msisf.Core.Terrain.Lod;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tracing;
 using Msisf.TestSupport;
 using Xunit;
 

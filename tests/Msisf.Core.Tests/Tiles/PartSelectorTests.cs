@@ -1,8 +1,9 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Lod;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
-using Msisf.Core.Terrain.Lod;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
 using Msisf.TestSupport;

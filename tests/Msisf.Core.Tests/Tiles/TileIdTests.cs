@@ -1,4 +1,4 @@
-using Msisf.Core.Terrain;
+using Msisf.Core.Mesh;
 using Msisf.Core.Tiles;
 using Xunit;
 

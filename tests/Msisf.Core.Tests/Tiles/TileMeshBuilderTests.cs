@@ -1,4 +1,5 @@
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;

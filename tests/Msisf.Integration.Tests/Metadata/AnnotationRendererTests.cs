@@ -5,6 +5,7 @@ using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Tracing;
 using Msisf.TestSupport;
 using Xunit;
 

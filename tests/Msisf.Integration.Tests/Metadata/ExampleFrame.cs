@@ -1,8 +1,8 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain;
 using Msisf.Core.Time;
+using Msisf.Core.Tracing;
 using Msisf.TestSupport;
 
 namespace Msisf.Integration.Tests.Metadata;

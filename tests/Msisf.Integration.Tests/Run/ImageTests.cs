@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Adapters.Terrain;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;

@@ -1,9 +1,10 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Stress.Camera;
 

@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 using Msisf.Stress.Reference;
 
 namespace Msisf.Stress.Camera;

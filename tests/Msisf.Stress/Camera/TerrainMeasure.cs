@@ -1,8 +1,9 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
+using Msisf.Core.Tracing;
 using Msisf.Stress.Reference;
 
 namespace Msisf.Stress.Camera;

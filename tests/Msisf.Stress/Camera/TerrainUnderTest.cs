@@ -1,6 +1,7 @@
-using Msisf.Core.Render.Tracing;
+using Msisf.Core.Mesh;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Stress.Camera;
 

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Msisf.Adapters.Terrain;
 using Msisf.Adapters.Tiles;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 using Msisf.TestSupport;
 

@@ -1,5 +1,4 @@
 using System.Buffers.Binary;
-using Msisf.Core.Terrain;
 using Msisf.TestSupport;
 
 namespace Msisf.Stress.Engines;

@@ -3,6 +3,7 @@ using Msisf.Adapters.Metadata;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 using Msisf.Stress.Camera;
 using Msisf.Stress.Reference;
 

@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;

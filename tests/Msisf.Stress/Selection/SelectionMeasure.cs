@@ -1,6 +1,6 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
 

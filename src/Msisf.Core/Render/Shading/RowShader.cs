@@ -1,10 +1,10 @@
 using System.Collections.Concurrent;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Photometry;
-using Msisf.Core.Render.Surface;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
-using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render.Shading;
 

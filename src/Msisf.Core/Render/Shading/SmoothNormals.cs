@@ -1,7 +1,5 @@
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render.Surface;
-using Msisf.Core.Terrain;
-using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Render.Shading;
 

@@ -1,6 +1,6 @@
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render.Surface;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render.Shadows;
 

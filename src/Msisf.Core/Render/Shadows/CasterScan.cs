@@ -1,7 +1,7 @@
 using System.Numerics;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Render.Surface;
+using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Shadows;
 

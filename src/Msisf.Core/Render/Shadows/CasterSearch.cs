@@ -1,7 +1,7 @@
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render.Surface;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render.Shadows;
 

@@ -1,6 +1,6 @@
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render.Surface;
 
 namespace Msisf.Core.Render.Shadows;
 

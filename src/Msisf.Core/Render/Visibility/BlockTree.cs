@@ -1,5 +1,4 @@
-using Msisf.Core.Render.Surface;
-using Msisf.Core.Terrain;
+using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Visibility;
 

@@ -2,6 +2,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render.Visibility;
 

@@ -1,5 +1,5 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Render.Surface;
+using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Visibility;
 

@@ -1,4 +1,4 @@
-using Msisf.Core.Render.Surface;
+using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Visibility;
 

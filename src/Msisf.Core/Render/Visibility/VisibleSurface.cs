@@ -1,4 +1,5 @@
-using Msisf.Core.Terrain;
+using Msisf.Core.Mesh;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render.Visibility;
 

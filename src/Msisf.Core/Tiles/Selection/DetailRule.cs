@@ -1,7 +1,7 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Lod;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain;
-using Msisf.Core.Terrain.Lod;
 
 namespace Msisf.Core.Tiles.Selection;
 

@@ -1,6 +1,6 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 

@@ -1,5 +1,6 @@
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 

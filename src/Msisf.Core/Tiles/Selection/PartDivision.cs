@@ -1,4 +1,5 @@
-using Msisf.Core.Terrain;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
 
 namespace Msisf.Core.Tiles.Selection;
 

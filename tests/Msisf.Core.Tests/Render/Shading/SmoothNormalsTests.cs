@@ -1,9 +1,7 @@
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shading;
-using Msisf.Core.Render.Surface;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
-using Msisf.Core.Tiles;
 using Msisf.TestSupport;
 using Xunit;
 

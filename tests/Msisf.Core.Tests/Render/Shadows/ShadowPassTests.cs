@@ -1,7 +1,7 @@
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
-using Msisf.Core.Render.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;

@@ -1,3 +1,4 @@
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;

@@ -1,11 +1,11 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render;
-using Msisf.Core.Render.Surface;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
+using Msisf.Core.Tracing;
 using Msisf.TestSupport;
 using Xunit;
 

@@ -1,0 +1,30 @@
+namespace Msisf.Core.Lod;
+
+/// <summary>A computed block of a level.</summary>
+internal sealed class LodBlock
+{
+    private readonly LodBlock?[] _slots;
+    private readonly int _slot;
+
+    /// <summary>Takes the samples and the place that the block will have.</summary>
+    /// <param name="heights">m over the reference radius, <see cref="LodLayout.Side"/> a line.</param>
+    /// <param name="slots">The array that the block is to be found in.</param>
+    /// <param name="slot">Index in it.</param>
+    public LodBlock(float[] heights, LodBlock?[] slots, int slot)
+    {
+        Heights = heights;
+        _slots = slots;
+        _slot = slot;
+    }
+
+    public float[] Heights { get; }
+
+    /// <summary>The cache's time when the block was last used. Several threads may set it; any of their values will do.</summary>
+    public long LastUse { get; set; }
+
+    /// <summary>Makes the block known to all threads.</summary>
+    public void Publish() => Volatile.Write(ref _slots[_slot], this);
+
+    /// <summary>Takes the block away; who reads it goes on with its samples.</summary>
+    public void Withdraw() => Volatile.Write(ref _slots[_slot], null);
+}

@@ -1,0 +1,67 @@
+namespace Msisf.Core.Lod;
+
+/// <summary>
+/// Bounds the memory of the computed blocks of all levels of a model: those used longest ago go first. Time counts the blocks that were added,
+/// so a look-up writes nothing that threads share except a block's own time. Safe for several threads.
+/// </summary>
+internal sealed class LodCache
+{
+    private const int BlockBytes = sizeof(float) * LodLayout.BlockSamples;
+
+    /// <summary>Parts of the capacity that are freed at once: sorting all blocks for each new one would be slow.</summary>
+    private const int PartsFreed = 8;
+
+    private readonly int _capacity;
+    private readonly Lock _gate = new();
+    private readonly List<LodBlock> _blocks = [];
+    private long _now;
+
+    /// <param name="capacityBytes">Bytes of the samples that are kept; at least a few blocks are.</param>
+    public LodCache(long capacityBytes) => _capacity = (int)Math.Clamp(capacityBytes / BlockBytes, PartsFreed, int.MaxValue);
+
+    /// <summary>The blocks that are kept now.</summary>
+    public int Count
+    {
+        get
+        {
+            lock (_gate)
+            {
+                return _blocks.Count;
+            }
+        }
+    }
+
+    /// <summary>Notes that a block is used.</summary>
+    public void Touch(LodBlock block)
+    {
+        long now = Volatile.Read(ref _now);
+        if (block.LastUse != now)
+        {
+            block.LastUse = now;
+        }
+    }
+
+    /// <summary>Makes a new block known and, where room is needed, withdraws others.</summary>
+    public void Add(LodBlock block)
+    {
+        lock (_gate)
+        {
+            if (_blocks.Count >= _capacity)
+            {
+                LodBlock[] byUse = [.. _blocks.OrderByDescending(known => known.LastUse)]; // taken once: other threads go on changing it
+                int kept = _capacity - Math.Max(1, _capacity / PartsFreed);
+                foreach (LodBlock old in byUse.AsSpan(kept))
+                {
+                    old.Withdraw();
+                }
+
+                _blocks.Clear();
+                _blocks.AddRange(byUse.AsSpan(0, kept));
+            }
+
+            block.LastUse = ++_now;
+            _blocks.Add(block);
+            block.Publish();
+        }
+    }
+}

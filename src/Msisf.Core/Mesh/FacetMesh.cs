@@ -1,0 +1,80 @@
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Mesh;
+
+/// <summary>
+/// The closed surface that the pattern files draw (docs/pattern-format.md): a vertex on every sample and one on each pole. Cell (i, j)
+/// joins the samples (i, j) and (i + 1, j + 1) by the facets (NW, SW, SE) and (NW, SE, NE); line -1 is the north pole and line
+/// 180 res the south pole, so the fans that close the poles are cells too. A cell belongs to the tile that holds sample (i, j), the
+/// northern fan to that of line 0.
+/// </summary>
+internal sealed class FacetMesh
+{
+    private readonly IElevationGrid _grid;
+
+    /// <summary>Takes the model; reads its first and last line for the poles.</summary>
+    public FacetMesh(IElevationGrid grid)
+    {
+        _grid = grid;
+        Lines = 180 * grid.PixelsPerDegree;
+        Samples = 360 * grid.PixelsPerDegree;
+        NorthPoleRadius = MeanRadius(grid, 0);
+        SouthPoleRadius = MeanRadius(grid, Lines - 1);
+    }
+
+    /// <summary>Lines of samples; vertex lines go from -1 to this number.</summary>
+    public int Lines { get; }
+
+    /// <summary>Samples a line.</summary>
+    public int Samples { get; }
+
+    /// <summary>m: mean of the first line.</summary>
+    public double NorthPoleRadius { get; }
+
+    /// <summary>m: mean of the last line.</summary>
+    public double SouthPoleRadius { get; }
+
+    /// <summary>Latitude of a vertex line, rad; the poles for -1 and <paramref name="lines"/>.</summary>
+    public static double Latitude(int line, int lines) =>
+        (0.5 - Math.Clamp((line + 0.5) / lines, 0.0, 1.0)) * Math.PI;
+
+    /// <summary>Longitude of a sample, rad; not wrapped.</summary>
+    public static double Longitude(double sample, int samples) => (sample + 0.5) * 2.0 * Math.PI / samples;
+
+    /// <summary>Radii of consecutive vertices of a line, m.</summary>
+    /// <param name="line">-1 (north pole) to <see cref="Lines"/> (south pole).</param>
+    /// <param name="firstSample">Any whole number; the run goes on over the prime meridian.</param>
+    /// <param name="radii">Filled.</param>
+    public void ReadRadii(int line, int firstSample, Span<double> radii)
+    {
+        if (line < 0 || line >= Lines)
+        {
+            radii.Fill(line < 0 ? NorthPoleRadius : SouthPoleRadius);
+            return;
+        }
+
+        int first = ((firstSample % Samples) + Samples) % Samples;
+        int most = Math.Min(radii.Length, Samples);
+        _grid.ReadRadii(line, first, radii[..most]);
+        if (radii.Length > most)
+        {
+            radii[..(radii.Length - most)].CopyTo(radii[most..]); // a closed ring: its first vertices come again
+        }
+    }
+
+    /// <summary>Radius of the pole vertex, m: the sum of its line from west to east, one rounding an addition, divided by the count.</summary>
+    /// <param name="grid">The model.</param>
+    /// <param name="line">The first or the last line.</param>
+    public static double MeanRadius(IElevationGrid grid, int line)
+    {
+        double[] radii = new double[360 * grid.PixelsPerDegree];
+        grid.ReadRadii(line, 0, radii);
+        double sum = 0.0;
+        foreach (double radius in radii)
+        {
+            sum += radius;
+        }
+
+        return sum / radii.Length;
+    }
+}

@@ -1,0 +1,46 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Mesh;
+
+/// <summary>Sines and cosines of every latitude and longitude of an elevation grid; safe for several threads.</summary>
+/// <remarks>All of them are sines of (2k + 1) / (2 res) degrees in the first quarter: one table serves the whole Moon.</remarks>
+public sealed class GridDirections
+{
+    private readonly double[] _sines;
+
+    /// <summary>Computes the table.</summary>
+    /// <param name="pixelsPerDegree">Samples a degree, at least 1.</param>
+    public GridDirections(int pixelsPerDegree)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
+        _sines = new double[90 * pixelsPerDegree];
+        for (int k = 0; k < _sines.Length; k++)
+        {
+            _sines[k] = DegreeTrigonometry.Sin((2 * k) + 1, 2 * pixelsPerDegree);
+        }
+    }
+
+    /// <summary>The latitude of a line: 90 - (2 line + 1) / (2 res) degrees.</summary>
+    public SineCosine Latitude(int line)
+    {
+        int lines = 2 * _sines.Length;
+        return line < _sines.Length
+            ? new SineCosine(_sines[_sines.Length - 1 - line], _sines[line])
+            : new SineCosine(-_sines[line - _sines.Length], _sines[lines - 1 - line]);
+    }
+
+    /// <summary>The longitude of a sample: (2 sample + 1) / (2 res) degrees.</summary>
+    public SineCosine Longitude(int sample)
+    {
+        int k = sample % _sines.Length;
+        double rising = _sines[k];
+        double falling = _sines[_sines.Length - 1 - k];
+        return (sample / _sines.Length) switch
+        {
+            0 => new SineCosine(rising, falling),
+            1 => new SineCosine(falling, -rising),
+            2 => new SineCosine(-rising, -falling),
+            _ => new SineCosine(-falling, rising),
+        };
+    }
+}

@@ -1,0 +1,99 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Mesh;
+
+/// <summary>Where the surface of the mesh is, exactly: on its facets, not on a sphere.</summary>
+public static class TerrainHeight
+{
+    /// <summary>
+    /// m: a facet with a shorter edge has no area. The pole vertex is computed for each sample and scatters by 1e-9 m; the narrowest
+    /// real edges, beside a pole at 1024 px/deg, have 2e-4 m.
+    /// </summary>
+    private const double ShortestEdge = 1e-6;
+
+    /// <summary>Distance from the Moon's centre to the facet below (or above) a position.</summary>
+    /// <param name="grid">The model.</param>
+    /// <param name="positionMoonMe">m, MOON_ME; not the centre.</param>
+    /// <returns>m.</returns>
+    /// <exception cref="BadInputException">The position is the centre or not finite.</exception>
+    public static double RadiusBelow(IElevationGrid grid, Vector3D positionMoonMe)
+    {
+        Vector3D direction = positionMoonMe.Normalized();
+        FacetMesh mesh = new(grid);
+        SelenographicPoint point = SelenographicPoint.Below(direction);
+        int line = (int)Math.Floor(((0.5 - (point.Latitude / Math.PI)) * mesh.Lines) - 0.5);
+        int sample = (int)Math.Floor((point.Longitude / (2.0 * Math.PI) * mesh.Samples) - 0.5);
+
+        // Straight edges bulge over their parallel, so the facet can be one of the cells around.
+        TerrainPatch patch = new(mesh);
+        patch.Load(new CellRange(
+            Math.Clamp(line - 1, -1, mesh.Lines - 1), Math.Clamp(line + 2, 0, mesh.Lines), sample - 1, sample + 2));
+        double nearest = double.NegativeInfinity;
+        double radius = double.NaN;
+        for (int row = 0; row + 1 < patch.Lines; row++)
+        {
+            for (int column = 0; column + 1 < patch.Samples; column++)
+            {
+                Vector3D northWest = patch[row, column];
+                Vector3D southEast = patch[row + 1, column + 1];
+                Try(direction, northWest, patch[row + 1, column], southEast, ref nearest, ref radius);
+                Try(direction, northWest, southEast, patch[row, column + 1], ref nearest, ref radius);
+            }
+        }
+
+        return double.IsFinite(radius)
+            ? radius
+            : throw new InvalidOperationException($"No facet below {positionMoonMe}.");
+    }
+
+    /// <summary>Refuses a position inside the Moon.</summary>
+    /// <param name="grid">The model.</param>
+    /// <param name="positionMoonMe">m, MOON_ME.</param>
+    /// <exception cref="BadInputException">The position is not above the surface.</exception>
+    public static void RequireAbove(IElevationGrid grid, Vector3D positionMoonMe)
+    {
+        double distance = positionMoonMe.Length;
+        double surface = distance > 0.0 ? RadiusBelow(grid, positionMoonMe) : double.PositiveInfinity;
+        if (!(distance > surface + Tolerances.VertexLattice))
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"The camera is inside the Moon: {distance:R} m from its centre, where the surface of {grid.ProductId} is at {surface:R} m. Move it up."));
+        }
+    }
+
+    /// <summary>Intersects the line from the centre with one facet; of several the one that is met farthest inside counts.</summary>
+    /// <remarks>
+    /// T. Moeller, B. Trumbore, J. Graphics Tools 2 (1997) 21, with edges as differences of neighbours, so that facets a fraction
+    /// of a millimetre wide keep their digits.
+    /// </remarks>
+    private static void Try(Vector3D direction, Vector3D a, Vector3D b, Vector3D c, ref double nearest, ref double radius)
+    {
+        Vector3D ab = b - a;
+        Vector3D ac = c - a;
+        if (ab.Length < ShortestEdge || ac.Length < ShortestEdge || (c - b).Length < ShortestEdge)
+        {
+            return;
+        }
+
+        Vector3D across = Vector3D.Cross(direction, ac);
+        double area = Vector3D.Dot(ab, across);
+        if (area == 0.0)
+        {
+            return; // seen edge on
+        }
+
+        double v = -Vector3D.Dot(a, across) / area;
+        double w = Vector3D.Dot(direction, Vector3D.Cross(ab, a)) / area;
+        double inside = Math.Min(1.0 - v - w, Math.Min(v, w));
+        if (inside > nearest)
+        {
+            Vector3D normal = Vector3D.Cross(ab, ac);
+            nearest = inside;
+            radius = Vector3D.Dot(a, normal) / Vector3D.Dot(direction, normal);
+        }
+    }
+}

@@ -1,0 +1,216 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tracing;
+
+/// <summary>
+/// One ray on its way through the surface: down a tree of blocks of cells, nearest first, to the facets through which it enters the
+/// ground. Pieces of the ray, in m from its nearest approach to the Moon's centre, only say where to look; what is hit is decided on
+/// <see cref="_near"/>.
+/// </summary>
+internal ref struct RayWalk
+{
+    /// <summary>m: all of the surface is nearer to the Moon's centre.</summary>
+    private const double Top = MoonConstants.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
+
+    private readonly LatticeMesh _mesh;
+    private readonly SurfaceBounds _bounds;
+    private readonly bool _stopsAtAnyHit;
+    private readonly Ray _near;
+    private readonly double _offset;
+    private readonly EdgeFunction _edge;
+    private readonly BlockBorders _borders;
+    private readonly double _length;
+    private readonly double _startParameter;
+    private readonly Vector3D _start;
+    private readonly double _startSquared;
+    private readonly double _startRise;
+    private readonly double _sagitta;
+    private readonly double _bottom;
+    private double _parameter;
+    private double _farthest;
+
+    /// <summary>Prepares a walk.</summary>
+    /// <param name="mesh">The surface.</param>
+    /// <param name="bounds">Its bounds.</param>
+    /// <param name="ray">MOON_ME; finite, and not without direction.</param>
+    /// <param name="endParameter">Hits from this parameter on don't count.</param>
+    /// <param name="stopsAtAnyHit">Whether any hit will do, or the first is wanted.</param>
+    public RayWalk(LatticeMesh mesh, SurfaceBounds bounds, Ray ray, double endParameter, bool stopsAtAnyHit)
+    {
+        _mesh = mesh;
+        _bounds = bounds;
+        _stopsAtAnyHit = stopsAtAnyHit;
+        (_near, _offset) = ShiftedRay.From(ray, Top);
+        _length = ray.Direction.Length;
+        Vector3D direction = ray.Direction / _length;
+        _startParameter = -Vector3D.Dot(_near.Origin, direction);
+        _start = _near.Origin + (_startParameter * direction);
+        _startSquared = _start.LengthSquared;
+        _startRise = Vector3D.Dot(_start, direction);
+        _edge = new EdgeFunction(_near.Origin, ray.Direction);
+        _borders = new BlockBorders(mesh, _start, direction);
+        _sagitta = MeshBounds.SagittaFactor(mesh.PixelsPerDegree);
+        _bottom = _sagitta * (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief - 1.0);
+        _parameter = endParameter - _offset;
+        _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
+    }
+
+    /// <summary>Parameter of the hit on the ray.</summary>
+    public readonly double Parameter => _offset + _parameter;
+
+    /// <summary>The point that is hit, m, MOON_ME.</summary>
+    public readonly Vector3D Point => _near.Origin + (_parameter * _near.Direction);
+
+    /// <summary>The facet that is hit; null before.</summary>
+    public FacetId? Facet { get; private set; }
+
+    /// <summary>Normal of the facet that is hit, outward, not of length 1.</summary>
+    public Vector3D Normal { get; private set; }
+
+    private readonly bool IsOver => _stopsAtAnyHit && Facet is not null;
+
+    /// <summary>Walks until the hit is sure.</summary>
+    public void Run()
+    {
+        double distance = _start.Length;
+        if (distance < Top)
+        {
+            double origin = PlaceOf(-_offset);
+            double halfChord = HalfChord(Top, distance);
+            RayPiece piece = new(Math.Max(-halfChord, origin - Tolerances.VertexLattice), Math.Min(halfChord, _farthest));
+            if (origin < 0.0 && distance < _bottom)
+            {
+                // Deeper than all of the surface the ray has entered the ground; around the Moon's centre all wedges would meet.
+                piece = piece with { Far = Math.Min(piece.Far, -HalfChord(_bottom, distance)) };
+            }
+
+            VisitIfMet(new CellRectangle(0, 0, _mesh.Lines + 1, _mesh.Samples), piece, kind: 0);
+        }
+    }
+
+    /// <summary>Half the chord of a sphere that has such a distance from the centre.</summary>
+    private static double HalfChord(double radius, double distance) => Math.Sqrt((radius - distance) * (radius + distance));
+
+    /// <summary>Where a parameter of the shifted ray lies on the scale of the pieces.</summary>
+    private readonly double PlaceOf(double parameter) => (parameter * _length) - _startParameter;
+
+    private void VisitIfMet(CellRectangle block, RayPiece piece, int kind)
+    {
+        if (!piece.IsEmpty && piece.Near <= _farthest && !IsOver)
+        {
+            Visit(block, piece with { Far = Math.Min(piece.Far, _farthest) }, kind);
+        }
+    }
+
+    /// <summary>Looks into a block, of which the bounds of the kinds before <paramref name="kind"/> have been looked at.</summary>
+    private void Visit(CellRectangle block, RayPiece piece, int kind)
+    {
+        for (; kind < SurfaceBounds.Sides.Length && block.Size <= SurfaceBounds.Sides[kind]; kind++)
+        {
+            RadiusRange range = _bounds.Of(kind, block.Row, block.Column);
+            if (!MayMeet(piece, range.Min, range.Max))
+            {
+                return;
+            }
+        }
+
+        if (block.Size == 1)
+        {
+            VisitCell(block.Row - 1, block.Column, piece);
+            return;
+        }
+
+        bool cutsAlongMeridian = block.Columns >= block.Rows || block.Columns > BlockBorders.WidestDegrees * _mesh.PixelsPerDegree;
+        (CellRectangle first, CellRectangle second) = cutsAlongMeridian ? block.CutAlongMeridian() : block.CutAlongParallel();
+        RayPiece firstPiece = cutsAlongMeridian ? _borders.CutAtMeridians(first, piece) : _borders.CutAtParallels(first, piece);
+        RayPiece secondPiece = cutsAlongMeridian ? _borders.CutAtMeridians(second, piece) : _borders.CutAtParallels(second, piece);
+        if (secondPiece.Near < firstPiece.Near)
+        {
+            (first, second) = (second, first);
+            (firstPiece, secondPiece) = (secondPiece, firstPiece);
+        }
+
+        VisitIfMet(first, firstPiece, kind);
+        VisitIfMet(second, secondPiece, kind);
+    }
+
+    /// <summary>Whether a piece is anywhere as high as facets whose vertices have such radii.</summary>
+    private readonly bool MayMeet(RayPiece piece, double min, double max)
+    {
+        double top = max + Tolerances.VertexLattice;
+        double bottom = (min - Tolerances.VertexLattice) * _sagitta;
+        return SquaredRadiusAt(Math.Clamp(-_startRise, piece.Near, piece.Far)) <= top * top
+            && Math.Max(SquaredRadiusAt(piece.Near), SquaredRadiusAt(piece.Far)) >= bottom * bottom;
+    }
+
+    private readonly double SquaredRadiusAt(double s) => _startSquared + (s * ((2.0 * _startRise) + s));
+
+    private void VisitCell(int line, int sample, RayPiece piece)
+    {
+        Span<double> radii = stackalloc double[4];
+        _mesh.ReadRadii(line, sample, radii[..2]);
+        _mesh.ReadRadii(line + 1, sample, radii[2..]);
+        double min = Math.Min(Math.Min(radii[0], radii[1]), Math.Min(radii[2], radii[3]));
+        double max = Math.Max(Math.Max(radii[0], radii[1]), Math.Max(radii[2], radii[3]));
+        if (!MayMeet(piece, min, max))
+        {
+            return;
+        }
+
+        CellCorners corners = _mesh.Corners(line, sample, radii);
+        double diagonal = _edge.Of(corners.NorthWest, corners.SouthEast);
+        if (diagonal <= 0.0 && line < _mesh.Lines - 1)
+        {
+            TryFacet(new FacetId(line, sample, FacetHalf.SouthWest), corners, -diagonal);
+        }
+
+        if (diagonal >= 0.0 && line >= 0)
+        {
+            TryFacet(new FacetId(line, sample, FacetHalf.NorthEast), corners, diagonal);
+        }
+    }
+
+    /// <summary>Takes a facet if the ray enters the ground through it, nearer than what was found before.</summary>
+    private void TryFacet(FacetId facet, in CellCorners corners, double diagonal)
+    {
+        (Vector3D a, Vector3D b, Vector3D c) = corners.Facet(facet.Half);
+        bool isSouthWest = facet.Half == FacetHalf.SouthWest;
+        double second = isSouthWest ? _edge.Of(a, b) : _edge.Of(c, a);
+        double third = _edge.Of(b, c);
+
+        // All three are 0 for a facet without area and for one that the ray sees edge on: its neighbours are entered instead.
+        if (!(second >= 0.0 && third >= 0.0 && diagonal + second + third > 0.0))
+        {
+            return;
+        }
+
+        Vector3D normal = corners.NormalOf(facet.Half);
+        double parameter = ParameterOn(normal, a, b, c);
+        if (parameter > -_offset && parameter < _parameter)
+        {
+            _parameter = parameter;
+            _farthest = PlaceOf(parameter) + Tolerances.VertexLattice;
+            Facet = facet;
+            Normal = normal;
+        }
+    }
+
+    /// <summary>Where the ray meets a facet's plane; seen nearly edge on, the quotient is kept between the facet's corners.</summary>
+    private readonly double ParameterOn(Vector3D normal, Vector3D a, Vector3D b, Vector3D c)
+    {
+        double alongA = AlongRay(a);
+        double alongB = AlongRay(b);
+        double alongC = AlongRay(c);
+        double parameter = Vector3D.Dot(normal, a - _near.Origin) / Vector3D.Dot(normal, _near.Direction);
+        double first = Math.Min(alongA, Math.Min(alongB, alongC));
+        double last = Math.Max(alongA, Math.Max(alongB, alongC));
+        return parameter >= first ? Math.Min(parameter, last) : first;
+    }
+
+    private readonly double AlongRay(Vector3D vertex) =>
+        Vector3D.Dot(vertex - _near.Origin, _near.Direction) / (_length * _length);
+}

@@ -1,0 +1,95 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Tracing;
+
+/// <summary>
+/// Rays on the terrain, one at a time and exactly: on the facets of the pattern files (docs/pattern-format.md), whichever way the ray
+/// comes. Reads of the model what rays come near, when they do. Safe for several threads.
+/// </summary>
+/// <remarks>
+/// The surface is closed, so a ray from outside enters the ground before it leaves it. Only facets that face the ray are
+/// looked at; a ray that starts on the ground and leaves it has no need to skip its own facet, and no distance from which on hits count.
+/// </remarks>
+public sealed class TerrainTracer : ISurface, ITerrainTracer
+{
+    private readonly LatticeMesh _mesh;
+    private readonly SurfaceBounds _bounds;
+
+    /// <summary>Takes the model; reads its first and last line for the poles.</summary>
+    /// <param name="grid">The whole Moon.</param>
+    public TerrainTracer(IElevationGrid grid)
+    {
+        _mesh = new LatticeMesh(grid);
+        _bounds = new SurfaceBounds(grid, _mesh);
+    }
+
+    /// <inheritdoc/>
+    /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
+    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
+    public bool TryFirstHit(Ray ray, out Vector3D pointMoonMe)
+    {
+        bool isHit = TryTrace(ray, out SurfaceHit hit);
+        pointMoonMe = hit.PointMoonMe;
+        return isHit;
+    }
+
+    /// <summary>The first facet through which a ray enters the ground.</summary>
+    /// <param name="ray">MOON_ME, from a point that is not inside the Moon; on the ground is allowed.</param>
+    /// <param name="hit">The point, with the facet's normal; <c>default</c> if there is none.</param>
+    /// <returns>Whether there is one.</returns>
+    /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
+    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
+    public bool TryTrace(Ray ray, out SurfaceHit hit)
+    {
+        RequireRay(ray);
+        RayWalk walk = new(_mesh, _bounds, ray, double.PositiveInfinity, stopsAtAnyHit: false);
+        walk.Run();
+        hit = walk.Facet is FacetId facet
+            ? new SurfaceHit(walk.Point, walk.Normal.Normalized(), facet, walk.Parameter)
+            : default;
+        return walk.Facet is not null;
+    }
+
+    /// <summary>Whether a point of the ground gets no light: its facet faces away, or other terrain is in between.</summary>
+    /// <param name="pointMoonMe">m, MOON_ME, on the facet.</param>
+    /// <param name="facet">The facet on which the point lies.</param>
+    /// <param name="lightMoonMe">The Sun or another point of light outside the Moon, m, MOON_ME.</param>
+    /// <exception cref="ArgumentException">Point or light is not finite, or they are the same.</exception>
+    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The model has no such facet.</exception>
+    public bool IsHidden(Vector3D pointMoonMe, FacetId facet, Vector3D lightMoonMe)
+    {
+        Ray ray = new(pointMoonMe, lightMoonMe - pointMoonMe);
+        RequireRay(ray);
+        RequireFacet(facet);
+        Vector3D normal = _mesh.Corners(facet.Line, facet.Sample).NormalOf(facet.Half);
+        if (!(Vector3D.Dot(normal, ray.Direction) > 0.0))
+        {
+            return true;
+        }
+
+        RayWalk walk = new(_mesh, _bounds, ray, endParameter: 1.0, stopsAtAnyHit: true);
+        walk.Run();
+        return walk.Facet is not null;
+    }
+
+    private static void RequireRay(Ray ray)
+    {
+        if (!(ray.Origin.IsFinite && ray.Direction.IsFinite && ray.Direction.LengthSquared > 0.0))
+        {
+            throw new ArgumentException($"The ray from {ray.Origin} along {ray.Direction} is not finite or has no direction.", nameof(ray));
+        }
+    }
+
+    private void RequireFacet(FacetId facet)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(facet.Line, -1, nameof(facet));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Line, _mesh.Lines, nameof(facet));
+        ArgumentOutOfRangeException.ThrowIfNegative(facet.Sample, nameof(facet));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Sample, _mesh.Samples, nameof(facet));
+    }
+}
