@@ -3,6 +3,7 @@ using System.Reflection.Metadata;
 using System.Reflection.PortableExecutable;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
+using Msisf.Synthesis;
 using Xunit;
 
 namespace Msisf.Architecture.Tests;
@@ -14,12 +15,17 @@ public sealed class LayerTests
     private const string UsedByEachIterator = "System.Environment.get_CurrentManagedThreadId";
 
     private static readonly Assembly Core = typeof(MsisfException).Assembly;
+    private static readonly Assembly Synthesis = typeof(SyntheticTerrain).Assembly;
     private static readonly Assembly Adapters = typeof(AtomicFile).Assembly;
     private static readonly Assembly Cli = Assembly.Load("msis");
 
     [Fact]
     public void Core_References_NothingOfOurs() =>
-        Assert.DoesNotContain(Core.GetReferencedAssemblies(), name => name.Name is "Msisf.Adapters" or "msis");
+        Assert.DoesNotContain(Core.GetReferencedAssemblies(), name => name.Name is "Msisf.Adapters" or "Msisf.Synthesis" or "msis");
+
+    [Fact]
+    public void Synthesis_References_CoreAndNothingElseOfOurs() =>
+        Assert.Equal(["Msisf.Core"], Synthesis.GetReferencedAssemblies().Select(name => name.Name).Where(name => name!.StartsWith("Msisf", StringComparison.Ordinal) || name == "msis"));
 
     [Fact]
     public void Adapters_References_CoreButNotCli()
@@ -44,16 +50,16 @@ public sealed class LayerTests
     [InlineData("System.TimeProvider")]
     [InlineData("System.Random")]
     [InlineData("System.Net.Http.HttpClient")]
-    public void Core_DoesNotUse_TheWorld(string forbidden) =>
+    public void CoreAndSynthesis_DoNotUse_TheWorld(string forbidden) =>
         Assert.DoesNotContain(
-            MembersUsedBy(Core),
+            MembersUsedBy(Core).Concat(MembersUsedBy(Synthesis)),
             member => member.StartsWith($"{forbidden}.", StringComparison.Ordinal) && member != UsedByEachIterator);
 
     [Fact]
     public void NativeCalls_Live_InTheInteropNamespaceOnly()
     {
         IEnumerable<MethodInfo> native =
-            from assembly in (Assembly[])[Core, Adapters, Cli]
+            from assembly in (Assembly[])[Core, Synthesis, Adapters, Cli]
             from type in assembly.GetTypes()
             from method in type.GetMethods(BindingFlags.Static | BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)
             where method.Attributes.HasFlag(MethodAttributes.PinvokeImpl)

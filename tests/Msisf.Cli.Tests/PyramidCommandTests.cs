@@ -1,3 +1,4 @@
+using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.TestSupport;
 using Xunit;

@@ -1,5 +1,4 @@
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain.Synthesis;
 
 namespace Msisf.Stress;
 

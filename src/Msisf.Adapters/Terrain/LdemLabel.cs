@@ -5,6 +5,9 @@ namespace Msisf.Adapters.Terrain;
 /// <summary>What the label of a cylindrical lunar elevation model says, checked for consistency. It may cover a part of the Moon only.</summary>
 public sealed record LdemLabel
 {
+    /// <summary>Stands in every name and label of a synthetic product.</summary>
+    public const string SyntheticMark = "SYNTHETIC";
+
     /// <summary>Path of the label.</summary>
     public required string LabelPath { get; init; }
 
@@ -59,8 +62,8 @@ public sealed record LdemLabel
     /// <summary>COORDINATE_SYSTEM_NAME.</summary>
     public required string CoordinateSystem { get; init; }
 
-    /// <summary>The product says of itself that it is synthetic (docs/synthetic-ldem.md).</summary>
-    public bool IsSynthetic => ProductId.Contains(SyntheticLdemProduct.Mark, StringComparison.Ordinal);
+    /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
+    public bool IsSynthetic => ProductId.Contains(SyntheticMark, StringComparison.Ordinal);
 
     /// <summary>The samples are 16-bit integers.</summary>
     public bool HasIntegers => SampleType is LdemSampleType.Int16LittleEndian or LdemSampleType.Int16BigEndian;

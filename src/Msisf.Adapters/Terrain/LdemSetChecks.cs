@@ -1,6 +1,6 @@
 using System.Globalization;
 using Msisf.Core.Errors;
-using Msisf.Core.Terrain.Synthesis;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Terrain;
 

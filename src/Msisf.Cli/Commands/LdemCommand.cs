@@ -1,11 +1,12 @@
 using System.CommandLine;
 using System.Globalization;
+using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.Cli.Options;
 using Msisf.Cli.Progress;
 using Msisf.Cli.Run;
 using Msisf.Core.Errors;
-using Msisf.Core.Terrain.Synthesis;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Cli.Commands;
 

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Lod;
+using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.Adapters.Tests.Terrain;
 using Msisf.Core.Errors;

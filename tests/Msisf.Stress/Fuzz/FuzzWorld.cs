@@ -1,6 +1,7 @@
+using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.Adapters.Tests.Ephemeris;
-using Msisf.Core.Terrain.Synthesis;
+using Msisf.Core.Terrain;
 using Msisf.TestSupport;
 
 namespace Msisf.Stress.Fuzz;
