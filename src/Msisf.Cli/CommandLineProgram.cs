@@ -1,8 +1,8 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using Msisf.App.Host;
 using Msisf.Cli.Commands;
 using Msisf.Cli.Options.Config;
-using Msisf.Cli.Run;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli;

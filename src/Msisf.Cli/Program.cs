@@ -1,6 +1,7 @@
 using System.Runtime.InteropServices;
+using Msisf.App.Host;
 using Msisf.Cli;
-using Msisf.Cli.Run;
+using Msisf.Cli.Output;
 
 // System.CommandLine turns SIGINT and SIGTERM into a cancellation; a terminal that goes away ends a run as cleanly.
 using CancellationTokenSource hangUp = new();
@@ -9,5 +10,5 @@ using PosixSignalRegistration registration = PosixSignalRegistration.Create(Posi
     context.Cancel = true;
     hangUp.Cancel();
 });
-ProgramHost host = new(Console.Out, Console.Error, () => Console.In, TimeProvider.System, Environment.GetEnvironmentVariable);
+ProgramHost host = ConsoleHost.Create(Console.Out, Console.Error, () => Console.In, TimeProvider.System, Environment.GetEnvironmentVariable);
 return await CommandLineProgram.RunAsync(args, host, hangUp.Token).ConfigureAwait(false);

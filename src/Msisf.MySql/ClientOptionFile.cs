@@ -14,17 +14,13 @@ internal static partial class ClientOptionFile
     /// <exception cref="BadInputException">The file can't be read, others can read its password, or a line is no option.</exception>
     public static IReadOnlyDictionary<string, string> Read(string path)
     {
-        try
+        return FileErrors.ToBadInput($"{path}: this option file is missing or can't be read", () =>
         {
             Dictionary<string, string> options = Parse(File.ReadAllLines(path), path);
             return options.ContainsKey("password") && !OperatingSystem.IsWindows() && (File.GetUnixFileMode(path) & OfOthers) != 0
                 ? throw new BadInputException($"{path}: holds a password, and other users may read it. Say: chmod 600 on it.")
                 : options;
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new BadInputException($"{path}: this option file is missing or can't be read.", exception);
-        }
+        });
     }
 
     private static Dictionary<string, string> Parse(string[] lines, string path)

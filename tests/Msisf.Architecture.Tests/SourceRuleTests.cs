@@ -32,6 +32,14 @@ public sealed partial class SourceRuleTests
             Sources.Where(path => File.ReadAllText(path).Contains("ProcessStartInfo", StringComparison.Ordinal))
                 .Select(path => Path.GetRelativePath(TestParts.RepositoryRoot, path)));
 
+    /// <summary>Which exceptions say that the file system refuses is written in one place.</summary>
+    [Fact]
+    public void FileErrors_AreNamed_InOnePlaceOnly() =>
+        Assert.Equal(
+            ["src/Msisf.Core/Errors/FileErrors.cs"],
+            Sources.Where(path => File.ReadAllText(path).Contains("is IOException or UnauthorizedAccessException", StringComparison.Ordinal))
+                .Select(path => Path.GetRelativePath(TestParts.RepositoryRoot, path)));
+
     /// <summary>The crater profile's published fits are in km.</summary>
     [Fact]
     public void KilometresAppear_OnlyAtTheBorderToPovRayAndSpice() =>

@@ -1,6 +1,7 @@
 using System.CommandLine;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
 using Msisf.Cli.Options;
-using Msisf.Cli.Run;
 using Msisf.Core.Errors;
 using Xunit;
 

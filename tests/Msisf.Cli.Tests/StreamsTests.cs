@@ -1,4 +1,5 @@
-using Msisf.Cli.Run;
+using Msisf.App.Host;
+using Msisf.Cli.Output;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -33,7 +34,7 @@ public sealed class StreamsTests : IDisposable
         using SilentReader input = new(stop);
         using StringWriter error = new();
         string[] arguments = ["--batch-file", "-"];
-        ProgramHost host = new(TextWriter.Null, error, () => input, TimeProvider.System, _ => null);
+        ProgramHost host = ConsoleHost.Create(TextWriter.Null, error, () => input, TimeProvider.System, _ => null);
 
         Task<int> run = Task.Run(() => CommandLineProgram.RunAsync(arguments, host, stop.Token));
 
@@ -76,7 +77,7 @@ public sealed class StreamsTests : IDisposable
     }
 
     private static int Run(string[] arguments, TextWriter output, TextWriter error) => CommandLineProgram
-        .RunAsync(arguments, new ProgramHost(output, error, () => TextReader.Null, TimeProvider.System, _ => null))
+        .RunAsync(arguments, ConsoleHost.Create(output, error, () => TextReader.Null, TimeProvider.System, _ => null))
         .GetAwaiter()
         .GetResult();
 

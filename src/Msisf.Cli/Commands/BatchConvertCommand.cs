@@ -1,8 +1,10 @@
 using System.CommandLine;
 using System.Globalization;
+using Msisf.App.Cluster;
+using Msisf.App.Host;
+using Msisf.App.Settings;
 using Msisf.Cli.Options;
 using Msisf.Cli.Pieces;
-using Msisf.Cli.Run;
 
 namespace Msisf.Cli.Commands;
 

@@ -1,8 +1,8 @@
 using System.CommandLine;
 using Msisf.Adapters.Manifest;
+using Msisf.App.Host;
+using Msisf.App.Series;
 using Msisf.Cli.Options;
-using Msisf.Cli.Run;
-using Msisf.Cli.Sets;
 
 namespace Msisf.Cli.Commands;
 

@@ -1,7 +1,7 @@
 using System.CommandLine;
+using Msisf.App.Host;
 using Msisf.Cli.Options;
 using Msisf.Cli.Options.Config;
-using Msisf.Cli.Run;
 
 namespace Msisf.Cli.Commands;
 

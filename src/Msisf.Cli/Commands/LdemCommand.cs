@@ -2,9 +2,9 @@ using System.CommandLine;
 using System.Globalization;
 using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
+using Msisf.App.Host;
+using Msisf.App.Settings;
 using Msisf.Cli.Options;
-using Msisf.Cli.Progress;
-using Msisf.Cli.Run;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
@@ -53,7 +53,7 @@ internal static class LdemCommand
                     Base = continued,
                     Region = line.GetValue(region) is string text ? Region(text) : MoonRegion.WholeMoon,
                 };
-                using IRunProgress progress = RunProgress.Start("Synthesis", FractionProgress.Steps, line.GetValue(batch), host.Log, host.Clock);
+                using IRunProgress progress = host.Progress.Start("Synthesis", FractionProgress.Steps, line.GetValue(batch));
                 string label = SyntheticLdemWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation);
                 host.Results.WriteLine(label);
                 return 0;

@@ -3,9 +3,9 @@ using Msisf.Adapters.IO;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
+using Msisf.App.Host;
+using Msisf.App.Series;
 using Msisf.Cli.Options;
-using Msisf.Cli.Run;
-using Msisf.Cli.Sets;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Commands;
@@ -38,7 +38,7 @@ internal static class MergeCommand
             {
                 return await Task.Run(() => MergeAsync(path, line.GetValue(sheet), rate, host, cancellation), cancellation).ConfigureAwait(false);
             }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            catch (Exception exception) when (exception.IsFileError())
             {
                 throw new ExternalPartException($"{path}: can't be written: {exception.Message}", exception);
             }

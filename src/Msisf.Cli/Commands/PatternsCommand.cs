@@ -1,8 +1,11 @@
 using System.CommandLine;
 using Msisf.Adapters.Tiles;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Rendering;
+using Msisf.App.Settings;
 using Msisf.Cli.Options;
-using Msisf.Cli.Progress;
-using Msisf.Cli.Run;
+using Msisf.Cli.Pieces;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Commands;
@@ -73,7 +76,7 @@ internal sealed class PatternsCommand
             ? OptionText.FilePath(_source.PatternRepository, folder)
             : SourceSettings.DefaultRepository;
         using PatternRepository repository = new(root);
-        using IRunProgress progress = RunProgress.Start("Patterns", TileId.Count, line.GetValue(_batch), _host.Log, _host.Clock);
+        using IRunProgress progress = _host.Progress.Start("Patterns", TileId.Count, line.GetValue(_batch));
         PatternSet made = repository.EnsurePatterns(
             TileId.All, grid.Grid, options, Environment.ProcessorCount, new StepProgress(progress), cancellation);
         _host.Log.Note($"{made.Written} of {made.Paths.Count} patterns made, the others were there.");

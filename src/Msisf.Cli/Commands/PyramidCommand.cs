@@ -1,9 +1,10 @@
 using System.CommandLine;
 using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
 using Msisf.Cli.Options;
-using Msisf.Cli.Progress;
-using Msisf.Cli.Run;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Commands;
@@ -71,7 +72,7 @@ internal static class PyramidCommand
             host.Log.Note($"The folder of {places.Beside} can't be written to; the pyramid goes to {path}.");
         }
 
-        using IRunProgress progress = RunProgress.Start("Pyramid", FractionProgress.Steps, unattended, host.Log, host.Clock);
+        using IRunProgress progress = host.Progress.Start("Pyramid", FractionProgress.Steps, unattended);
         PyramidWriter.Write(image, path, Environment.ProcessorCount, new FractionProgress(progress, "pyramid"), cancellation);
         return path;
     }

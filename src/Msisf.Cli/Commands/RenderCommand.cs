@@ -1,7 +1,10 @@
 using System.CommandLine;
 using System.CommandLine.Help;
+using Msisf.App.Host;
+using Msisf.App.Rendering;
+using Msisf.App.Settings;
 using Msisf.Cli.Options;
-using Msisf.Cli.Run;
+using Msisf.Cli.Pieces;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Commands;

@@ -2,9 +2,11 @@ using System.CommandLine;
 using System.Globalization;
 using Msisf.Adapters.Cluster;
 using Msisf.Adapters.Programs;
+using Msisf.App.Cluster;
+using Msisf.App.Host;
+using Msisf.App.Settings;
 using Msisf.Cli.Options;
 using Msisf.Cli.Pieces;
-using Msisf.Cli.Run;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Commands;

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Msisf.App.Settings;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Options;
@@ -10,10 +11,7 @@ internal sealed class CutOptions
 
     public Option<string?> FramesPerPiece { get; } = OptionFactory.Value("--frames-per-piece", [], "N", "Cut the run into pieces of so many frames");
 
-    public Option<bool> Balance { get; } = OptionFactory.Flag(
-        "--balance", [], "With --pieces: cut by what the frames are estimated to cost, not by their count");
-
-    public IEnumerable<Option> All => [Pieces, FramesPerPiece, Balance];
+    public IEnumerable<Option> All => [Pieces, FramesPerPiece];
 
     /// <summary>Reads and checks them.</summary>
     /// <exception cref="MsisfException">None of the two numbers, both, or one that is none.</exception>
@@ -28,14 +26,8 @@ internal sealed class CutOptions
                 : "--pieces and --frames-per-piece exclude each other. Give one of them.");
         }
 
-        if (frames is not null && line.GetValue(Balance))
-        {
-            throw new UsageException("--balance goes with --pieces: pieces of one cost have different numbers of frames. Give --pieces in place of --frames-per-piece.");
-        }
-
         return new CutSettings(
             pieces is null ? null : OptionText.WholeNumber(Pieces, pieces, 1, int.MaxValue),
-            frames is null ? null : OptionText.WholeNumber(FramesPerPiece, frames, 1, int.MaxValue),
-            line.GetValue(Balance));
+            frames is null ? null : OptionText.WholeNumber(FramesPerPiece, frames, 1, int.MaxValue));
     }
 }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Msisf.App.Settings;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Options;

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using Msisf.Adapters.Input;
+using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 using Msisf.Core.Render;

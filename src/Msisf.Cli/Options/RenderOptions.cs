@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Msisf.App.Settings;
 
 namespace Msisf.Cli.Options;
 

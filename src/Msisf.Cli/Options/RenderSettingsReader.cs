@@ -1,7 +1,8 @@
 using System.CommandLine;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Render;
-using Msisf.Cli.Run;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
@@ -45,7 +46,7 @@ internal sealed class RenderSettingsReader
             GridHorizontal = WholeNumber(image.GridHorizontal, grid, int.MaxValue),
             GridVertical = WholeNumber(image.GridVertical, grid, int.MaxValue),
             Surface = surface,
-            PixelsPerDegree = SourceSettings.Resolution(_line, source),
+            PixelsPerDegree = source.ReadResolution(_line),
             Renderer = native.Renderer(),
             Native = native.Read(needsTruth: surface == PixelSurface.Terrain),
             LevelOfDetailError = LevelOfDetailError(image, native.Renderer()),

@@ -1,4 +1,5 @@
 using System.CommandLine.Parsing;
+using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Options;
 
@@ -28,7 +29,7 @@ internal static class ResponseFile
             };
             return error is null;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)
+        catch (Exception exception) when (exception.IsFileError() || exception is ArgumentException)
         {
             error = $"@{path}: the file of arguments can't be read: {exception.Message}";
             return false;

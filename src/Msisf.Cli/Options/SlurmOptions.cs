@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
 using System.Text.RegularExpressions;
+using Msisf.App.Settings;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Options;

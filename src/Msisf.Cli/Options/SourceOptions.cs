@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Msisf.App.Settings;
 
 namespace Msisf.Cli.Options;
 
@@ -15,4 +16,8 @@ internal sealed class SourceOptions
         "--pattern-repos", ["-p"], "PATH", "Folder of the surface patterns (default ./pattern-repository/)");
 
     public IEnumerable<Option> All => [Resolution, Ldem, PatternRepository];
+
+    /// <summary>Resolution of the elevation model, px/deg.</summary>
+    public int ReadResolution(ParseResult line) =>
+        line.GetValue(Resolution) is string text ? OptionText.WholeNumber(Resolution, text, 1, SourceSettings.FinestResolution) : 4;
 }

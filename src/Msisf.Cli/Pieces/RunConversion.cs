@@ -1,9 +1,12 @@
 using System.CommandLine;
 using System.Text;
-using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Input;
+using Msisf.App.Cluster;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
 using Msisf.Cli.Options;
-using Msisf.Cli.Run;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
@@ -52,22 +55,17 @@ internal sealed class RunConversion
             NeedsPatterns = run.Settings.Renderer == RendererKind.PovRay,
             PatternArguments = arguments.OfPatterns(batchFile, run.Engine),
             OutputFolder = run.Settings.OutputFolder,
-            Pieces = Cut(run, cut, cancellation),
+            Pieces = Cut(run, cut),
         };
         string text = slurm is null ? ScriptText.Of(format, script) : ScriptText.Slurm(script, slurm);
         Write(script, text, statesFile, run.States, hasLogs: slurm is not null);
         return new ConvertedRun(path, statesFile, run.Settings.OutputFolder, run.Frames.Count, script.Pieces.Count);
     }
 
-    private static IReadOnlyList<StepRanges> Cut(PlannedRun run, CutSettings cut, CancellationToken cancellation)
+    private static IReadOnlyList<StepRanges> Cut(PlannedRun run, CutSettings cut)
     {
         int[] steps = [.. run.Frames.Select(frame => frame.Step)];
-        return cut switch
-        {
-            { FramesPerPiece: int size } => RunCutter.BySize(steps, size),
-            { IsBalanced: true } => RunCutter.ByCost(steps, CostSurvey.Of(run, cancellation), cut.Pieces!.Value),
-            _ => RunCutter.ByCount(steps, cut.Pieces!.Value),
-        };
+        return cut.FramesPerPiece is int size ? RunCutter.BySize(steps, size) : RunCutter.ByCount(steps, cut.Pieces!.Value);
     }
 
     private static string CallOf(ParseResult line)
@@ -92,7 +90,7 @@ internal sealed class RunConversion
 
     private static void Write(PieceScript script, string text, string? statesFile, IReadOnlyList<SpacecraftState> states, bool hasLogs)
     {
-        try
+        FileErrors.ToExternalPart($"{script.Path}: the script can't be written there", () =>
         {
             Directory.CreateDirectory(Path.GetDirectoryName(script.Path)!);
             if (hasLogs)
@@ -102,11 +100,7 @@ internal sealed class RunConversion
 
             // It counts the pieces of the script before: GNU parallel would leave out others.
             File.Delete($"{script.Path}.joblog");
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"{script.Path}: the script can't be written there: {exception.Message}", exception);
-        }
+        });
 
         if (statesFile is not null)
         {

@@ -1,6 +1,9 @@
 using System.CommandLine;
+using Msisf.App.Cluster;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
 using Msisf.Cli.Options;
-using Msisf.Cli.Run;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;

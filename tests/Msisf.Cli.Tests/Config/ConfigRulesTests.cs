@@ -5,10 +5,10 @@ namespace Msisf.Cli.Tests.Config;
 
 public sealed class ConfigRulesTests
 {
-    /// <summary>What batchconvert and submit would refuse, were all of it on the command line.</summary>
+    /// <summary>What a command would refuse, were all of it on the command line.</summary>
     [Theory]
-    [InlineData("balance=true", "frames-per-piece=4", "")]
-    [InlineData("balance=true", "pieces=4", "balance")]
+    [InlineData("ldem=moon.lbl", "source=mysql", "")]
+    [InlineData("ldem=moon.lbl", "source=ldem", "ldem")]
     [InlineData("ignore-sun=true,aberration=lt", "", "ignore-sun")]
     [InlineData("ignore-sun=false,aberration=lt", "", "aberration,ignore-sun")]
     public void Applicable_SettingsThatExcludeEachOther_LeavesOneOut(string inFile, string onLine, string kept)

@@ -3,7 +3,8 @@ using System.Runtime.Versioning;
 using System.Text;
 using Msisf.Adapters.Input;
 using Msisf.Cli.Options;
-using Msisf.Cli.Run;
+using Msisf.Cli.Output;
+using Msisf.Cli.Pieces;
 using Msisf.Core.Scene;
 using Msisf.TestSupport;
 using Xunit;
@@ -95,7 +96,6 @@ public sealed class BatchConvertTests : IDisposable
     [InlineData("", 1, "--format")]
     [InlineData($"--format sh {Fixed}", 1, "nothing says how the run is cut")]
     [InlineData($"--format sh --pieces 2 --frames-per-piece 3 {Fixed}", 1, "--pieces and --frames-per-piece exclude each other")]
-    [InlineData($"--format sh --balance --frames-per-piece 3 {Fixed}", 1, "--balance goes with --pieces")]
     [InlineData($"--format sh --pieces 0 {Fixed}", 2, "--pieces is '0'")]
     [InlineData($"--format sh --frames-per-piece x {Fixed}", 2, "--frames-per-piece is 'x'")]
     [InlineData($"--format pbs --pieces 2 {Fixed}", 2, "--format is 'pbs'; one of sh, bat, parallel, slurm is needed")]
@@ -152,7 +152,7 @@ public sealed class BatchConvertTests : IDisposable
         }
 
         ParseResult line = command.Parse(mode);
-        StateSource source = new(options, line, () => throw new InvalidOperationException("no ephemeris is needed"), () => TextReader.Null, new Log(TextWriter.Null));
+        StateSource source = new(options, line, () => throw new InvalidOperationException("no ephemeris is needed"), () => TextReader.Null, new ConsoleLog(TextWriter.Null));
         return source.Read(ModeRules.Check(options, option => line.GetResult(option) is { Implicit: false })!.Value, CancellationToken.None);
     }
 }

@@ -1,7 +1,8 @@
 using System.Runtime.Versioning;
 using Msisf.Adapters.Cluster;
-using Msisf.Cli.Pieces;
-using Msisf.Cli.Run;
+using Msisf.App.Cluster;
+using Msisf.App.Host;
+using Msisf.Cli.Output;
 using Msisf.Core.Errors;
 using Msisf.TestSupport;
 using Xunit;
@@ -115,7 +116,7 @@ public sealed class SubmitTests : IDisposable
 
     private Task<int> Follow(string bin, TextWriter log, CancellationToken cancellation)
     {
-        ProgramHost host = new(TextWriter.Null, log, () => TextReader.Null, TimeProvider.System, _ => null);
+        ProgramHost host = ConsoleHost.Create(TextWriter.Null, log, () => TextReader.Null, TimeProvider.System, _ => null);
         SlurmWatch watch = new(Submitted, new SlurmProgram($"{bin}:/usr/bin:/bin"), host, TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(100));
         return watch.FollowAsync(cancellation);
     }
@@ -126,7 +127,7 @@ public sealed class SubmitTests : IDisposable
     {
         using StringWriter output = new();
         using StringWriter error = new();
-        ProgramHost host = new(output, error, () => TextReader.Null, TimeProvider.System, name => name == "PATH" ? path : null);
+        ProgramHost host = ConsoleHost.Create(output, error, () => TextReader.Null, TimeProvider.System, name => name == "PATH" ? path : null);
         int code = CommandLineProgram.RunAsync(arguments, host).GetAwaiter().GetResult();
         return (code, output.ToString(), error.ToString());
     }

@@ -1,4 +1,5 @@
-using Msisf.Cli.Run;
+using Msisf.App.Host;
+using Msisf.Cli.Output;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -145,7 +146,7 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
             "--fixed-state", State, "--width", "16", "--height", "16",
             "--pov-path", StandIn($"echo $$ > '{marker}.new'; mv '{marker}.new' '{marker}'; sleep 600"), .. _fixture.Common(_folder["out"]),
         ];
-        ProgramHost host = new(TextWriter.Null, error, () => TextReader.Null, TimeProvider.System, Environment.GetEnvironmentVariable);
+        ProgramHost host = ConsoleHost.Create(TextWriter.Null, error, () => TextReader.Null, TimeProvider.System, Environment.GetEnvironmentVariable);
         using FileSystemWatcher watcher = new(_folder.Path) { EnableRaisingEvents = true };
         watcher.Renamed += (_, change) =>
         {

@@ -1,6 +1,7 @@
 using System.Diagnostics;
+using Msisf.App.Host;
 using Msisf.Cli;
-using Msisf.Cli.Run;
+using Msisf.Cli.Output;
 
 namespace Msisf.Stress.Fuzz;
 
@@ -26,7 +27,7 @@ internal static class FuzzRunner
             "PATH" => null,
             _ => Environment.GetEnvironmentVariable(name),
         };
-        ProgramHost host = new(
+        ProgramHost host = ConsoleHost.Create(
             TextWriter.Synchronized(output), error, () => new StringReader(fuzzCase.StandardInput), TimeProvider.System, Variable);
         CancellationTokenSource patience = new(LongestWork);
         long start = Stopwatch.GetTimestamp();

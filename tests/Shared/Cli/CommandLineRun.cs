@@ -1,5 +1,6 @@
+using Msisf.App.Host;
 using Msisf.Cli;
-using Msisf.Cli.Run;
+using Msisf.Cli.Output;
 
 namespace Msisf.TestSupport;
 
@@ -15,7 +16,7 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
         using StringWriter output = new();
         using StringWriter error = new();
         string? Variable(string name) => name == "XDG_CONFIG_HOME" ? configHome : Environment.GetEnvironmentVariable(name);
-        ProgramHost host = new(output, error, () => new StringReader(standardInput), TimeProvider.System, Variable);
+        ProgramHost host = ConsoleHost.Create(output, error, () => new StringReader(standardInput), TimeProvider.System, Variable);
         int exitCode = CommandLineProgram.RunAsync(arguments, host).GetAwaiter().GetResult();
         return new CommandLineRun(exitCode, output.ToString(), error.ToString());
     }

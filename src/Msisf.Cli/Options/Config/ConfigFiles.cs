@@ -1,5 +1,5 @@
 using Msisf.Adapters.Input;
-using Msisf.Cli.Run;
+using Msisf.App.Host;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Options.Config;
@@ -63,15 +63,11 @@ internal sealed class ConfigFiles
                 : $"--config {path}: there is no such file.");
         }
 
-        try
+        return FileErrors.ToBadInput($"{path}: the configuration file can't be read", () =>
         {
             using FileStream stream = File.OpenRead(path);
             return ConfigFileReader.Read(stream, path);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new BadInputException($"{path}: the configuration file can't be read: {exception.Message}", exception);
-        }
+        });
     }
 
     /// <summary>A path as the file has it: "~/" is the user's home, and what is relative begins at the file's folder.</summary>

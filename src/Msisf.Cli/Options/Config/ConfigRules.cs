@@ -32,7 +32,6 @@ internal sealed class ConfigRules
         rules.KeepOneOf("lod", "off", "lod-error");
         rules.KeepOneOf("ignore-sun", "true", "aberration");
         rules.KeepOneOf("source", "mysql", "ldem");
-        rules.KeepOneOf("frames-per-piece", null, "balance");
         if (rules.Effective("source") != "mysql")
         {
             rules._values.Remove("defaults-file");
@@ -55,10 +54,10 @@ internal sealed class ConfigRules
         }
     }
 
-    /// <summary>Of two that exclude each other, where the first has a certain value or any, leaves out what comes from farther away; the second if both stand together.</summary>
-    private void KeepOneOf(string first, string? firstValue, string second)
+    /// <summary>Of two that exclude each other, where the first has a certain value, leaves out what comes from farther away; the second if both stand together.</summary>
+    private void KeepOneOf(string first, string firstValue, string second)
     {
-        if (Effective(first) is { } value && value == (firstValue ?? value) && Effective(second) is not null)
+        if (Effective(first) == firstValue && Effective(second) is not null)
         {
             _values.Remove(RankOf(first) > RankOf(second) ? first : second);
         }

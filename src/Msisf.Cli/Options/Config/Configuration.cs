@@ -2,7 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Help;
 using System.CommandLine.Parsing;
 using System.Text.RegularExpressions;
-using Msisf.Cli.Run;
+using Msisf.App.Host;
 
 namespace Msisf.Cli.Options.Config;
 

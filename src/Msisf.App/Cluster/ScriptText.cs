@@ -1,0 +1,109 @@
+using System.Globalization;
+using Msisf.Adapters.Manifest;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Cluster;
+
+/// <summary>The text of a script that runs the pieces.</summary>
+internal static class ScriptText
+{
+    /// <summary>Pieces of an array: a cluster's MaxArraySize is 1001 unless its administrator chose otherwise, which makes 1000 the maximum index.</summary>
+    private const int MaxSlurmPieces = 1000;
+
+    /// <summary>The whole script.</summary>
+    /// <param name="format">For whom; <see cref="ScriptFormat.Slurm"/> has <see cref="Slurm"/>.</param>
+    /// <param name="script">What is in it.</param>
+    /// <exception cref="BadInputException">A name that a batch file can't hold.</exception>
+    public static string Of(ScriptFormat format, PieceScript script) => format switch
+    {
+        ScriptFormat.Bat => Bat(script),
+        ScriptFormat.Parallel => ScriptTemplate.Fill("parallel.sh", new Dictionary<string, string>(CommonValues(script), StringComparer.Ordinal)
+        {
+            ["JOBS"] = script.HasJobs ? string.Empty : "--jobs \"$MSISF_JOBS\"",
+        }),
+        _ => ScriptTemplate.Fill("sh.sh", CommonValues(script)),
+    };
+
+    /// <summary>The script for Slurm.</summary>
+    /// <param name="script">What is in it.</param>
+    /// <param name="slurm">What Slurm is asked for.</param>
+    /// <exception cref="BadInputException">More pieces than an array may have, or a path that sbatch does not take.</exception>
+    public static string Slurm(PieceScript script, SlurmSettings slurm)
+    {
+        if (script.Pieces.Count > MaxSlurmPieces)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{script.Pieces.Count} pieces; a Slurm array has {MaxSlurmPieces} at most on a cluster with the usual MaxArraySize. Use --pieces {MaxSlurmPieces}: a piece may have any number of frames."));
+        }
+
+        if (script.Path.Contains('\\') || script.Path.Any(char.IsControl))
+        {
+            throw new BadInputException($"--script {script.Path.ReplaceLineEndings(" ")}: sbatch can't keep its logs in a folder with a backslash or a control character in its path. Choose another one.");
+        }
+
+        string logs = $"{script.Path}.logs".Replace("%", "%%", StringComparison.Ordinal);
+        return ScriptTemplate.Fill("slurm.sh", new Dictionary<string, string>(CommonValues(script), StringComparer.Ordinal)
+        {
+            ["SBATCH_LINES"] = string.Join('\n', SbatchOptions(script, slurm, logs).Select(option => $"#SBATCH --{option}")),
+            ["SCRIPT"] = PosixWord.Of(script.Path),
+            ["LOGS"] = PosixWord.Of(logs),
+            ["RETRIES"] = Number(slurm.Retries),
+            ["CONCURRENCY"] = slurm.Concurrency is int most ? $"%{Number(most)}" : string.Empty,
+            ["JOBS"] = script.HasJobs ? string.Empty : "--jobs \"$SLURM_CPUS_PER_TASK\"",
+            ["NEEDS_PATTERNS"] = script.NeedsPatterns ? "yes" : "no",
+            ["PATTERN_ARGUMENTS"] = Words(script.PatternArguments),
+            ["MANIFEST"] = ManifestFile.Name,
+            ["MERGE_OPTIONS"] = Words(slurm.MergeOptions),
+        });
+    }
+
+    private static IEnumerable<string> SbatchOptions(PieceScript script, SlurmSettings slurm, string logs)
+    {
+        yield return $"job-name={SlurmJobName.Of(script.Path)}";
+        yield return $"output={PosixWord.Of($"{logs}/submit.log")}";
+        yield return "open-mode=append";
+        yield return "requeue";
+        yield return $"cpus-per-task={Number(slurm.CpusPerTask)}";
+        (string Name, string? Value)[] given =
+            [("mem", slurm.Memory), ("time", slurm.TimeLimit), ("partition", slurm.Partition), ("account", slurm.Account)];
+        foreach ((string name, string? value) in given)
+        {
+            if (value is not null)
+            {
+                yield return $"{name}={value}";
+            }
+        }
+
+        foreach (string option in slurm.MoreOptions)
+        {
+            yield return PosixWord.Of(option);
+        }
+    }
+
+    private static string Bat(PieceScript script) => ScriptTemplate.Fill("bat.bat", new Dictionary<string, string>(StringComparer.Ordinal)
+    {
+        ["HEAD"] = Head(script).Replace("%", "%%", StringComparison.Ordinal),
+        ["LAUNCHER"] = CmdWord.Inner(script.Launcher),
+        ["WORKING_FOLDER"] = CmdWord.Of(script.WorkingFolder),
+        ["ARGUMENTS"] = string.Join(' ', script.Arguments.Select(CmdWord.Of)),
+        ["PIECES"] = string.Join('\n', script.Pieces.Select(piece => $"call :piece \"{piece}\"")),
+    }).ReplaceLineEndings("\r\n");
+
+    private static Dictionary<string, string> CommonValues(PieceScript script) => new(StringComparer.Ordinal)
+    {
+        ["HEAD"] = Head(script),
+        ["LAUNCHER"] = PosixWord.Of(script.Launcher),
+        ["WORKING_FOLDER"] = PosixWord.Of(script.WorkingFolder),
+        ["ARGUMENTS"] = Words(script.Arguments),
+        ["OUTPUT_FOLDER"] = PosixWord.Of(script.OutputFolder),
+        ["PIECES"] = string.Join('\n', script.Pieces),
+    };
+
+    private static string Head(PieceScript script) => $"Made by msis {script.Version}: msis {script.Call}";
+
+    private static string Words(IEnumerable<string> words) => string.Join(' ', words.Select(PosixWord.Of));
+
+    private static string Number(int number) => number.ToString(CultureInfo.InvariantCulture);
+}

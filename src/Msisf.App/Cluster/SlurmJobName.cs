@@ -1,0 +1,13 @@
+using System.Security.Cryptography;
+using System.Text;
+
+namespace Msisf.App.Cluster;
+
+/// <summary>The name of a script's jobs: the same for all of them, and another for each script, so that squeue finds them.</summary>
+internal static class SlurmJobName
+{
+    /// <summary>"msis-" and eight digits of the path's checksum.</summary>
+    /// <param name="scriptPath">Full path.</param>
+    public static string Of(string scriptPath) =>
+        $"msis-{Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(scriptPath)))[..8]}";
+}

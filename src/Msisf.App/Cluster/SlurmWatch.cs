@@ -1,0 +1,112 @@
+using System.Globalization;
+using Msisf.Adapters.Cluster;
+using Msisf.Adapters.Programs;
+using Msisf.Adapters.Programs;
+using Msisf.Adapters.Manifest;
+using Msisf.App.Host;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Cluster;
+
+/// <summary>
+/// Follows submitted jobs to their end. What is done stands in the manifest, and how it ended in the script's result file; Slurm is only asked
+/// whether there are jobs at all, and may be away.
+/// </summary>
+internal sealed class SlurmWatch
+{
+    private readonly ConvertedRun _run;
+    private readonly SlurmProgram _slurm;
+    private readonly ProgramHost _host;
+    private readonly TimeSpan _pause;
+    private readonly TimeSpan _patience;
+    private int _lastDone = -1;
+
+    /// <summary>Takes the jobs.</summary>
+    /// <param name="run">The script, submitted.</param>
+    /// <param name="slurm">Slurm's commands.</param>
+    /// <param name="host">The world.</param>
+    /// <param name="pause">Between two looks.</param>
+    /// <param name="patience">So long may all jobs be gone before the result is there: files of other nodes are seen late.</param>
+    public SlurmWatch(ConvertedRun run, SlurmProgram slurm, ProgramHost host, TimeSpan pause, TimeSpan patience) =>
+        (_run, _slurm, _host, _pause, _patience) = (run, slurm, host, pause, patience);
+
+    /// <summary>Tells the progress until the end.</summary>
+    /// <returns>The exit code of the whole.</returns>
+    /// <exception cref="ExternalPartException">All jobs are gone, and none said how it ended.</exception>
+    public async Task<int> FollowAsync(CancellationToken cancellation)
+    {
+        try
+        {
+            return await FollowToTheEndAsync(cancellation).ConfigureAwait(false);
+        }
+        catch (OperationCanceledException)
+        {
+            _host.Log.Note(
+                $"no longer followed; the jobs go on. msis status {PosixWord.Of(_run.OutputFolder)} says how far they are, scancel --name={SlurmJobName.Of(_run.Script)} ends them.");
+            throw;
+        }
+    }
+
+    private static int CountDone(ManifestReader manifest)
+    {
+        manifest.Refresh();
+        ManifestContent content = manifest.Content;
+        return content.Expected.Values.Count(expected =>
+            expected.Run == content.LastRun && content.Frames.TryGetValue(expected.Name, out FrameRecord? made) && made.Frame == expected.Frame);
+    }
+
+    private async Task<int> FollowToTheEndAsync(CancellationToken cancellation)
+    {
+        using ManifestReader manifest = new(new ManifestFile(_run.OutputFolder));
+        long start = _host.Clock.GetTimestamp();
+        long lastSeen = start;
+        int before = CountDone(manifest);
+        while (true)
+        {
+            if (Result() is int code)
+            {
+                return code;
+            }
+
+            Tell(CountDone(manifest), before, _host.Clock.GetElapsedTime(start));
+            ProcessResult jobs = await _slurm.CallAsync("squeue", ["--noheader", $"--name={SlurmJobName.Of(_run.Script)}", "--format=%i"], cancellation).ConfigureAwait(false);
+            if (jobs.ExitCode != 0 || !string.IsNullOrWhiteSpace(jobs.Output))
+            {
+                lastSeen = _host.Clock.GetTimestamp();
+            }
+            else if (_host.Clock.GetElapsedTime(lastSeen) > _patience && Result() is null)
+            {
+                throw new ExternalPartException($"all jobs are gone, and none said how it ended; their logs are in {_run.Script}.logs. Run the same call again: it makes what is missing.");
+            }
+
+            await Task.Delay(_pause, _host.Clock, cancellation).ConfigureAwait(false);
+        }
+    }
+
+    private void Tell(int done, int before, TimeSpan time)
+    {
+        if (done == _lastDone)
+        {
+            return;
+        }
+
+        _lastDone = done;
+        double rate = (done - before) / time.TotalSeconds;
+        string left = rate > 0.0
+            ? string.Create(CultureInfo.InvariantCulture, $", {rate:0.##} a second, {TimeSpan.FromSeconds(Math.Round((_run.FrameCount - done) / rate)):c} left")
+            : string.Empty;
+        _host.Log.Note(string.Create(CultureInfo.InvariantCulture, $"{done} of {_run.FrameCount} frames{left}"));
+    }
+
+    private int? Result()
+    {
+        try
+        {
+            return int.TryParse(File.ReadAllText($"{_run.Script}.result").Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out int code) ? code : null;
+        }
+        catch (Exception exception) when (exception.IsFileError())
+        {
+            return null; // not there yet
+        }
+    }
+}

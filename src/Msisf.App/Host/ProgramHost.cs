@@ -1,0 +1,41 @@
+using System.Reflection;
+using Msisf.Adapters.IO;
+
+namespace Msisf.App.Host;
+
+/// <summary>What the application needs of the world: where results and messages go, clock, environment, the program's own files. Tests bring their own.</summary>
+internal sealed class ProgramHost
+{
+    private readonly Lazy<Installation> _installation = new(() => Installation.Above(AppContext.BaseDirectory));
+    private readonly Func<string, string?> _environment;
+
+    /// <param name="clock">The time.</param>
+    /// <param name="environment">The variables of the environment.</param>
+    public ProgramHost(TimeProvider clock, Func<string, string?> environment)
+    {
+        _environment = environment;
+        Clock = clock;
+        Times = new RunTimes(clock);
+    }
+
+    public required TextWriter Results { get; init; }
+
+    public required ILog Log { get; init; }
+
+    public required IProgressDisplay Progress { get; init; }
+
+    public required Func<TextReader> StandardInput { get; init; }
+
+    public TimeProvider Clock { get; }
+
+    public RunTimes Times { get; }
+
+    /// <summary>Version of the program, e.g. "1.0.0".</summary>
+    public string Version { get; } =
+        typeof(ProgramHost).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
+
+    public Installation Installation => _installation.Value;
+
+    /// <summary>A variable of the environment; null if it is not set or empty.</summary>
+    public string? Environment(string name) => _environment(name) is { Length: > 0 } value ? value : null;
+}

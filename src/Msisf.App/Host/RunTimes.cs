@@ -1,0 +1,57 @@
+using System.Diagnostics;
+
+namespace Msisf.App.Host;
+
+/// <summary>Where a run's time went, in s, summed over its frames; frames that run side by side add up. Safe for several threads.</summary>
+internal sealed class RunTimes
+{
+    private readonly Lock _gate = new();
+    private readonly double[] _seconds = new double[Enum.GetValues<Phase>().Length];
+    private readonly long _start = Stopwatch.GetTimestamp();
+
+    public RunTimes(TimeProvider clock)
+    {
+        using Process process = Process.GetCurrentProcess();
+        double sinceStart = (clock.GetUtcNow().UtcDateTime - process.StartTime.ToUniversalTime()).TotalSeconds;
+        Add(Phase.StartUp, Math.Max(0.0, sinceStart));
+    }
+
+    public void Add(Phase phase, double seconds)
+    {
+        lock (_gate)
+        {
+            _seconds[(int)phase] += seconds;
+        }
+    }
+
+    public T Measure<T>(Phase phase, Func<T> work)
+    {
+        long start = Stopwatch.GetTimestamp();
+        try
+        {
+            return work();
+        }
+        finally
+        {
+            Add(phase, Stopwatch.GetElapsedTime(start).TotalSeconds);
+        }
+    }
+
+    public void Measure(Phase phase, Action work) => Measure(phase, () =>
+    {
+        work();
+        return true;
+    });
+
+    /// <summary>Time of a part so far, s.</summary>
+    public double SecondsOf(Phase phase)
+    {
+        lock (_gate)
+        {
+            return _seconds[(int)phase];
+        }
+    }
+
+    /// <summary>Time since the process began, s.</summary>
+    public double TotalSeconds => SecondsOf(Phase.StartUp) + Stopwatch.GetElapsedTime(_start).TotalSeconds;
+}

@@ -1,0 +1,123 @@
+using System.Collections.Concurrent;
+using Msisf.Adapters.Lod;
+using Msisf.Adapters.Terrain;
+using Msisf.App.Host;
+using Msisf.Core.Camera;
+using Msisf.Core.Lod;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
+using Msisf.Core.Tracing;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>The elevation model of a run, with what is derived from it once. Safe for several threads.</summary>
+internal sealed class ElevationModel : IDisposable
+{
+    /// <summary>px/deg: up to here reading the whole model for its summary takes less time than an image; a finer one keeps it in a file.</summary>
+    private const int FinestSummarisedEachRun = 16;
+
+    private readonly LdemImage _image;
+    private readonly Lazy<ElevationSummary> _summary;
+    private readonly Lazy<TerrainTracer> _tracer;
+    private readonly Lazy<ModelLevels> _levels;
+    private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
+
+    private ElevationModel(LdemImage image, Func<ElevationSummary> summarise, Func<ModelLevels> openLevels)
+    {
+        _image = image;
+        _summary = new Lazy<ElevationSummary>(summarise);
+        _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(image));
+        _levels = new Lazy<ModelLevels>(openLevels);
+    }
+
+    public IElevationGrid Grid => _image;
+
+    /// <summary>Tells this model from others, the same on every computer.</summary>
+    public LdemFingerprint Fingerprint() => LdemFingerprint.Of(_image.Set);
+
+    /// <summary>Traces single rays; made when it is first needed.</summary>
+    public ITerrainTracer Tracer => _tracer.Value;
+
+    /// <summary>The model and its coarser levels; opened when they are first needed.</summary>
+    public LodLevels Levels => _levels.Value.Levels;
+
+    /// <summary>Finds and opens the model of a resolution.</summary>
+    /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
+    /// <param name="pixelsPerDegree">The resolution.</param>
+    /// <param name="isSparing">Take little memory rather than little time: POV-Ray, which is waited for anyway, needs much.</param>
+    /// <param name="host">Where the installation is, and where notes go.</param>
+    public static ElevationModel Open(string? explicitPath, int pixelsPerDegree, bool isSparing, ProgramHost host)
+    {
+        LdemImage image = LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)));
+        host.Log.Note(image.Set.IsSynthetic
+            ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
+            : $"Elevation: {image.ProductId} ({image.Set.Description}).");
+        return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, isSparing, host));
+    }
+
+    /// <summary>Where models are looked for if none is named, first choice first.</summary>
+    public static string[] Folders(ProgramHost host) =>
+        [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
+
+    private static ElevationSummary Summarise(LdemImage image, ILog log)
+    {
+        if (image.PixelsPerDegree <= FinestSummarisedEachRun)
+        {
+            return ElevationSummary.Build(image);
+        }
+
+        (ElevationSummary summary, string? warning) = ElevationSummaryFile.LoadOrBuild(
+            image.Set.FileBeside(".summary"), SummarySource.Of(image.Set), image);
+        if (warning is not null)
+        {
+            log.Warning(warning);
+        }
+
+        return summary;
+    }
+
+    private static ModelLevels OpenLevels(LdemImage image, bool isSparing, ProgramHost host)
+    {
+        ModelLevels levels = ModelLevels.Open(
+            image,
+            CacheFolder.Of(host),
+            samplesBetweenReleases: isSparing ? LodLevels.SparingSamplesBetweenReleases : LodLevels.DefaultSamplesBetweenReleases);
+        if (levels.Warning is not null)
+        {
+            host.Log.Warning(levels.Warning);
+        }
+
+        return levels;
+    }
+
+    /// <summary>The tiles that a frame needs, and why. The first call summarises the model.</summary>
+    public TileSelection Select(Frame frame) =>
+        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary.Value);
+
+    /// <summary>The pieces of surface that a frame needs.</summary>
+    /// <param name="frame">The frame.</param>
+    /// <param name="errorPixels">So far may levels of detail move what is seen; null for the tiles' whole patterns and no levels.</param>
+    /// <param name="rows">The rows of the image that matter; null for all.</param>
+    public IReadOnlyList<SurfacePart> SelectParts(Frame frame, double? errorPixels, PixelRows? rows = null) => errorPixels is double error
+        ? _selectors.GetOrAdd(error, NewSelector).Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, rows).Parts
+        : [.. Select(frame).Kept.Select(choice => SurfacePart.Whole(choice.Tile))];
+
+    private PartSelector NewSelector(double errorPixels) => new(Levels, _summary.Value, errorPixels);
+
+    /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
+    public double DepthBelowGround(Vector3D positionMoonMe) =>
+        positionMoonMe.Length > _image.RadiusLimits.Max ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
+
+    public void Dispose()
+    {
+        if (_levels.IsValueCreated)
+        {
+            _levels.Value.Dispose();
+        }
+
+        _image.Dispose();
+    }
+}

@@ -1,0 +1,38 @@
+using Msisf.Adapters.Ephemeris;
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.Core.Ephemeris;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>The ephemeris engine of a run.</summary>
+internal sealed class EphemerisSource : IDisposable
+{
+    private readonly RenderSettings _settings;
+    private readonly ProgramHost _host;
+
+    public EphemerisSource(RenderSettings settings, ProgramHost host) => (_settings, _host) = (settings, host);
+
+    private string[] KernelNames => [_settings.Kernels ?? _host.Installation.MetaKernel];
+
+    /// <summary>What was opened; null if it was not needed yet.</summary>
+    public OpenedEphemeris? Opened { get; private set; }
+
+    /// <summary>The engine, opened when it is first needed.</summary>
+    public IEphemeris Engine()
+    {
+        if (Opened is null)
+        {
+            Opened = EphemerisFactory.Open(new EphemerisRequest(
+                _settings.Ephemeris, KernelNames, _host.Installation.Root, _host.Environment("MSISF_CSPICE")));
+            _host.Log.Note(Opened.Notice);
+        }
+
+        return Opened.Engine;
+    }
+
+    /// <summary>The kernels that the engine reads, in load order; nothing is opened for it.</summary>
+    public IReadOnlyList<string> KernelFiles() => KernelList.Expand(KernelNames);
+
+    public void Dispose() => Opened?.Dispose();
+}

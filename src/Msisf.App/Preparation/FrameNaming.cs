@@ -1,0 +1,78 @@
+using System.Globalization;
+using System.Text;
+using System.Text.RegularExpressions;
+using Msisf.Core.Errors;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>The file names of a run's frames, from a pattern such as "orbit_{step:00000}_{mjd:0.000000}".</summary>
+internal sealed partial class FrameNaming
+{
+    /// <summary>The thesis's names.</summary>
+    public const string DefaultPattern = "MoonSurfIllumSim_step_{step:00000}";
+
+    /// <summary>The longest file name that common file systems hold is 255 bytes; this leaves room for ".annotated.png" and temporary names.</summary>
+    private const int LongestName = 180;
+
+    private readonly string _pattern;
+
+    /// <summary>Checks a pattern.</summary>
+    /// <exception cref="BadInputException">It has a folder in it, an unknown or unclosed field, or a format that is none.</exception>
+    public FrameNaming(string pattern)
+    {
+        _pattern = pattern;
+        string literal = Field().Replace(pattern, string.Empty);
+        if (literal.Contains('{') || literal.Contains('}'))
+        {
+            throw new BadInputException($"--output-name {pattern}: a field is {{step}} or {{mjd}}, if need be with a number format, e.g. {{step:00000}}.");
+        }
+
+        if (pattern.Contains('/') || pattern.Contains('\\') || pattern.Any(char.IsControl) || pattern.Trim().Length == 0 || pattern[0] == '.')
+        {
+            throw new BadInputException($"--output-name '{pattern}': a file name is needed, without folders; the folder is given by --output-dir.");
+        }
+
+        NameOf(1, default);
+    }
+
+    /// <summary>The name, without extension, of one frame.</summary>
+    /// <param name="step">From 1.</param>
+    /// <param name="time">UTC.</param>
+    public string NameOf(int step, ModifiedJulianDate time)
+    {
+        string name = Field().Replace(_pattern, field =>
+        {
+            string? format = field.Groups["format"].Success ? field.Groups["format"].Value : null;
+            return field.Groups["name"].Value == "step"
+                ? step.ToString(format, CultureInfo.InvariantCulture)
+                : time.Days.ToString(format ?? "R", CultureInfo.InvariantCulture);
+        });
+        int bytes = Encoding.UTF8.GetByteCount(name);
+        return bytes <= LongestName
+            ? name
+            : throw new BadInputException($"--output-name: the name {name[..Math.Min(40, name.Length)]}... has {bytes} bytes; at most {LongestName} are possible.");
+    }
+
+    /// <summary>The names of all frames.</summary>
+    /// <exception cref="BadInputException">Two frames would get one name.</exception>
+    public IReadOnlyList<string> NamesOf(IReadOnlyList<ModifiedJulianDate> times)
+    {
+        Dictionary<string, int> stepOfName = new(times.Count, StringComparer.OrdinalIgnoreCase);
+        string[] names = new string[times.Count];
+        for (int index = 0; index < names.Length; index++)
+        {
+            names[index] = NameOf(index + 1, times[index]);
+            if (!stepOfName.TryAdd(names[index], index + 1))
+            {
+                throw new BadInputException(
+                    $"--output-name {_pattern}: steps {stepOfName[names[index]]} and {index + 1} would both be written to {names[index]}. Add {{step:00000}} to the pattern.");
+            }
+        }
+
+        return names;
+    }
+
+    [GeneratedRegex(@"\{(?<name>step|mjd)(:(?<format>0+(\.0+)?))?\}")]
+    private static partial Regex Field();
+}

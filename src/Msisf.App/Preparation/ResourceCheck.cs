@@ -1,0 +1,113 @@
+using System.Globalization;
+using Msisf.App.Settings;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
+using Msisf.Core.Render;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>Refuses images that this computer can't hold, and runs that its disk can't, before any work is done.</summary>
+internal static class ResourceCheck
+{
+    /// <summary>POV-Ray 3.7 keeps an image of up to this size in memory and the rest of a larger one in a file (Max_Image_Buffer_Memory).</summary>
+    private const long PovRayImageBuffer = 128L << 20;
+
+    /// <summary>Bytes that POV-Ray 3.7 keeps for a pixel: five floats.</summary>
+    private const long PovRayBytesPerPixel = 20;
+
+    /// <summary>Bytes that the native renderer keeps for a pixel: what it shows, its light and radiance, receivers of shadows, facets at worst.</summary>
+    private const long NativeBytesPerPixel = 200;
+
+    /// <summary>Bytes of a pixel that a layer's planes hold while it is written: three numbers.</summary>
+    private const long LayerBytesPerPixel = 24;
+
+    /// <summary>Bytes of a pixel of all layers on disk.</summary>
+    private const long LayersBytesPerPixel = 160;
+
+    /// <summary>Bytes of a pixel of the annotated image: cairo's ARGB32, and the PNG beside it at worst.</summary>
+    private const long AnnotationBytesPerPixel = 8;
+
+    /// <summary>Bytes of a pixel on disk at worst: POV-Ray's buffer file, its PNG, and our copy.</summary>
+    private const long DiskBytesPerPixel = PovRayBytesPerPixel + 3 + 3;
+
+    /// <summary>Bytes of a grid point in the meta file: the text of one Pixel element on the reference sphere.</summary>
+    private const long MetaBytesPerPoint = 240;
+
+    /// <summary>The same on the terrain.</summary>
+    private const long TerrainMetaBytesPerPoint = 1000;
+
+    /// <summary>Bytes of a pixel that an image of the Moon has in its PNG: 0.12 to 0.31 in the README's, twice that with the annotated one.</summary>
+    private const double DefaultPngBytesPerPixel = 0.3;
+
+    /// <summary>How many frames to draw at once: as many as cores and memory allow, unless the user says otherwise.</summary>
+    /// <param name="settings">Of the run; <c>--jobs</c> is taken as it is.</param>
+    /// <param name="frames">Frames to make.</param>
+    /// <param name="cores">That may be used.</param>
+    /// <param name="memoryThere">Bytes of memory that can be used.</param>
+    public static int AtOnce(RenderSettings settings, int frames, int cores, long memoryThere)
+    {
+        long fitting = Math.Max(1, memoryThere / MemoryOfFrame(settings));
+        return (int)Math.Clamp(settings.Jobs ?? Math.Min(cores, fitting), 1, Math.Max(1, frames));
+    }
+
+    /// <summary>Checks the images that are made at once, and what the whole run leaves on disk. The meta file is streamed: it needs disk, but no memory.</summary>
+    /// <param name="settings">Size, grid and annotation of the images.</param>
+    /// <param name="frames">Frames to make.</param>
+    /// <param name="atOnce">Images made side by side.</param>
+    /// <param name="memoryThere">Bytes of memory that can be used.</param>
+    /// <param name="diskThere">Bytes that are free in the folder of the outputs.</param>
+    /// <exception cref="BadInputException">Memory or disk do not suffice.</exception>
+    public static void Check(RenderSettings settings, int frames, int atOnce, long memoryThere, long diskThere)
+    {
+        Refuse(settings, "memory", "Use a smaller --width and --height, or fewer --jobs.", atOnce * MemoryOfFrame(settings), memoryThere);
+        long pixels = Pixels(settings);
+        long layers = settings.Native.Layers is null ? 0 : LayersBytesPerPixel * pixels;
+        long others = layers + MetaBytes(settings);
+        Refuse(
+            settings,
+            $"free disk space in {settings.OutputFolder}",
+            "Use a smaller --width and --height, a wider --grid, or another --output-dir.",
+            atOnce * ((DiskBytesPerPixel * pixels) + others),
+            diskThere);
+        double images = DefaultPngBytesPerPixel * settings.Native.BitDepth / 8.0 * (settings.Annotate ? 2.0 : 1.0) * pixels;
+        long series = (long)(frames * (images + others));
+        if (frames > 1 && series > diskThere)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{frames} frames will take about {Size(series)} in {settings.OutputFolder}, {Size(diskThere)} are free. Make room, use another --output-dir, or make a part with --frames."));
+        }
+    }
+
+    private static long Pixels(RenderSettings settings) => (long)settings.Width * settings.Height;
+
+    private static long MemoryOfFrame(RenderSettings settings)
+    {
+        long pixels = Pixels(settings);
+        long drawing = settings.Renderer == RendererKind.Native
+            ? (NativeBytesPerPixel + (settings.Native.Layers is null ? 0 : LayerBytesPerPixel)) * pixels
+            : Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels);
+        return drawing + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0);
+    }
+
+    private static long MetaBytes(RenderSettings settings)
+    {
+        PixelGrid grid = new(settings.Width, settings.Height, settings.GridHorizontal, settings.GridVertical);
+        return (settings.Surface == PixelSurface.Terrain ? TerrainMetaBytesPerPoint : MetaBytesPerPoint) * grid.Columns * grid.Rows;
+    }
+
+    private static void Refuse(RenderSettings settings, string what, string remedy, long needed, long there)
+    {
+        if (needed > there)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"an image of {settings.Width} x {settings.Height} px with its meta file needs {Size(needed)} of {what}, {Size(there)} are there. {remedy}"));
+        }
+    }
+
+    private static string Size(long bytes) => bytes >= 1 << 20
+        ? string.Create(CultureInfo.InvariantCulture, $"{bytes >> 20} MiB")
+        : string.Create(CultureInfo.InvariantCulture, $"{bytes} bytes");
+}

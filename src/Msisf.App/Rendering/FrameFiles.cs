@@ -1,0 +1,113 @@
+using Msisf.Adapters.IO;
+using Msisf.Adapters.Layers;
+using Msisf.Adapters.Metadata;
+using Msisf.Adapters.Render;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Series;
+using Msisf.App.Settings;
+using Msisf.Core.Camera;
+using Msisf.Core.Layers;
+using Msisf.Core.Metadata;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>Writes a frame's files for any renderer. They appear when all are complete and the manifest knows them, the image last. Safe for several threads.</summary>
+internal sealed class FrameFiles
+{
+    private readonly RenderSettings _settings;
+    private readonly string _product;
+    private readonly int _pixelsPerDegree;
+    private readonly FrameLedger _ledger;
+    private readonly RunTimes _times;
+
+    public FrameFiles(RenderSettings settings, IElevationGrid model, FrameLedger ledger, RunTimes times)
+    {
+        _settings = settings;
+        _product = model.ProductId;
+        _pixelsPerDegree = model.PixelsPerDegree;
+        _ledger = ledger;
+        _times = times;
+    }
+
+    /// <summary>Writes the files.</summary>
+    /// <param name="frame">Which frame.</param>
+    /// <param name="rendered">What became of it.</param>
+    /// <param name="cancellation">Leaves no file.</param>
+    /// <returns>Their paths, in the order in which they are named to the user.</returns>
+    public IReadOnlyList<string> Write(Frame frame, RenderedFrame rendered, CancellationToken cancellation)
+    {
+        string stem = Path.Combine(_settings.OutputFolder, frame.Name);
+        FrameMetadata metadata = Describe(frame, rendered);
+        PixelSampler pixels = Sampler(frame, rendered);
+        string? annotated = _settings.Annotate ? $"{stem}.annotated.png" : null;
+        List<string> paths = annotated is null ? [$"{stem}.png"] : [$"{stem}.png", annotated];
+        using AtomicFileSet files = new(_ledger.Staging);
+        if (rendered.WriteScene is Action<TextWriter> writeScene)
+        {
+            _times.Measure(Phase.Output, () => files.WriteText($"{stem}.pov", writeScene));
+            paths.Add($"{stem}.pov");
+        }
+
+        _times.Measure(Phase.Xml, () => files.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation)));
+        paths.Add($"{stem}.xml");
+        if (_settings.Native.Layers is LayerSet layers)
+        {
+            paths.AddRange(_times.Measure(Phase.Layers, () => WriteLayers(files, stem, metadata, rendered, layers, cancellation)));
+        }
+
+        _times.Measure(Phase.Output, () =>
+        {
+            if (annotated is not null)
+            {
+                files.Write(annotated, stream => AnnotationRenderer.Write(rendered.Image, stream, metadata, pixels, cancellation));
+                rendered.Image.Position = 0;
+            }
+
+            files.Write($"{stem}.png", stream => PngFile.CopyImage(rendered.Image, stream, rendered.ImageName));
+            cancellation.ThrowIfCancellationRequested();
+            _ledger.Made(frame, files, paths);
+            files.Commit();
+        });
+        return paths;
+    }
+
+    private IReadOnlyList<string> WriteLayers(
+        AtomicFileSet files, string stem, FrameMetadata metadata, RenderedFrame rendered, LayerSet layers, CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(rendered.Truth);
+        int level = int.Log2(_pixelsPerDegree / rendered.PixelsPerDegree);
+        LayerProvenance provenance = new(_product, rendered.PixelsPerDegree, level, "native");
+        if (_settings.Native.LayersFormat == LayersFormat.Npy)
+        {
+            return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, cancellation);
+        }
+
+        files.Write($"{stem}.fits", stream => FitsLayerWriter.Write(stream, metadata, provenance, rendered.Truth, layers, cancellation));
+        return [$"{stem}.fits"];
+    }
+
+    private FrameMetadata Describe(Frame frame, RenderedFrame rendered) => new(
+        frame.Time,
+        frame.Camera,
+        _settings.FieldOfViewDegrees,
+        frame.Light.PositionMoonMe,
+        rendered.PixelsPerDegree,
+        _ledger.Plan.Identity.Version,
+        _ledger.Plan.ArgumentsOf(frame.Step),
+        rendered.Renderer);
+
+    private PixelSampler Sampler(Frame frame, RenderedFrame rendered)
+    {
+        PixelGrid grid = new(frame.Camera.Width, frame.Camera.Height, _settings.GridHorizontal, _settings.GridVertical);
+        if (_settings.Surface == PixelSurface.Sphere)
+        {
+            return new PixelSampler(frame.Camera, grid, ReferenceSphere.Lola, frame.Light.PositionMoonMe);
+        }
+
+        ArgumentNullException.ThrowIfNull(rendered.Truth);
+        return new PixelSampler(grid, rendered.Truth, rendered.PixelsPerDegree);
+    }
+}

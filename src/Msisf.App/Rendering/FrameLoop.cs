@@ -1,0 +1,98 @@
+using System.Collections.Concurrent;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.Core.Errors;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>
+/// Makes many frames, several at once, so that what draws them uses the cores once. A frame that fails is recorded, and the rest goes on;
+/// one that another process is making is put off to the end.
+/// </summary>
+internal sealed class FrameLoop
+{
+    private readonly FrameMaker _maker;
+    private readonly int _ahead;
+    private readonly bool _failFast;
+    private readonly IRunProgress _progress;
+    private readonly TextWriter _results;
+    private readonly ILog _log;
+
+    /// <param name="maker">Makes one frame; what draws keeps by itself to the number of frames that are drawn at once.</param>
+    /// <param name="ahead">So many frames more are begun (<see cref="IFrameRenderer.FramesAhead"/>).</param>
+    /// <param name="failFast">The first frame that fails ends all.</param>
+    /// <param name="progress">Is told of each frame.</param>
+    /// <param name="results">Gets the paths.</param>
+    /// <param name="log">Gets the errors of single frames.</param>
+    public FrameLoop(FrameMaker maker, int ahead, bool failFast, IRunProgress progress, TextWriter results, ILog log)
+    {
+        _maker = maker;
+        _ahead = ahead;
+        _failFast = failFast;
+        _progress = progress;
+        _results = results;
+        _log = log;
+    }
+
+    /// <summary>Makes all frames; the paths of a frame's files are printed as soon as those of all frames before it are.</summary>
+    /// <param name="frames">The frames.</param>
+    /// <param name="known">The outputs of each that is there and right; null for each that is to be made.</param>
+    /// <param name="atOnce">So many are drawn at once.</param>
+    /// <param name="cores">Shared by them.</param>
+    /// <param name="cancellation">Leaves finished frames and no other files.</param>
+    /// <exception cref="MsisfException">The only frame of the run failed: its own error. Several frames: an <see cref="ExternalPartException"/> that names them.</exception>
+    public async Task<IReadOnlyList<FrameOutputs>> RunAsync(
+        IReadOnlyList<Frame> frames, IReadOnlyList<FrameOutputs?> known, int atOnce, int cores, CancellationToken cancellation)
+    {
+        int threads = Math.Max(1, cores / atOnce);
+        FrameOutputs?[] outputs = [.. known];
+        OrderedPrinter printer = new(_results, frames.Count);
+        ConcurrentQueue<int> failed = new();
+        ConcurrentQueue<int> elsewhere = new();
+
+        async ValueTask Make(int index, Func<Frame, int, CancellationToken, Task<FrameOutputs?>> make, CancellationToken stop)
+        {
+            Frame frame = frames[index];
+            try
+            {
+                outputs[index] = await make(frame, threads, stop).ConfigureAwait(false);
+                if (outputs[index] is null)
+                {
+                    elsewhere.Enqueue(index);
+                    return;
+                }
+            }
+            catch (MsisfException exception) when (frames.Count > 1)
+            {
+                failed.Enqueue(frame.Step);
+                string message = $"step {frame.Step} ({frame.Name}): {exception.Message}";
+                if (_failFast)
+                {
+                    throw new ExternalPartException($"{message} Stopped there, as --fail-fast asks; finished frames are complete.", exception);
+                }
+
+                _log.Error(message);
+            }
+
+            printer.Done(index, outputs[index]?.Paths ?? []);
+            _progress.Advance(frame.Name);
+        }
+
+        ParallelOptions options = new() { MaxDegreeOfParallelism = Math.Min(atOnce + _ahead, Math.Max(1, frames.Count)), CancellationToken = cancellation };
+        int[] missing = [.. Enumerable.Range(0, frames.Count).Where(index => known[index] is null)];
+        foreach (int index in Enumerable.Range(0, frames.Count).Except(missing))
+        {
+            printer.Done(index, known[index]!.Paths);
+        }
+
+        await Parallel.ForEachAsync(missing, options, (index, stop) => Make(index, _maker.TryMakeAsync, stop)).ConfigureAwait(false);
+        await Parallel.ForEachAsync(
+            elsewhere.Order().ToArray(),
+            options,
+            (index, stop) => Make(index, async (frame, share, end) => await _maker.MakeAsync(frame, share, end).ConfigureAwait(false), stop)).ConfigureAwait(false);
+        return failed.IsEmpty
+            ? [.. outputs.OfType<FrameOutputs>()]
+            : throw new ExternalPartException($"{failed.Count} of {frames.Count} frames failed: steps {StepRanges.Of(failed)}. The others are complete.");
+    }
+}

@@ -1,0 +1,39 @@
+using System.Globalization;
+using Msisf.App.Preparation;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>Writes how long each frame took, a line each as soon as it is made. Safe for several threads.</summary>
+internal sealed class FrameTimes : IDisposable
+{
+    private readonly Lock _gate = new();
+    private readonly StreamWriter? _file;
+    private readonly string? _path;
+
+    /// <summary>Begins the file.</summary>
+    /// <param name="path">The file; null for none.</param>
+    /// <exception cref="ExternalPartException">It can't be written.</exception>
+    public FrameTimes(string? path)
+    {
+        _path = path;
+        _file = path is null ? null : Checked(() => new StreamWriter(path) { AutoFlush = true, NewLine = "\n" });
+    }
+
+    /// <summary>Adds a frame.</summary>
+    public void Add(Frame frame, TimeSpan time)
+    {
+        lock (_gate)
+        {
+            Checked(() =>
+            {
+                _file?.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{frame.Step}\t{frame.Name}\t{time.TotalSeconds:F6}"));
+                return true;
+            });
+        }
+    }
+
+    public void Dispose() => _file?.Dispose();
+
+    private T Checked<T>(Func<T> work) => FileErrors.ToExternalPart($"--frame-times {_path}: can't be written", work);
+}

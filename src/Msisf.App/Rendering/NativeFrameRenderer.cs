@@ -1,0 +1,93 @@
+using System.Buffers;
+using System.Collections.Concurrent;
+using System.Runtime.InteropServices;
+using Msisf.Adapters.Render;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
+using Msisf.Core.Terrain;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>The program's own way: draws from the elevation model, writes the files. Frames side by side write while others are drawn.</summary>
+internal sealed class NativeFrameRenderer : IFrameRenderer
+{
+    /// <summary>Mapping again what the next frames read takes some ms, a small part of so many frames' time.</summary>
+    private const int FramesBetweenReleases = 16;
+
+    private readonly NativeSettings _settings;
+    private readonly IElevationGrid _model;
+    private readonly NativeLevels _levels;
+    private readonly GreyTable _grey;
+    private readonly FrameFiles _files;
+    private readonly RunTimes _times;
+    private readonly ConcurrentBag<MemoryStream> _idleImages = [];
+    private int _frames;
+
+    public NativeFrameRenderer(NativeSettings settings, IElevationGrid model, NativeLevels levels, FrameFiles files, RunTimes times)
+    {
+        _settings = settings;
+        _model = model;
+        _levels = levels;
+        _grey = new GreyTable(settings.Grey, settings.BitDepth);
+        _files = files;
+        _times = times;
+    }
+
+    /// <inheritdoc/>
+    public int FramesAhead => 0;
+
+    /// <summary>Nothing is held between frames that must be given back.</summary>
+    public void Dispose()
+    {
+    }
+
+    /// <inheritdoc/>
+    public Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation) =>
+        Task.Run(() => Render(frame, threads, cancellation), cancellation);
+
+    private FrameOutputs Render(Frame frame, int threads, CancellationToken cancellation)
+    {
+        NativeRenderer renderer = _levels.For(frame.Camera, _settings.Render.SubsamplesPerAxis);
+        using NativeFrame drawn = _times.Measure(
+            Phase.Draw, () => renderer.Render(frame.Camera, frame.Light, _settings.Render, threads, cancellation));
+        MemoryStream image = _idleImages.TryTake(out MemoryStream? idle) ? idle : new MemoryStream();
+        image.SetLength(0);
+        _times.Measure(Phase.Output, () => Encode(drawn, image));
+        RenderedFrame rendered = new(
+            RendererKind.Native, image, "the image", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepGroundTruth ? drawn : null);
+        FrameOutputs outputs = new(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
+        _idleImages.Add(image);
+        if (Interlocked.Increment(ref _frames) % FramesBetweenReleases == 0)
+        {
+            _model.ReleasePages(); // an orbit would have the whole model in memory in the end
+        }
+
+        return outputs;
+    }
+
+    private void Encode(NativeFrame drawn, MemoryStream image)
+    {
+        int width = drawn.Camera.Width;
+        int pixels = drawn.RadianceFactors.Length;
+        byte[] memory = ArrayPool<byte>.Shared.Rent(pixels * _settings.BitDepth / 8);
+        if (_settings.BitDepth == 8)
+        {
+            Span<byte> levels = memory.AsSpan(0, pixels);
+            _grey.Convert(drawn.RadianceFactors, levels);
+            PngWriter.Write(image, levels, width, _settings.Grey.Transfer);
+        }
+        else
+        {
+            Span<ushort> levels = MemoryMarshal.Cast<byte, ushort>(memory.AsSpan(0, 2 * pixels));
+            _grey.Convert(drawn.RadianceFactors, levels);
+            PngWriter.Write(image, levels, width, _settings.Grey.Transfer);
+        }
+
+        ArrayPool<byte>.Shared.Return(memory);
+
+        image.Position = 0;
+    }
+}

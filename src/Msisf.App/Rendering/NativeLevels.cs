@@ -1,0 +1,36 @@
+using System.Collections.Concurrent;
+using Msisf.Core.Camera;
+using Msisf.Core.Lod;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>The renderers of a run: one for the model, and one for each coarser level that a frame is drawn with. Safe for several threads.</summary>
+internal sealed class NativeLevels
+{
+    private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();
+    private readonly IElevationGrid _grid;
+    private readonly LodLevels? _levels;
+    private readonly double _errorPixels;
+
+    /// <summary>Takes the model.</summary>
+    /// <param name="grid">The model.</param>
+    /// <param name="levels">Opens its coarser levels.</param>
+    /// <param name="errorPixels">px: so far may they move what is seen; null to draw with the model itself, always.</param>
+    public NativeLevels(IElevationGrid grid, Func<LodLevels> levels, double? errorPixels)
+    {
+        _grid = grid;
+        _levels = errorPixels is null ? null : levels();
+        _errorPixels = errorPixels ?? 0.0;
+    }
+
+    /// <summary>The renderer for a frame.</summary>
+    public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis)
+    {
+        int level = _levels is null ? 0 : LevelOfDetail.For(camera, subsamplesPerAxis, _grid.PixelsPerDegree, _levels.Count, _errorPixels);
+        return _renderers.GetOrAdd(level, Create).Value;
+    }
+
+    private Lazy<NativeRenderer> Create(int level) => new(() => new NativeRenderer(level == 0 ? _grid : _levels!.Level(level)));
+}

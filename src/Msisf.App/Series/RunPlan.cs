@@ -1,0 +1,67 @@
+using System.Runtime.InteropServices;
+using System.Security.Cryptography;
+using System.Text;
+using Msisf.Adapters.Manifest;
+using Msisf.App.Settings;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Series;
+
+/// <summary>The frames that a whole run is to have, whichever of them this call makes. Immutable.</summary>
+internal sealed class RunPlan
+{
+    private readonly IReadOnlyList<SpacecraftState> _states;
+    private readonly IReadOnlyList<string> _names;
+
+    public RunPlan(IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RunIdentity identity)
+    {
+        _states = states;
+        _names = names;
+        Identity = identity;
+        Key = KeyOfAll();
+    }
+
+    public RunIdentity Identity { get; }
+
+    /// <summary>Names the run in the manifest.</summary>
+    public string Key { get; }
+
+    /// <summary>Names a frame with its settings in the manifest.</summary>
+    /// <param name="step">From 1.</param>
+    public string FrameKey(int step) =>
+        RunIdentity.KeyOf([.. Encoding.ASCII.GetBytes(Identity.Record.Key), .. MemoryMarshal.AsBytes<double>(_states[step - 1].ToNumbers())]);
+
+    /// <summary>What the manifest is to know of a frame.</summary>
+    /// <param name="step">From 1.</param>
+    public ExpectedRecord Expected(int step) => new(Key, step, _names[step - 1], FrameKey(step));
+
+    /// <summary>The frame's own arguments, for its meta data.</summary>
+    /// <param name="step">From 1.</param>
+    public string ArgumentsOf(int step) => FrameArguments.Of(_states[step - 1], Identity.Arguments);
+
+    /// <summary>The lines that tell a manifest of the run; none if it knows it, and no run that wants other frames of the same names since.</summary>
+    /// <param name="known">What the manifest says.</param>
+    public IReadOnlyList<ManifestRecord> Registration(ManifestContent known)
+    {
+        if (_names.All(name => known.Expected.TryGetValue(name, out ExpectedRecord? expected) && expected.Run == Key))
+        {
+            return [];
+        }
+
+        ManifestRecord[] settings = known.Settings.ContainsKey(Identity.Record.Key) ? [] : [Identity.Record];
+        return [.. settings, new RunRecord(Key, Identity.Record.Key, _states.Count), .. Enumerable.Range(1, _states.Count).Select(Expected)];
+    }
+
+    private string KeyOfAll()
+    {
+        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        hash.AppendData(Encoding.ASCII.GetBytes(Identity.Record.Key));
+        for (int index = 0; index < _states.Count; index++)
+        {
+            hash.AppendData(MemoryMarshal.AsBytes<double>(_states[index].ToNumbers()));
+            hash.AppendData(Encoding.UTF8.GetBytes(_names[index] + "\n"));
+        }
+
+        return RunIdentity.KeyOf(hash.GetHashAndReset());
+    }
+}

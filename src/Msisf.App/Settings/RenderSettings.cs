@@ -1,0 +1,75 @@
+using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Metadata;
+using Msisf.Core.Render;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The checked options of a render run, but for where the camera is.</summary>
+internal sealed record RenderSettings
+{
+    public required double FieldOfViewDegrees { get; init; }
+
+    public required int Width { get; init; }
+
+    public required int Height { get; init; }
+
+    public required int GridHorizontal { get; init; }
+
+    public required int GridVertical { get; init; }
+
+    public required PixelSurface Surface { get; init; }
+
+    public required int PixelsPerDegree { get; init; }
+
+    public required RendererKind Renderer { get; init; }
+
+    /// <summary>For the program's own renderer; defaults otherwise.</summary>
+    public required NativeSettings Native { get; init; }
+
+    /// <summary>px: so far may coarser levels of the model move what is seen; null to show the model itself everywhere.</summary>
+    public required double? LevelOfDetailError { get; init; }
+
+    public required bool IgnoreSun { get; init; }
+
+    public required bool Annotate { get; init; }
+
+    public required string OutputFolder { get; init; }
+
+    public required string OutputName { get; init; }
+
+    public required string PatternRepository { get; init; }
+
+    public required string? Ldem { get; init; }
+
+    public required EphemerisChoice Ephemeris { get; init; }
+
+    public required Aberration Aberration { get; init; }
+
+    public required string? Kernels { get; init; }
+
+    public required string? PovPath { get; init; }
+
+    public required IReadOnlyList<string> PovOptions { get; init; }
+
+    public required TimeSpan? Timeout { get; init; }
+
+    public required int? Jobs { get; init; }
+
+    /// <summary>The steps to make; null for all.</summary>
+    public required StepRanges? Frames { get; init; }
+
+    public required bool Overwrite { get; init; }
+
+    public required bool FailFast { get; init; }
+
+    /// <summary>File for the times of single frames; null for none.</summary>
+    public required string? FrameTimes { get; init; }
+
+    public required bool Unattended { get; init; }
+
+    public required bool ListPatterns { get; init; }
+
+    public required bool Timing { get; init; }
+}

@@ -1,7 +1,0 @@
-namespace Msisf.Cli.Options;
-
-/// <summary>Into which pieces a run is cut.</summary>
-/// <param name="Pieces">How many; null if the number of frames is given.</param>
-/// <param name="FramesPerPiece">Frames of each but the last; null if the number of pieces is given.</param>
-/// <param name="IsBalanced">Cut by estimated cost.</param>
-internal sealed record CutSettings(int? Pieces, int? FramesPerPiece, bool IsBalanced);

@@ -1,0 +1,39 @@
+using Msisf.App.Host;
+using Spectre.Console;
+
+namespace Msisf.Cli.Output;
+
+/// <summary>A bar with the time left, for a terminal.</summary>
+internal sealed class BarProgress : IRunProgress
+{
+    private readonly ManualResetEventSlim _finished = new();
+    private readonly Task _drawing;
+    private readonly ProgressTask _bar;
+    private readonly Action _atEnd;
+
+    public BarProgress(IAnsiConsole console, string title, int total, Action atEnd)
+    {
+        _atEnd = atEnd;
+        TaskCompletionSource<ProgressTask> started = new();
+        _drawing = Task.Run(() => console
+            .Progress()
+            .Columns(
+                new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn(), new SpinnerColumn())
+            .Start(context =>
+            {
+                started.SetResult(context.AddTask(Markup.Escape(title), maxValue: total));
+                _finished.Wait();
+            }));
+        _bar = started.Task.GetAwaiter().GetResult();
+    }
+
+    public void Advance(string name) => _bar.Increment(1.0);
+
+    public void Dispose()
+    {
+        _finished.Set();
+        _drawing.GetAwaiter().GetResult();
+        _finished.Dispose();
+        _atEnd();
+    }
+}

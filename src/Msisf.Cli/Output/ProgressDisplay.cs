@@ -1,0 +1,36 @@
+using Msisf.App.Host;
+using Spectre.Console;
+
+namespace Msisf.Cli.Output;
+
+/// <summary>Chooses how progress is shown: a bar on a terminal, lines elsewhere and with <c>--batch</c>, nothing for a single step.</summary>
+internal sealed class ProgressDisplay(ResultsWriter results, ConsoleLog log, TimeProvider clock) : IProgressDisplay
+{
+    /// <inheritdoc/>
+    public IRunProgress Start(string title, int total, bool unattended)
+    {
+        if (total <= 1)
+        {
+            return new SilentProgress();
+        }
+
+        return unattended || Console.IsErrorRedirected ? new PlainProgress(log, clock, total) : StartBar(title, total);
+    }
+
+    // Apart, so that Spectre.Console is only loaded when a bar is drawn. A bar overwrites what is printed on its terminal: that follows when it is done.
+    private BarProgress StartBar(string title, int total)
+    {
+        log.Hold();
+        if (!Console.IsOutputRedirected)
+        {
+            results.Hold();
+        }
+
+        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) });
+        return new BarProgress(console, title, total, atEnd: () =>
+        {
+            log.Release();
+            results.Release();
+        });
+    }
+}
