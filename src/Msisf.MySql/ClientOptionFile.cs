@@ -57,7 +57,10 @@ internal static partial class ClientOptionFile
         return options;
     }
 
-    /// <summary>The rules of the clients: quotes round a value are left out, " #" begins a comment outside them, backslashes escape.</summary>
+    /// <summary>
+    /// Removes quotes, comments and escapes from a value by the rules of the clients: quotes around a value are dropped, " #" outside them
+    /// begins a comment, backslashes escape.
+    /// </summary>
     private static string Unquoted(string value)
     {
         Match quoted = Quoted().Match(value);

@@ -3,7 +3,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>Where the database is and who asks; as for the PHP scripts. The password is in no message.</summary>
+/// <summary>The database and its user, as for the PHP scripts. The password is in no message.</summary>
 public sealed class DatabaseSettings
 {
     private const string DefaultDatabase = "msisf";
@@ -22,13 +22,13 @@ public sealed class DatabaseSettings
     /// <summary>Path of the server's socket; null for a server on the network.</summary>
     public string? Socket { get; }
 
-    /// <summary>The server's name; means nothing if there is a socket.</summary>
+    /// <summary>The server's name; not used if there is a socket.</summary>
     public string Host { get; }
 
-    /// <summary>The server's port; null for the usual one.</summary>
+    /// <summary>The server's port; null for the default one.</summary>
     public int? Port { get; }
 
-    /// <summary>Who asks.</summary>
+    /// <summary>The database user.</summary>
     public string User { get; }
 
     /// <summary>The database of the tables.</summary>
@@ -37,15 +37,18 @@ public sealed class DatabaseSettings
     /// <summary>For the connection, never for a message.</summary>
     internal string Password { get; }
 
-    /// <summary>What the option file says; what it leaves out comes from MSISF_DB_HOST, _PORT, _SOCKET, _USER, _PASSWORD, _DATABASE.</summary>
+    /// <summary>Reads the option file. What it leaves out comes from MSISF_DB_HOST, _PORT, _SOCKET, _USER, _PASSWORD, _DATABASE.</summary>
     /// <param name="optionFile">Path of a file with a [client] group, as the mysql client reads; null if there is none.</param>
     /// <param name="environment">Gives a variable of the environment; null if it is not set.</param>
     /// <exception cref="BadInputException">The file or a value is wrong.</exception>
     /// <exception cref="UsageException">Nothing names a user.</exception>
     public static DatabaseSettings Read(string? optionFile, Func<string, string?> environment)
     {
-        IReadOnlyDictionary<string, string> file = optionFile is null ? new Dictionary<string, string>() : ClientOptionFile.Read(optionFile);
-        return new DatabaseSettings(name => file.TryGetValue(name, out string? value) ? value : environment($"MSISF_DB_{name.ToUpperInvariant()}"));
+        IReadOnlyDictionary<string, string> file = optionFile is null
+            ? new Dictionary<string, string>()
+            : ClientOptionFile.Read(optionFile);
+        return new DatabaseSettings(
+            name => file.TryGetValue(name, out string? value) ? value : environment($"MSISF_DB_{name.ToUpperInvariant()}"));
     }
 
     private static int PortOf(string text) =>

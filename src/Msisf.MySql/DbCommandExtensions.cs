@@ -2,7 +2,7 @@ using System.Data.Common;
 
 namespace Msisf.MySql;
 
-/// <summary>What ADO.NET needs four lines for.</summary>
+/// <summary>Shortens what ADO.NET needs four lines for.</summary>
 internal static class DbCommandExtensions
 {
     /// <summary>Adds a parameter with its value.</summary>

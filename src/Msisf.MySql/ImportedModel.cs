@@ -5,7 +5,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>What the records of the imports (docs/database.md) say about a table; the PHP scripts judge them the same way.</summary>
+/// <summary>Reads what the records of the imports (docs/database.md) say about a table, by the same rules as the PHP scripts.</summary>
 internal static partial class ImportedModel
 {
     private const int FormatVersion = 1;
@@ -18,7 +18,8 @@ internal static partial class ImportedModel
     {
         using DbCommand command = connection.CreateCommand();
         command.CommandText =
-            "SELECT product_id, state, format_version, rows_done, row_count FROM ldem_import WHERE table_name = @table ORDER BY first_row, first_col";
+            "SELECT product_id, state, format_version, rows_done, row_count FROM ldem_import WHERE table_name = @table ORDER BY "
+                + "first_row, first_col";
         command.AddValue("@table", table);
         using DbDataReader reader = command.ExecuteReader();
         List<string> names = [];
@@ -32,10 +33,13 @@ internal static partial class ImportedModel
         string[] distinct = [.. names.Distinct(StringComparer.Ordinal)];
         return distinct switch
         {
-            [] => throw new BadInputException($"table {table}: no elevation model of this resolution is in the database. Import it with scripts/ldem_mysql_insert.php."),
+            [] => throw new BadInputException(
+                $"table {table}: no elevation model of this resolution is in the database. Import it with scripts/ldem_mysql_insert.php."),
             [string name] when ProperName().IsMatch(name) => name,
-            [_] => throw new BadInputException($"table {table}: the record of the import has a product without a proper name. Import it again."),
-            _ => throw new BadInputException($"table {table}: it holds parts of several models ({string.Join(", ", distinct)}). Import each into a database of its own."),
+            [_] => throw new BadInputException(
+                $"table {table}: the record of the import has a product without a proper name. Import it again."),
+            _ => throw new BadInputException($"table {table}: it holds parts of several models ({string.Join(", ", distinct)}). "
+                + $"Import each into a database of its own."),
         };
     }
 
@@ -48,18 +52,20 @@ internal static partial class ImportedModel
         if (format != FormatVersion)
         {
             throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"table {table}: {product} was imported in format {format}, this is {FormatVersion}. Import it again."));
+                CultureInfo.InvariantCulture,
+                $"table {table}: {product} was imported in format {format}, this is {FormatVersion}. Import it again."));
         }
 
         if (state != "complete" || done != all)
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"table {table}: the import of {product} is not complete ({done} of {all} lines, state {state}). Run scripts/ldem_mysql_insert.php again: it goes on where it stopped."));
+                $"table {table}: the import of {product} is not complete ({done} of {all} lines, state {state}). "
+                    + $"Run scripts/ldem_mysql_insert.php again: it goes on where it stopped."));
         }
     }
 
-    /// <summary>The columns are unsigned and of several widths: providers give them different types.</summary>
+    /// <summary>Reads a whole number. The columns are unsigned and of several widths, for which providers use different types.</summary>
     private static int Number(DbDataReader reader, int column) => Convert.ToInt32(reader.GetValue(column), CultureInfo.InvariantCulture);
 
     /// <summary>How NASA names the parts of a model: LDEM_512_00N_45N_000_090.</summary>

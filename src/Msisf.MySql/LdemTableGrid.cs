@@ -6,8 +6,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.MySql;
 
 /// <summary>
-/// The elevation model that scripts/ldem_mysql_insert.php has put into a table (docs/database.md). Samples are read in runs of a line
-/// and kept for a while, as neighbouring tiles share them. Safe for several threads; each query takes a connection of its own.
+/// The elevation model that scripts/ldem_mysql_insert.php has put into a table (docs/database.md). Samples are read in runs of a line and
+/// cached, as neighbouring tiles share them. Safe for several threads; each query takes a connection of its own.
 /// </summary>
 public sealed class LdemTableGrid : IElevationGrid
 {
@@ -90,14 +90,18 @@ public sealed class LdemTableGrid : IElevationGrid
         }
         catch (DbException exception)
         {
-            throw new ExternalPartException($"database: {exception.Message.ReplaceLineEndings(" ")} Check that the server runs, and the user's name, password and rights.", exception);
+            throw new ExternalPartException(
+                $"database: {exception.Message.ReplaceLineEndings(" ")} Check that the server runs, and the user's name, "
+                    + $"password and rights.",
+                exception);
         }
     }
 
     private double[] ReadRun(int line, int firstSample, int count) => Ask(_source, connection =>
     {
         using DbCommand command = connection.CreateCommand();
-        command.CommandText = $"SELECT planetary_radius FROM {_table} WHERE row_index = @row AND col_index BETWEEN @first AND @last ORDER BY col_index";
+        command.CommandText =
+            $"SELECT planetary_radius FROM {_table} WHERE row_index = @row AND col_index BETWEEN @first AND @last ORDER BY col_index";
         command.AddValue("@row", line);
         command.AddValue("@first", firstSample);
         command.AddValue("@last", firstSample + count - 1);
@@ -112,7 +116,8 @@ public sealed class LdemTableGrid : IElevationGrid
         // The key is (row, column): as many rows as samples are those samples.
         return found == count ? radii : throw new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"table {_table}: only {found} of {count} samples of line {line + 1} from sample {firstSample + 1} on are there. Import the product that has them, or run scripts/ldem_mysql_insert.php --verify."));
+            $"table {_table}: only {found} of {count} samples of line {line + 1} from sample {firstSample + 1} on are there. "
+                + $"Import the product that has them, or run scripts/ldem_mysql_insert.php --verify."));
     });
 
     private void CheckBlock(int firstLine, int lines, int firstSample, int samples)

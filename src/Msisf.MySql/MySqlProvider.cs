@@ -6,15 +6,15 @@ using Msisf.Core.Errors;
 namespace Msisf.MySql;
 
 /// <summary>
-/// Connects to MySQL and MariaDB. The one place that names the package MySqlConnector: it is not in every registry, so it is looked for
-/// when it is needed, in a folder of its own beside the program; the build puts it there where the package restores.
+/// Connects to MySQL and MariaDB. Only this class names the package MySqlConnector: not every registry has it, so it is loaded when it is
+/// needed, from a folder of its own beside the program, into which the build puts it where the package restores.
 /// </summary>
 public static class MySqlProvider
 {
     private const string Library = "MySqlConnector.dll";
     private const string Factory = "MySqlConnector.MySqlConnectorFactory";
 
-    /// <summary>A source of connections; nothing is connected yet.</summary>
+    /// <summary>A source of connections. It does not connect yet.</summary>
     /// <param name="settings">Where the database is.</param>
     /// <param name="folder">Folder of the package's files.</param>
     /// <exception cref="ExternalPartException">This build is without the package.</exception>
@@ -23,7 +23,9 @@ public static class MySqlProvider
         string path = Path.GetFullPath(Path.Combine(folder, Library));
         if (!File.Exists(path))
         {
-            throw new ExternalPartException($"this build of msis has no MySqlConnector ({path} is missing), so it can't read a database. Use scripts/generate_pattern.php, or build where the package MySqlConnector can be restored.");
+            throw new ExternalPartException(
+                $"this build of msis has no MySqlConnector ({path} is missing), so it can't read a database. "
+                    + $"Use scripts/generate_pattern.php, or build where the package MySqlConnector can be restored.");
         }
 
         object? factory = Assembly.LoadFrom(path).GetType(Factory)?.GetField("Instance")?.GetValue(null);

@@ -1,6 +1,9 @@
 namespace Msisf.Synthesis;
 
-/// <summary>The base model over a block of its pixels, less the means of the detail, interpolated smoothly: the sum with the detail has the base's means (<see cref="BaseHeights"/>: but for the polar caps).</summary>
+/// <summary>
+/// The base model over a block of its pixels, less the means of the detail, interpolated smoothly: the sum with the detail has the base's
+/// means (<see cref="BaseHeights"/>: but for the polar caps).
+/// </summary>
 internal sealed class BaseSurface
 {
     private const int Reach = PixelMeanKernel.Reach;
@@ -112,7 +115,8 @@ internal sealed class BaseSurface
         for (int i = 0; i < heights.Length; i++)
         {
             (int west, double w0, double w1, double w2) = _terrain.Kernel.At(pixel, inside);
-            heights[i] = (float)((w0 * _lineCoefficients[west]) + (w1 * _lineCoefficients[west + 1]) + (w2 * _lineCoefficients[west + 2]) + detail[i]);
+            heights[i] = (float)(
+                (w0 * _lineCoefficients[west]) + (w1 * _lineCoefficients[west + 1]) + (w2 * _lineCoefficients[west + 2]) + detail[i]);
             if (++inside == n)
             {
                 inside = 0;

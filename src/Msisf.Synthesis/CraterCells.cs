@@ -4,8 +4,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// Cells of the sphere for craters of one octave of diameters (2^k to 2^(k+1) m): bands of latitude, each cut into as many equal columns as keep
-/// the cells about square. Within a cell every place is as likely as any other, at the poles too.
+/// Cells of the sphere for craters of one octave of diameters (2^k to 2^(k+1) m): bands of latitude, each cut into as many equal columns as
+/// keep the cells about square. Within a cell every place is as likely as any other, at the poles too.
 /// </summary>
 internal sealed class CraterCells
 {

@@ -8,9 +8,9 @@ namespace Msisf.Synthesis;
 /// They are made where and when a tile asks for them, from cells of the sphere; a crater is the same whatever asked for it.
 /// </summary>
 /// <remarks>
-/// Equilibrium: N(&gt;D) = 0.079 D^-1.83 for each km2, D in km (N. J. Trask, JPL Tech. Rep. 32-800 (1966); it holds within a factor of 2 up to
-/// tens of km on the highlands). Maria: the production of 3.5 Ga, about 3e-3 D^-3 (G. Neukum, B. A. Ivanov, W. K. Hartmann, Space Sci. Rev.
-/// 96 (2001), 55), wherever that is below equilibrium, and not below 1/130 of it.
+/// Equilibrium: N(&gt;D) = 0.079 D^-1.83 for each km2, D in km (N. J. Trask, JPL Tech. Rep. 32-800 (1966); it holds within a factor of 2 up
+/// to tens of km on the highlands). Maria: the production of 3.5 Ga, about 3e-3 D^-3 (G. Neukum, B. A. Ivanov, W. K. Hartmann, Space Sci.
+/// Rev. 96 (2001), 55), wherever that is below equilibrium, and not below 1/130 of it.
 /// </remarks>
 internal sealed class CraterPopulation
 {
@@ -49,7 +49,9 @@ internal sealed class CraterPopulation
         MinMareDensity,
         1.0);
 
-    /// <summary>Every crater that may reach into a band of latitudes and longitudes, in an order that does not depend on the band.</summary>
+    /// <summary>
+    /// Every crater that may reach into a band of latitudes and longitudes, in an order that does not depend on the band.
+    /// </summary>
     /// <param name="southDegrees">Southern border; below -90 for mirror lines.</param>
     /// <param name="northDegrees">Northern border; above 90 for mirror lines.</param>
     /// <param name="westDegrees">Western border.</param>

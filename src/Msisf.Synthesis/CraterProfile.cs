@@ -9,8 +9,8 @@ namespace Msisf.Synthesis;
 /// with the third power of the distance, and a crest that is the rounder the older the crater.
 /// </summary>
 /// <remarks>
-/// Depth, rim height and floor of fresh craters: R. J. Pike, "Size-dependence in the shape of fresh impact craters on the Moon", in: Impact and
-/// Explosion Cratering (1977), 489-509. Ejecta: T. R. McGetchin et al., EPSL 20 (1973), 226.
+/// Depth, rim height and floor of fresh craters: R. J. Pike, "Size-dependence in the shape of fresh impact craters on the Moon", in: Impact
+/// and Explosion Cratering (1977), 489-509. Ejecta: T. R. McGetchin et al., EPSL 20 (1973), 226.
 /// </remarks>
 internal readonly struct CraterProfile
 {

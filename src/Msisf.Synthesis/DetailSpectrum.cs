@@ -5,12 +5,18 @@ namespace Msisf.Synthesis;
 /// <summary>
 /// The octaves of roughness below a base model. Their slopes add up, as variances, to what the slope law asks for beyond what the base and
 /// the craters have: at the base's own spacing the terrain is as rough as the base, from <see cref="SlopeLaw.LongestBaseline"/> down
-/// (a quarter of the base's spacing, if that is shorter) it follows the law, in between it goes evenly, octave by octave, from one to the other.
+/// (a quarter of the base's spacing, if that is shorter) it follows the law, in between it goes evenly, octave by octave, from one to the
+/// other.
 /// </summary>
-/// <remarks>An octave does not depend on the resolution that is asked for: a finer product of the same seed and base has the same hills and more small ones.</remarks>
+/// <remarks>
+/// An octave does not depend on the resolution that is asked for: a finer product of the same seed and base has the same hills and more
+/// small ones.
+/// </remarks>
 internal static class DetailSpectrum
 {
-    /// <summary>1: finest lattice spacing in output samples; its waves of 2 to 4 samples are the shortest that the output can hold.</summary>
+    /// <summary>
+    /// 1: finest lattice spacing in output samples; its waves of 2 to 4 samples are the shortest that the output can hold.
+    /// </summary>
     public const double FinestSpacingInSamples = 1.9;
 
     // The median length of a 2-D Gaussian slope is sqrt(2 ln 2) times the RMS of one component.
@@ -20,7 +26,8 @@ internal static class DetailSpectrum
     // shows between the output's samples, the coarser ones nearly all of theirs.
     private const double VisibleSlope = 0.97;
 
-    // Slope power (tangent squared) that craters add in an octave of diameters, for each crater per square of the diameter (measured, docs/synthetic-ldem.md).
+    // Slope power (tangent squared) that craters add in an octave of diameters, for each crater per square of the diameter (measured,
+    // docs/synthetic-ldem.md).
     private const double CraterSlopePower = 0.0108;
 
     // Craters are sparse: even where they fill the law there is this part of noise between them.

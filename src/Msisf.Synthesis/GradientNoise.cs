@@ -3,8 +3,13 @@ using System.Runtime.Intrinsics;
 
 namespace Msisf.Synthesis;
 
-/// <summary>Gradient noise on a cubic lattice in space, eight points at a time; smooth (C2), of zero mean, about one lattice step to two in wavelength.</summary>
-/// <remarks>K. Perlin, "Improving noise", SIGGRAPH 2002; the gradients come from a hash instead of a table, each component uniform in [-1, 1].</remarks>
+/// <summary>
+/// Gradient noise on a cubic lattice in space, eight points at a time; smooth (C2), of zero mean, about one lattice step to two in
+/// wavelength.
+/// </summary>
+/// <remarks>
+/// K. Perlin, "Improving noise", SIGGRAPH 2002; the gradients come from a hash instead of a table, each component uniform in [-1, 1].
+/// </remarks>
 internal static class GradientNoise
 {
     /// <summary>1 per lattice step: root mean square of one component of the noise's gradient (measured, GradientNoiseTests).</summary>

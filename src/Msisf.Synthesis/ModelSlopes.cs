@@ -4,7 +4,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// Median slopes of the smooth surface through an elevation model's samples, as tangents; null where the model has too little of the terrain.
+/// Median slopes of the smooth surface through an elevation model's samples, as tangents; null where the model has too little of the
+/// terrain.
 /// </summary>
 /// <param name="Highlands">Tangent, where the mare fraction is 0.</param>
 /// <param name="Maria">Tangent, where the mare fraction is 1.</param>
@@ -51,7 +52,8 @@ internal sealed record ModelSlopes(double? Highlands, double? Maria)
     /// <summary>m between neighbouring lines of a model.</summary>
     public static double Spacing(double pixelsPerDegree) => MoonConstants.ReferenceRadius * Math.PI / (180.0 * pixelsPerDegree);
 
-    // Slope, in one spacing, of the cubic through the means, where the two middle pixels meet; a plain difference is too small by a quarter.
+    // Slope, in one spacing, of the cubic through the means, where the two middle pixels meet; a plain difference is too small by a
+    // quarter.
     private static double Derivative(double a, double b, double c, double d) => ((15.0 * (c - b)) - (d - a)) / 12.0;
 
     private static double At(double[] line, int sample) => line[(sample + line.Length) % line.Length];

@@ -4,8 +4,12 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Synthesis;
 
-/// <summary>One octave of roughness: noise of one wavelength on the sphere itself, so that poles and prime meridian are places like any other.</summary>
-/// <remarks>The lattice is turned at random, each octave by itself: aligned lattices show as a grid where the sphere is parallel to their planes.</remarks>
+/// <summary>
+/// One octave of roughness: noise of one wavelength on the sphere itself, so that poles and prime meridian are places like any other.
+/// </summary>
+/// <remarks>
+/// The lattice is turned at random, each octave by itself: aligned lattices show as a grid where the sphere is parallel to their planes.
+/// </remarks>
 internal sealed class NoiseOctave
 {
     private const ulong Purpose = 1;
@@ -40,7 +44,9 @@ internal sealed class NoiseOctave
     /// <summary>m between lattice points; the waves are one to two of these long.</summary>
     public double Spacing { get; }
 
-    /// <summary>The part of the lattice coordinates that depends on the column: three tables of the frame's stride, one after the other.</summary>
+    /// <summary>
+    /// The part of the lattice coordinates that depends on the column: three tables of the frame's stride, one after the other.
+    /// </summary>
     public double[] ColumnTables(TileFrame frame)
     {
         double[] tables = new double[3 * frame.Stride];

@@ -41,7 +41,9 @@ internal sealed class PixelMeanKernel
     public static int CoefficientCount(int pixels) => (2 * pixels) + 3;
 
     /// <summary>Spline coefficients of a run of pixels.</summary>
-    /// <param name="means">The pixels' means, with <see cref="Reach"/> more at each end; consecutive ones are <paramref name="step"/> apart.</param>
+    /// <param name="means">
+    /// The pixels' means, with <see cref="Reach"/> more at each end; consecutive ones are <paramref name="step"/> apart.
+    /// </param>
     /// <param name="coefficients">Filled with <see cref="CoefficientCount"/> values, also <paramref name="step"/> apart.</param>
     /// <param name="pixels">How many pixels, without the ones at the ends.</param>
     /// <param name="step">1 along a line, the length of a line along a column.</param>
@@ -53,7 +55,8 @@ internal sealed class PixelMeanKernel
             double M(int offset, ReadOnlySpan<double> values) => values[(centre + offset) * step];
             coefficients[k * step] = k % 2 == 0
                 ? (_taps[0] * M(0, means)) + (_taps[2] * (M(-1, means) + M(1, means))) + (_taps[4] * (M(-2, means) + M(2, means)))
-                : (_taps[1] * (M(0, means) + M(1, means))) + (_taps[3] * (M(-1, means) + M(2, means))) + (_taps[5] * (M(-2, means) + M(3, means)));
+                : (_taps[1] * (M(0, means) + M(1, means))) + (
+                    _taps[3] * (M(-1, means) + M(2, means))) + (_taps[5] * (M(-2, means) + M(3, means)));
         }
     }
 
@@ -64,7 +67,8 @@ internal sealed class PixelMeanKernel
         ((2 * pixel) + _firstCoefficient[sample], _weights[3 * sample], _weights[(3 * sample) + 1], _weights[(3 * sample) + 2]);
 
     // Unknown weights h0..h5 of the splines 0..5 half pixels away. tail: mean over the neighbour pixel of the spline at a pixel's centre;
-    // variance: mean of x^2 over a pixel's midpoints. The equations: sums over even and odd splines are 1; parabolas; means 0 two and three pixels away.
+    // variance: mean of x^2 over a pixel's midpoints. The equations: sums over even and odd splines are 1; parabolas; means 0 two and three
+    // pixels away.
     private static double[] Taps(int n)
     {
         double tail = 0.0;

@@ -5,10 +5,15 @@ namespace Msisf.Synthesis;
 /// <summary>How the median slope of a terrain falls with the baseline: tan(slope) ~ baseline^(H - 1).</summary>
 /// <param name="TangentAt17Metres">Tangent of the median slope at a baseline of 17 m.</param>
 /// <param name="HurstExponent">H, 0 to 1.</param>
-/// <remarks>M. A. Rosenburg et al., "Global surface slopes and roughness of the Moon from the Lunar Orbiter Laser Altimeter", JGR 116, E02001 (2011).</remarks>
+/// <remarks>
+/// M. A. Rosenburg et al., "Global surface slopes and roughness of the Moon from the Lunar Orbiter Laser Altimeter", JGR 116, E02001
+/// (2011).
+/// </remarks>
 internal sealed record SlopeLaw(double TangentAt17Metres, double HurstExponent)
 {
-    /// <summary>m: beyond about a kilometre the Moon's slopes leave the law and fall faster (Rosenburg et al., figure of the breakover points).</summary>
+    /// <summary>
+    /// m: beyond about a kilometre the Moon's slopes leave the law and fall faster (Rosenburg et al., figure of the breakover points).
+    /// </summary>
     public const double LongestBaseline = 1000.0;
 
     private const double ReferenceBaseline = 17.0; // m: between LOLA's neighbouring spots

@@ -57,7 +57,8 @@ internal sealed class SyntheticShape : IElevationGrid
 
             for (int sample = 0; sample < Samples; sample++)
             {
-                _radii[(line * Samples) + sample] = MoonConstants.ReferenceRadius + Limited(Flooded(lows[sample], maria[sample]) + hills[sample]);
+                _radii[(line * Samples) + sample] = MoonConstants.ReferenceRadius
+                    + Limited(Flooded(lows[sample], maria[sample]) + hills[sample]);
             }
         }
     }

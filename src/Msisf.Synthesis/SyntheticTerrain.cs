@@ -62,7 +62,9 @@ public sealed class SyntheticTerrain
     /// <summary>Samples a degree.</summary>
     public int PixelsPerDegree { get; }
 
-    /// <summary>A base was given; between 70 degrees south and north the mean of the model's samples in each of its pixels is the base's value.</summary>
+    /// <summary>
+    /// A base was given; between 70 degrees south and north the mean of the model's samples in each of its pixels is the base's value.
+    /// </summary>
     public bool HasBase { get; }
 
     /// <summary>The base, or the made-up shape.</summary>

@@ -18,7 +18,8 @@ public sealed class DatabaseSettingsTests : IDisposable
 
         DatabaseSettings settings = DatabaseSettings.Read(file, Variables(("MSISF_DB_USER", "other"), ("MSISF_DB_HOST", "moon")));
 
-        Assert.Equal(("moon", 3307, "reader", "msisf", null), (settings.Host, settings.Port, settings.User, settings.Database, settings.Socket));
+        Assert.Equal(
+            ("moon", 3307, "reader", "msisf", null), (settings.Host, settings.Port, settings.User, settings.Database, settings.Socket));
         Assert.Equal("a\"b#c", settings.Password);
     }
 

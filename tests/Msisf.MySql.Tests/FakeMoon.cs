@@ -35,7 +35,9 @@ internal sealed class FakeMoon
         string table = string.Create(CultureInfo.InvariantCulture, $"ldem_{_grid.PixelsPerDegree}");
         if (text.Contains("FROM ldem_import", StringComparison.Ordinal))
         {
-            return Equals(parameters["@table"], table) ? Table([typeof(string), typeof(string), typeof(ushort), typeof(uint), typeof(uint)], _records) : Table([typeof(string)], []);
+            return Equals(parameters["@table"], table)
+                ? Table([typeof(string), typeof(string), typeof(ushort), typeof(uint), typeof(uint)], _records)
+                : Table([typeof(string)], []);
         }
 
         if (!text.Contains($"FROM {table} ", StringComparison.Ordinal))

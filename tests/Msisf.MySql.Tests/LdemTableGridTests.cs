@@ -46,7 +46,8 @@ public class LdemTableGridTests
     [Fact]
     public void RadiusBounds_BlockOverTheSeam_IsMinAndMax()
     {
-        FunctionGrid peaks = new(1, (line, sample) => 1_737_400.0 + (line == 90 && sample == 1 ? 9.5 : 0.0) - (line == 91 && sample == 358 ? 7.5 : 0.0));
+        FunctionGrid peaks = new(
+            1, (line, sample) => 1_737_400.0 + (line == 90 && sample == 1 ? 9.5 : 0.0) - (line == 91 && sample == 358 ? 7.5 : 0.0));
         LdemTableGrid grid = LdemTableGrid.Open(new FakeMoon(peaks, FakeMoon.Record("TEST_GRID")).Source, 1);
 
         Assert.Equal((1_737_392.5, 1_737_409.5), grid.RadiusBounds(89, 3, 357, 6));
@@ -61,7 +62,8 @@ public class LdemTableGridTests
         TileId[] tiles = [new(85, 0), new(-90, 355), new(0, 355), new(0, 0)];
 
         IReadOnlyList<string> expected = new PatternRepository(folder["grid"]).EnsurePatterns(tiles, Rough, default, 2).Paths;
-        IReadOnlyList<string> made = new PatternRepository(folder["table"]).EnsurePatterns(tiles, LdemTableGrid.Open(moon.Source, 2), default, 2).Paths;
+        IReadOnlyList<string> made = new PatternRepository(folder["table"]).EnsurePatterns(
+            tiles, LdemTableGrid.Open(moon.Source, 2), default, 2).Paths;
 
         Assert.Equal(expected.Select(File.ReadAllBytes), made.Select(File.ReadAllBytes));
         Assert.Equal(11 + 11 + 10, moon.SampleQueries); // each line once, whatever the number of threads and tiles

@@ -56,7 +56,8 @@ public sealed class CraterPopulationTests
     {
         MareMask maria = new(FunctionGrid.HighlandsAndMare(1), CancellationToken.None);
         Crater[] craters = [.. new CraterPopulation(seed: 8, maria, smallest: 1000.0, largest: 2000.0).Near(-10.0, 10.0, 350.0, 20.0)
-            .Where(crater => Math.Abs(crater.LatitudeDegrees) < 10.0 && Math.Abs(Math.IEEERemainder(crater.LongitudeDegrees, 360.0)) < 10.0)];
+            .Where(
+                crater => Math.Abs(crater.LatitudeDegrees) < 10.0 && Math.Abs(Math.IEEERemainder(crater.LongitudeDegrees, 360.0)) < 10.0)];
         double km2 = 1737.4 * 1737.4 * (20.0 * Math.PI / 180.0) * 2.0 * Math.Sin(10.0 * Math.PI / 180.0);
 
         // 3e-3 D^-3 per km2 is the cumulative law as a part of Trask's at each diameter: integrate their product.

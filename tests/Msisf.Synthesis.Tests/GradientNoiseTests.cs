@@ -42,5 +42,6 @@ public sealed class GradientNoiseTests
     private static double Square(double value) => value * value;
 
     private static double At(double x, double y, double z, int seed = 1) => GradientNoise.At(
-        Vector256.Create(x), Vector256.Create(x), Vector256.Create(y), Vector256.Create(y), Vector256.Create(z), Vector256.Create(z), seed)[5];
+        Vector256.Create(x), Vector256.Create(x), Vector256.Create(y), Vector256.Create(y), Vector256.Create(z), Vector256.Create(z),
+        seed)[5];
 }

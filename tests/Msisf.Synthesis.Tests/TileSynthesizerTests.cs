@@ -92,7 +92,8 @@ public sealed class TileSynthesizerTests
         const int Side = 3 * Resolution;
         SyntheticTerrain terrain = new(Resolution, 11, FunctionGrid.HighlandsAndMare(4));
         float[] heights = Block(terrain, 88 * Resolution, Side, mare ? 10 * Resolution : 170 * Resolution, Side);
-        Assert.InRange(MedianSlopeDegrees(heights, Side, Resolution), (1.0 - SlopeLawPart) * expectedDegrees, (1.0 + SlopeLawPart) * expectedDegrees);
+        Assert.InRange(
+            MedianSlopeDegrees(heights, Side, Resolution), (1.0 - SlopeLawPart) * expectedDegrees, (1.0 + SlopeLawPart) * expectedDegrees);
     }
 
     [Fact]

@@ -89,12 +89,16 @@ final class ConnectionSettings
         foreach (['host' => $host, 'socket' => $socket ?? ''] as $name => $text) {
             // A semicolon would begin another part of PDO's data source name.
             if (preg_match('/[;\x00-\x1f]/', $text) === 1) {
-                throw new BadInputException("database $name '" . addcslashes($text, "\0..\37") . "': no semicolon or control character can be in it.");
+                throw new BadInputException(
+                    "database $name '" . addcslashes($text, "\0..\37") . "': no semicolon or control character can be in it.",
+                );
             }
         }
         $database = $values['database'] ?? self::DEFAULT_DATABASE;
         if (preg_match('/^[0-9A-Za-z_]{1,64}$/D', $database) !== 1) {
-            throw new BadInputException('database name \'' . addcslashes($database, "\0..\37") . "': 1 to 64 letters, digits or '_' are needed.");
+            throw new BadInputException(
+                'database name \'' . addcslashes($database, "\0..\37") . "': 1 to 64 letters, digits or '_' are needed.",
+            );
         }
 
         return new self($host, self::port($values['port'] ?? null), $socket, $user, $values['password'] ?? '', $database);

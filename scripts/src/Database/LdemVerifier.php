@@ -73,7 +73,10 @@ final class LdemVerifier
         throw new BadInputException("$wanted->productId is not in $table of the database {$this->connection->database}. Import it first.");
     }
 
-    /** @return list<array{int, float, float, float, string}> column, longitude, its sine and cosine, the point's bytes before the latitude */
+    /**
+     * @return list<array{int, float, float, float, string}> column, longitude, its sine and cosine, the point's bytes before the
+     *     latitude
+     */
     private static function columns(GridDirections $directions, Resolution $resolution, ImportRecord $record): array
     {
         $columns = [];

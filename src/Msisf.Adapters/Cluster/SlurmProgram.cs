@@ -23,6 +23,7 @@ public sealed class SlurmProgram
     public Task<ProcessResult> CallAsync(string name, IReadOnlyList<string> arguments, CancellationToken cancellation)
     {
         string program = SearchPath.Find(_searchPath, name) ?? throw new ExternalPartException($"no {name} on the PATH.");
-        return new ChildProgram(program, arguments) { Environment = new Dictionary<string, string> { ["PATH"] = _searchPath } }.RunAsync(cancellation);
+        Dictionary<string, string> environment = new() { ["PATH"] = _searchPath };
+        return new ChildProgram(program, arguments) { Environment = environment }.RunAsync(cancellation);
     }
 }

@@ -5,7 +5,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Lod;
 
-/// <summary>Where the sidecar of a model may be: beside it, or, if that folder can't be written to, in the user's cache.</summary>
+/// <summary>
+/// The possible places of a model's sidecar: beside the model, or, if that folder can't be written to, in the user's cache.
+/// </summary>
 /// <param name="Beside">Beside the model.</param>
 /// <param name="Cached">In the cache, under a name of the model's own place; null without a cache.</param>
 public sealed record PyramidPlaces(string Beside, string? Cached)
@@ -38,7 +40,8 @@ public sealed record PyramidPlaces(string Beside, string? Cached)
         try
         {
             string probe = Path.Combine(folder, Path.GetRandomFileName());
-            using FileStream file = new(probe, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 1, FileOptions.DeleteOnClose);
+            using FileStream file = new(
+                probe, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 1, FileOptions.DeleteOnClose);
             return true;
         }
         catch (Exception exception) when (exception.IsFileError())

@@ -1,34 +1,34 @@
 namespace Msisf.Adapters.Manifest;
 
-/// <summary>What was found of a frame.</summary>
+/// <summary>The result of checking a frame.</summary>
 /// <param name="Expected">The frame.</param>
 /// <param name="State">How it stands.</param>
 /// <param name="Reason">Why, in words; empty if it is right.</param>
 public sealed record FrameCheck(ExpectedRecord Expected, FrameState State, string Reason);
 
-/// <summary>How a frame that is to be there stands.</summary>
+/// <summary>The state of a frame that a run expects.</summary>
 public enum FrameState
 {
-    /// <summary>There, and as it was made.</summary>
+    /// <summary>The files are as they were made.</summary>
     Complete,
 
-    /// <summary>Not there.</summary>
+    /// <summary>The files do not exist.</summary>
     Missing,
 
-    /// <summary>There, but not as it was made.</summary>
+    /// <summary>The files are not as they were made.</summary>
     Damaged,
 
-    /// <summary>There, but of other settings or another state of the spacecraft.</summary>
+    /// <summary>The files belong to other settings or another state of the spacecraft.</summary>
     OtherSettings,
 
-    /// <summary>Not there, because it could not be made.</summary>
+    /// <summary>The frame could not be made.</summary>
     Failed,
 }
 
-/// <summary>How closely a frame's files are looked at.</summary>
+/// <summary>What of a frame's files is checked.</summary>
 public enum CheckDepth
 {
-    /// <summary>That they are there, with their lengths.</summary>
+    /// <summary>That they exist, with their lengths.</summary>
     Lengths,
 
     /// <summary>Their content too, by its checksum.</summary>

@@ -4,7 +4,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Manifest;
 
-/// <summary>Judges frames: what is to be there, what the manifest says was made, and what lies in the folder. Safe for several threads.</summary>
+/// <summary>
+/// Compares what a run expects of a frame, what the manifest says was made, and what lies in the folder. Safe for several threads.
+/// </summary>
 public sealed class FrameChecker
 {
     private readonly string _folder;
@@ -22,7 +24,7 @@ public sealed class FrameChecker
         _structure = structure;
     }
 
-    /// <summary>Judges a frame.</summary>
+    /// <summary>Checks a frame.</summary>
     /// <param name="expected">What is to be there.</param>
     /// <param name="made">What was made last under its name; null for nothing.</param>
     /// <param name="failed">What failed since; null for nothing.</param>
@@ -62,8 +64,9 @@ public sealed class FrameChecker
         return (FrameState.Complete, string.Empty);
     }
 
-    /// <summary>The file itself where outputs were moved and links left in their place.</summary>
-    private static FileInfo Target(FileInfo file) => file.LinkTarget is null ? file : file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file;
+    /// <summary>The file itself, where outputs were moved and links left in their place.</summary>
+    private static FileInfo Target(FileInfo file) =>
+        file.LinkTarget is null ? file : file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file;
 
     private string? ProblemWith(OutputFile made, FileInfo file)
     {

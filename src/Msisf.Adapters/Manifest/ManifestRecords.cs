@@ -8,13 +8,13 @@ public abstract record ManifestRecord;
 /// <param name="Description">A JSON object.</param>
 public sealed record SettingsRecord(string Key, string Description) : ManifestRecord;
 
-/// <summary>A run that the folder is to hold; its frames follow as <see cref="ExpectedRecord"/>s.</summary>
+/// <summary>A run whose frames the folder is to hold; they follow as <see cref="ExpectedRecord"/>s.</summary>
 /// <param name="Run">Names the run: the same frames with the same settings are the same run, in one piece or in many.</param>
 /// <param name="Settings">Key of its settings.</param>
 /// <param name="Frames">How many frames it has.</param>
 public sealed record RunRecord(string Run, string Settings, int Frames) : ManifestRecord;
 
-/// <summary>A frame that a run is to have.</summary>
+/// <summary>A frame that a run expects.</summary>
 /// <param name="Run">The run.</param>
 /// <param name="Step">From 1.</param>
 /// <param name="Name">File name of its outputs, without extension.</param>

@@ -43,9 +43,11 @@ public sealed record ChildProgram(string Program, IReadOnlyList<string> Argument
         catch (OperationCanceledException)
         {
             process.Kill(entireProcessTree: true);
-            await Task.WhenAny(process.WaitForExitAsync(CancellationToken.None), Task.Delay(LongestKill, CancellationToken.None)).ConfigureAwait(false);
+            await Task.WhenAny(
+                process.WaitForExitAsync(CancellationToken.None), Task.Delay(LongestKill, CancellationToken.None)).ConfigureAwait(false);
             cancellation.ThrowIfCancellationRequested();
-            throw new TimeoutException(string.Create(CultureInfo.InvariantCulture, $"{Program} was ended after {TimeLimit!.Value.TotalSeconds:R} s"));
+            throw new TimeoutException(
+                string.Create(CultureInfo.InvariantCulture, $"{Program} was ended after {TimeLimit!.Value.TotalSeconds:R} s"));
         }
     }
 

@@ -14,8 +14,8 @@ namespace Msisf.Adapters.Render;
 public sealed class PovRayProcess
 {
     /// <summary>
-    /// Rows that POV-Ray 3.7 takes together: what its antialiasing does at a block's edge depends on where the blocks are, so a strip that begins at a
-    /// multiple of this has the pixels of the whole image (measured; strips that do not differ in a few).
+    /// Rows of one of POV-Ray 3.7's blocks. Antialiasing at a block's edge depends on where the blocks are, so a strip of an image has the
+    /// pixels of the whole image only if it begins at a multiple of this (measured; other strips differ in a few pixels).
     /// </summary>
     public const int BlockRows = 32;
 
@@ -24,7 +24,7 @@ public sealed class PovRayProcess
     private const string PatternLink = "patterns";
     private const string EmptySettings = "povray.ini";
 
-    /// <summary>The last lines of a failed run that its error shows.</summary>
+    /// <summary>How many of the last lines of a failed run its error shows.</summary>
     private const int ReportedLines = 6;
 
     /// <summary>Quality and antialiasing as the 2012 program had them.</summary>
@@ -79,7 +79,8 @@ public sealed class PovRayProcess
             string.Create(CultureInfo.InvariantCulture, $"+WT{job.Threads}"),
         ];
         string[] rows = job.Rows is PixelRows some
-            ? [string.Create(CultureInfo.InvariantCulture, $"+SR{some.First + 1}"), string.Create(CultureInfo.InvariantCulture, $"+ER{some.End}")]
+            ? [string.Create(
+                CultureInfo.InvariantCulture, $"+SR{some.First + 1}"), string.Create(CultureInfo.InvariantCulture, $"+ER{some.End}")]
             : [];
         return [.. own, .. rows, .. DefaultOptions, .. job.Options];
     }

@@ -4,13 +4,13 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 
-/// <summary>Which POV-Ray it is: versions draw differently.</summary>
+/// <summary>Finds the version of POV-Ray: versions draw differently.</summary>
 public static partial class PovRayVersion
 {
-    /// <summary>A program that answers something else: one that stands in for POV-Ray.</summary>
+    /// <summary>The answer of a program that names no version, such as one that stands in for POV-Ray.</summary>
     public const string Unknown = "unknown";
 
-    /// <summary>The system's own for a program that it has killed are higher.</summary>
+    /// <summary>The highest exit code of a program's own; those of killed programs are higher.</summary>
     private const int LastOwnExitCode = 128;
 
     private static readonly TimeSpan LongestAnswer = TimeSpan.FromSeconds(60); // over a network file system at its busiest
@@ -18,7 +18,9 @@ public static partial class PovRayVersion
     /// <summary>Asks the program.</summary>
     /// <param name="program">Its file.</param>
     /// <returns>E.g. "3.7.0.10.unofficial", or <see cref="Unknown"/>.</returns>
-    /// <exception cref="PovRayException">It can't be started, does not answer, or is killed: frames of an unknown version would pass for others.</exception>
+    /// <exception cref="PovRayException">
+    /// It can't be started, does not answer, or is killed: frames of an unknown version would pass for others.
+    /// </exception>
     public static async Task<string> AskAsync(string program)
     {
         try
@@ -28,7 +30,8 @@ public static partial class PovRayVersion
             Match version = Number().Match(result.Output + result.Error);
             return version.Success ? version.Groups[1].Value
                 : result.ExitCode <= LastOwnExitCode ? Unknown
-                : throw new PovRayException($"{program} --version: was killed by signal {result.ExitCode - LastOwnExitCode}. Run it again.");
+                : throw new PovRayException(
+                    $"{program} --version: was killed by signal {result.ExitCode - LastOwnExitCode}. Run it again.");
         }
         catch (TimeoutException exception)
         {

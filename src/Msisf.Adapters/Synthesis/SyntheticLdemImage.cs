@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using System.Collections.Concurrent;
+using System.Globalization;
 using Microsoft.Win32.SafeHandles;
 using Msisf.Core.Errors;
 using Msisf.Synthesis;
@@ -96,8 +97,10 @@ internal sealed class SyntheticLdemImage
                 double units = Math.Round(row[sample] / ScalingFactor);
                 if (!(units >= short.MinValue && units <= short.MaxValue))
                 {
-                    throw new BadInputException(FormattableString.Invariant(
-                        $"Line {moonLine + line}, sample {moonSample + sample}: the height {row[sample]} m does not fit 16 bits of 0.5 m. Take another seed or base."));
+                    throw new BadInputException(string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"Line {moonLine + line}, sample {moonSample + sample}: the height {row[sample]} m does not fit 16 bits of 0.5 m. "
+                            + $"Take another seed or base."));
                 }
 
                 short value = (short)units;

@@ -4,7 +4,10 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Synthesis;
 
-/// <summary>Writes the PDS3 label of a synthetic product: the keywords and order of the LOLA archive's labels, and values that claim nothing.</summary>
+/// <summary>
+/// Writes the PDS3 label of a synthetic product: keywords in the order of the LOLA archive's labels, with values that say that the model is
+/// synthetic.
+/// </summary>
 internal static class SyntheticLdemLabel
 {
     /// <summary>Writes the label.</summary>
@@ -19,7 +22,8 @@ internal static class SyntheticLdemLabel
         string scale = metresPerPixel.ToString("0.00", CultureInfo.InvariantCulture);
         string source = options.Base is null
             ? "nothing (a made-up global shape)"
-            : $"{options.Base.ProductId} ({options.Base.PixelsPerDegree.ToString(CultureInfo.InvariantCulture)} pix/deg), whose pixel means it keeps";
+            : $"{options.Base.ProductId} ({options.Base.PixelsPerDegree.ToString(CultureInfo.InvariantCulture)} pix/deg), "
+                + $"whose pixel means it keeps";
         MoonRegion region = product.Region;
 
         // As in the archive: offsets count from the product's own first pixel to the projection's centre at latitude 0, longitude 180.

@@ -9,7 +9,9 @@ namespace Msisf.Adapters.Synthesis;
 /// <param name="Region">The part of the Moon in it.</param>
 public sealed record SyntheticLdemProduct(int PixelsPerDegree, MoonRegion Region)
 {
-    /// <summary>E.g. "LDEM_64_SYNTHETIC", or "LDEM_512_SYNTHETIC_00N_45N_000_090" for a part, borders named as in the LOLA archive.</summary>
+    /// <summary>
+    /// E.g. "LDEM_64_SYNTHETIC", or "LDEM_512_SYNTHETIC_00N_45N_000_090" for a part, borders named as in the LOLA archive.
+    /// </summary>
     public string ProductId
     {
         get

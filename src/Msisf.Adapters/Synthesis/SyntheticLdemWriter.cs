@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using Microsoft.Win32.SafeHandles;
 using Msisf.Adapters.IO;
@@ -9,8 +10,8 @@ using Msisf.Synthesis;
 namespace Msisf.Adapters.Synthesis;
 
 /// <summary>
-/// Writes a synthetic elevation model as an image and its label, block by block, in memory that does not grow with the model.
-/// The label comes last: an image without a label is not a product.
+/// Writes a synthetic elevation model as an image and its label, block by block, so that memory does not grow with the model. The label is
+/// written last: an image without a label is not a product.
 /// </summary>
 public static class SyntheticLdemWriter
 {
@@ -20,7 +21,9 @@ public static class SyntheticLdemWriter
     /// <param name="cancellation">Stops the work; nothing is left behind.</param>
     /// <returns>Path of the label; the image lies beside it.</returns>
     /// <exception cref="UsageException">The region is none.</exception>
-    /// <exception cref="BadInputException">The resolution does not fit the base, a height does not fit 16 bits, or the name is that of a file that is not synthetic.</exception>
+    /// <exception cref="BadInputException">
+    /// The resolution does not fit the base, a height does not fit 16 bits, or the name is that of a file that is not synthetic.
+    /// </exception>
     /// <exception cref="ExternalPartException">The disk is too full, or refuses.</exception>
     public static string Write(SyntheticLdemOptions options, IProgress<double>? progress, CancellationToken cancellation)
     {
@@ -82,19 +85,24 @@ public static class SyntheticLdemWriter
         const long ForTheLabel = 65536;
         if (free < needed + ForTheLabel)
         {
-            throw new ExternalPartException(FormattableString.Invariant(
-                $"{folder}: the model needs {needed / Megabyte:0.0} MB and the disk has {free / Megabyte:0.0} MB free. Make room, take another folder, or a --region."));
+            throw new ExternalPartException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{folder}: the model needs {needed / Megabyte:0.0} MB and the disk has {free / Megabyte:0.0} MB free. "
+                    + $"Make room, take another folder, or a --region."));
         }
     }
 
     private static void RequireSynthetic(string label, string image)
     {
         bool replaceable = File.Exists(label)
-            ? File.ReadLines(label).Any(line => line.StartsWith("DATA_SET_ID", StringComparison.Ordinal) && line.Contains(LdemLabel.SyntheticMark, StringComparison.Ordinal))
+            ? File.ReadLines(label).Any(
+                line => line.StartsWith("DATA_SET_ID", StringComparison.Ordinal)
+                    && line.Contains(LdemLabel.SyntheticMark, StringComparison.Ordinal))
             : !File.Exists(image);
         if (!replaceable)
         {
-            throw new BadInputException($"{label}: the files of that name are not a synthetic product; they stay as they are. Move them, or take another folder.");
+            throw new BadInputException(
+                $"{label}: the files of that name are not a synthetic product; they stay as they are. Move them, or take another folder.");
         }
     }
 }

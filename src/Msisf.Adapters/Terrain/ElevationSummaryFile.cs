@@ -8,9 +8,9 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// Keeps a model's <see cref="ElevationSummary"/> beside it, since making one reads the whole model. A file that is damaged, or of
-/// another model or an older one, counts as missing. Layout: a magic number, the source's fingerprint (32 bytes), SHA-256 of the rest,
-/// then little-endian 32-bit floats.
+/// Stores a model's <see cref="ElevationSummary"/> beside it, since making one reads the whole model. A file that is damaged or of another
+/// model counts as missing. Layout: a magic number, the source's fingerprint (32 bytes), SHA-256 of the rest, then little-endian 32-bit
+/// floats.
 /// </summary>
 public static class ElevationSummaryFile
 {

@@ -4,8 +4,8 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// Tells elevation models apart, the same on every computer: hashes of the labels, lengths of the images, and hashes of samples spread over
-/// them. Reading a model of 34 GB whole would take longer than any image.
+/// Tells elevation models apart, in the same way on every computer: hashes of the labels, the lengths of the images, and hashes of samples
+/// spread over them. To read a model of 34 GB completely would take longer than to render an image.
 /// </summary>
 /// <param name="ProductId">From the label.</param>
 /// <param name="ImageBytes">Length of the image; of a split product all of them.</param>

@@ -3,14 +3,16 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>Where a label's ^IMAGE says that the samples are.</summary>
+/// <summary>The place of the samples that a label's ^IMAGE names.</summary>
 /// <param name="FileName">Name of the image's file beside the label; null for an attached label, whose file holds both.</param>
 /// <param name="Offset">Bytes of that file before the first sample.</param>
 internal readonly record struct LdemImagePointer(string? FileName, long Offset)
 {
     private const string Keyword = "^IMAGE";
 
-    /// <summary>Reads ^IMAGE = "FILE", ("FILE", record), ("FILE", byte &lt;BYTES&gt;), record, or byte &lt;BYTES&gt;; both count from 1.</summary>
+    /// <summary>
+    /// Reads ^IMAGE = "FILE", ("FILE", record), ("FILE", byte &lt;BYTES&gt;), record, or byte &lt;BYTES&gt;; both count from 1.
+    /// </summary>
     /// <param name="holder">The object that has ^IMAGE.</param>
     /// <param name="recordBytes">RECORD_BYTES; null if the label has none.</param>
     /// <exception cref="BadInputException">^IMAGE is missing or of another form.</exception>
@@ -41,7 +43,8 @@ internal readonly record struct LdemImagePointer(string? FileName, long Offset)
 
         if (place.Unit is null)
         {
-            return (number - 1L) * (recordBytes ?? throw holder.Unfit(Keyword, place, "the label has no RECORD_BYTES to count records with"));
+            return (number - 1L)
+                * (recordBytes ?? throw holder.Unfit(Keyword, place, "the label has no RECORD_BYTES to count records with"));
         }
 
         return string.Equals(place.Unit, "BYTES", StringComparison.OrdinalIgnoreCase)

@@ -2,7 +2,9 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>What the label of a cylindrical lunar elevation model says, checked for consistency. It may cover a part of the Moon only.</summary>
+/// <summary>
+/// The values of a cylindrical lunar elevation model's label, checked for consistency. The model may cover a part of the Moon only.
+/// </summary>
 public sealed record LdemLabel
 {
     /// <summary>Stands in every name and label of a synthetic product.</summary>
@@ -68,7 +70,7 @@ public sealed record LdemLabel
     /// <summary>The samples are 16-bit integers.</summary>
     public bool HasIntegers => SampleType is LdemSampleType.Int16LittleEndian or LdemSampleType.Int16BigEndian;
 
-    /// <summary>m: no sample is outside. Floats may pass the printed MINIMUM and MAXIMUM a little.</summary>
+    /// <summary>m: the limits of all radii. Floats may exceed the printed MINIMUM and MAXIMUM a little.</summary>
     public (double Min, double Max) RadiusLimits
     {
         get
@@ -84,9 +86,9 @@ public sealed record LdemLabel
     /// <summary>Bytes of a line.</summary>
     public long LineBytes => (long)LineSamples * SampleBytes;
 
-    /// <summary>Bytes of the samples, without what stands before them.</summary>
+    /// <summary>Bytes of all samples.</summary>
     public long ImageBytes => LineBytes * Lines;
 
-    /// <summary>It covers latitudes -90 to 90 and longitudes 0 to 360 degrees.</summary>
+    /// <summary>Whether it covers latitudes -90 to 90 and longitudes 0 to 360 degrees.</summary>
     public bool CoversWholeMoon => (NorthDegrees, SouthDegrees, WestDegrees, EastDegrees) == (90.0, -90.0, 0.0, 360.0);
 }

@@ -7,15 +7,15 @@ using Msisf.Core.Tiles;
 namespace Msisf.Adapters.Tiles;
 
 /// <summary>
-/// The first line of a pattern file. It says what the file holds, ties it to the radii that it was made from, and carries
-/// the file's length, so that reading it is enough to know whether the file is the wanted one and whole.
+/// The first line of a pattern file: what the file holds, a hash of the radii that it was made from, and the file's length. So reading it
+/// is enough to know whether the file is the wanted one and complete.
 /// </summary>
 internal static class PatternHeader
 {
-    /// <summary>What every pattern of this program begins with.</summary>
+    /// <summary>The beginning of every pattern of this program.</summary>
     public const string Mark = "// msisf-pattern ";
 
-    /// <summary>Digits of the file's length, with leading zeros: the length of the header does not depend on it.</summary>
+    /// <summary>Digits of the file's length, with leading zeros, so that the length of the header does not depend on it.</summary>
     public const int LengthDigits = 12;
 
     private const int FormatVersion = 1;
@@ -37,7 +37,9 @@ internal static class PatternHeader
         (int vertices, int faces) = TileMesh.CountsOf(layout);
         return Encoding.ASCII.GetBytes(string.Create(
             CultureInfo.InvariantCulture,
-            $"{Mark}{FormatVersion} format={formatName} product={productId} res={layout.PixelsPerDegree} tile={part.Tile.RangeText}{place} margin-samples={layout.MarginSamples}{wall} samples-sha256={Hash(radii)} vertices={vertices} faces={faces} bytes="));
+            $"{Mark}{FormatVersion} format={formatName} product={productId} res={layout.PixelsPerDegree} "
+                + $"tile={part.Tile.RangeText}{place} margin-samples={layout.MarginSamples}{wall} samples-sha256={Hash(radii)} "
+                + $"vertices={vertices} faces={faces} bytes="));
     }
 
     /// <summary>SHA-256 over the radii as little-endian doubles in vertex order, in small hexadecimal digits.</summary>

@@ -22,17 +22,20 @@ public sealed class FrameCheckerTests : IDisposable
     [Fact]
     public void Judge_NothingMadeButAFailure_SaysWhy()
     {
-        FrameCheck judgement = new FrameChecker(_folder.Path, CheckDepth.Lengths).Judge(Expected, null, new FailedRecord(1, "m", "f1", "killed"));
+        FrameCheck judgement = new FrameChecker(_folder.Path, CheckDepth.Lengths).Judge(
+            Expected, null, new FailedRecord(1, "m", "f1", "killed"));
 
         Assert.Equal((FrameState.Failed, "killed"), (judgement.State, judgement.Reason));
     }
 
     [Fact]
     public void Judge_FailureOfOtherSettings_IsMissing() => Assert.Equal(
-        FrameState.Missing, new FrameChecker(_folder.Path, CheckDepth.Lengths).Judge(Expected, null, new FailedRecord(1, "m", "f0", "killed")).State);
+        FrameState.Missing,
+        new FrameChecker(_folder.Path, CheckDepth.Lengths).Judge(Expected, null, new FailedRecord(1, "m", "f0", "killed")).State);
 
     [Fact]
-    public void Judge_OtherSettings_IsNoticed() => Assert.Equal(FrameState.OtherSettings, Judge(Made() with { Frame = "f0" }, CheckDepth.Checksums).State);
+    public void Judge_OtherSettings_IsNoticed() =>
+        Assert.Equal(FrameState.OtherSettings, Judge(Made() with { Frame = "f0" }, CheckDepth.Checksums).State);
 
     [Fact]
     public void Judge_AllFilesGone_IsMissing()

@@ -51,10 +51,12 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
     [Fact]
     public void Write_Label_StatesTheTrueExtremesAndTheSizes()
     {
-        string label = SyntheticLdemWriter.Write(Options(64, "label") with { Region = new MoonRegion(0, 2, 350, 353) }, null, CancellationToken.None);
+        string label = SyntheticLdemWriter.Write(
+            Options(64, "label") with { Region = new MoonRegion(0, 2, 350, 353) }, null, CancellationToken.None);
         string text = File.ReadAllText(label);
         byte[] image = File.ReadAllBytes(Path.ChangeExtension(label, ".IMG"));
-        short[] samples = [.. Enumerable.Range(0, image.Length / 2).Select(i => BinaryPrimitives.ReadInt16LittleEndian(image.AsSpan(2 * i)))];
+        short[] samples = [.. Enumerable.Range(0, image.Length / 2).Select(
+            i => BinaryPrimitives.ReadInt16LittleEndian(image.AsSpan(2 * i)))];
         Assert.Equal("LDEM_64_SYNTHETIC_00N_02N_350_353.LBL", Path.GetFileName(label));
         Assert.Equal($"{samples.Max()}", Value(text, "MAXIMUM"));
         Assert.Equal($"{samples.Min()}", Value(text, "MINIMUM"));
@@ -76,8 +78,12 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         string text = File.ReadAllText(label);
         string archive = File.ReadAllText(TestParts.Ldem4Label!);
         Assert.Equal(Keywords(archive), Keywords(text));
-        foreach (string keyword in new[] { "LINES", "LINE_SAMPLES", "RECORD_BYTES", "FILE_RECORDS", "SAMPLE_TYPE", "SAMPLE_BITS", "SCALING_FACTOR",
-            "OFFSET", "MAP_RESOLUTION", "MAP_SCALE", "LINE_PROJECTION_OFFSET", "SAMPLE_PROJECTION_OFFSET", "LINE_LAST_PIXEL", "SAMPLE_LAST_PIXEL" })
+        string[] same =
+        [
+            "LINES", "LINE_SAMPLES", "RECORD_BYTES", "FILE_RECORDS", "SAMPLE_TYPE", "SAMPLE_BITS", "SCALING_FACTOR", "OFFSET",
+            "MAP_RESOLUTION", "MAP_SCALE", "LINE_PROJECTION_OFFSET", "SAMPLE_PROJECTION_OFFSET", "LINE_LAST_PIXEL", "SAMPLE_LAST_PIXEL",
+        ];
+        foreach (string keyword in same)
         {
             Assert.Equal(Value(archive, keyword), Value(text, keyword));
         }
@@ -140,14 +146,16 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
     public void Write_HeightsBeyond16Bits_SaysWhere()
     {
         SyntheticLdemOptions options = Options(8, ".") with { Base = FunctionGrid.OfHeights(4, (_, _) => 17_000.0) };
-        BadInputException exception = Assert.Throws<BadInputException>(() => SyntheticLdemWriter.Write(options, null, CancellationToken.None));
+        BadInputException exception = Assert.Throws<BadInputException>(
+            () => SyntheticLdemWriter.Write(options, null, CancellationToken.None));
         Assert.Contains("does not fit 16 bits", exception.Message, StringComparison.Ordinal);
         Assert.Empty(Directory.GetFiles(_folder));
     }
 
     [Fact]
     public void Write_RegionThatIsNone_IsUsageError() =>
-        Assert.Throws<UsageException>(() => SyntheticLdemWriter.Write(Options(4, ".") with { Region = default }, null, CancellationToken.None));
+        Assert.Throws<UsageException>(
+            () => SyntheticLdemWriter.Write(Options(4, ".") with { Region = default }, null, CancellationToken.None));
 
     [Fact]
     public void RequireSpace_FullDisk_SaysHowMuchIsNeeded()
@@ -168,7 +176,8 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
     [GeneratedRegex(@"^\s*([\^A-Z_]+)\s*=", RegexOptions.Multiline)]
     private static partial Regex KeywordPattern();
 
-    private SyntheticLdemOptions Options(int pixelsPerDegree, string subfolder) => new(pixelsPerDegree, Seed: 1, Path.Combine(_folder, subfolder));
+    private SyntheticLdemOptions Options(int pixelsPerDegree, string subfolder) =>
+        new(pixelsPerDegree, Seed: 1, Path.Combine(_folder, subfolder));
 
     /// <summary>Reports at once, on the thread that works; System.Progress posts.</summary>
     private sealed class Progress(Action<double> report) : IProgress<double>

@@ -103,7 +103,7 @@ public sealed class PartSelectorTests(Ldem4Fixture ldem4, RuggedMoon rugged) : I
     [InlineData(-0.1)]
     [InlineData(double.PositiveInfinity)]
     public void Constructor_ErrorOutOfRange_IsACallersBug(double errorPixels) =>
-        Assert.Throws<ArgumentOutOfRangeException>("errorPixels", () => Selector(errorPixels));
+        Assert.Throws<ArgumentOutOfRangeException>(() => Selector(errorPixels));
 
     [RequiresFact(Part.Ldem4)]
     public void Select_CameraInsideTheMoon_IsBadInput() => Assert.Throws<BadInputException>(() => Selector(0.3).Select(
