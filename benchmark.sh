@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Measures run time against error of both renderers, with the thesis's own way as the base line of the same run; writes the
-# tables into docs/performance.md and all figures and plots into docs/benchmark/. As root, or as a user with sudo. Under 20
-# minutes, and some minutes and 4 GB more in benchmark/ at the first run. Leave the machine alone meanwhile.
+# Measures run time against error of both renderers, with the thesis's own way as the base line of the same run; writes what it
+# found into docs/performance.md, docs/performance-tables.md and docs/scaling.md, and all figures and plots into docs/benchmark/.
+# As root, or as a user with sudo. Under 20 minutes, and some minutes and 4 GB more in benchmark/ at the first run. Leave the
+# machine alone meanwhile.
 #     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]]
 # --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., from-nothing, sequence).
 # With one of the two the results stay in benchmark/, and docs/ is left alone.
@@ -117,14 +118,12 @@ done
 "$program" measure --root . --folder "$folder" "${models[@]}" "${choice[@]}"
 rm -f "$folder"/front-*.svg
 /usr/bin/python3 -B tests/Msisf.Benchmarks/plots/performance.py "$folder/front.csv" "$folder"
+/usr/bin/python3 -B tests/Msisf.Benchmarks/plots/overview.py "$folder/front.csv" "$folder/figures.csv" "$folder"
 
 if [ -n "$is_partial" ]; then
     cat "$folder/tables.md"
     say "The tables and plots are in $folder/; docs/ is as it was."
 else
-    mkdir -p docs/benchmark
-    rm -f docs/benchmark/front-*.svg
-    cp "$folder"/{figures,targets,front}.csv "$folder"/front-*.svg docs/benchmark/
-    replace_block docs/performance.md "$folder/tables.md"
-    say 'The tables are in docs/performance.md, all figures and plots in docs/benchmark/.'
+    publish_performance "$folder"
+    say 'The conclusions are in docs/performance.md and docs/scaling.md, the tables in docs/performance-tables.md, all figures and plots in docs/benchmark/.'
 fi

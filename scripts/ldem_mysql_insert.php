@@ -17,7 +17,7 @@ Imports elevation models of the Moon (NASA's LDEM products) into a MySQL or Mari
 
 LABEL is the .LBL file of a product in simple cylindrical projection; its image lies beside it. An import that was
 interrupted goes on where it stopped when it is run again. Results are on stdout, a line a product. docs/database.md
-describes the tables, docs/performance.md how long it takes.
+describes the tables and says how long it takes.
 
 Exit codes: 0 done, 1 wrong options, 2 a file or the table does not hold what it should, 3 the database failed, 70 a bug.
 TEXT;

@@ -15,11 +15,21 @@ make_model() {
         die "msis ldem synthesize ended well, but: $(fault_of_model "$folder" "$name"): please report this"
 }
 
+# publish_performance FOLDER: what a whole run has left there goes into the docs; plots of scenes that are no more go out.
+publish_performance() {
+    replace_block docs/performance.md "$1/summary.md"
+    replace_block docs/performance-tables.md "$1/tables.md"
+    replace_block docs/scaling.md "$1/scaling.md"
+    mkdir -p docs/benchmark
+    rm -f docs/benchmark/front-*.svg
+    cp "$1"/{figures,targets,front}.csv "$1"/{time,error,memory}.svg "$1"/front-*.svg docs/benchmark/
+}
+
 # replace_block FILE BLOCK: puts the text of BLOCK between the two marks of FILE, which stay.
 replace_block() {
     local file=$1 fresh=$1.partial
     [ "$(grep -Fx -e "$begin_mark" -e "$end_mark" "$file")" = "$begin_mark"$'\n'"$end_mark" ] ||
-        die "$file has not the lines $begin_mark and $end_mark, each once and in this order: the tables stay in $2"
+        die "$file needs the lines $begin_mark and $end_mark, each once and in this order: the text stays in $2"
     {
         sed "/^$begin_mark\$/q" "$file"
         printf '\n'

@@ -2,7 +2,7 @@
 
 declare(strict_types=1);
 
-// Seconds of several ways to import LDEM_4, in one run, for docs/performance.md. The database of the connection is written to:
+// Seconds of several ways to import LDEM_4, in one run, for docs/database.md. The database of the connection is written to:
 //     MSISF_DB_SOCKET=... MSISF_DB_USER=... php tests/reference/import_variants.php input/ldem/LDEM_4.LBL
 // The thesis's way: its final table (listing 4.1, MyISAM), one INSERT of text a line of the image (appendix B.3).
 

@@ -2,7 +2,7 @@
 
 declare(strict_types=1);
 
-// Times the ways of asking for the samples of one patch, beside the thesis's times, for docs/performance.md:
+// Times the ways of asking for the samples of one patch, beside the thesis's times, for docs/database.md:
 //
 //     MSISF_DB_...=... php tests/reference/patch_queries.php [resolution]
 //

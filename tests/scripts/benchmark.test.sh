@@ -1,13 +1,17 @@
 # shellcheck shell=bash
 . "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
 
-# A clone whose models are there; SDK, program and benchmark are stand-ins. Each line of "calls" is what the benchmark was asked.
-make_benchmark_clone() {
-    need povray
+need_matplotlib() {
     /usr/bin/python3 -c 'import matplotlib' 2>/dev/null || {
         echo 'missing: matplotlib'
         exit 77
     }
+}
+
+# A clone whose models are there; SDK, program and benchmark are stand-ins. Each line of "calls" is what the benchmark was asked.
+make_benchmark_clone() {
+    need povray
+    need_matplotlib
     export MSISF_LDEM_URLS='http://127.0.0.1:9/none.lbl' CALLS=$PWD/calls PATH="$PWD/sdk:$PATH"
     make_clone "$PWD/clone"
     cp "$MSISF_TESTED_ROOT/benchmark.sh" clone
@@ -50,10 +54,11 @@ case $1 in
         mkdir -p benchmark
         [ -z "${BROKEN:-}" ] || exit 1
         echo '| fresh |' >benchmark/tables.md
-        echo figures >benchmark/figures.csv
+        printf '%s\n' 'scene,quantity,setting,median' 'sequence,rate,all frames,40' 'sequence,frames,,10' 'sequence,files,,2000000' >benchmark/figures.csv
         echo targets >benchmark/targets.csv
-        printf '%s\n' 'scene,about,setting,kind,seconds_median,grey_rms_levels' "${SCENE:-far-4},Far,thesis,Thesis,2,0.9" \
-            "${SCENE:-far-4},Far,native,Native,0.3,0" 'far-512,Far,native,Native,1,' >benchmark/front.csv
+        printf '%s\n' 'scene,about,setting,kind,seconds_median,tiles,tiles_measured,msis_peak_bytes,povray_peak_bytes,grey_rms_levels' \
+            "${SCENE:-far-4},Far,thesis,Thesis,2,40,4,1e8,1e8,0.9" "${SCENE:-far-4},Far,\"native, 1\",Native,0.3,0,0,2e8,0,0" \
+            'far-512,Finest,"native, 1",Native,1,0,0,3e8,0,' 'nadir-64,Nadir,povray,PovRay,2.5,36,36,1e8,1e8,' >benchmark/front.csv
         ;;
     stress)
         mkdir -p benchmark/stress
@@ -74,13 +79,18 @@ PLOTS
 install_parts() { echo "parts $*" >>"$CALLS"; }
 PARTS
     printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '| old |' '<!-- benchmark.sh: end -->' 'after' >clone/docs/performance.md
-    cp clone/docs/performance.md clone/docs/accuracy.md
     cp clone/docs/performance.md page
+    local name
+    for name in accuracy performance-tables scaling; do
+        cp page "clone/docs/$name.md"
+    done
 }
 
 assert_page_untouched() {
-    cmp clone/docs/performance.md page || fail 'docs/performance.md has changed'
-    cmp clone/docs/accuracy.md page || fail 'docs/accuracy.md has changed'
+    local name
+    for name in accuracy performance performance-tables scaling; do
+        cmp "clone/docs/$name.md" page || fail "docs/$name.md has changed"
+    done
     assert_no_file clone/docs/benchmark
 }
 
@@ -89,13 +99,18 @@ test_benchmark_replaces_only_the_text_between_the_marks() {
     run clone/benchmark.sh
     assert_code 0
     assert_same "$(grep matplotlib "$CALLS")" 'parts povray matplotlib downloader certificates'
-    assert_same "$(cat clone/docs/performance.md)" \
+    assert_same "$(cat clone/docs/performance-tables.md)" \
         "$(printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '' '| fresh |' '' '<!-- benchmark.sh: end -->' 'after')"
-    assert_same "$(cat clone/docs/benchmark/figures.csv clone/docs/benchmark/targets.csv)" $'figures\ntargets'
-    assert_same "$(cd clone/docs/benchmark && ls)" $'figures.csv\nfront-far-4.svg\nfront.csv\ntargets.csv'
-    cp clone/docs/performance.md page
+    assert_same "$(grep -e '^| Far ' clone/docs/performance.md)" '| Far | 2.00 (scaled) | - | 0.300 | - | - | - | - |'
+    assert_same "$(grep -e '^| an hour' -e '^| outputs' clone/docs/scaling.md)" "$(printf '%s\n' \
+        '| an hour of video | 108,000 | native | 45 min | 2.8 min | 2.7 s |' \
+        '| outputs, 200 kB a frame | 8.0 MB/s | 0.080 MB/s |' '| outputs of 1e6 frames | 200 GB | 200 GB |')"
+    assert_same "$(head -n 1 clone/docs/scaling.md; tail -n 1 clone/docs/scaling.md)" $'before\nafter'
+    assert_same "$(cat clone/docs/benchmark/targets.csv)" targets
+    assert_same "$(cd clone/docs/benchmark && echo *)" 'error.svg figures.csv front-far-4.svg front.csv memory.svg targets.csv time.svg'
+    cp -R clone/docs once
     run clone/benchmark.sh
-    cmp clone/docs/performance.md page || fail 'a second run has added something'
+    diff -r clone/docs once || fail 'a second run has changed something'
 }
 
 test_benchmark_page_without_marks_stays_as_it_is() {
@@ -104,7 +119,7 @@ test_benchmark_page_without_marks_stays_as_it_is() {
     cp clone/docs/performance.md page
     run clone/benchmark.sh
     assert_code 1
-    assert_says 'has not the lines'
+    assert_says 'needs the lines'
     cmp clone/docs/performance.md page || fail 'the page has changed'
 }
 
@@ -114,15 +129,22 @@ test_benchmark_plots_of_scenes_that_are_gone_go() {
     assert_code 0
     run clone/benchmark.sh
     assert_code 0
-    assert_same "$(cd clone/docs/benchmark && ls -- *.svg)" front-far-4.svg
+    assert_same "$(cd clone/docs/benchmark && ls -- front-*.svg)" front-far-4.svg
 }
 
-test_benchmark_plots_are_the_same_for_the_same_figures() {
-    make_benchmark_clone
-    run clone/benchmark.sh
-    cp clone/docs/benchmark/front-far-4.svg first.svg
-    run clone/benchmark.sh
-    cmp clone/docs/benchmark/front-far-4.svg first.svg || fail 'the plot differs from run to run'
+# The pages' figures are those of the committed CSV files, and of no other run.
+test_benchmark_pages_follow_from_the_figures() {
+    need_matplotlib
+    local docs=$MSISF_TESTED_ROOT/docs plots=$MSISF_TESTED_ROOT/tests/Msisf.Benchmarks/plots name
+    mkdir made
+    /usr/bin/python3 -B "$plots/overview.py" "$docs/benchmark/front.csv" "$docs/benchmark/figures.csv" made
+    . "$MSISF_TESTED_ROOT/scripts/lib/common.sh"
+    . "$MSISF_TESTED_ROOT/scripts/lib/benchmark.sh"
+    for name in performance/summary scaling/scaling; do
+        cp "$docs/${name%/*}.md" page.md
+        replace_block page.md "made/${name#*/}.md"
+        diff "$docs/${name%/*}.md" page.md || fail "docs/${name%/*}.md does not follow from docs/benchmark"
+    done
 }
 
 test_benchmark_models_are_made_once() {

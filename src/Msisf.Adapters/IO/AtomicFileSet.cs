@@ -24,17 +24,13 @@ public sealed class AtomicFileSet : IDisposable
     /// <param name="write">Writes the content; the stream can seek.</param>
     /// <param name="flushToDisk">See <see cref="AtomicFile.Write"/>.</param>
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
-    public void Write(string path, Action<Stream> write, bool flushToDisk = true)
-    {
-        string temporary = AtomicFile.TemporaryNameFor(_folder is null ? path : Path.Combine(_folder, Path.GetFileName(path)));
-        _pending.Add((temporary, path));
-        Wrapped(path, () =>
-        {
-            using FileStream stream = new(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 65536);
-            write(stream);
-            stream.Flush(flushToDisk);
-        });
-    }
+    public void Write(string path, Action<Stream> write, bool flushToDisk = true) => Write(
+        path, AtomicFile.TemporaryNameFor(_folder is null ? path : Path.Combine(_folder, Path.GetFileName(path))), FileMode.CreateNew,
+        write, flushToDisk);
+
+    /// <summary>The same for a file that nobody else may write meanwhile (<see cref="AtomicFile.WriteClaimed"/>).</summary>
+    internal void WriteClaimed(string path, Action<Stream> write, bool flushToDisk) =>
+        Write(path, AtomicFile.PartialNameFor(path), FileMode.Create, write, flushToDisk);
 
     /// <summary>Writes one text file, UTF-8 without byte order mark, LF.</summary>
     /// <param name="path">The final name.</param>
@@ -79,6 +75,17 @@ public sealed class AtomicFileSet : IDisposable
         {
             Wrapped(path, () => File.Delete(temporary));
         }
+    }
+
+    private void Write(string path, string temporary, FileMode mode, Action<Stream> write, bool flushToDisk)
+    {
+        _pending.Add((temporary, path));
+        Wrapped(path, () =>
+        {
+            using FileStream stream = new(temporary, mode, FileAccess.Write, FileShare.None, bufferSize: 65536);
+            write(stream);
+            stream.Flush(flushToDisk);
+        });
     }
 
     private static void Wrapped(string path, Action work) => FileErrors.ToExternalPart($"{path}: can't be written", work);

@@ -40,7 +40,7 @@ public sealed class ClaimFile : IDisposable
     /// <summary>Claims a name, without waiting.</summary>
     /// <param name="name">What is claimed, the same text in all processes.</param>
     /// <returns>Gives the claim back when disposed; null if another process or thread has it.</returns>
-    public IDisposable? TryTake(string name)
+    public Claim? TryTake(string name)
     {
         long place = PlaceOf(name);
         if (!_own.TryAdd(place, true))
@@ -50,18 +50,19 @@ public sealed class ClaimFile : IDisposable
 
         try
         {
-            if (!OperatingSystem.IsMacOS())
+            if (_locks is null || OperatingSystem.IsMacOS())
             {
-                _locks?.Lock(place, 1);
+                return new Claim(() => GiveBack(place), isExclusive: false);
             }
 
-            return new Claim(this, place);
+            _locks.Lock(place, 1);
+            return new Claim(() => GiveBack(place), isExclusive: true);
         }
         catch (Exception exception) when (exception.IsFileError())
         {
             if (!FileLock.IsHeldByAnother(exception))
             {
-                return new Claim(this, place); // this file system knows no locks
+                return new Claim(() => GiveBack(place), isExclusive: false); // this file system knows no locks
             }
 
             _own.TryRemove(place, out _);
@@ -92,12 +93,5 @@ public sealed class ClaimFile : IDisposable
         {
             _own.TryRemove(place, out _);
         }
-    }
-
-    private sealed class Claim(ClaimFile file, long place) : IDisposable
-    {
-        private ClaimFile? _file = file;
-
-        public void Dispose() => Interlocked.Exchange(ref _file, null)?.GiveBack(place);
     }
 }

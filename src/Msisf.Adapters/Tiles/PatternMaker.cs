@@ -81,7 +81,7 @@ internal sealed class PatternMaker
             return false;
         }
 
-        using IDisposable? claim = _claims().TryTake(Path.GetFileName(order.Path));
+        using Claim? claim = _claims().TryTake(Path.GetFileName(order.Path));
         if (claim is null && mayWait)
         {
             return null;
@@ -93,7 +93,7 @@ internal sealed class PatternMaker
             return false; // made by another one meanwhile
         }
 
-        content.Write();
+        content.Write(isClaimed: claim is { IsExclusive: true });
         return true;
     }
 

@@ -36,11 +36,14 @@ internal sealed record PatternOrder(string Path, TileMeshLayout Layout, TileMesh
         };
 
         /// <summary>Makes the file.</summary>
+        /// <param name="isClaimed">Whether no other process or thread can be making it.</param>
         /// <exception cref="ExternalPartException">The repository can't be written.</exception>
-        public void Write()
+        public void Write(bool isClaimed)
         {
             TileMesh mesh = order.Builder.Build(order.Layout, radii);
-            AtomicFile.Write(order.Path, stream => PatternWriter.Write(stream, mesh, header, order.Format), flushToDisk: false);
+            Action<string, Action<Stream>, bool> writeFile = isClaimed ? AtomicFile.WriteClaimed : AtomicFile.Write;
+            // a power cut's short file is found by its header
+            writeFile(order.Path, stream => PatternWriter.Write(stream, mesh, header, order.Format), false);
         }
     }
 }

@@ -11,8 +11,9 @@ public sealed class ClaimFileTests
     {
         using TemporaryFolder folder = new();
         using ClaimFile claims = ClaimFile.Open(Path.Combine(folder.Path, ".claims"));
-        IDisposable? first = claims.TryTake("frame 1");
+        Claim? first = claims.TryTake("frame 1");
         Assert.NotNull(first);
+        Assert.Equal(!OperatingSystem.IsMacOS(), first.IsExclusive);
         Assert.Null(claims.TryTake("frame 1"));
         using IDisposable? other = claims.TryTake("frame 2");
         Assert.NotNull(other);
@@ -27,8 +28,9 @@ public sealed class ClaimFileTests
     {
         using TemporaryFolder folder = new();
         using ClaimFile claims = ClaimFile.Open(Path.Combine(folder.Path, "none", ".claims"));
-        using IDisposable? first = claims.TryTake("frame 1");
+        using Claim? first = claims.TryTake("frame 1");
         Assert.NotNull(first);
+        Assert.False(first.IsExclusive);
         Assert.Null(claims.TryTake("frame 1"));
     }
 

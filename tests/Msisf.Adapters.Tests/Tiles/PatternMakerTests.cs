@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Msisf.Adapters.IO;
 using Msisf.Adapters.Tiles;
 using Msisf.Core.Tiles;
 using Msisf.TestSupport;
@@ -85,6 +86,21 @@ public sealed class PatternMakerTests : IDisposable
         Assert.Equal(Tiles.Length, Ensure(repository).Written);
         Assert.False(other.HasExited);
         other.Kill();
+    }
+
+    [Fact]
+    public void Ensure_AKilledProcessLeftItsUnfinishedFile_WritesOverIt()
+    {
+        using PatternRepository repository = new(_folder["patterns"]);
+        string path = repository.PathOf(Tiles[0], 1);
+        Directory.CreateDirectory(Path.GetDirectoryName(path)!);
+        File.WriteAllText(AtomicFile.PartialNameFor(path), new string('x', 1_000_000));
+
+        Ensure(repository);
+
+        Assert.Empty(Directory.EnumerateFiles(Path.GetDirectoryName(path)!, "*.partial.*"));
+        using PatternRepository elsewhere = new(_folder["elsewhere"]);
+        Assert.Equal(File.ReadAllBytes(Ensure(elsewhere).Paths[0]), File.ReadAllBytes(path));
     }
 
     private string ClaimsFile => Path.Combine(_folder["patterns"], "1", ".msisf-claims");

@@ -182,7 +182,9 @@ public sealed class PatternRepositoryTests : IDisposable
         byte[][] expected = [.. new PatternRepository(_folder["expected"]).EnsurePatterns(
             tiles, FunctionGrid.Rough(1), default, 2).Paths.Select(File.ReadAllBytes)];
 
-        // Claims hold once a process: these make the same files at the same time, as where the file system knows no locks.
+        // No file can be locked under the name of a folder: these make the same files at the same time, as where the file system knows no
+        // locks.
+        Directory.CreateDirectory(Path.Combine(_repository.FolderOf(1), ".msisf-claims"));
         PatternSet[] sets = await Task.WhenAll(Enumerable.Range(0, 3).Select(_ => Task.Run(
             () => new PatternRepository(_folder["patterns"]).EnsurePatterns(tiles, FunctionGrid.Rough(1), default, maxParallelism: 2))));
 

@@ -7,7 +7,7 @@ using Msisf.Benchmarks.Programs;
 
 namespace Msisf.Benchmarks.Reports;
 
-/// <summary>The tables for docs/performance.md.</summary>
+/// <summary>The tables of every scene, for docs/performance-tables.md.</summary>
 internal static class MarkdownReport
 {
     private const string NotMeasured = "-";
@@ -16,7 +16,7 @@ internal static class MarkdownReport
     {
         StringBuilder text = new();
         text.Append(result.Machine).Append("\n\n");
-        Append(text, "Targets: times by their median, memory by its most.", Targets(result));
+        Append(text, "Targets: times by their median, memory by its maximum.", Targets(result));
         foreach (SceneFront front in result.Fronts)
         {
             FrontReport.Append(text, front);

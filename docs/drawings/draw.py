@@ -1,0 +1,335 @@
+#!/usr/bin/env python3
+"""Makes the drawings of the docs from the constants in the code.
+
+    python3 docs/drawings/draw.py [FOLDER]      writes FOLDER/*.svg; without FOLDER into docs/drawings
+
+The constants are read from the C# sources, and the stages that are drawn must be folders there: a drawing never shows what the
+code does not have. tests/scripts/docs.test.sh compares the committed drawings with what this script makes.
+"""
+import math
+import pathlib
+import re
+import sys
+
+from svg import BLUE, GREEN, GREY, INK, ORANGE, PALE, RED, Drawing
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SOURCES = ROOT / "src"
+
+
+def constant(type_name, name):
+    """The number that a constant of a C# type has."""
+    paths = list(SOURCES.rglob(f"{type_name}.cs"))
+    if len(paths) != 1:
+        sys.exit(f"draw.py: {len(paths)} files {type_name}.cs under src, 1 expected")
+    found = re.search(rf"\bconst \w+ {name} = ([0-9_.eE+-]+);", paths[0].read_text(encoding="utf-8"))
+    if not found:
+        sys.exit(f"draw.py: {type_name}.cs has no constant {name} with a plain number")
+    return float(found[1].replace("_", ""))
+
+
+def stage(name):
+    """A stage of the data's way, which must be a folder of the core."""
+    if not (SOURCES / "Msisf.Core" / name).is_dir():
+        sys.exit(f"draw.py: src/Msisf.Core/{name} is no folder")
+    return name.split("/")[-1]
+
+
+def data_flow():
+    drawing = Drawing(960, 408, "The way of the data through the program")
+    rows = (60, 165, 270, 365)
+
+    def box(column, row, title, words="", colour=INK, width=150, height=62):
+        drawing.box(20 + column * 192, row - height / 2, width, height, title, words, colour)
+
+    drawing.text(20, 20, "input", GREY)
+    drawing.text(212, 20, "where, when, what ground", GREY)
+    drawing.text(596, 20, "an image", GREY)
+    drawing.text(788, 20, "output", GREY)
+    box(0, rows[0], "states or orbit", "options, batch file", GREY)
+    box(0, rows[1], "SPICE kernels", "kernels/", GREY)
+    box(0, rows[2], "elevation model", "LDEM label, image", GREY)
+    box(1, rows[0], f"{stage('Orbit')}, {stage('Attitude')}", "a state for each time")
+    box(1, rows[1], stage("Ephemeris"), "Sun, Moon's axes")
+    box(1, rows[2], stage("Terrain"), "heights on a grid")
+    box(2, rows[2], f"{stage('Mesh')}, {stage('Lod')}", "facets, levels")
+    box(2, rows[0], stage("Camera"), "rays of the pixels")
+    box(2, rows[3], stage("Tiles"), "which, patterns", BLUE)
+    box(3, rows[3], stage("Scene"), ".pov, POV-Ray", BLUE)
+    drawing.rectangle(596, 88, 150, 226, ORANGE, PALE[ORANGE], corner=6)
+    drawing.text(671, 108, "native renderer", ORANGE, "middle", bold=True)
+    for index, (name, words) in enumerate((("Visibility", "facet of a pixel"), ("Shadows", "sunlit or not"), ("Shading", "cosine, normal"), ("Photometry", "reflectance law"))):
+        y = 118 + 48 * index
+        drawing.rectangle(606, y, 130, 40, ORANGE, "white", 1, 4)
+        drawing.text(671, y + 17, stage(f"Render/{name}"), INK, "middle", 12, bold=True)
+        drawing.text(671, y + 33, words, INK, "middle", 11)
+        if index:
+            drawing.arrow((671, y - 8), (671, y), colour=ORANGE)
+    box(4, rows[1] + 38, "image", ".png", GREEN)
+    box(4, rows[0], stage("Metadata"), "pixels in .xml", GREEN)
+    box(4, rows[3], stage("Layers"), "ground truth, .fits", GREEN)
+    for row in rows[:3]:
+        drawing.arrow((170, row), (212, row))
+    drawing.arrow((362, rows[0]), (404, rows[0]))                                # state -> camera
+    drawing.arrow((554, rows[0]), (788, rows[0]))                                # camera -> metadata
+    drawing.arrow((479, rows[0] + 31), (479, 125), (596, 125))                   # camera -> native
+    drawing.arrow((362, rows[1]), (596, rows[1]))                                # Sun -> native
+    drawing.arrow((362, rows[2]), (404, rows[2]))
+    drawing.arrow((554, rows[2]), (596, rows[2]))                                # mesh -> native
+    drawing.arrow((479, rows[2] + 31), (479, rows[3] - 31), colour=BLUE)         # mesh -> tiles
+    drawing.arrow((554, rows[3]), (596, rows[3]), colour=BLUE)
+    drawing.arrow((726, rows[3] - 31), (766, rows[3] - 68), (766, rows[1] + 52), (788, rows[1] + 52), colour=BLUE)
+    drawing.arrow((746, rows[1] + 24), (788, rows[1] + 24), colour=ORANGE)
+    drawing.arrow((746, 296), (863, 296), (863, rows[3] - 31), colour=ORANGE)
+    return drawing
+
+
+def camera():
+    drawing = Drawing(960, 380, "Camera axes and pixel convention")
+    # Left: an oblique view of the camera's axes. A camera vector (x, y, z) becomes x * ex + y * ey + z * ez on the paper.
+    ex, ey, ez = (-0.92, 0.10), (-0.42, 0.40), (0.0, -1.0)
+    origin = (130.0, 175.0)
+
+    def paper(x, y, z):
+        return origin[0] + x * ex[0] + y * ey[0] + z * ez[0], origin[1] + x * ex[1] + y * ey[1] + z * ez[1]
+
+    drawing.text(20, 24, "Camera axes", bold=True)
+    half_width, half_height, distance = 100.0, 62.5, 240.0
+    corners = [paper(-distance, y, z) for y, z in ((-half_width, half_height), (half_width, half_height), (half_width, -half_height), (-half_width, -half_height))]
+    drawing.path(corners, BLUE, fill=PALE[BLUE], closed=True)
+    for corner in corners:
+        drawing.path([origin, corner], GREY, 1)
+    drawing.arrow(paper(0, 0, 0), paper(-distance, 0, 0), colour=INK, width=2)
+    drawing.arrow(paper(0, 0, 0), paper(0, 75, 0), colour=RED, width=2)
+    drawing.arrow(paper(0, 0, 0), paper(0, 0, 95), colour=GREEN, width=2)
+    drawing.dot(*origin, 4)
+    end = paper(-distance, 0, 0)
+    drawing.text(end[0] + 10, end[1] + 5, "-x: line of sight")
+    end = paper(0, 75, 0)
+    drawing.text(end[0] - 6, end[1] + 16, "y: right", RED, "middle")
+    end = paper(0, 0, 95)
+    drawing.text(end[0], end[1] - 8, "z: up", GREEN, "middle")
+    drawing.text(origin[0] - 8, origin[1] + 4, "camera", INK, "end")
+    end = paper(-distance, -half_width, half_height)
+    drawing.text(end[0] + 8, end[1] + 16, "image", BLUE)
+    drawing.text(20, 320, "The state's quaternion turns camera axes into Moon axes (MOON_ME):")
+    drawing.text(20, 342, "v(Moon) = q v(camera) q*, with q = (qx, qy, qz, q0), q0 the scalar.", INK)
+    drawing.text(20, 364, "(0, 0, 0, 1) looks along the Moon's -x axis, north is up.", GREY)
+
+    # Right: the pixels.
+    columns, lines, size = 8, 5, 42.0
+    left, top = 560.0, 70.0
+    drawing.text(520, 24, f"Pixels of an image, here {columns} x {lines}", bold=True)
+    for line in range(lines):
+        for column in range(columns):
+            drawing.rectangle(left + column * size, top + line * size, size, size, GREY, "white", 1)
+
+    def centre(x, y):
+        return left + (x - 0.5) * size, top + (y - 0.5) * size
+
+    for x, y in ((1, 1), (columns, 1), (1, lines), (columns, lines)):
+        drawing.rectangle(left + (x - 1) * size, top + (y - 1) * size, size, size, BLUE, PALE[BLUE], 1)
+        px, py = centre(x, y)
+        drawing.text(px, py + 4, f"{x}, {y}", BLUE, "middle", 12)
+    middle = centre((1 + columns) / 2, (1 + lines) / 2)
+    drawing.dot(*middle, 4, RED)
+    drawing.text(middle[0], middle[1] + 28, f"line of sight: {(1 + columns) / 2:g}, {(1 + lines) / 2:g}", RED, "middle", 12)
+    drawing.arrow((left, top - 16), (left + 120, top - 16), colour=INK)
+    drawing.text(left + 128, top - 12, "x, h: right", INK)
+    drawing.arrow((left - 16, top), (left - 16, top + 110), colour=INK)
+    drawing.text(left - 22, top + 128, "y, v:\ndown", INK, "end")
+    drawing.text(520, 320, "Pixels are counted from 1; whole numbers are pixel centres.")
+    drawing.text(520, 342, "The line of sight is at (1 + width) / 2, (1 + height) / 2.")
+    drawing.text(520, 364, "--fov is the angle between the left and the right edge.")
+    return drawing
+
+
+def illumination():
+    drawing = Drawing(960, 380, "Illumination direction")
+    drawing.text(20, 24, "On the ground", bold=True)
+    ground = [(30 + t * 4.1, 250 + 0.0011 * (t * 4.1 - 205) ** 2) for t in range(101)]
+    drawing.path(ground, INK, 2)
+    point = ground[50]
+    drawing.arrow(point, (point[0], point[1] - 130), colour=GREY)
+    drawing.text(point[0] - 6, point[1] - 138, "zenith", GREY, "middle")
+    elevation = math.radians(25.0)
+    drawing.path([point, (point[0] + 190 * math.cos(elevation), point[1] - 190 * math.sin(elevation))], ORANGE, 1.5, "5 4")
+    drawing.arrow((point[0] + 60 * math.cos(elevation), point[1] - 60 * math.sin(elevation)), (point[0] + 190 * math.cos(elevation), point[1] - 190 * math.sin(elevation)), colour=ORANGE)
+    drawing.text(point[0] + 196 * math.cos(elevation), point[1] - 196 * math.sin(elevation) + 6, "to the Sun", ORANGE)
+    drawing.arrow(point, (point[0] + 150, point[1]), colour=RED, width=2.5)
+    drawing.text(point[0] + 150, point[1] + 76, "along the ground to the Sun:\nthis direction, seen in the image", RED, "middle")
+    arc = [(point[0] + 62 * math.sin(a), point[1] - 62 * math.cos(a)) for a in (math.radians(k) for k in range(0, 66, 5))]
+    drawing.path(arc, GREY, 1)
+    drawing.text(point[0] + 20, point[1] - 92, "incidence angle (another one)", GREY, size=12)
+    drawing.dot(*point, 4)
+    drawing.text(point[0], point[1] + 22, "point", INK, "end")
+
+    # Right: the dial in the image plane: angle a is counter-clockwise from straight down.
+    x, y, radius = 690.0, 198.0, 112.0
+
+    def dial(degrees, length):
+        return x + length * math.sin(math.radians(degrees)), y + length * math.cos(math.radians(degrees))
+
+    drawing.text(500, 24, "In the image", bold=True)
+    drawing.rectangle(500, 44, 380, 312, GREY, PALE[INK], 1)
+    drawing.circle(x, y, radius, GREY, 1)
+    for degrees, anchor, (dx, dy) in ((0, "middle", (0, 18)), (90, "start", (8, 4)), (180, "middle", (0, -8)), (270, "end", (-8, 4))):
+        px, py = dial(degrees, radius)
+        drawing.path([dial(degrees, radius - 6), dial(degrees, radius + 4)], INK)
+        drawing.text(px + dx, py + dy, {0: "0, down", 90: "90, right", 180: "180, up", 270: "270, left"}[degrees], INK, anchor)
+    example = 130
+    drawing.arrow((x, y), dial(example, radius - 4), colour=RED, width=2.5)
+    drawing.path([dial(k, 40) for k in range(0, example - 6, 4)], INK, 1.2, arrow=True)
+    px, py = dial(62, 62)
+    drawing.text(px, py + 8, f"{example}", INK, "middle")
+    # a crater lit from there: its far wall is bright, the near one in shadow
+    lit = [dial(k, 26) for k in range(example + 90, example + 271, 6)]
+    dark = [dial(k, 26) for k in range(example - 90, example + 91, 6)]
+    drawing.path(lit, INK, 1, fill="#ffffff", closed=True)
+    drawing.path(dark, INK, 1, fill="#555555", closed=True)
+    drawing.text(690, 376, "counter-clockwise, as the viewer sees it", GREY, "middle", 12)
+    return drawing
+
+
+def levels_of_detail():
+    size = constant("TileId", "SizeDegrees")
+    depth = constant("Skirt", "DepthBelowLowest")
+    cells = int(constant("SurfacePart", "DefaultCells"))
+    drawing = Drawing(960, 390, "Parts of a tile, their levels, and skirts")
+    left, top, edge = 30.0, 60.0, 280.0
+    drawing.text(20, 24, f"Parts of a tile of {size:g} x {size:g} degrees", bold=True)
+    camera_at = (1.06, 1.10)  # in tiles from the north-west corner
+
+    def divide(x, y, width, level):
+        near = math.hypot(max(x - camera_at[0], camera_at[0] - x - width, 0.0), max(y - camera_at[1], camera_at[1] - y - width, 0.0))
+        if level > 0 and near < 1.4 * width:
+            for dy in (0, 1):
+                for dx in (0, 1):
+                    divide(x + dx * width / 2, y + dy * width / 2, width / 2, level - 1)
+            return
+        fill = ("#9dc3ec", "#c4dcf5", "#e3eefa", "#f4f8fd")[level]
+        drawing.rectangle(left + x * edge, top + y * edge, width * edge, width * edge, BLUE, fill, 1)
+        if width > 0.2:
+            drawing.text(left + (x + width / 2) * edge, top + (y + width / 2) * edge + 5, f"level {level}", BLUE, "middle", 12)
+
+    divide(0.0, 0.0, 1.0, 3)
+    px, py = left + camera_at[0] * edge, top + camera_at[1] * edge
+    drawing.dot(px, py, 5, RED)
+    drawing.text(px + 10, py + 5, "below the camera", RED)
+    drawing.text(left + edge + 16, top + 16, f"Level k has 1 / 2^k of the\nmodel's samples a degree.\nA part has about {cells} x {cells}\ncells, whatever its level:\na tile is divided until the\nlevel that its nearest point\nneeds fits the part. Level 0\nis the model itself.", INK, size=12)
+
+    # Right: a cut through the border of two parts.
+    drawing.text(540, 24, "Where two levels meet (cut, not to scale)", bold=True)
+    base, step = 190.0, 24.0
+    border = 740.0
+
+    def height(x):
+        return 22.0 * math.sin(x / 37.0) + 12.0 * math.sin(x / 13.0 + 1.0)
+
+    fine = [(border - step / 2 + k * step, base - height(border - step / 2 + k * step)) for k in range(-7, 2)]
+    wide = 2 * step
+    coarse = [(border - wide / 2 + k * wide, base - height(border - wide / 2 + k * wide)) for k in range(0, 5)]
+    foot = 330.0
+    drawing.path([(540, foot - 50), (940, foot - 50)], GREY, 1, "4 4")
+    drawing.text(544, foot - 56, "lowest ground of the model", GREY, size=12)
+    drawing.path([(coarse[0][0], coarse[0][1]), (coarse[0][0], foot)], ORANGE, 3)
+    drawing.path(fine, BLUE, 2)
+    drawing.path(coarse, ORANGE, 2)
+    for x, y in fine:
+        drawing.dot(x, y, 3.5, BLUE)
+    for x, y in coarse:
+        drawing.dot(x, y, 4, ORANGE)
+    drawing.path([(border, 110), (border, foot + 10)], INK, 1, "2 3")
+    drawing.text(border, 100, "border of the squares", INK, "middle", 12)
+    drawing.text(560, 130, "finer part:\nvertices at samples", BLUE, size=12)
+    drawing.text(836, 120, "coarser part:\nbegins half a cell\nof its own earlier", ORANGE, size=12)
+    drawing.text(coarse[0][0] - 10, foot - 16, "skirt", ORANGE, "end", bold=True)
+    drawing.arrow((border + 46, foot - 50), (border + 46, foot), colour=INK, width=1)
+    drawing.text(border + 54, foot - 20, f"{depth:g} m", INK, size=12)
+    drawing.text(540, 366, "Levels share no vertices: overlap and skirt leave no crack.", INK, size=12)
+    return drawing
+
+
+def light_space():
+    drawing = Drawing(960, 330, "Light space")
+    sun = 330.0  # D: from the Sun to the middle of the drawing's ground, which lies far too near to it
+    slope = math.radians(13.0)  # of the ground towards the Sun's rays
+
+    def ground(along):
+        """(u, w) of the ground: w away from the Sun, u across, upwards."""
+        height = 22.0 * math.exp(-((along + 45.0) / 13.0) ** 2) + 10.0 * math.exp(-((along - 52.0) / 9.0) ** 2)
+        return along * math.sin(slope) + height * math.cos(slope) - 30.0, along * math.cos(slope) - height * math.sin(slope)
+
+    def in_light_space(point):
+        u, w = point
+        scale = sun / (sun + w)
+        return scale * u, scale * w
+
+    points = [ground(along) for along in range(-95, 96, 5)]
+    mapped = [in_light_space(point) for point in points]
+
+    def is_away(index):
+        """Whether the facet from a point to the next one is turned away from the Sun: its upper side looks along the rays."""
+        return mapped[index + 1][0] < mapped[index][0]
+
+    def is_dark(index):
+        """Whether a facet that is turned away lies on the ray to the point, nearer to the Sun."""
+        u, w = mapped[index]
+        return any(is_away(k) and mapped[k + 1][0] < u < mapped[k][0] and mapped[k][1] < w - 1.0 for k in range(len(points) - 1) if k + 1 < index)
+
+    def receives(index):
+        return not (is_away(index) if index + 1 < len(points) else False) and not (index and is_away(index - 1))
+
+    stretch = 2.2  # of u on the paper; straight lines stay straight
+
+    def panel(left, shapes, begin):
+        """Draws points (u, w); begin gives where the ray to a point comes from, on the paper."""
+        def paper(point):
+            return left + point[1], 150.0 - stretch * (point[0] + 12.0)
+
+        for index in range(3, len(points), 3):
+            if receives(index):
+                dark = is_dark(index)
+                drawing.path([begin(paper(shapes[index])), paper(shapes[index])], GREY if dark else ORANGE, 1, "3 4" if dark else None)
+        for index in range(len(points) - 1):
+            drawing.path([paper(shapes[index]), paper(shapes[index + 1])], RED if is_away(index) else INK, 3 if is_away(index) else 2)
+        for index in range(3, len(points), 3):
+            if receives(index):
+                drawing.dot(*paper(shapes[index]), 4.5, INK if is_dark(index) else ORANGE)
+
+    at_sun = (30.0, 150.0 - stretch * 12.0)
+    drawing.text(20, 24, "In space", bold=True)
+    panel(at_sun[0] + sun, points, lambda point: at_sun)
+    drawing.circle(*at_sun, 9, ORANGE, 1, ORANGE)
+    drawing.text(20, at_sun[1] - 18, "Sun", ORANGE)
+    drawing.text(560, 24, "In light space: (u, v, w) D / (D + w)", bold=True)
+    panel(760.0, mapped, lambda point: (570.0, point[1]))
+    drawing.text(570, 60, "all rays are parallel to w", ORANGE)
+    drawing.arrow((480, 150), (545, 150), colour=GREY, width=2)
+    drawing.arrow((870, 285), (920, 285), colour=GREY)
+    drawing.text(926, 289, "w", GREY)
+    drawing.arrow((870, 285), (870, 240), colour=GREY)
+    drawing.text(866, 234, "u", GREY)
+    for x, colour, words in ((20, RED, "facets turned away from the Sun: only these throw shadows"), (430, ORANGE, "point that the Sun reaches"), (660, INK, "point in shadow: a red facet before it")):
+        drawing.dot(x + 4, 311, 4.5, colour)
+        drawing.text(x + 16, 316, words, colour, size=12)
+    return drawing
+
+
+DRAWINGS = {
+    "data-flow": data_flow,
+    "camera": camera,
+    "illumination-direction": illumination,
+    "levels-of-detail": levels_of_detail,
+    "light-space": light_space,
+}
+
+
+def main(folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, draw in DRAWINGS.items():
+        draw().save(folder / f"{name}.svg")
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parent)

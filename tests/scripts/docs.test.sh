@@ -1,0 +1,59 @@
+# shellcheck shell=bash
+. "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
+
+links() { python3 -B "$MSISF_TESTED_ROOT/tests/scripts/links.py" "$@"; }
+
+test_docs_links_lead_somewhere_and_every_page_is_reached() {
+    need python3
+    local pages
+    mapfile -t pages < <(cd "$MSISF_TESTED_ROOT" && printf '%s\n' ./*.md docs/*.md input/*.md kernels/*.md output/*.md pattern-repository/*.md tests/*.md tests/golden/*.md |
+        grep -v -F '*' | sed 's|^\./||')
+    [ "${#pages[@]}" -gt 15 ] || fail "only ${#pages[@]} pages were found"
+    run links "$MSISF_TESTED_ROOT" "${pages[@]}"
+    assert_code 0
+}
+
+test_docs_broken_links_are_found() {
+    need python3
+    cat >README.md <<'PAGE'
+# A page
+[good](b.md#a-heading-of-b) `[no](link.md)`
+[gone](c.md)
+![gone](c.png)
+[gone](b.md#gone)
+PAGE
+    cat >b.md <<'PAGE'
+## A heading, of `b`
+[up](README.md)
+PAGE
+    touch lonely.md
+    run links . README.md b.md lonely.md
+    assert_code 1
+    assert_same "$output" "$(printf '%s\n' 'README.md: c.md: there is no such file' 'README.md: c.png: there is no such file' \
+        'README.md: b.md#gone: there is no such heading' 'lonely.md: no link leads here from README.md')"
+}
+
+test_docs_drawings_are_those_of_the_code() {
+    need python3
+    local docs=$MSISF_TESTED_ROOT/docs/drawings drawing
+    python3 -B "$docs/draw.py" made
+    for drawing in "$docs"/*.svg; do
+        cmp "$drawing" "made/${drawing##*/}" || fail "$drawing is another one: run python3 docs/drawings/draw.py"
+    done
+    assert_same "$(cd made && ls)" "$(cd "$docs" && ls -- *.svg)"
+}
+
+test_docs_drawings_need_the_constants_of_the_code() {
+    need python3
+    mkdir -p clone/docs
+    cp -R "$MSISF_TESTED_ROOT/docs/drawings" clone/docs
+    mkdir clone/src
+    cp -R "$MSISF_TESTED_ROOT/src/Msisf.Core" clone/src
+    sed -i 's/SizeDegrees = 5;/SizeDegrees = 6;/' "$(find clone/src -name TileId.cs)"
+    python3 -B clone/docs/drawings/draw.py made
+    grep -q 'Parts of a tile of 6 x 6 degrees' made/levels-of-detail.svg || fail 'the drawing has not followed the code'
+    sed -i 's/SizeDegrees = 6;/Size = 6;/' "$(find clone/src -name TileId.cs)"
+    run python3 -B clone/docs/drawings/draw.py made
+    assert_code 1
+    assert_says 'TileId.cs has no constant SizeDegrees'
+}
