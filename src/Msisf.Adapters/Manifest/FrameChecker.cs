@@ -28,17 +28,17 @@ public sealed class FrameChecker
     /// <param name="expected">What is to be there.</param>
     /// <param name="made">What was made last under its name; null for nothing.</param>
     /// <param name="failed">What failed since; null for nothing.</param>
-    public FrameCheck Judge(ExpectedRecord expected, FrameRecord? made, FailedRecord? failed)
+    public FrameCheck Check(ExpectedRecord expected, FrameRecord? made, FailedRecord? failed)
     {
         (FrameState state, string reason) = made is null ? (FrameState.Missing, "not made yet")
             : made.Frame != expected.Frame ? (FrameState.OtherSettings, "made with other settings, or from another state")
-            : JudgeFiles(made.Files);
+            : CheckFiles(made.Files);
         return state != FrameState.Complete && failed is not null && failed.Frame == expected.Frame
             ? new FrameCheck(expected, FrameState.Failed, failed.Cause)
             : new FrameCheck(expected, state, reason);
     }
 
-    private (FrameState State, string Reason) JudgeFiles(IReadOnlyList<OutputFile> files)
+    private (FrameState State, string Reason) CheckFiles(IReadOnlyList<OutputFile> files)
     {
         FileInfo[] there = [.. files.Select(file => Target(new FileInfo(Path.Combine(_folder, file.Name))))];
         if (Array.TrueForAll(there, file => !file.Exists))

@@ -25,30 +25,30 @@ internal readonly record struct LdemImagePointer(string? FileName, long Offset)
             null => new LdemImagePointer(FileName: null, OffsetOf(holder, pointer, recordBytes)),
             [{ IsQuoted: true } file] => new LdemImagePointer(PlainName(holder, file), Offset: 0),
             [{ IsQuoted: true } file, var place] => new LdemImagePointer(PlainName(holder, file), OffsetOf(holder, place, recordBytes)),
-            _ => throw holder.Unfit(Keyword, pointer, "a file name, a place, or both are needed"),
+            _ => throw holder.WrongValue(Keyword, pointer, "a file name, a place, or both are needed"),
         };
     }
 
     private static string PlainName(PdsObject holder, PdsValue file) =>
         file.Text.Length > 0 && file.Text.IndexOfAny(['/', '\\', ':']) < 0 && !file.Text.Any(char.IsControl)
             ? file.Text
-            : throw holder.Unfit(Keyword, file, "the plain name of a file beside the label is needed");
+            : throw holder.WrongValue(Keyword, file, "the plain name of a file beside the label is needed");
 
     private static long OffsetOf(PdsObject holder, PdsValue place, int? recordBytes)
     {
         if (place.IsQuoted || !uint.TryParse(place.Text, out uint number) || number == 0)
         {
-            throw holder.Unfit(Keyword, place, "a record or byte number from 1 is needed");
+            throw holder.WrongValue(Keyword, place, "a record or byte number from 1 is needed");
         }
 
         if (place.Unit is null)
         {
             return (number - 1L)
-                * (recordBytes ?? throw holder.Unfit(Keyword, place, "the label has no RECORD_BYTES to count records with"));
+                * (recordBytes ?? throw holder.WrongValue(Keyword, place, "the label has no RECORD_BYTES to count records with"));
         }
 
         return string.Equals(place.Unit, "BYTES", StringComparison.OrdinalIgnoreCase)
             ? number - 1L
-            : throw holder.Unfit(Keyword, place, "the unit <BYTES> or none is needed");
+            : throw holder.WrongValue(Keyword, place, "the unit <BYTES> or none is needed");
     }
 }

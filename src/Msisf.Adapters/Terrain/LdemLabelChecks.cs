@@ -22,7 +22,7 @@ internal static class LdemLabelChecks
         CheckNumber(map, "MAP_PROJECTION_ROTATION", 0.0, []);
         if (!map.RequiredText("COORDINATE_SYSTEM_NAME").Contains("MEAN EARTH", StringComparison.Ordinal))
         {
-            throw map.Unfit("COORDINATE_SYSTEM_NAME", map.Required("COORDINATE_SYSTEM_NAME"), "the MEAN EARTH/POLAR AXIS frame is needed");
+            throw map.WrongValue("COORDINATE_SYSTEM_NAME", map.Required("COORDINATE_SYSTEM_NAME"), "the MEAN EARTH/POLAR AXIS frame is needed");
         }
     }
 
@@ -57,13 +57,13 @@ internal static class LdemLabelChecks
         CheckText(image, "ENCODING_TYPE", "N/A", "an image without compression is needed");
         if (label.ScalingFactor <= 0.0)
         {
-            throw image.Unfit("SCALING_FACTOR", image.Required("SCALING_FACTOR"), "a number above 0 is needed");
+            throw image.WrongValue("SCALING_FACTOR", image.Required("SCALING_FACTOR"), "a number above 0 is needed");
         }
 
         bool fitsType = !label.HasIntegers || (label.Minimum >= short.MinValue && label.Maximum <= short.MaxValue);
         if (!fitsType || label.Minimum > label.Maximum)
         {
-            throw image.Unfit(
+            throw image.WrongValue(
                 "MINIMUM",
                 image.Required("MINIMUM"),
                 $"with MAXIMUM = {image.Required("MAXIMUM")} no {label.SampleBytes * 8}-bit sample can be right");
@@ -73,7 +73,7 @@ internal static class LdemLabelChecks
         double highest = label.Offset + (label.ScalingFactor * label.Maximum);
         if (!(lowest > 0.0 && highest < LatticePoint.RadiusLimit))
         {
-            throw image.Unfit(
+            throw image.WrongValue(
                 "OFFSET", image.Required("OFFSET"), "with MINIMUM, MAXIMUM and SCALING_FACTOR this gives no radius of the Moon");
         }
 
@@ -82,7 +82,7 @@ internal static class LdemLabelChecks
             if (map.OptionalNumber(axis, PdsUnits.Kilometres) is { } radius
                 && Math.Abs((1000.0 * radius) - label.Offset) > Tolerances.LabelRadius)
             {
-                throw map.Unfit(axis, map.Required(axis), Invariant($"the heights are over a sphere of {label.Offset:R} m (OFFSET)"));
+                throw map.WrongValue(axis, map.Required(axis), Invariant($"the heights are over a sphere of {label.Offset:R} m (OFFSET)"));
             }
         }
     }
@@ -94,7 +94,7 @@ internal static class LdemLabelChecks
         long needed = label.ImageOffset + label.ImageBytes;
         if (label.FileBytes is { } found && (found < needed || (isDetached && label.ImageOffset == 0 && found != needed)))
         {
-            throw file.Unfit("FILE_RECORDS", file.Required("FILE_RECORDS"), string.Create(
+            throw file.WrongValue("FILE_RECORDS", file.Required("FILE_RECORDS"), string.Create(
                 CultureInfo.InvariantCulture,
                 $"with RECORD_BYTES = {file.Required("RECORD_BYTES")} these are {found} bytes, "
                     + $"but the image needs {needed} (LINES x LINE_SAMPLES x SAMPLE_BITS / 8)"));
@@ -106,7 +106,7 @@ internal static class LdemLabelChecks
         double needed = degrees * pixelsPerDegree;
         if (count != needed)
         {
-            throw image.Unfit(keyword, image.Required(keyword), Invariant(
+            throw image.WrongValue(keyword, image.Required(keyword), Invariant(
                 $"the map's borders and MAP_RESOLUTION ({degrees:R} degrees, {pixelsPerDegree} px/deg) need {needed:R}"));
         }
     }
@@ -115,7 +115,7 @@ internal static class LdemLabelChecks
     {
         if (holder.Find(keyword) is { } value && value.ToString() != expected)
         {
-            throw holder.Unfit(keyword, value, need);
+            throw holder.WrongValue(keyword, value, need);
         }
     }
 
@@ -123,7 +123,7 @@ internal static class LdemLabelChecks
     {
         if (holder.OptionalNumber(keyword, units) is { } number && number != expected)
         {
-            throw holder.Unfit(keyword, holder.Required(keyword), Invariant($"the rest of the label needs {expected:R}"));
+            throw holder.WrongValue(keyword, holder.Required(keyword), Invariant($"the rest of the label needs {expected:R}"));
         }
     }
 

@@ -80,7 +80,7 @@ public static class LdemLabelReader
     {
         "METER" or "METERS" or "M" => 1.0,
         "KILOMETER" or "KILOMETERS" or "KM" => 1000.0,
-        _ => throw image.Unfit("UNIT", image.Required("UNIT"), "METER or KILOMETER is needed"),
+        _ => throw image.WrongValue("UNIT", image.Required("UNIT"), "METER or KILOMETER is needed"),
     };
 
     private static LdemSampleType SampleTypeOf(PdsObject image)
@@ -92,7 +92,7 @@ public static class LdemLabelReader
             ("MSB_INTEGER", 16) => LdemSampleType.Int16BigEndian,
             ("PC_REAL", 32) => LdemSampleType.Float32LittleEndian,
             ("IEEE_REAL", 32) => LdemSampleType.Float32BigEndian,
-            _ => throw image.Unfit(
+            _ => throw image.WrongValue(
                 "SAMPLE_TYPE",
                 image.Required("SAMPLE_TYPE"),
                 $"with SAMPLE_BITS = {image.Required("SAMPLE_BITS")} it is not known; "
@@ -111,7 +111,7 @@ public static class LdemLabelReader
         string productId = root.RequiredText("PRODUCT_ID");
         return IsProductId(productId)
             ? productId
-            : throw root.Unfit("PRODUCT_ID", root.Required("PRODUCT_ID"), "1 to 40 letters, digits, '_', '-' or '.' are needed");
+            : throw root.WrongValue("PRODUCT_ID", root.Required("PRODUCT_ID"), "1 to 40 letters, digits, '_', '-' or '.' are needed");
     }
 
     private static bool IsProductId(string text) =>

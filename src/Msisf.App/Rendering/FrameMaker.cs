@@ -59,7 +59,7 @@ internal sealed class FrameMaker
 
     private async Task<FrameOutputs> MakeIfNeededAsync(Frame frame, int threads, CancellationToken cancellation)
     {
-        if (_ledger.Judge(frame).State == FrameState.Complete)
+        if (_ledger.Check(frame).State == FrameState.Complete)
         {
             return new FrameOutputs(_ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true);
         }

@@ -124,7 +124,7 @@ internal sealed class RenderRun : IDisposable
     private FrameOutputs?[] Known(Frame[] frames, FrameLedger ledger)
     {
         FrameState[] states = new FrameState[frames.Length];
-        Parallel.For(0, frames.Length, index => states[index] = ledger.Judge(frames[index]).State);
+        Parallel.For(0, frames.Length, index => states[index] = ledger.Check(frames[index]).State);
         int Count(FrameState state) => states.Count(found => found == state);
         int right = Count(FrameState.Complete);
         if (right + Count(FrameState.Damaged) + Count(FrameState.OtherSettings) > 0)

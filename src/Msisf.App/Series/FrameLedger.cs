@@ -19,7 +19,7 @@ internal sealed class FrameLedger : IDisposable
     private readonly RunPlan _plan;
     private readonly ManifestFile _manifest;
     private readonly ManifestReader _reader;
-    private readonly FrameChecker _judge;
+    private readonly FrameChecker _checker;
     private readonly ClaimFile _claims;
     private readonly WorkFolder _staging;
 
@@ -33,7 +33,7 @@ internal sealed class FrameLedger : IDisposable
         _folder = folder;
         _plan = plan;
         _manifest = new ManifestFile(folder);
-        _judge = new FrameChecker(folder, CheckDepth.Checksums);
+        _checker = new FrameChecker(folder, CheckDepth.Checksums);
         _reader = new ManifestReader(_manifest);
         Register(log);
         if (overwrite)
@@ -53,7 +53,7 @@ internal sealed class FrameLedger : IDisposable
     public RunPlan Plan => _plan;
 
     /// <summary>How a frame stands by now; also what another process made since the last call counts.</summary>
-    public FrameCheck Judge(Frame frame)
+    public FrameCheck Check(Frame frame)
     {
         FrameRecord? made;
         FailedRecord? failed;
@@ -64,7 +64,7 @@ internal sealed class FrameLedger : IDisposable
             failed = _reader.Content.Failed.GetValueOrDefault(frame.Name);
         }
 
-        return _judge.Judge(_plan.Expected(frame.Step), made, failed);
+        return _checker.Check(_plan.Expected(frame.Step), made, failed);
     }
 
     /// <summary>The files of a frame that is right, in the order in which they are named to the user.</summary>

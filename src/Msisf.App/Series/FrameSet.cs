@@ -34,14 +34,14 @@ internal sealed class FrameSet
     public static FrameSet Read(string folder, CheckDepth depth, FileStructure? structure, ILog log, CancellationToken cancellation)
     {
         ManifestContent content = Content(folder, log);
-        FrameChecker judge = new(folder, depth, structure);
+        FrameChecker checker = new(folder, depth, structure);
         return new FrameSet(folder, [.. content.Expected.Values
             .OrderBy(expected => expected.Run == content.LastRun ? 1 : 0)
             .ThenBy(expected => expected.Run, StringComparer.Ordinal)
             .ThenBy(expected => expected.Step)
             .ToArray()
             .AsParallel().AsOrdered().WithCancellation(cancellation)
-            .Select(expected => judge.Judge(
+            .Select(expected => checker.Check(
                 expected, content.Frames.GetValueOrDefault(expected.Name), content.Failed.GetValueOrDefault(expected.Name)))]);
     }
 
