@@ -7,8 +7,8 @@
 # --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., from-nothing, sequence).
 # With one of the two the results stay in benchmark/, and docs/ is left alone.
 # --micro: micro-benchmarks of single parts instead, into benchmark/micro/.
-# --stress: the stress tests at full length instead, into docs/accuracy.md and docs/benchmark/; with --quick at everyday length,
-# with --tests only those; then docs/ is left alone.
+# --stress: the stress tests at full length instead, into docs/accuracy.md, docs/accuracy-tables.md and docs/benchmark/; with
+# --quick at everyday length, with --tests only those; then docs/ is left alone.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
@@ -104,8 +104,9 @@ if [ -n "$is_stress" ]; then
     if [ -n "$is_partial" ]; then
         say "The tables and plots are in $folder; docs/ is as it was."
     else
+        /usr/bin/python3 -B tests/Msisf.Benchmarks/plots/promises.py "$folder/stress.csv" "$folder"
         publish_stress "$folder"
-        say 'The tables are in docs/accuracy.md, figures and plots in docs/benchmark/.'
+        say 'The tables are in docs/accuracy.md and docs/accuracy-tables.md, figures and plots in docs/benchmark/.'
     fi
     exit 0
 fi

@@ -42,7 +42,8 @@ replace_block() {
 
 # publish_stress FOLDER: what a run of the stress tests has left there goes into the docs; plots of tests that are no more go out.
 publish_stress() {
-    replace_block docs/accuracy.md "$1/tables.md"
+    replace_block docs/accuracy.md "$1/promises.md"
+    replace_block docs/accuracy-tables.md "$1/tables.md"
     mkdir -p docs/benchmark
     rm -f docs/benchmark/stress_*.svg
     cp "$1"/stress.csv "$1"/stress_machine.csv "$1"/stress_series.csv "$1"/stress_*.svg docs/benchmark/

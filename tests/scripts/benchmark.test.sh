@@ -64,7 +64,7 @@ case $1 in
         mkdir -p benchmark/stress
         [ -z "${BROKEN:-}" ] || exit 1
         echo '| kepler |' >benchmark/stress/tables.md
-        echo figures >benchmark/stress/stress.csv
+        cp "$MSISF_TESTED_ROOT/docs/benchmark/stress.csv" benchmark/stress
         echo times >benchmark/stress/stress_machine.csv
         echo series >benchmark/stress/stress_series.csv
         ;;
@@ -81,14 +81,14 @@ PARTS
     printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '| old |' '<!-- benchmark.sh: end -->' 'after' >clone/docs/performance.md
     cp clone/docs/performance.md page
     local name
-    for name in accuracy performance-tables scaling; do
+    for name in accuracy accuracy-tables performance-tables scaling; do
         cp page "clone/docs/$name.md"
     done
 }
 
 assert_page_untouched() {
     local name
-    for name in accuracy performance performance-tables scaling; do
+    for name in accuracy accuracy-tables performance performance-tables scaling; do
         cmp "clone/docs/$name.md" page || fail "docs/$name.md has changed"
     done
     assert_no_file clone/docs/benchmark
@@ -138,9 +138,10 @@ test_benchmark_pages_follow_from_the_figures() {
     local docs=$MSISF_TESTED_ROOT/docs plots=$MSISF_TESTED_ROOT/tests/Msisf.Benchmarks/plots name
     mkdir made
     /usr/bin/python3 -B "$plots/overview.py" "$docs/benchmark/front.csv" "$docs/benchmark/figures.csv" made
+    /usr/bin/python3 -B "$plots/promises.py" "$docs/benchmark/stress.csv" made
     . "$MSISF_TESTED_ROOT/scripts/lib/common.sh"
     . "$MSISF_TESTED_ROOT/scripts/lib/benchmark.sh"
-    for name in performance/summary scaling/scaling; do
+    for name in performance/summary scaling/scaling accuracy/promises; do
         cp "$docs/${name%/*}.md" page.md
         replace_block page.md "made/${name#*/}.md"
         diff "$docs/${name%/*}.md" page.md || fail "docs/${name%/*}.md does not follow from docs/benchmark"
@@ -186,7 +187,8 @@ test_benchmark_stress_replaces_tables_and_plots() {
     touch clone/docs/benchmark/stress_gone_1.svg clone/docs/benchmark/figures.csv
     run clone/benchmark.sh --stress
     assert_code 0
-    assert_same "$(cat clone/docs/accuracy.md)" \
+    assert_same "$(grep -c '^| Bytes in which .* | 0 | 0 | ' clone/docs/accuracy.md)" 1
+    assert_same "$(cat clone/docs/accuracy-tables.md)" \
         "$(printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '' '| kepler |' '' '<!-- benchmark.sh: end -->' 'after')"
     cmp clone/docs/performance.md page || fail 'docs/performance.md has changed'
     assert_same "$(cd clone/docs/benchmark && echo *)" 'figures.csv stress.csv stress_kepler_1.svg stress_machine.csv stress_series.csv'

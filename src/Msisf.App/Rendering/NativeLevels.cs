@@ -12,7 +12,7 @@ internal sealed class NativeLevels
     private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();
     private readonly IElevationGrid _grid;
     private readonly LodLevels? _levels;
-    private readonly double _errorPixels;
+    private readonly DetailRule? _rule;
 
     /// <summary>Takes the model.</summary>
     /// <param name="grid">The model.</param>
@@ -22,13 +22,13 @@ internal sealed class NativeLevels
     {
         _grid = grid;
         _levels = errorPixels is null ? null : levels();
-        _errorPixels = errorPixels ?? 0.0;
+        _rule = errorPixels is double error ? new DetailRule(_levels!, error) : null;
     }
 
     /// <summary>The renderer for a frame.</summary>
     public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis)
     {
-        int level = _levels is null ? 0 : LevelOfDetail.For(camera, subsamplesPerAxis, _grid.PixelsPerDegree, _levels.Count, _errorPixels);
+        int level = _rule?.LevelOfImage(camera.Footprint, subsamplesPerAxis) ?? 0;
         return _renderers.GetOrAdd(level, Create).Value;
     }
 

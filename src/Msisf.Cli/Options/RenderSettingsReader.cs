@@ -6,10 +6,10 @@ using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
+using Msisf.Core.Lod;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
-using Msisf.Core.Tiles;
 
 namespace Msisf.Cli.Options;
 
@@ -91,7 +91,7 @@ internal sealed class RenderSettingsReader
         bool isOff = _line.GetValue(image.LevelOfDetail) is string word && OptionText.Choice(image.LevelOfDetail, word, [("auto", false), ("off", true)]);
         if (_line.GetValue(image.LevelOfDetailError) is not string text)
         {
-            return isOff ? null : renderer == RendererKind.Native ? LevelOfDetail.DefaultErrorPixels : PartSelector.DefaultErrorPixels;
+            return isOff ? null : renderer == RendererKind.Native ? DetailRule.DefaultErrorOfImage : DetailRule.DefaultErrorOfParts;
         }
 
         if (isOff)

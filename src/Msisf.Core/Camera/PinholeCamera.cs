@@ -54,6 +54,11 @@ public sealed class PinholeCamera
         Up = moonFromCamera * Vector3D.UnitZ;
         _imagePlaneDistance = aspect / 2.0 / Math.Tan(fieldOfView / 2.0);
         Direction = _imagePlaneDistance * ForwardMoonMe;
+
+        double right = Math.Tan(fieldOfView / 2.0);
+        PixelTangent = 2.0 * right / width;
+        double up = 0.5 * height * PixelTangent;
+        Footprint = new PixelFootprint(positionMoonMe, ForwardMoonMe, PixelTangent, 1.0 / Math.Sqrt(1.0 + (right * right) + (up * up)));
     }
 
     /// <summary>Focal point, m, MOON_ME.</summary>
@@ -82,6 +87,12 @@ public sealed class PinholeCamera
 
     /// <summary>POV-Ray's up vector, MOON_ME, length 1 (thesis eq. 8.11).</summary>
     public Vector3D Up { get; }
+
+    /// <summary>Tangent of the angle of a pixel in the middle of the image; pixels are square.</summary>
+    public double PixelTangent { get; }
+
+    /// <summary>How much the pixels cover.</summary>
+    public PixelFootprint Footprint { get; }
 
     /// <summary>The ray through a point of the image plane in rendering coordinates: pixel (x, y) from 1, x right, y down (thesis eq. 8.15).</summary>
     /// <param name="x">Rendering coordinate; whole numbers are pixel centres.</param>

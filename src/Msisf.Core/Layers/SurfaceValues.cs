@@ -39,13 +39,8 @@ internal static class SurfaceValues
 
     public static double? Cell(in PixelTruth pixel, int plane) => plane == 0 ? pixel.Hit.Facet.Line : pixel.Hit.Facet.Sample;
 
-    /// <summary>Index in <see cref="TileId.All"/> of the tile that the cell belongs to (docs/pattern-format.md).</summary>
-    public static double? Tile(in PixelTruth pixel, int plane)
-    {
-        int linesOfTile = TileId.SizeDegrees * pixel.MeshPixelsPerDegree;
-        int rowFromNorth = Math.Max(pixel.Hit.Facet.Line, 0) / linesOfTile; // the northern fan belongs to the tiles of line 0
-        return ((TileId.Rows - 1 - rowFromNorth) * TileId.Columns) + (pixel.Hit.Facet.Sample / linesOfTile);
-    }
+    /// <summary><see cref="TileId.Number"/> of the tile that the cell belongs to (docs/pattern-format.md).</summary>
+    public static double? Tile(in PixelTruth pixel, int plane) => TileId.Holding(pixel.Hit.Facet, pixel.MeshPixelsPerDegree).Number;
 
     private static double Component(Vector3D vector, int plane) => plane switch
     {

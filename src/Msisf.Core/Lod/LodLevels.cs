@@ -52,22 +52,6 @@ public sealed class LodLevels
     /// <summary>How many levels a model of a resolution has.</summary>
     public static int CountOf(int pixelsPerDegree) => int.TrailingZeroCount(pixelsPerDegree) + 1;
 
-    /// <summary>The coarsest level with cells no wider than asked for; the model itself, 0, if even its cells are wider.</summary>
-    /// <param name="widestCell">m, at the reference sphere's equator.</param>
-    /// <param name="pixelsPerDegree">Samples a degree of the model.</param>
-    /// <param name="levels">How many levels there are, the model itself included.</param>
-    public static int CoarsestWithin(double widestCell, int pixelsPerDegree, int levels)
-    {
-        int level = 0;
-        double finestCell = MoonConstants.ReferenceRadius * Math.PI / 180.0 / pixelsPerDegree;
-        for (double cell = 2.0 * finestCell; level + 1 < levels && cell <= widestCell; cell *= 2.0)
-        {
-            level++;
-        }
-
-        return level;
-    }
-
     /// <summary>One level.</summary>
     /// <param name="level">0 (the model itself) to <see cref="Count"/> - 1.</param>
     public IElevationGrid Level(int level) => _levels[level];

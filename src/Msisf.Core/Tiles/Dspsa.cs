@@ -14,6 +14,9 @@ namespace Msisf.Core.Tiles;
 /// </summary>
 public static class Dspsa
 {
+    /// <summary>px: antialiasing's rays stay within this of the image.</summary>
+    internal const double AntialiasingPixels = 1.0;
+
     /// <summary>Selects the tiles.</summary>
     /// <param name="camera">The camera, above the surface.</param>
     /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it throws no shadow that is seen.</param>
@@ -23,7 +26,7 @@ public static class Dspsa
     public static TileSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, IElevationGrid grid, ElevationSummary summary)
     {
         Check(camera, sunPositionMoonMe, grid, summary);
-        return new DspsaRun(camera, sunPositionMoonMe, grid, summary).Select();
+        return new DspsaRun(new ViewFrustum(camera, AntialiasingPixels), sunPositionMoonMe, grid, summary).Select();
     }
 
     /// <summary>Refuses what no selection can be made of.</summary>

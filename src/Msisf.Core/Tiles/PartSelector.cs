@@ -15,13 +15,10 @@ namespace Msisf.Core.Tiles;
 /// </summary>
 public sealed class PartSelector
 {
-    /// <summary>px: the error that is allowed if nothing else is asked for. Measured (docs/levels-of-detail.md).</summary>
-    public const double DefaultErrorPixels = 0.33;
-
     private readonly LodLevels _levels;
     private readonly IElevationGrid _grid;
     private readonly ElevationSummary _summary;
-    private readonly double _errorPixels;
+    private readonly DetailRule _rule;
     private readonly int _cells;
     private readonly ConcurrentDictionary<SurfacePart, double> _deviations = new();
 
@@ -44,7 +41,7 @@ public sealed class PartSelector
         _levels = levels;
         _grid = levels.Level(0);
         _summary = summary;
-        _errorPixels = errorPixels;
+        _rule = new DetailRule(levels, errorPixels);
         _cells = cells;
     }
 
@@ -56,15 +53,24 @@ public sealed class PartSelector
     public PartSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows = null)
     {
         Dspsa.Check(camera, sunPositionMoonMe, _grid, _summary);
-        DetailRule rule = new(camera, _errorPixels, _grid.PixelsPerDegree, _levels.Count);
 
         // Where all that is in sight is the model itself, the selection is exact: nothing has to be kept in reserve.
-        DspsaRun run = rule.CoarsestLevel(_summary) == 0
-            ? new DspsaRun(camera, sunPositionMoonMe, _grid, _summary, rows: rows)
-            : new DspsaRun(camera, sunPositionMoonMe, _grid, _summary, rule.MarginPixels, rule.Slack, rows);
+        bool isExact = CoarsestLevelInSight(camera.Footprint) == 0;
+        ViewFrustum frame = new(camera, Dspsa.AntialiasingPixels + (isExact ? 0.0 : _rule.MarginPixels), rows);
+        DspsaRun run = new(frame, sunPositionMoonMe, _grid, _summary, isExact ? 0.0 : _rule.SlackPixels * camera.Footprint.Tangent);
         TileSelection tiles = run.Select();
-        PartDivision division = new(run, rule, _summary, level => SurfacePart.SubdivisionsAt(_grid.PixelsPerDegree >> level, _cells), DeviationOf);
+        PartDivision division = new(run, _rule, camera.Footprint, _summary, level => SurfacePart.SubdivisionsAt(_grid.PixelsPerDegree >> level, _cells), DeviationOf);
         return new PartSelection(tiles, division.Divide(tiles));
+    }
+
+    /// <summary>The coarsest level that any ground in sight may be drawn with.</summary>
+    internal int CoarsestLevelInSight(PixelFootprint footprint)
+    {
+        double distance = footprint.PositionMoonMe.Length;
+        double min = _summary.MinRadius;
+        double toHorizon = Math.Sqrt(Math.Max(0.0, (distance - min) * (distance + min)));
+        double behind = Math.Sqrt((_summary.MaxRadius - min) * (_summary.MaxRadius + min));
+        return _rule.LevelOfPixel((toHorizon + behind) * footprint.Tangent);
     }
 
     private double DeviationOf(SurfacePart part) => _deviations.GetOrAdd(part, known => LevelDeviation.Of(_levels, known));

@@ -21,15 +21,27 @@ public readonly record struct TileId(int SouthDegrees, int WestDegrees) : ICompa
     public const int Count = Rows * Columns;
 
     /// <summary>All 2,592 tiles, by latitude, then longitude.</summary>
-    public static IEnumerable<TileId> All =>
-        from row in Enumerable.Range(0, Rows)
-        from column in Enumerable.Range(0, Columns)
-        select new TileId(-90 + (row * SizeDegrees), column * SizeDegrees);
+    public static IEnumerable<TileId> All => Enumerable.Range(0, Count).Select(FromNumber);
+
+    /// <summary>All tiles, row by row from the north, as the lines of an elevation model run.</summary>
+    internal static IEnumerable<TileId> FromNorth => All.Chunk(Columns).Reverse().SelectMany(row => row);
+
+    /// <summary>Index in <see cref="All"/>.</summary>
+    public int Number => ((SouthDegrees + 90) / SizeDegrees * Columns) + (WestDegrees / SizeDegrees);
+
+    /// <summary>Row, 0 northernmost.</summary>
+    public int RowFromNorth => Rows - 1 - ((SouthDegrees + 90) / SizeDegrees);
+
+    /// <summary>Column, 0 east of longitude 0.</summary>
+    public int Column => WestDegrees / SizeDegrees;
 
     /// <summary>The part of a pattern's file name that says where it is: "lat_-5_0_lon_355_360".</summary>
     public string RangeText => string.Create(
         CultureInfo.InvariantCulture,
         $"lat_{SouthDegrees}_{SouthDegrees + SizeDegrees}_lon_{WestDegrees}_{WestDegrees + SizeDegrees}");
+
+    /// <summary>The tile with an index in <see cref="All"/>.</summary>
+    public static TileId FromNumber(int number) => new((number / Columns * SizeDegrees) - 90, number % Columns * SizeDegrees);
 
     /// <summary>The tile whose pattern draws a facet: the one that holds the cell's north-west sample; the northern fan belongs to the tiles of line 0.</summary>
     /// <param name="facet">A facet of the surface.</param>
@@ -37,12 +49,16 @@ public readonly record struct TileId(int SouthDegrees, int WestDegrees) : ICompa
     public static TileId Holding(FacetId facet, int pixelsPerDegree)
     {
         int size = SizeDegrees * pixelsPerDegree;
-        int row = Math.Max(facet.Line, 0) / size;
-        return new TileId(90 - (SizeDegrees * (row + 1)), SizeDegrees * (facet.Sample / size));
+        return At(Math.Max(facet.Line, 0) / size, facet.Sample / size);
     }
 
+    /// <summary>The tile in a row and column.</summary>
+    /// <param name="rowFromNorth">0 northernmost.</param>
+    /// <param name="column">0 east of longitude 0.</param>
+    public static TileId At(int rowFromNorth, int column) => new(90 - (SizeDegrees * (rowFromNorth + 1)), SizeDegrees * column);
+
     /// <summary>Northernmost grid line of the tile's samples at a resolution in px/deg (line 0 is northernmost).</summary>
-    public int FirstLine(int pixelsPerDegree) => (90 - SouthDegrees - SizeDegrees) * pixelsPerDegree;
+    public int FirstLine(int pixelsPerDegree) => RowFromNorth * SizeDegrees * pixelsPerDegree;
 
     /// <summary>Westernmost grid sample of the tile at a resolution in px/deg.</summary>
     public int FirstSample(int pixelsPerDegree) => WestDegrees * pixelsPerDegree;

@@ -119,7 +119,7 @@ internal sealed class FrontMeasure
     private HitDistance Hits(Scene scene, Setting setting, string output, HitPixels pixels, LodLevels levels)
     {
         IReadOnlyList<Vector3D?> points = setting.Kind == SettingKind.Native
-            ? pixels.ByNative(levels.Level(setting.IsFull ? 0 : LevelOfDetail.For(scene.Camera, setting.SubsamplesPerAxis, scene.PixelsPerDegree, levels.Count)))
+            ? pixels.ByNative(levels.Level(setting.IsFull ? 0 : new DetailRule(levels, DetailRule.DefaultErrorOfImage).LevelOfImage(scene.Camera.Footprint, setting.SubsamplesPerAxis)))
             : PovRayHits.Trace(Single(output, "*.pov"), _bench.PatternsOf(scene, setting), pixels.Rays, output);
         return HitDistance.Of(pixels.Truth, points);
     }

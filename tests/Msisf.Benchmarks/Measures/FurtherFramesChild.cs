@@ -63,5 +63,5 @@ internal static class FurtherFramesChild
 
     private static IElevationGrid LevelFor(Scene scene, LodLevels levels) => levels.Level(scene.IsExact
         ? 0
-        : LevelOfDetail.For(scene.Camera, subsamplesPerAxis: 1, scene.PixelsPerDegree, levels.Count));
+        : new DetailRule(levels, DetailRule.DefaultErrorOfImage).LevelOfImage(scene.Camera.Footprint, subsamplesPerAxis: 1));
 }

@@ -21,19 +21,6 @@ public sealed class LodLevelsTests
         Assert.All(Enumerable.Range(0, count), level => Assert.Equal(resolution >> level, levels.Level(level).PixelsPerDegree));
     }
 
-    /// <summary>A degree of the reference sphere is 30 323.350 m: at 4 px/deg cells are 7580.838 m wide, then 15 161.675 m, then 30 323.350 m.</summary>
-    [Theory]
-    [InlineData(0.0, 0)]
-    [InlineData(15_161.67, 0)]
-    [InlineData(15_161.68, 1)]
-    [InlineData(30_323.34, 1)]
-    [InlineData(30_323.36, 2)]
-    [InlineData(1e9, 2)]
-    public void CoarsestWithin_WidestCell_IsTheLastLevelThatFits(double widestCell, int level)
-    {
-        Assert.Equal(level, LodLevels.CoarsestWithin(widestCell, pixelsPerDegree: 4, levels: 3));
-    }
-
     [Theory]
     [InlineData(1)]
     [InlineData(2)]

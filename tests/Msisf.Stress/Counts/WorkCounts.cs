@@ -55,10 +55,10 @@ public static class WorkCounts
     private static IEnumerable<(string Count, long Value)> Of(PinholeCamera camera, LodLevels levels, ElevationSummary summary)
     {
         IElevationGrid grid = levels.Level(0);
-        DspsaRun run = new(camera, Sun, grid, summary);
+        DspsaRun run = new(new ViewFrustum(camera, Dspsa.AntialiasingPixels), Sun, grid, summary);
         yield return ("tiles", run.Select().Kept.Count);
         yield return ("nodes visited", run.NodesVisited);
-        foreach ((string name, double error) in new[] { ("exact parts", 0.0), ("parts", PartSelector.DefaultErrorPixels) })
+        foreach ((string name, double error) in new[] { ("exact parts", 0.0), ("parts", DetailRule.DefaultErrorOfParts) })
         {
             IReadOnlyList<SurfacePart> parts = new PartSelector(levels, summary, error).Select(camera, Sun).Parts;
             yield return (name, parts.Count);

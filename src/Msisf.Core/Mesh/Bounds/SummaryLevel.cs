@@ -67,20 +67,19 @@ public sealed class SummaryLevel
     }
 
     /// <summary>A tile's block with its place and bounds.</summary>
-    /// <param name="tile">Row of the tile (0 northernmost) times <see cref="TileId.Columns"/> plus its column.</param>
+    /// <param name="tile">The tile.</param>
     /// <param name="block">Row of the block in its tile times <see cref="Subdivisions"/> plus its column; of the tiles themselves there is one block each.</param>
-    internal TerrainNode NodeOf(int tile, int block = 0)
+    internal TerrainNode NodeOf(TileId tile, int block = 0)
     {
         (int row, int column) = PlaceOf(tile, block);
         return Node(row, column);
     }
 
     /// <summary>Row and column of a tile's block; the numbers are those of <see cref="NodeOf"/>.</summary>
-    internal (int Row, int Column) PlaceOf(int tile, int block)
+    internal (int Row, int Column) PlaceOf(TileId tile, int block)
     {
-        (int tileRow, int tileColumn) = int.DivRem(tile, TileId.Columns);
         (int row, int column) = int.DivRem(block, Subdivisions);
-        return ((tileRow * Subdivisions) + row, (tileColumn * Subdivisions) + column);
+        return ((tile.RowFromNorth * Subdivisions) + row, (tile.Column * Subdivisions) + column);
     }
 
     /// <summary>Several neighbours of one row as one node.</summary>

@@ -18,7 +18,7 @@ internal sealed class BandWorker
         _crossing.Begin(view);
         foreach (VisibleBlock visible in blocks)
         {
-            if (visible.FirstRow > band.LastRow || visible.LastRow < band.FirstRow)
+            if (visible.Rows.First > band.LastRow || visible.Rows.End <= band.FirstRow)
             {
                 continue;
             }

@@ -10,4 +10,8 @@ namespace Msisf.Core.Render.Visibility;
 /// <param name="HalfEast">m, MOON_ME: to its eastern side.</param>
 /// <param name="HalfNorth">m, MOON_ME: to its northern side.</param>
 internal readonly record struct BlockBox(
-    Vector3D Up, SineCosine CapRadius, double Radius, Vector3D HalfUp, Vector3D HalfEast, Vector3D HalfNorth);
+    Vector3D Up, SineCosine CapRadius, double Radius, Vector3D HalfUp, Vector3D HalfEast, Vector3D HalfNorth)
+{
+    /// <summary>The box itself.</summary>
+    public OrientedBox Box => new(Radius * Up, HalfUp, HalfEast, HalfNorth);
+}

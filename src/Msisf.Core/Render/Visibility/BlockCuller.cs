@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Bounds;
@@ -37,7 +38,7 @@ internal sealed class BlockCuller
     /// <summary>The blocks that may be seen, always in the same order; valid until the next call.</summary>
     public List<VisibleBlock> Find(ImageView view, int threads, CancellationToken cancellation)
     {
-        ViewFrustum frustum = new(view);
+        ViewFrustum frustum = view.Frustum();
         MoonHorizon horizon = new(view.Camera.PositionMoonMe, LowestPoint(_limits.Min));
         _candidates.Clear();
         _tree.Collect(frustum, horizon, _limits, _candidates);
@@ -79,12 +80,12 @@ internal sealed class BlockCuller
         BlockBox box = _tree.Blocks.Box(block.Row, block.Column, bounds.Min, bounds.Max);
         if (horizon.Hides(box, bounds.Max)
             || horizon.IsTurnedAway(box, LowestPoint(bounds.Min), bounds.MaxSlope + _tilt)
-            || !frustum.TryFindRows(box, out (int First, int Last) rows))
+            || !frustum.TryFindRows(box.Box, out PixelRows rows))
         {
             return null;
         }
 
-        return new VisibleBlock(block, rows.First, rows.Last);
+        return new VisibleBlock(block, rows);
     }
 
     private BadInputException OutsideLimits(CellBlock block, BlockBounds bounds)

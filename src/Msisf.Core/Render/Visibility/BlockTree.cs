@@ -1,3 +1,4 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Visibility;
@@ -55,7 +56,7 @@ internal sealed class BlockTree
         }
 
         BlockBox box = squares.Box(row, column, limits.Min, limits.Max);
-        if (horizon.Hides(box, limits.Max) || !frustum.TryFindRows(box, out _))
+        if (horizon.Hides(box, limits.Max) || !frustum.TryFindRows(box.Box, out _))
         {
             return;
         }

@@ -101,5 +101,8 @@ internal sealed class ImageView
     /// <summary>px2: facets that are turned away by more than this certainly are; products of coordinates within the limit are rounded by less.</summary>
     public double BackFaceArea => Math.ScaleB(CoordinateLimit * CoordinateLimit, -50);
 
+    /// <summary>What the image's samples show, half a pixel wider and by what rounding turns a projected direction (some 1e-16 rad).</summary>
+    public ViewFrustum Frustum() => new(Camera, 0.5 + (PixelsPerTangent * 1e-14), null, OffsetX, OffsetY);
+
     private static double OnLattice(double metres) => Math.Round(metres * LatticePoint.StepsPerMetre) / LatticePoint.StepsPerMetre;
 }

@@ -1,24 +1,25 @@
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Tiles or blocks by the azimuths that they cover, so that a search meets only those beside it.</summary>
-internal sealed class AzimuthIndex
+/// <summary>Finds what lies in the same directions: keeps members by the bins of azimuth that their bounds cover.</summary>
+/// <typeparam name="T">What is found.</typeparam>
+internal sealed class AzimuthIndex<T>
 {
     private readonly AzimuthWindow _window;
-    private readonly List<int>[] _members;
+    private readonly List<T>[] _members;
 
-    /// <param name="bins">All around.</param>
+    /// <param name="bins">Bins of the whole circle.</param>
     public AzimuthIndex(int bins)
     {
         _window = new AzimuthWindow(0.0, 2.0 * Math.PI, 2.0 * Math.PI / bins, bins);
-        _members = new List<int>[bins];
+        _members = new List<T>[bins];
         for (int bin = 0; bin < bins; bin++)
         {
             _members[bin] = [];
         }
     }
 
-    /// <summary>Adds a number under all azimuths of its bounds.</summary>
-    public void Add(int member, in PolarBounds bounds)
+    /// <summary>Adds a member to all bins of its bounds.</summary>
+    public void Add(T member, in PolarBounds bounds)
     {
         foreach (int bin in Bins(bounds))
         {
@@ -29,14 +30,14 @@ internal sealed class AzimuthIndex
     /// <summary>Removes all members.</summary>
     public void Clear()
     {
-        foreach (List<int> members in _members)
+        foreach (List<T> members in _members)
         {
             members.Clear();
         }
     }
 
     /// <summary>Members of a bin, in the order in which they were added.</summary>
-    public List<int> this[int bin] => _members[bin];
+    public List<T> this[int bin] => _members[bin];
 
     /// <summary>The bins that bounds touch.</summary>
     public BinRange Bins(in PolarBounds bounds)

@@ -22,6 +22,7 @@ internal sealed class BackFaces
     private readonly Vector3D _viewpoint;
     private readonly PolarBounds[]?[] _facets;
     private readonly List<PolarBounds> _found = [];
+    private readonly int _blocksPerTile;
     private int _blocksToRead = MaxBlocksRead;
 
     /// <param name="table">Bounds from the viewpoint.</param>
@@ -34,15 +35,13 @@ internal sealed class BackFaces
         _summary = summary;
         _viewpoint = viewpoint;
         _patch = patch;
-        _facets = new PolarBounds[summary.Levels[1].Bounds.Length][];
+        _blocksPerTile = summary.Levels[1].Subdivisions * summary.Levels[1].Subdivisions;
+        _facets = new PolarBounds[TileId.Count * _blocksPerTile][];
     }
 
     /// <summary>Bounds of the facets of a tile's block that may be turned away.</summary>
-    public ReadOnlySpan<PolarBounds> Of(int tile, int block)
-    {
-        (int row, int column) = _summary.Levels[1].PlaceOf(tile, block);
-        return _facets[(row * _summary.Levels[1].Columns) + column] ??= Find(row, column, _table.Blocks(tile)[block]);
-    }
+    public ReadOnlySpan<PolarBounds> Of(TileId tile, int block) =>
+        _facets[(tile.Number * _blocksPerTile) + block] ??= Find(tile, block, _table.Blocks(tile)[block]);
 
     /// <summary>Whether the viewpoint may stand lower over a node's ground than its steepest facet could be.</summary>
     public bool MayBeIn(in TerrainNode node, in PolarBounds bounds)
@@ -62,9 +61,10 @@ internal sealed class BackFaces
         return (distance * cos) - node.MinRadius < -node.MaxSlope * distance * sin;
     }
 
-    private PolarBounds[] Find(int row, int column, in PolarBounds bounds)
+    private PolarBounds[] Find(TileId tile, int block, in PolarBounds bounds)
     {
         SummaryLevel level = _summary.Levels[1];
+        (int row, int column) = level.PlaceOf(tile, block);
         if (!MayBeIn(level.Node(row, column), bounds))
         {
             return [];

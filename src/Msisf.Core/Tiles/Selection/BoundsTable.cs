@@ -2,7 +2,7 @@ using Msisf.Core.Mesh.Bounds;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Polar bounds of all tiles from one viewpoint, and of the blocks of those tiles that are asked for.</summary>
+/// <summary>Bounds of all tiles as seen from one viewpoint, and of the blocks of those tiles that are asked for.</summary>
 internal sealed class BoundsTable
 {
     private readonly SummaryLevel _blockLevel;
@@ -16,22 +16,22 @@ internal sealed class BoundsTable
         _blockLevel = summary.Levels[1];
         _tiles = new PolarBounds[tiles.Bounds.Length];
         _blocks = new PolarBounds[_tiles.Length][];
-        for (int tile = 0; tile < _tiles.Length; tile++)
+        foreach (TileId tile in TileId.All)
         {
-            _tiles[tile] = view.Bounds(tiles.NodeOf(tile));
+            _tiles[tile.Number] = view.Bounds(tiles.NodeOf(tile));
         }
     }
 
-    /// <summary>From where.</summary>
+    /// <summary>The viewpoint.</summary>
     public PolarView View { get; }
 
-    /// <summary>Bounds of a tile by row (0 northernmost) times columns plus column.</summary>
-    public ref readonly PolarBounds this[int tile] => ref _tiles[tile];
+    /// <summary>Bounds of a tile.</summary>
+    public ref readonly PolarBounds this[TileId tile] => ref _tiles[tile.Number];
 
     /// <summary>Bounds of the tile's blocks, row by row.</summary>
-    public ReadOnlySpan<PolarBounds> Blocks(int tile) => _blocks[tile] ??= MakeBlocks(tile);
+    public ReadOnlySpan<PolarBounds> Blocks(TileId tile) => _blocks[tile.Number] ??= MakeBlocks(tile);
 
-    private PolarBounds[] MakeBlocks(int tile)
+    private PolarBounds[] MakeBlocks(TileId tile)
     {
         PolarBounds[] blocks = new PolarBounds[_blockLevel.Subdivisions * _blockLevel.Subdivisions];
         for (int block = 0; block < blocks.Length; block++)

@@ -121,7 +121,7 @@ internal sealed class HorizonSurvey
         bool[] tiles = new bool[level.Bounds.Length];
         for (int tile = 0; tile < tiles.Length; tile++)
         {
-            TerrainNode node = level.NodeOf(tile);
+            TerrainNode node = level.Node(tile / level.Columns, tile % level.Columns);
             tiles[tile] = Concerns(map, relevant, node, _view.Bounds(node));
         }
 

@@ -1,3 +1,5 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Bounds;
 
@@ -8,33 +10,41 @@ internal sealed class PartDivision
 {
     private readonly DspsaRun _run;
     private readonly DetailRule _rule;
+    private readonly PixelFootprint _footprint;
     private readonly SummaryLevel _tiles;
     private readonly SummaryLevel _finest;
     private readonly int _pixelsPerDegree;
     private readonly Func<int, int> _subdivisionsAt;
     private readonly Func<SurfacePart, double> _deviationOf;
-    private readonly SeenBlocks _seen;
+    private readonly VisibleBlockVisitor _seen;
     private readonly ShadowDemand? _shadows;
     private readonly List<SurfacePart> _parts = [];
     private readonly (double WidestCell, double MaxDeviation)?[] _demands;
 
     /// <param name="run">The selection of tiles, done.</param>
     /// <param name="rule">Which level is allowed where.</param>
+    /// <param name="footprint">Of the image's pixels.</param>
     /// <param name="summary">Bounds of the terrain.</param>
     /// <param name="subdivisionsAt">Parts to a tile's edge at a level.</param>
     /// <param name="deviationOf">How far a part's surface lies from the model's, m.</param>
     public PartDivision(
-        DspsaRun run, DetailRule rule, ElevationSummary summary, Func<int, int> subdivisionsAt, Func<SurfacePart, double> deviationOf)
+        DspsaRun run,
+        DetailRule rule,
+        PixelFootprint footprint,
+        ElevationSummary summary,
+        Func<int, int> subdivisionsAt,
+        Func<SurfacePart, double> deviationOf)
     {
         _run = run;
         _rule = rule;
+        _footprint = footprint;
         _tiles = summary.Levels[0];
         _finest = summary.Levels[^1];
         _pixelsPerDegree = summary.PixelsPerDegree;
         _subdivisionsAt = subdivisionsAt;
         _deviationOf = deviationOf;
-        _seen = new SeenBlocks(summary, run.View, run.Sun);
-        _shadows = run.Sun is null ? null : new ShadowDemand(run.Sun, summary, run.Patch, rule);
+        _seen = new VisibleBlockVisitor(summary, run.View, run.Sun);
+        _shadows = run.Sun is null ? null : new ShadowDemand(run.Sun, summary, run.Patch, rule, footprint);
         _demands = new (double, double)?[_finest.Subdivisions * _finest.Subdivisions];
     }
 
@@ -45,7 +55,7 @@ internal sealed class PartDivision
         TileId[] divided = [.. kept.Where(tile => !_run.IsSeen(tile) || _subdivisionsAt(LevelOf(NodeOf(tile))) > 1)]; // what only throws shadows is asked part by part
         foreach (TileId tile in divided.Where(_run.IsSeen))
         {
-            _run.Walk(DspsaRun.NumberOf(tile), _seen);
+            _run.Walk(tile, _seen);
         }
 
         AddTargets(kept.Except(divided), divided);
@@ -62,7 +72,7 @@ internal sealed class PartDivision
     }
 
     /// <summary>The level that what is seen of a piece of the surface may have.</summary>
-    private int LevelOf(in TerrainNode node) => _rule.LevelOfCell(_rule.WidestCell(_rule.MetresPerPixel(node)));
+    private int LevelOf(in TerrainNode node) => _rule.LevelOfPixel(_footprint.MinWidth(node.Ball()));
 
     /// <summary>Notes what is seen in the light or in shadow, but not what is certainly dark, on which no shadow is missed.</summary>
     private void AddTargets(IEnumerable<TileId> whole, IEnumerable<TileId> divided)
@@ -79,12 +89,12 @@ internal sealed class PartDivision
 
         foreach (TileId tile in divided)
         {
-            bool[] seen = _seen.Of(DspsaRun.NumberOf(tile));
+            bool[] seen = _seen.Of(tile);
             for (int block = 0; block < seen.Length; block++)
             {
                 if (seen[block])
                 {
-                    _shadows.AddTarget(_finest.NodeOf(DspsaRun.NumberOf(tile), block));
+                    _shadows.AddTarget(_finest.NodeOf(tile, block));
                 }
             }
         }
@@ -101,9 +111,9 @@ internal sealed class PartDivision
             return;
         }
 
-        CoverVisitor cover = _run.CoverOf([.. _seen.Dark.Select(dark => dark.Tile).Distinct()]);
-        cover.LookFor(kept.Select(DspsaRun.NumberOf));
-        List<SeenBlocks.DarkBlock> open = [.. _seen.Dark];
+        OccluderVisitor cover = _run.CoverOf([.. _seen.Dark.Select(dark => dark.Tile).Distinct()]);
+        cover.LookFor(kept);
+        List<VisibleBlockVisitor.DarkBlock> open = [.. _seen.Dark];
         Keep(open, dark => cover.MayCover(dark.Bounds));
         while (Keep(open, dark => _shadows!.Of(_finest.NodeOf(dark.Tile, dark.Block)) is not null))
         {
@@ -111,10 +121,10 @@ internal sealed class PartDivision
         }
     }
 
-    private bool Keep(List<SeenBlocks.DarkBlock> open, Predicate<SeenBlocks.DarkBlock> isNeeded)
+    private bool Keep(List<VisibleBlockVisitor.DarkBlock> open, Predicate<VisibleBlockVisitor.DarkBlock> isNeeded)
     {
-        List<SeenBlocks.DarkBlock> needed = open.FindAll(isNeeded);
-        foreach (SeenBlocks.DarkBlock dark in needed)
+        List<VisibleBlockVisitor.DarkBlock> needed = open.FindAll(isNeeded);
+        foreach (VisibleBlockVisitor.DarkBlock dark in needed)
         {
             _seen.Of(dark.Tile)[dark.Block] = true;
             _shadows!.AddTarget(_finest.NodeOf(dark.Tile, dark.Block));
@@ -124,7 +134,7 @@ internal sealed class PartDivision
         return needed.Count > 0;
     }
 
-    private TerrainNode NodeOf(TileId tile) => _tiles.NodeOf(DspsaRun.NumberOf(tile));
+    private TerrainNode NodeOf(TileId tile) => _tiles.NodeOf(tile);
 
     /// <summary>Where a part lies; its heights are bounded by those of its tile.</summary>
     private TerrainNode NodeOf(SurfacePart part)
@@ -138,10 +148,10 @@ internal sealed class PartDivision
 
     private void FillDemands(TileId tile)
     {
-        bool[] seen = _seen.Of(DspsaRun.NumberOf(tile));
+        bool[] seen = _seen.Of(tile);
         for (int block = 0; block < _demands.Length; block++)
         {
-            _demands[block] = seen[block] ? null : _shadows?.Of(_finest.NodeOf(DspsaRun.NumberOf(tile), block));
+            _demands[block] = seen[block] ? null : _shadows?.Of(_finest.NodeOf(tile, block));
         }
     }
 
@@ -171,7 +181,7 @@ internal sealed class PartDivision
     /// <summary>What the blocks that the square touches are needed for.</summary>
     private (bool IsSeen, double WidestCell, double MaxDeviation) DemandOn(SurfacePart square)
     {
-        bool[] seen = _seen.Of(DspsaRun.NumberOf(square.Tile));
+        bool[] seen = _seen.Of(square.Tile);
         int side = _finest.Subdivisions;
         int parts = square.Subdivisions;
         bool isSeen = false;

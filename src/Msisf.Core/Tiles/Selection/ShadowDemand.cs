@@ -1,3 +1,5 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
@@ -14,18 +16,20 @@ internal sealed class ShadowDemand
 
     private readonly SunView _sun;
     private readonly DetailRule _rule;
+    private readonly PixelFootprint _footprint;
     private readonly BackFaces _facets;
-    private readonly AzimuthIndex _index = new(Bins);
-    private readonly List<Target> _targets = [];
+    private readonly AzimuthIndex<Target> _index = new(Bins);
 
     /// <param name="sun">The Moon from the Sun.</param>
     /// <param name="summary">Bounds of the terrain.</param>
     /// <param name="patch">For reading.</param>
     /// <param name="rule">How coarse what is seen may be.</param>
-    public ShadowDemand(SunView sun, ElevationSummary summary, TerrainPatch patch, DetailRule rule)
+    /// <param name="footprint">Of the image's pixels.</param>
+    public ShadowDemand(SunView sun, ElevationSummary summary, TerrainPatch patch, DetailRule rule, PixelFootprint footprint)
     {
         _sun = sun;
         _rule = rule;
+        _footprint = footprint;
         _facets = new BackFaces(sun.Table, summary, sun.Position, patch);
     }
 
@@ -41,9 +45,8 @@ internal sealed class ShadowDemand
         Vector3D toSun = _sun.Position - (node.MaxRadius * node.Cap.Centre);
         double sin = Vector3D.Dot(toSun, node.Cap.Centre) / toSun.Length;
         double tanElevation = Math.Max(0.0, sin) / Math.Sqrt((1.0 - sin) * (1.0 + sin));
-        double metresPerPixel = _rule.MetresPerPixel(node);
-        _index.Add(_targets.Count, bounds);
-        _targets.Add(new Target(bounds, _rule.WidestCell(metresPerPixel), _rule.MaxShift(metresPerPixel) * tanElevation));
+        double metresPerPixel = _footprint.MinWidth(node.Ball());
+        _index.Add(new Target(bounds, _rule.WidestCell(metresPerPixel), _rule.MaxShift(metresPerPixel) * tanElevation), bounds);
     }
 
     /// <summary>How coarse a piece of the surface may be that is not seen itself.</summary>
@@ -61,9 +64,8 @@ internal sealed class ShadowDemand
         double deviation = double.PositiveInfinity;
         foreach (int bin in _index.Bins(bounds))
         {
-            foreach (int number in _index[bin])
+            foreach (Target target in _index[bin])
             {
-                Target target = _targets[number];
                 if (bounds.Near < target.Bounds.Far && bounds.CanShareRayWith(target.Bounds))
                 {
                     isNeeded = true;

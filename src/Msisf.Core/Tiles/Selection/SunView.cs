@@ -21,7 +21,7 @@ internal sealed class SunView
     /// <param name="summary">Bounds of the terrain.</param>
     /// <param name="patch">For reading.</param>
     /// <param name="tiles">The tiles whose light matters.</param>
-    public SunView(Vector3D sunMoonMe, ElevationSummary summary, TerrainPatch patch, IEnumerable<int> tiles)
+    public SunView(Vector3D sunMoonMe, ElevationSummary summary, TerrainPatch patch, IEnumerable<TileId> tiles)
     {
         Position = sunMoonMe;
         View = new PolarView(sunMoonMe);
@@ -29,7 +29,7 @@ internal sealed class SunView
         HorizonSurvey survey = new(View, summary, patch);
         Array.Fill(_needNear, double.PositiveInfinity);
         HorizonMap limits = survey.EmptyMap(0.0, 0.0);
-        foreach (int tile in tiles)
+        foreach (TileId tile in tiles)
         {
             PolarBounds bounds = Table[tile];
             if (bounds.Near < limits.LastArc && !limits.NeverHides(bounds))

@@ -1,3 +1,4 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
@@ -11,7 +12,7 @@ internal sealed class SurfaceWalk
     private const int MaxCorners = 8;
 
     private readonly ElevationSummary _summary;
-    private readonly FramePyramid _frame;
+    private readonly ViewFrustum _frame;
     private readonly PolarView _view;
     private readonly HorizonMap _horizon;
     private readonly Vector3D _camera;
@@ -22,18 +23,17 @@ internal sealed class SurfaceWalk
     /// <param name="frame">The image.</param>
     /// <param name="view">From the camera.</param>
     /// <param name="horizon">What the terrain hides from the camera.</param>
-    /// <param name="camera">m, MOON_ME.</param>
     /// <param name="patch">For reading.</param>
     /// <param name="slack">rad: what is hidden by less than this counts as seen.</param>
     public SurfaceWalk(
-        ElevationSummary summary, FramePyramid frame, PolarView view, HorizonMap horizon, Vector3D camera, TerrainPatch patch, double slack)
+        ElevationSummary summary, ViewFrustum frame, PolarView view, HorizonMap horizon, TerrainPatch patch, double slack)
     {
         _slack = slack;
         _summary = summary;
         _frame = frame;
         _view = view;
         _horizon = horizon;
-        _camera = camera;
+        _camera = frame.CameraMoonMe;
         _patch = patch;
     }
 
@@ -44,10 +44,10 @@ internal sealed class SurfaceWalk
     public int NodesVisited { get; private set; }
 
     /// <summary>Walks one tile.</summary>
-    public void Walk(int tileRow, int tileColumn, ISurfaceVisitor visitor)
+    public void Walk(TileId tile, ISurfaceVisitor visitor)
     {
         MetFrame = false;
-        Enter(0, tileRow, tileColumn, inside: false, visitor);
+        Enter(0, tile.RowFromNorth, tile.Column, inside: false, visitor);
     }
 
     /// <summary>Whether a piece of the surface is certainly hidden from the camera.</summary>
@@ -108,13 +108,13 @@ internal sealed class SurfaceWalk
         TerrainNode node = level.Node(row, column);
         if (!inside)
         {
-            FrameSide side = _frame.Classify(node);
-            if (side == FrameSide.Outside)
+            FrustumSide side = _frame.Classify(node.Ball());
+            if (side == FrustumSide.Outside)
             {
                 return true;
             }
 
-            inside = side == FrameSide.Inside;
+            inside = side == FrustumSide.Inside;
         }
 
         MetFrame |= inside;

@@ -10,9 +10,9 @@ using Msisf.Core.Tiles.Selection;
 using Msisf.TestSupport;
 using Xunit;
 
-namespace Msisf.Core.Tests.Tiles.Selection;
+namespace Msisf.Core.Tests.Lod;
 
-/// <summary>What is kept in reserve where coarser levels may be drawn.</summary>
+/// <summary>Levels of detail, and what is kept in reserve where coarser ones may be drawn.</summary>
 public sealed class DetailRuleTests(RuggedMoon rugged) : IClassFixture<RuggedMoon>
 {
     private const int Resolution = 8;
@@ -22,15 +22,17 @@ public sealed class DetailRuleTests(RuggedMoon rugged) : IClassFixture<RuggedMoo
     public void Slack_FarViewsOfARuggedMoon_KeepsWhatIsHiddenByLess()
     {
         const double error = 1.0;
-        PartSelector selector = new(LodLevels.Open(rugged.Grid), rugged.Summary, error);
+        LodLevels levels = LodLevels.Open(rugged.Grid);
+        DetailRule rule = new(levels, error);
+        PartSelector selector = new(levels, rugged.Summary, error);
         int added = 0;
         for (int number = 0; number < 6; number++)
         {
             (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, rugged.Grid, 100);
-            DetailRule rule = new(camera, error, rugged.Grid.PixelsPerDegree, LodLevels.CountOf(rugged.Grid.PixelsPerDegree));
-            if (rule.CoarsestLevel(rugged.Summary) > 0)
+            if (selector.CoarsestLevelInSight(camera.Footprint) > 0)
             {
-                TileId[] without = Seen(new DspsaRun(camera, sun, rugged.Grid, rugged.Summary, rule.MarginPixels).Select());
+                ViewFrustum frame = new(camera, Dspsa.AntialiasingPixels + rule.MarginPixels);
+                TileId[] without = Seen(new DspsaRun(frame, sun, rugged.Grid, rugged.Summary).Select());
                 TileId[] with = Seen(selector.Select(camera, sun).Tiles);
                 Assert.True(without.All(with.Contains), $"camera {number} ({kind})");
                 added += with.Length - without.Length;
@@ -41,12 +43,25 @@ public sealed class DetailRuleTests(RuggedMoon rugged) : IClassFixture<RuggedMoo
     }
 
     [Fact]
-    public void Slack_HalfAPixelOfError_IsFourPixels()
-    {
-        // tan 45 degrees is 500 px wide: 2 mrad a pixel.
-        PinholeCamera camera = Looking(new Vector3D(2e6, 0.0, 0.0), Math.PI / 2.0, 1000, 1000);
+    public void SlackPixels_HalfAPixelOfError_IsFourPixels() =>
+        Assert.Equal(4.0, new DetailRule(LodLevels.Open(rugged.Grid), 0.5).SlackPixels);
 
-        Assert.Equal(0.008, new DetailRule(camera, 0.5, Resolution, 4).Slack, 1e-12);
+    /// <summary>tan 45 degrees is 500 px wide: a pixel is 2 mrad wide in the middle of the image.</summary>
+    [Fact]
+    public void Footprint_RightAngleOf1000Pixels_Is2MillimetresPerMetre() =>
+        Assert.Equal(0.002, Looking(new Vector3D(2e6, 0.0, 0.0), Math.PI / 2.0, 1000, 1000).Footprint.Tangent, 1e-12);
+
+    /// <summary>A degree of the reference sphere is 30 323.350 m: at 4 px/deg cells are 7580.838 m wide, then 15 161.675 m, then 30 323.350 m.</summary>
+    [Theory]
+    [InlineData(0.0, 0)]
+    [InlineData(15_161.67, 0)]
+    [InlineData(15_161.68, 1)]
+    [InlineData(30_323.34, 1)]
+    [InlineData(30_323.36, 2)]
+    [InlineData(1e9, 2)]
+    public void LevelOfCell_WidestCell_IsTheLastLevelThatFits(double widestCell, int level)
+    {
+        Assert.Equal(level, new DetailRule(LodLevels.Open(FunctionGrid.Rough(4)), 0.5).LevelOfCell(widestCell));
     }
 
     /// <summary>

@@ -1,3 +1,4 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
@@ -8,7 +9,7 @@ namespace Msisf.Core.Tiles.Selection;
 /// Finds out whether a dark tile covers something that is kept. A ray that enters the Moon through the tile leaves it next through a facet
 /// that is turned away from the camera; nothing else can be met before it.
 /// </summary>
-internal sealed class CoverVisitor : ISurfaceVisitor
+internal sealed class OccluderVisitor : ISurfaceVisitor
 {
     private const int Bins = 360;
 
@@ -18,38 +19,36 @@ internal sealed class CoverVisitor : ISurfaceVisitor
     private readonly BoundsTable _table;
     private readonly BackFaces _facets;
     private readonly double _limb;
-    private readonly AzimuthIndex _soughtTiles = new(Bins);
-    private readonly AzimuthIndex _turned = new(Bins);
-    private readonly List<PolarBounds> _turnedFacets = [];
+    private readonly AzimuthIndex<TileId> _soughtTiles = new(Bins);
+    private readonly AzimuthIndex<PolarBounds> _backFaces = new(Bins);
     private int _facetBudget = MaxFacets;
 
     /// <param name="summary">Bounds of the terrain.</param>
     /// <param name="frame">The image.</param>
     /// <param name="table">From the camera.</param>
-    /// <param name="camera">m, MOON_ME.</param>
     /// <param name="patch">For reading; not the one that the walk reads.</param>
     /// <param name="dark">The tiles that will be asked for.</param>
-    public CoverVisitor(ElevationSummary summary, FramePyramid frame, BoundsTable table, Vector3D camera, TerrainPatch patch, IReadOnlyList<int> dark)
+    public OccluderVisitor(ElevationSummary summary, ViewFrustum frame, BoundsTable table, TerrainPatch patch, IReadOnlyList<TileId> dark)
     {
         _table = table;
-        _facets = new BackFaces(table, summary, camera, patch);
+        _facets = new BackFaces(table, summary, frame.CameraMoonMe, patch);
 
         // From where a sphere as high as the highest terrain turns away, a facet that does so is taken for granted.
         _limb = PolarView.Arc(Math.Min(1.0, summary.MaxRadius / table.View.Distance));
-        AzimuthIndex asked = new(Bins);
-        foreach (int tile in dark)
+        AzimuthIndex<TileId> asked = new(Bins);
+        foreach (TileId tile in dark)
         {
             asked.Add(tile, table[tile]);
         }
 
         SummaryLevel tiles = summary.Levels[0];
-        for (int tile = 0; tile < tiles.Bounds.Length; tile++)
+        foreach (TileId tile in TileId.FromNorth)
         {
             TerrainNode node = tiles.NodeOf(tile);
             if (table[tile].Near < _limb && SharesRay(asked, table[tile]) && _facets.MayBeIn(node, table[tile])
-                && frame.Classify(node) != FrameSide.Outside)
+                && frame.Classify(node.Ball()) != FrustumSide.Outside)
             {
-                NoteTurned(tile, table.Blocks(tile));
+                NoteBackFaces(tile, table.Blocks(tile));
             }
         }
     }
@@ -61,10 +60,10 @@ internal sealed class CoverVisitor : ISurfaceVisitor
     public void Reset() => Covers = false;
 
     /// <summary>Asks from now on for what lies behind these tiles only.</summary>
-    public void LookFor(IEnumerable<int> tiles)
+    public void LookFor(IEnumerable<TileId> tiles)
     {
         _soughtTiles.Clear();
-        foreach (int tile in tiles)
+        foreach (TileId tile in tiles)
         {
             _soughtTiles.Add(tile, _table[tile]);
         }
@@ -92,13 +91,13 @@ internal sealed class CoverVisitor : ISurfaceVisitor
     public bool MayCover(in PolarBounds bounds) => AnyBehind(bounds);
 
     /// <summary>Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles cover each other in long chains.</summary>
-    public bool MayLeaveBeforeLimb(int tile) => FirstExit(_table[tile]) < _limb;
+    public bool MayLeaveBeforeLimb(TileId tile) => FirstExit(_table[tile]) < _limb;
 
-    private bool SharesRay(AzimuthIndex index, in PolarBounds bounds)
+    private bool SharesRay(AzimuthIndex<TileId> index, in PolarBounds bounds)
     {
         foreach (int bin in index.Bins(bounds))
         {
-            foreach (int tile in index[bin])
+            foreach (TileId tile in index[bin])
             {
                 if (_table[tile].CanShareRayWith(bounds))
                 {
@@ -110,7 +109,7 @@ internal sealed class CoverVisitor : ISurfaceVisitor
         return false;
     }
 
-    private void NoteTurned(int tile, ReadOnlySpan<PolarBounds> blocks)
+    private void NoteBackFaces(TileId tile, ReadOnlySpan<PolarBounds> blocks)
     {
         for (int block = 0; block < blocks.Length; block++)
         {
@@ -121,8 +120,7 @@ internal sealed class CoverVisitor : ISurfaceVisitor
 
             foreach (PolarBounds facet in _facets.Of(tile, block))
             {
-                _turned.Add(_turnedFacets.Count, facet);
-                _turnedFacets.Add(facet);
+                _backFaces.Add(facet, facet);
             }
         }
     }
@@ -132,7 +130,7 @@ internal sealed class CoverVisitor : ISurfaceVisitor
         double exit = FirstExit(target);
         foreach (int bin in _soughtTiles.Bins(target))
         {
-            foreach (int tile in _soughtTiles[bin])
+            foreach (TileId tile in _soughtTiles[bin])
             {
                 if (_table[tile].Far > exit && _table[tile].CanShareRayWith(target) && AnyBlockBehind(tile, target, exit))
                 {
@@ -144,7 +142,7 @@ internal sealed class CoverVisitor : ISurfaceVisitor
         return false;
     }
 
-    private bool AnyBlockBehind(int tile, in PolarBounds target, double exit)
+    private bool AnyBlockBehind(TileId tile, in PolarBounds target, double exit)
     {
         foreach (ref readonly PolarBounds block in _table.Blocks(tile))
         {
@@ -161,11 +159,10 @@ internal sealed class CoverVisitor : ISurfaceVisitor
     private double FirstExit(in PolarBounds target)
     {
         double exit = _limb;
-        foreach (int bin in _turned.Bins(target))
+        foreach (int bin in _backFaces.Bins(target))
         {
-            foreach (int index in _turned[bin])
+            foreach (PolarBounds facet in _backFaces[bin])
             {
-                PolarBounds facet = _turnedFacets[index];
                 if (facet.Near < exit && facet.Far > target.Near && facet.CanShareRayWith(target))
                 {
                     exit = facet.Near;

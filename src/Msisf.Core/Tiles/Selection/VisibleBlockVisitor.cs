@@ -4,18 +4,18 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Finds out which of the finest blocks of a tile may be seen, and which of these are certainly dark.</summary>
-internal sealed class SeenBlocks : ISurfaceVisitor
+internal sealed class VisibleBlockVisitor : ISurfaceVisitor
 {
     private readonly ElevationSummary _summary;
     private readonly SunView? _sun;
     private readonly PolarView _view;
-    private readonly Dictionary<int, bool[]> _tiles = [];
+    private readonly Dictionary<TileId, bool[]> _tiles = [];
     private readonly List<DarkBlock> _dark = [];
 
     /// <param name="summary">Bounds of the terrain.</param>
     /// <param name="view">From the camera.</param>
     /// <param name="sun">Null: the light is at the camera.</param>
-    public SeenBlocks(ElevationSummary summary, PolarView view, SunView? sun)
+    public VisibleBlockVisitor(ElevationSummary summary, PolarView view, SunView? sun)
     {
         _summary = summary;
         _view = view;
@@ -28,7 +28,7 @@ internal sealed class SeenBlocks : ISurfaceVisitor
     private SummaryLevel Finest => _summary.Levels[^1];
 
     /// <summary>By tile walked: which of its finest blocks may be seen and are not certainly dark, row by row; changed by who finds more that is needed.</summary>
-    public bool[] Of(int tile)
+    public bool[] Of(TileId tile)
     {
         if (!_tiles.TryGetValue(tile, out bool[]? seen))
         {
@@ -65,7 +65,7 @@ internal sealed class SeenBlocks : ISurfaceVisitor
     private void Note(int row, int column, bool isLit)
     {
         int side = Finest.Subdivisions;
-        int tile = (row / side * TileId.Columns) + (column / side);
+        TileId tile = TileId.At(row / side, column / side);
         int block = (row % side * side) + (column % side);
         if (!isLit)
         {
@@ -81,8 +81,8 @@ internal sealed class SeenBlocks : ISurfaceVisitor
     }
 
     /// <summary>A dark block.</summary>
-    /// <param name="Tile">Number of its tile.</param>
+    /// <param name="Tile">Its tile.</param>
     /// <param name="Block">Its number in the tile, row by row.</param>
     /// <param name="Bounds">From the camera.</param>
-    public readonly record struct DarkBlock(int Tile, int Block, PolarBounds Bounds);
+    public readonly record struct DarkBlock(TileId Tile, int Block, PolarBounds Bounds);
 }

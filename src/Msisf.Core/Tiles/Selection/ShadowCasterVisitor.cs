@@ -8,7 +8,7 @@ namespace Msisf.Core.Tiles.Selection;
 /// Keeps the tiles that can throw a shadow on what is seen of a tile: all with a facet, turned away from the Sun, that a ray from there to the Sun can
 /// meet. That a kept ridge stands over the ray is no reason to stop: the ray may have entered the ground before it, through a tile that is not there.
 /// </summary>
-internal sealed class CasterVisitor : ISurfaceVisitor
+internal sealed class ShadowCasterVisitor : ISurfaceVisitor
 {
     /// <summary>Facets whose shadow rays are looked at; afterwards all that may throw a shadow on a block counts.</summary>
     private const int MaxFacets = 3_000;
@@ -17,9 +17,9 @@ internal sealed class CasterVisitor : ISurfaceVisitor
     private readonly ElevationSummary _summary;
     private readonly BackFaces _facets;
     private readonly bool[] _kept;
-    private readonly List<int> _newlyKept;
-    private readonly List<int>[] _candidates;
-    private readonly AzimuthIndex _tiles = new(72);
+    private readonly List<TileId> _newlyKept;
+    private readonly List<TileId>[] _candidates;
+    private readonly AzimuthIndex<TileId> _tiles = new(72);
     private readonly int[] _asked = new int[TileId.Count];
     private int _question;
     private int _facetBudget = MaxFacets;
@@ -29,19 +29,19 @@ internal sealed class CasterVisitor : ISurfaceVisitor
     /// <param name="patch">For reading; not the one that the walk reads.</param>
     /// <param name="kept">By tile; tiles that cast are added.</param>
     /// <param name="newlyKept">Gets the tiles that are added.</param>
-    public CasterVisitor(SunView sun, ElevationSummary summary, TerrainPatch patch, bool[] kept, List<int> newlyKept)
+    public ShadowCasterVisitor(SunView sun, ElevationSummary summary, TerrainPatch patch, bool[] kept, List<TileId> newlyKept)
     {
         _sun = sun;
         _summary = summary;
         _facets = new BackFaces(sun.Table, summary, sun.Position, patch);
         _kept = kept;
         _newlyKept = newlyKept;
-        for (int tile = 0; tile < TileId.Count; tile++)
+        foreach (TileId tile in TileId.FromNorth)
         {
             _tiles.Add(tile, sun.Table[tile]);
         }
 
-        _candidates = [.. summary.Levels.Select(_ => new List<int>())];
+        _candidates = [.. summary.Levels.Select(_ => new List<TileId>())];
     }
 
     public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place)
@@ -52,7 +52,7 @@ internal sealed class CasterVisitor : ISurfaceVisitor
             return Visit.Skip; // black without any shadow
         }
 
-        List<int> found = _candidates[place.Depth];
+        List<TileId> found = _candidates[place.Depth];
         found.Clear();
         if (place.Depth == 0)
         {
@@ -60,7 +60,7 @@ internal sealed class CasterVisitor : ISurfaceVisitor
         }
         else
         {
-            foreach (int tile in _candidates[place.Depth - 1])
+            foreach (TileId tile in _candidates[place.Depth - 1])
             {
                 AddIfCasting(found, tile, fromSun);
             }
@@ -94,11 +94,11 @@ internal sealed class CasterVisitor : ISurfaceVisitor
 
     private void KeepCasters(in PolarBounds target)
     {
-        foreach (int tile in _candidates[^1])
+        foreach (TileId tile in _candidates[^1])
         {
-            if (!_kept[tile] && IsBefore(_sun.Table[tile], target) && AnyFacetCasts(tile, target))
+            if (!_kept[tile.Number] && IsBefore(_sun.Table[tile], target) && AnyFacetCasts(tile, target))
             {
-                _kept[tile] = true;
+                _kept[tile.Number] = true;
                 _newlyKept.Add(tile);
             }
         }
@@ -107,32 +107,32 @@ internal sealed class CasterVisitor : ISurfaceVisitor
     private static bool IsBefore(in PolarBounds caster, in PolarBounds target) =>
         caster.Near < target.Far && caster.CanShareRayWith(target);
 
-    private void AddAllCasting(List<int> found, in PolarBounds target)
+    private void AddAllCasting(List<TileId> found, in PolarBounds target)
     {
         _question++;
         foreach (int bin in _tiles.Bins(target))
         {
-            foreach (int tile in _tiles[bin])
+            foreach (TileId tile in _tiles[bin])
             {
-                if (_asked[tile] != _question)
+                if (_asked[tile.Number] != _question)
                 {
-                    _asked[tile] = _question;
+                    _asked[tile.Number] = _question;
                     AddIfCasting(found, tile, target);
                 }
             }
         }
     }
 
-    private void AddIfCasting(List<int> found, int tile, in PolarBounds target)
+    private void AddIfCasting(List<TileId> found, TileId tile, in PolarBounds target)
     {
-        if (!_kept[tile] && IsBefore(_sun.Table[tile], target) && AnyFacetCasts(tile, target))
+        if (!_kept[tile.Number] && IsBefore(_sun.Table[tile], target) && AnyFacetCasts(tile, target))
         {
             found.Add(tile);
         }
     }
 
     /// <summary>A ray to the Sun enters the ground first through a facet that is turned away from the Sun: it alone has to be there.</summary>
-    private bool AnyFacetCasts(int tile, in PolarBounds target)
+    private bool AnyFacetCasts(TileId tile, in PolarBounds target)
     {
         ReadOnlySpan<PolarBounds> blocks = _sun.Table.Blocks(tile);
         for (int block = 0; block < blocks.Length; block++)

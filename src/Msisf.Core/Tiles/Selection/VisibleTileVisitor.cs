@@ -4,12 +4,12 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Finds out whether anything of a tile may be seen, and whether in sunlight.</summary>
-internal sealed class SeenVisitor : ISurfaceVisitor
+internal sealed class VisibleTileVisitor : ISurfaceVisitor
 {
     private readonly SunView? _sun;
 
     /// <param name="sun">Null: the light is at the camera.</param>
-    public SeenVisitor(SunView? sun) => _sun = sun;
+    public VisibleTileVisitor(SunView? sun) => _sun = sun;
 
     /// <summary>Something may be seen in the light.</summary>
     public bool SeenLit { get; private set; }

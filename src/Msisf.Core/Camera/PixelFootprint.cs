@@ -1,0 +1,41 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Camera;
+
+/// <summary>How much a pixel of an image covers of what is seen at a distance.</summary>
+public sealed class PixelFootprint
+{
+    private readonly Vector3D _forward;
+    private readonly double _cosCorner;
+
+    /// <summary>Takes the image.</summary>
+    /// <param name="positionMoonMe">Where the rays come from, m, MOON_ME.</param>
+    /// <param name="forwardMoonMe">Viewing direction, MOON_ME, length 1.</param>
+    /// <param name="tangent">Tangent of the angle of a pixel in the middle of the image.</param>
+    /// <param name="cosCorner">Cosine of the angle between the viewing direction and a corner of the image.</param>
+    internal PixelFootprint(Vector3D positionMoonMe, Vector3D forwardMoonMe, double tangent, double cosCorner)
+    {
+        PositionMoonMe = positionMoonMe;
+        _forward = forwardMoonMe;
+        Tangent = tangent;
+        _cosCorner = cosCorner;
+    }
+
+    /// <summary>Where the rays come from, m, MOON_ME.</summary>
+    public Vector3D PositionMoonMe { get; }
+
+    /// <summary>Tangent of the angle of a pixel in the middle of the image.</summary>
+    public double Tangent { get; }
+
+    /// <summary>m: what a pixel covers, at least, across the line of sight to anything in a ball; 0 if the camera is in it.</summary>
+    /// <param name="ball">Centre (m, MOON_ME) and radius (m).</param>
+    public double MinWidth((Vector3D CentreMoonMe, double Radius) ball)
+    {
+        Vector3D toCentre = ball.CentreMoonMe - PositionMoonMe;
+        double distance = toCentre.Length;
+
+        // Towards the corners of a flat image an angle takes more pixels, by the square of the cosine along the radius.
+        double cos = Math.Clamp(Vector3D.Dot(toCentre, _forward) / distance, _cosCorner, 1.0);
+        return Math.Max(0.0, distance - ball.Radius) * Tangent * cos * cos;
+    }
+}
