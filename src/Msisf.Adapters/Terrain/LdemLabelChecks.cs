@@ -22,7 +22,8 @@ internal static class LdemLabelChecks
         CheckNumber(map, "MAP_PROJECTION_ROTATION", 0.0, []);
         if (!map.RequiredText("COORDINATE_SYSTEM_NAME").Contains("MEAN EARTH", StringComparison.Ordinal))
         {
-            throw map.WrongValue("COORDINATE_SYSTEM_NAME", map.Required("COORDINATE_SYSTEM_NAME"), "the MEAN EARTH/POLAR AXIS frame is needed");
+            throw map.WrongValue(
+                "COORDINATE_SYSTEM_NAME", map.Required("COORDINATE_SYSTEM_NAME"), "the MEAN EARTH/POLAR AXIS frame is needed");
         }
     }
 
