@@ -61,7 +61,8 @@ internal static class CommandLineProgram
         }
         catch (Exception exception)
         {
-            host.Log.Error($"a bug in msis, please report it with the command line and this text: {exception.GetType().Name}: {exception.Message}");
+            host.Log.Error(
+                $"a bug in msis, please report it with the command line and this text: {exception.GetType().Name}: {exception.Message}");
             host.Log.Raw(exception.StackTrace ?? string.Empty);
             return ExitBug;
         }

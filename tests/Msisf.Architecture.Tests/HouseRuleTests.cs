@@ -15,7 +15,9 @@ public sealed partial class HouseRuleTests
     [
         .. ((Assembly[])[typeof(MsisfException).Assembly, typeof(SyntheticTerrain).Assembly, typeof(AtomicFile).Assembly])
             .SelectMany(assembly => assembly.GetTypes())
-            .Where(type => type.GetCustomAttribute<CompilerGeneratedAttribute>() is null && !type.FullName!.Contains('<', StringComparison.Ordinal)),
+            .Where(
+                type => type.GetCustomAttribute<CompilerGeneratedAttribute>() is null
+                    && !type.FullName!.Contains('<', StringComparison.Ordinal)),
     ];
 
     [Fact]
@@ -27,9 +29,11 @@ public sealed partial class HouseRuleTests
     [Fact]
     public void StaticFields_AreReadOnly() =>
         Assert.All(
-            OwnTypes.SelectMany(type => type.GetFields(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)),
+            OwnTypes.SelectMany(
+                type => type.GetFields(BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)),
             field => Assert.True(
-                field.IsInitOnly || field.IsLiteral || field.DeclaringType!.FullName!.StartsWith("Msisf.Adapters.Interop.", StringComparison.Ordinal)
+                field.IsInitOnly || field.IsLiteral
+                    || field.DeclaringType!.FullName!.StartsWith("Msisf.Adapters.Interop.", StringComparison.Ordinal)
                     || field.GetCustomAttribute<CompilerGeneratedAttribute>() is not null,
                 $"{field.DeclaringType!.FullName}.{field.Name} is mutable and static"));
 
@@ -45,7 +49,9 @@ public sealed partial class HouseRuleTests
             OwnTypes.Where(type => type.IsClass && type.IsPublic && !type.IsAbstract && !OwnTypes.Any(other => other.BaseType == type)),
             type => Assert.True(type.IsSealed, $"{type.FullName} is not sealed"));
 
-    /// <summary>STYLE: one public type a file; records and enums of one file format or one result may stand together in a file named after it.</summary>
+    /// <summary>
+    /// STYLE: one public type a file; records and enums of one file format or one result may stand together in a file named after it.
+    /// </summary>
     [Fact]
     public void PublicTypes_LieInTheFileOfTheirNameOrWithRecordsOnly()
     {

@@ -27,7 +27,8 @@ public sealed class LayerTests
     public void Synthesis_References_CoreAndNothingElseOfOurs() =>
         Assert.Equal(
             ["Msisf.Core"],
-            Synthesis.GetReferencedAssemblies().Select(name => name.Name!).Where(name => !name.StartsWith("System.", StringComparison.Ordinal)));
+            Synthesis.GetReferencedAssemblies().Select(name => name.Name!).Where(
+                name => !name.StartsWith("System.", StringComparison.Ordinal)));
 
     [Fact]
     public void Adapters_References_CoreButNotCli()
@@ -63,7 +64,8 @@ public sealed class LayerTests
         IEnumerable<MethodInfo> native =
             from assembly in (Assembly[])[Core, Synthesis, Adapters, Cli]
             from type in assembly.GetTypes()
-            from method in type.GetMethods(BindingFlags.Static | BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)
+            from method in type.GetMethods(
+                BindingFlags.Static | BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)
             where method.Attributes.HasFlag(MethodAttributes.PinvokeImpl)
             select method;
 

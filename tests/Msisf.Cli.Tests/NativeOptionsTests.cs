@@ -90,7 +90,8 @@ public sealed class NativeOptionsTests : IDisposable
     [RequiresTheory(Part.Ldem4)]
     [InlineData("--fixed-state {55289,1.7E6,0,0,0,0,0,1}", 2, "the camera is inside the Moon: step 1 (MJD 55289) by ")]
     public void Run_CameraInTheGround_IsRefused(string words, int exitCode, string message) => RefusedRun.Check(
-        _folder, [.. words.Split(' '), "--renderer", "native", "--ephemeris", "builtin", "--ldem", TestParts.Ldem4Label!], exitCode, message);
+        _folder, [.. words.Split(' '), "--renderer", "native", "--ephemeris", "builtin", "--ldem", TestParts.Ldem4Label!], exitCode,
+        message);
 
     [Fact]
     public void Run_Help_ListsTheOptionsInGroups()
@@ -98,7 +99,10 @@ public sealed class NativeOptionsTests : IDisposable
         CommandLineRun run = CommandLineRun.Of(["--help"]);
 
         Assert.Equal(0, run.ExitCode);
-        string[] ends = ["--orbit-frame", "--output-name", "--pattern-repos", "--renderer", "--layers-format", "--batch", "--timing", "--help"];
+        string[] ends =
+        [
+            "--orbit-frame", "--output-name", "--pattern-repos", "--renderer", "--layers-format", "--batch", "--timing", "--help"
+        ];
         int[] places = [.. ends.Select(option => run.Output.IndexOf(option + " ", StringComparison.Ordinal))];
         Assert.DoesNotContain(-1, places);
         Assert.Equal(places.Order(), places);

@@ -26,7 +26,8 @@ public sealed class ResourceCheckTests
     [InlineData("--width 16384 --height 16384 --grid 1 --surface terrain", 1, Gibibyte, 250 * Gibibyte, "a wider --grid")]
     public void Check_TooLittle_IsRefusedWithWhatIsThere(string options, int atOnce, long memory, long disk, string message)
     {
-        BadInputException exception = Assert.Throws<BadInputException>(() => ResourceCheck.Check(Settings(options), atOnce, atOnce, memory, disk));
+        BadInputException exception = Assert.Throws<BadInputException>(
+            () => ResourceCheck.Check(Settings(options), atOnce, atOnce, memory, disk));
 
         Assert.Contains(message, exception.Message, StringComparison.Ordinal);
     }
@@ -36,7 +37,8 @@ public sealed class ResourceCheckTests
     {
         const string Small = "--renderer native --width 1000 --height 1000 --grid 1000"; // 0.3 MB a frame
         ResourceCheck.Check(Settings(Small), frames: 3000, atOnce: 2, Gibibyte, Gibibyte);
-        BadInputException exception = Assert.Throws<BadInputException>(() => ResourceCheck.Check(Settings(Small), frames: 4000, atOnce: 2, Gibibyte, Gibibyte));
+        BadInputException exception = Assert.Throws<BadInputException>(
+            () => ResourceCheck.Check(Settings(Small), frames: 4000, atOnce: 2, Gibibyte, Gibibyte));
 
         Assert.Contains("4000 frames will take about 1145 MiB", exception.Message, StringComparison.Ordinal);
     }

@@ -2,7 +2,9 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Stress;
 
-/// <summary>Random numbers with all bits of a double, the same on every machine. Not safe for several threads: each part of the cases has its own.</summary>
+/// <summary>
+/// Random numbers with all bits of a double, the same on every machine. Not safe for several threads: each part of the cases has its own.
+/// </summary>
 public sealed class CaseRandom
 {
     private SplitMix64 _bits;

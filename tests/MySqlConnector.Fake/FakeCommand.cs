@@ -37,5 +37,6 @@ internal sealed class FakeCommand(Func<string, IReadOnlyDictionary<string, objec
 
     protected override DbParameter CreateDbParameter() => new FakeParameter();
 
-    protected override DbDataReader ExecuteDbDataReader(CommandBehavior behavior) => answer(CommandText, _parameters.Values).CreateDataReader();
+    protected override DbDataReader ExecuteDbDataReader(CommandBehavior behavior) =>
+        answer(CommandText, _parameters.Values).CreateDataReader();
 }

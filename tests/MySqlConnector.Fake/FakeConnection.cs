@@ -4,7 +4,8 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace MySqlConnector;
 
-internal sealed class FakeConnection(Func<string, IReadOnlyDictionary<string, object>, DataTable> answer, Action<int> countOpen) : DbConnection
+internal sealed class FakeConnection(
+    Func<string, IReadOnlyDictionary<string, object>, DataTable> answer, Action<int> countOpen) : DbConnection
 {
     private ConnectionState _state = ConnectionState.Closed;
 

@@ -13,7 +13,8 @@ namespace Msisf.App.Cluster;
 /// <param name="Frames">Those that are to be made.</param>
 /// <param name="Model">The elevation model.</param>
 internal sealed record PlannedRun(
-    Mode Mode, RenderSettings Settings, EphemerisChoice? Engine, IReadOnlyList<SpacecraftState> States, IReadOnlyList<Frame> Frames, ElevationModel Model)
+    Mode Mode, RenderSettings Settings, EphemerisChoice? Engine, IReadOnlyList<SpacecraftState> States, IReadOnlyList<Frame> Frames,
+    ElevationModel Model)
     : IDisposable
 {
     public void Dispose() => Model.Dispose();

@@ -16,7 +16,9 @@ namespace Msisf.App.Preparation;
 /// <summary>The elevation model of a run, with what is derived from it once. Safe for several threads.</summary>
 internal sealed class ElevationModel : IDisposable
 {
-    /// <summary>px/deg: up to here reading the whole model for its summary takes less time than an image; a finer one keeps it in a file.</summary>
+    /// <summary>
+    /// px/deg: up to here reading the whole model for its summary takes less time than an image; a finer one keeps it in a file.
+    /// </summary>
     private const int FinestSummarisedEachRun = 16;
 
     private readonly LdemImage _image;

@@ -16,7 +16,10 @@ internal static class FramePlanner
     /// <summary>Cameras that lie in the ground and are named in the message.</summary>
     private const int NamedSteps = 5;
 
-    /// <summary>Cameras and lights of the frames that are to be made. The Sun's positions are computed here, one after another: CSPICE is not thread-safe.</summary>
+    /// <summary>
+    /// Cameras and lights of the frames that are to be made. The Sun's positions are computed here, one after another: CSPICE is not
+    /// thread-safe.
+    /// </summary>
     /// <param name="states">Of the whole run, in the order of the input.</param>
     /// <param name="names">Of all its frames.</param>
     /// <param name="settings">The options; they say which steps are to be made.</param>
@@ -24,12 +27,14 @@ internal static class FramePlanner
     /// <param name="cancellation">Stops between two states.</param>
     /// <exception cref="MsisfException">A step that the run does not have, a time outside the kernels' cover, ...</exception>
     public static Frame[] Plan(
-        IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, Func<IEphemeris> sun, CancellationToken cancellation)
+        IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, Func<IEphemeris> sun,
+        CancellationToken cancellation)
     {
         if (settings.Frames is { } chosen && chosen.Last > states.Count)
         {
             throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"--frames {chosen}: step {chosen.Last} is wanted, but the run has {states.Count} only. Name steps that it has."));
+                CultureInfo.InvariantCulture,
+                $"--frames {chosen}: step {chosen.Last} is wanted, but the run has {states.Count} only. Name steps that it has."));
         }
 
         IEphemeris? ephemeris = settings.IgnoreSun ? null : sun();
@@ -62,7 +67,9 @@ internal static class FramePlanner
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"the camera of step {step} is {distance:E3} m from the Moon's centre; POV-Ray draws nothing beyond {PovSceneWriter.MaxDistance:E0} m. Use --renderer native, or move it closer on the same line, with a field of view that is larger by as much."));
+                $"the camera of step {step} is {distance:E3} m from the Moon's centre; "
+                    + $"POV-Ray draws nothing beyond {PovSceneWriter.MaxDistance:E0} m. "
+                    + $"Use --renderer native, or move it closer on the same line, with a field of view that is larger by as much."));
         }
     }
 
@@ -86,7 +93,8 @@ internal static class FramePlanner
         if (count > 0)
         {
             string rest = count > NamedSteps ? $" and {count - NamedSteps} more" : string.Empty;
-            throw new BadInputException($"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.");
+            throw new BadInputException(
+                $"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.");
         }
     }
 }

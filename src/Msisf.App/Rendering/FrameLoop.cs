@@ -41,7 +41,9 @@ internal sealed class FrameLoop
     /// <param name="atOnce">So many are drawn at once.</param>
     /// <param name="cores">Shared by them.</param>
     /// <param name="cancellation">Leaves finished frames and no other files.</param>
-    /// <exception cref="MsisfException">The only frame of the run failed: its own error. Several frames: an <see cref="ExternalPartException"/> that names them.</exception>
+    /// <exception cref="MsisfException">
+    /// The only frame of the run failed: its own error. Several frames: an <see cref="ExternalPartException"/> that names them.
+    /// </exception>
     public async Task<IReadOnlyList<FrameOutputs>> RunAsync(
         IReadOnlyList<Frame> frames, IReadOnlyList<FrameOutputs?> known, int atOnce, int cores, CancellationToken cancellation)
     {
@@ -69,7 +71,8 @@ internal sealed class FrameLoop
                 string message = $"step {frame.Step} ({frame.Name}): {exception.Message}";
                 if (_failFast)
                 {
-                    throw new ExternalPartException($"{message} Stopped there, as --fail-fast asks; finished frames are complete.", exception);
+                    throw new ExternalPartException(
+                        $"{message} Stopped there, as --fail-fast asks; finished frames are complete.", exception);
                 }
 
                 _log.Error(message);
@@ -79,7 +82,8 @@ internal sealed class FrameLoop
             _progress.Advance(frame.Name);
         }
 
-        ParallelOptions options = new() { MaxDegreeOfParallelism = Math.Min(atOnce + _ahead, Math.Max(1, frames.Count)), CancellationToken = cancellation };
+        ParallelOptions options = new() { MaxDegreeOfParallelism = Math.Min(
+            atOnce + _ahead, Math.Max(1, frames.Count)), CancellationToken = cancellation };
         int[] missing = [.. Enumerable.Range(0, frames.Count).Where(index => known[index] is null)];
         foreach (int index in Enumerable.Range(0, frames.Count).Except(missing))
         {
@@ -90,9 +94,13 @@ internal sealed class FrameLoop
         await Parallel.ForEachAsync(
             elsewhere.Order().ToArray(),
             options,
-            (index, stop) => Make(index, async (frame, share, end) => await _maker.MakeAsync(frame, share, end).ConfigureAwait(false), stop)).ConfigureAwait(false);
+            (index, stop) => Make(
+                index,
+                async (frame, share, end) => await _maker.MakeAsync(frame, share, end).ConfigureAwait(false),
+                stop)).ConfigureAwait(false);
         return failed.IsEmpty
             ? [.. outputs.OfType<FrameOutputs>()]
-            : throw new ExternalPartException($"{failed.Count} of {frames.Count} frames failed: steps {StepRanges.Of(failed)}. The others are complete.");
+            : throw new ExternalPartException(
+                $"{failed.Count} of {frames.Count} frames failed: steps {StepRanges.Of(failed)}. The others are complete.");
     }
 }

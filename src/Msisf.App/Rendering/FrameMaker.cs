@@ -11,7 +11,10 @@ internal sealed class FrameMaker
 {
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>A process that dies gives its claims back at once; one that is stopped or hangs is not waited for: the frame is made twice then, the same bytes.</summary>
+    /// <summary>
+    /// A process that dies gives its claims back at once; one that is stopped or hangs is not waited for: the frame is made twice then, the
+    /// same bytes.
+    /// </summary>
     private static readonly TimeSpan LongestWait = TimeSpan.FromMinutes(10);
 
     private readonly Func<Frame, int, CancellationToken, Task<FrameOutputs>> _render;
@@ -74,7 +77,8 @@ internal sealed class FrameMaker
         catch (Exception exception) when (exception is MsisfException or OutOfMemoryException)
         {
             MsisfException cause = exception as MsisfException
-                ?? new ExternalPartException("the memory does not suffice. Use a smaller --width and --height, or fewer --jobs.", exception);
+                ?? new ExternalPartException(
+                    "the memory does not suffice. Use a smaller --width and --height, or fewer --jobs.", exception);
             _ledger.Failed(frame, cause.Message);
             if (cause == exception)
             {

@@ -7,7 +7,9 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Makes ahead of time what POV-Ray's frames of a run need: exactly the meshes that they include, and the summary of the model.</summary>
+/// <summary>
+/// Makes ahead of time what POV-Ray's frames of a run need: exactly the meshes that they include, and the summary of the model.
+/// </summary>
 internal sealed class PatternRun
 {
     private readonly RenderSettings _settings;
@@ -34,11 +36,13 @@ internal sealed class PatternRun
         Frame[] frames = FramePlanner.Plan(states, names, _settings, _ephemeris.Engine, cancellation);
         using ElevationModel model = ElevationModel.Open(_settings.Ldem, _settings.PixelsPerDegree, isSparing: true, _host);
         FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
-        using ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
+        using ScenePatterns patterns = new(
+            new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
         int made = 0;
         using (IRunProgress progress = _host.Progress.Start("Patterns of frames", frames.Length, _settings.Unattended))
         {
-            ParallelOptions parallel = new() { MaxDegreeOfParallelism = _settings.Jobs ?? Environment.ProcessorCount, CancellationToken = cancellation };
+            ParallelOptions parallel =
+                new() { MaxDegreeOfParallelism = _settings.Jobs ?? Environment.ProcessorCount, CancellationToken = cancellation };
             await Parallel.ForEachAsync(frames, parallel, (frame, stop) =>
             {
                 Interlocked.Add(ref made, patterns.Ensure(model.SelectParts(frame, _settings.LevelOfDetailError), stop));

@@ -45,7 +45,9 @@ internal sealed class RenderRun : IDisposable
         // What takes long and is needed late begins first.
         Task<IReadOnlyList<(string Name, string Sha256)>> kernels = Task.Run(
             () => RunIdentity.ChecksumsOf(_settings.IgnoreSun || _settings.ListPatterns ? [] : _ephemeris.KernelFiles()), cancellation);
-        Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay && !_settings.ListPatterns ? Task.Run(AskPovRayVersion, cancellation) : null;
+        Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay && !_settings.ListPatterns
+            ? Task.Run(AskPovRayVersion, cancellation)
+            : null;
         IReadOnlyList<SpacecraftState> states = _times.Measure(Phase.States, readStates);
         IReadOnlyList<string> names = new FrameNaming(_settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
         Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, names, _settings, Ephemeris, cancellation));
@@ -100,10 +102,12 @@ internal sealed class RenderRun : IDisposable
             povRayVersion);
     }
 
-    private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(Frame[] frames, RunPlan plan, ElevationModel model, CancellationToken cancellation)
+    private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
+        Frame[] frames, RunPlan plan, ElevationModel model, CancellationToken cancellation)
     {
         CreateFolder(_settings.OutputFolder);
-        using FrameLedger ledger = _times.Measure(Phase.Manifest, () => new FrameLedger(_settings.OutputFolder, plan, _settings.Overwrite, _host.Log));
+        using FrameLedger ledger = _times.Measure(
+            Phase.Manifest, () => new FrameLedger(_settings.OutputFolder, plan, _settings.Overwrite, _host.Log));
         FrameOutputs?[] known = _times.Measure(Phase.Manifest, () => Known(frames, ledger));
         int missing = known.Count(outputs => outputs is null);
         int cores = Environment.ProcessorCount;
@@ -131,7 +135,9 @@ internal sealed class RenderRun : IDisposable
         {
             _host.Log.Note(string.Create(
                 CultureInfo.InvariantCulture,
-                $"Frames: {frames.Length}, of which {right} there and right (--overwrite makes them again); to make: {Count(FrameState.Missing) + Count(FrameState.Failed)} missing, {Count(FrameState.Damaged)} damaged, {Count(FrameState.OtherSettings)} of other settings."));
+                $"Frames: {frames.Length}, of which {right} there and right (--overwrite makes them again); to make: "
+                    + $"{Count(FrameState.Missing) + Count(FrameState.Failed)} missing, {Count(FrameState.Damaged)} damaged, "
+                    + $"{Count(FrameState.OtherSettings)} of other settings."));
         }
 
         return [.. frames.Zip(states, (frame, state) =>
@@ -141,7 +147,8 @@ internal sealed class RenderRun : IDisposable
     private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files, int processes)
     {
         PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
-        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
+        ScenePatterns patterns = new(
+            new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
         return new PovRayFrameRenderer(_settings, model, patterns, povRay, processes, files, _times);
     }
 

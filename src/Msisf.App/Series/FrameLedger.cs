@@ -113,7 +113,9 @@ internal sealed class FrameLedger : IDisposable
         _reader.Refresh();
         if (_reader.Content.DamagedLines > 0)
         {
-            log.Warning($"{_manifest.FilePath}: {_reader.Content.DamagedLines} lines can't be read and are left out; frames whose lines they were are made again.");
+            log.Warning(
+                $"{_manifest.FilePath}: {_reader.Content.DamagedLines} lines can't be read and are left out; "
+                    + $"frames whose lines they were are made again.");
         }
 
         if (_plan.Registration(_reader.Content).Count > 0)

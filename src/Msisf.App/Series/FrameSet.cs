@@ -64,7 +64,8 @@ internal sealed class FrameSet
 
         return reader.Content.Expected.Count > 0
             ? reader.Content
-            : throw new BadInputException($"{manifest.FilePath}: {(File.Exists(manifest.FilePath) ? "no run is in it" : "missing")}. Name the --output-dir of a run.");
+            : throw new BadInputException($"{manifest.FilePath}: {(File.Exists(manifest.FilePath) ? "no run is in it" : "missing")}. "
+                + $"Name the --output-dir of a run.");
     }
 
     /// <summary>Prints a line for each frame that is not right (step, name, state, reason; separated by tabs), and a summary.</summary>
@@ -74,26 +75,34 @@ internal sealed class FrameSet
         {
             ExpectedRecord frame = judgement.Expected;
             results.WriteLine(string.Create(
-                CultureInfo.InvariantCulture, $"{frame.Step}\t{frame.Name}\t{Word(judgement.State)}\t{judgement.Reason.ReplaceLineEndings(" ")}"));
+                CultureInfo.InvariantCulture,
+                $"{frame.Step}\t{frame.Name}\t{Word(judgement.State)}\t{judgement.Reason.ReplaceLineEndings(" ")}"));
         }
 
         IEnumerable<string> others = Enum.GetValues<FrameState>().Where(state => state != FrameState.Complete && CountOf(state) > 0)
             .Select(state => string.Create(CultureInfo.InvariantCulture, $", {CountOf(state)} {Word(state)}"));
-        results.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{Count} frame{(Count == 1 ? string.Empty : "s")}: {CountOf(FrameState.Complete)} right{string.Concat(others)}."));
+        results.WriteLine(
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"{Count} frame{(Count == 1 ? string.Empty : "s")}: {CountOf(FrameState.Complete)} right{string.Concat(others)}."));
     }
 
     /// <summary>The frames of a run that are right, in the order of their steps.</summary>
     public IEnumerable<ExpectedRecord> RightSteps(string? run) =>
-        _judgements.Where(judgement => judgement.State == FrameState.Complete && judgement.Expected.Run == run).Select(judgement => judgement.Expected);
+        _judgements.Where(
+            judgement => judgement.State == FrameState.Complete && judgement.Expected.Run == run).Select(judgement => judgement.Expected);
 
     /// <summary>The steps that are to be made again.</summary>
     /// <exception cref="BadInputException">They belong to several runs, so that their numbers do not say which they are.</exception>
     public StepRanges StepsToMake()
     {
-        ExpectedRecord[] wrong = [.. _judgements.Where(judgement => judgement.State != FrameState.Complete).Select(judgement => judgement.Expected)];
+        ExpectedRecord[] wrong = [.. _judgements.Where(
+            judgement => judgement.State != FrameState.Complete).Select(judgement => judgement.Expected)];
         return wrong.Select(frame => frame.Run).Distinct().Count() <= 1
             ? StepRanges.Of(wrong.Select(frame => frame.Step))
-            : throw new BadInputException($"{_folder}: frames of several runs are not right; step numbers do not say which they are. Run msis status without --print-frames, or give each run a folder of its own.");
+            : throw new BadInputException(
+                $"{_folder}: frames of several runs are not right; step numbers do not say which they are. "
+                    + $"Run msis status without --print-frames, or give each run a folder of its own.");
     }
 
     private static string Word(FrameState state) => state switch

@@ -26,7 +26,8 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
     /// <param name="kernels">See <see cref="ChecksumsOf"/>.</param>
     /// <param name="povRay">Version of POV-Ray; null if it draws nothing.</param>
     public static RunIdentity Of(
-        string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<(string Name, string Sha256)> kernels, string? povRay)
+        string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<(string Name, string Sha256)> kernels,
+        string? povRay)
     {
         using MemoryStream stream = new();
         using (Utf8JsonWriter json = new(stream))

@@ -19,11 +19,14 @@ internal static class FrameArguments
     /// <param name="engine">The ephemeris engine that gives the Sun; null if none is asked.</param>
     public static string OfSettings(RenderSettings settings, EphemerisChoice? engine)
     {
-        List<string> words = ["--fov", Text(settings.FieldOfViewDegrees), "--width", Text(settings.Width), "--height", Text(settings.Height)];
+        List<string> words = ["--fov", Text(
+            settings.FieldOfViewDegrees), "--width", Text(settings.Width), "--height", Text(settings.Height)];
         words.AddRange(["--gridH", Text(settings.GridHorizontal), "--gridV", Text(settings.GridVertical)]);
-        words.AddRange(["--surface", settings.Surface == PixelSurface.Terrain ? "terrain" : "sphere", "--res", Text(settings.PixelsPerDegree)]);
+        words.AddRange(
+            ["--surface", settings.Surface == PixelSurface.Terrain ? "terrain" : "sphere", "--res", Text(settings.PixelsPerDegree)]);
         words.AddRange(settings.LevelOfDetailError is double error ? ["--lod-error", Text(error)] : ["--lod", "off"]);
-        words.AddRange(settings.IgnoreSun ? ["--ignore-sun"] : ["--ephemeris", TextOf(engine), "--aberration", TextOf(settings.Aberration)]);
+        words.AddRange(
+            settings.IgnoreSun ? ["--ignore-sun"] : ["--ephemeris", TextOf(engine), "--aberration", TextOf(settings.Aberration)]);
         if (settings.Annotate)
         {
             words.Add("--rendering-annotation");
@@ -55,7 +58,8 @@ internal static class FrameArguments
         words.AddRange(["--sun", native.Render.Sun == SunModel.Disc ? "disc" : "point"]);
         words.AddRange(["--samples", Text(native.Render.SubsamplesPerAxis * native.Render.SubsamplesPerAxis)]);
         words.AddRange(["--shading", native.Render.Normals == NormalModel.Smooth ? "smooth" : "facet"]);
-        words.AddRange(["--exposure", Text(native.Grey.Exposure), "--transfer", native.Grey.Transfer == GreyTransfer.Linear ? "linear" : "srgb"]);
+        words.AddRange(
+            ["--exposure", Text(native.Grey.Exposure), "--transfer", native.Grey.Transfer == GreyTransfer.Linear ? "linear" : "srgb"]);
         words.AddRange(["--bit-depth", Text(native.BitDepth)]);
         if (native.Layers is not null)
         {

@@ -18,7 +18,8 @@ internal static class BatchConvertCommand
         CutOptions cut = new();
         SlurmOptions slurm = new();
         Option<string?> format = OptionFactory.Value(
-            "--format", [], "sh|bat|parallel|slurm", "Who runs the pieces: a shell or Windows's cmd one after another, GNU parallel, or Slurm");
+            "--format", [], "sh|bat|parallel|slurm",
+            "Who runs the pieces: a shell or Windows's cmd one after another, GNU parallel, or Slurm");
         Option<string?> script = OptionFactory.Value("--script", [], "FILE", "The script (default ./msis-pieces with the format's ending)");
         format.Required = true;
         Command command = new("batchconvert", "Turns a run into a script that makes it in pieces, on one machine or on many.");

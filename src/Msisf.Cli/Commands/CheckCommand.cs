@@ -6,7 +6,9 @@ using Msisf.Cli.Options;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary><c>msis status</c> and <c>msis verify</c>: whether a folder holds all frames of its runs, quickly or by reading every file.</summary>
+/// <summary>
+/// <c>msis status</c> and <c>msis verify</c>: whether a folder holds all frames of its runs, quickly or by reading every file.
+/// </summary>
 internal static class CheckCommand
 {
     /// <summary>Frames are missing, damaged, failed or of other settings.</summary>
@@ -15,7 +17,8 @@ internal static class CheckCommand
     /// <summary>Declares the quick one.</summary>
     public static Command CreateStatus(ProgramHost host) => Create(
         "status",
-        "Says which frames of the runs in a folder are there, missing, damaged or of other settings, by their lengths; exit code 0 if all are well.",
+        "Says which frames of the runs in a folder are there, missing, damaged or of other settings, by their lengths; "
+            + "exit code 0 if all are well.",
         (folder, cancellation) => FrameSet.Read(folder, CheckDepth.Lengths, structure: null, host.Log, cancellation),
         host);
 

@@ -11,7 +11,8 @@ internal static class ConfigCommand
     /// <summary>Declares the command.</summary>
     public static Command Create(Configuration configuration, ProgramHost host)
     {
-        Command show = new("show", "Prints each option that can stand in a configuration file, its value and where that comes from, separated by tabs.");
+        Command show = new(
+            "show", "Prints each option that can stand in a configuration file, its value and where that comes from, separated by tabs.");
         show.SetAction(line =>
         {
             StrayOptions.Refuse(line);

@@ -29,7 +29,8 @@ internal static class LdemCommand
             "--base", [], "FILE", "Model that the new one continues downwards: its label or image (default: none, an invented Moon)");
         Option<string?> region = OptionFactory.Value(
             "--region", [], "latmin:latmax:lonmin:lonmax", "Part of the Moon in whole degrees (default: all of it)");
-        Option<string?> seed = OptionFactory.Value("--seed", [], "N", "Number that the terrain is drawn from; the same number, the same bytes");
+        Option<string?> seed = OptionFactory.Value(
+            "--seed", [], "N", "Number that the terrain is drawn from; the same number, the same bytes");
         Option<string?> folder = OptionFactory.Value("--output-dir", ["-o"], "PATH", "Folder of the new model (default ./input/ldem)");
         Option<bool> batch = OptionFactory.Flag("--batch", ["-b"], "Unattended: draw no progress bar");
         resolution.Required = true;

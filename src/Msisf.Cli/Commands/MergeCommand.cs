@@ -23,9 +23,12 @@ internal static class MergeCommand
     public static Command Create(ProgramHost host)
     {
         Argument<string> folder = CheckCommand.FolderArgument();
-        Option<bool> sheet = OptionFactory.Flag("--contact-sheet", [], $"Make {SheetName}: small images of up to {ContactSheet.MaxImages} frames of the last run");
-        Option<string?> video = OptionFactory.Value("--video", [], "FPS", $"Make {VideoName} of the last run with so many frames a second, if ffmpeg is there");
-        Command command = new("merge", "Puts the manifest into the order that it has whoever made the frames; on request makes a contact sheet and a video.")
+        Option<bool> sheet = OptionFactory.Flag(
+            "--contact-sheet", [], $"Make {SheetName}: small images of up to {ContactSheet.MaxImages} frames of the last run");
+        Option<string?> video = OptionFactory.Value(
+            "--video", [], "FPS", $"Make {VideoName} of the last run with so many frames a second, if ffmpeg is there");
+        Command command = new(
+            "merge", "Puts the manifest into the order that it has whoever made the frames; on request makes a contact sheet and a video.")
         {
             folder, sheet, video,
         };
@@ -36,7 +39,8 @@ internal static class MergeCommand
             string path = line.GetRequiredValue(folder);
             try
             {
-                return await Task.Run(() => MergeAsync(path, line.GetValue(sheet), rate, host, cancellation), cancellation).ConfigureAwait(false);
+                return await Task.Run(
+                    () => MergeAsync(path, line.GetValue(sheet), rate, host, cancellation), cancellation).ConfigureAwait(false);
             }
             catch (Exception exception) when (exception.IsFileError())
             {
@@ -46,7 +50,8 @@ internal static class MergeCommand
         return command;
     }
 
-    private static async Task<int> MergeAsync(string folder, bool wantsSheet, double? frameRate, ProgramHost host, CancellationToken cancellation)
+    private static async Task<int> MergeAsync(
+        string folder, bool wantsSheet, double? frameRate, ProgramHost host, CancellationToken cancellation)
     {
         FrameSet.Content(folder, host.Log); // no folder of a run: nothing is made in it
         ManifestFile manifest = new(folder);
@@ -75,7 +80,8 @@ internal static class MergeCommand
 
             if (frameRate is double rate)
             {
-                await MakeVideoAsync(folder, [.. images.Select(image => image.Path)], rate, work.Path, host, cancellation).ConfigureAwait(false);
+                await MakeVideoAsync(
+                    folder, [.. images.Select(image => image.Path)], rate, work.Path, host, cancellation).ConfigureAwait(false);
             }
         }
 
@@ -93,7 +99,8 @@ internal static class MergeCommand
     {
         if (VideoEncoder.Find(host.Environment("PATH") ?? string.Empty) is not string program)
         {
-            host.Log.Warning("no ffmpeg on the PATH: no video is made. Install it (Debian, Ubuntu: apt-get install ffmpeg) and run msis merge again.");
+            host.Log.Warning(
+                "no ffmpeg on the PATH: no video is made. Install it (Debian, Ubuntu: apt-get install ffmpeg) and run msis merge again.");
             return;
         }
 

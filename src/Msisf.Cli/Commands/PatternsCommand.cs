@@ -37,8 +37,14 @@ internal sealed class PatternsCommand
     {
         PatternsCommand patterns = new(host);
         Command command = new(
-            "patterns", "Makes all 2,592 surface patterns of an elevation model, or what the frames of a run need; those that are there and right are kept.");
-        foreach (Option option in (Option[])[.. patterns._source.All, .. patterns._database.All, patterns._margin, patterns._format, .. patterns._ofRun.All, patterns._batch])
+            "patterns",
+            "Makes all 2,592 surface patterns of an elevation model, or what the frames of a run need; "
+                + "those that are there and right are kept.");
+        Option[] options =
+        [
+            .. patterns._source.All, .. patterns._database.All, patterns._margin, patterns._format, .. patterns._ofRun.All, patterns._batch,
+        ];
+        foreach (Option option in options)
         {
             command.Options.Add(option);
         }
@@ -61,7 +67,8 @@ internal sealed class PatternsCommand
     {
         using EphemerisSource ephemeris = new(settings, _host);
         StateSource states = new(_ofRun.Mode, line, ephemeris.Engine, _host.StandardInput, _host.Log);
-        return await new PatternRun(settings, ephemeris, _host).RunAsync(states.Read(mode, cancellation), cancellation).ConfigureAwait(false);
+        return await new PatternRun(settings, ephemeris, _host).RunAsync(
+            states.Read(mode, cancellation), cancellation).ConfigureAwait(false);
     }
 
     private string MakeOfWholeMoon(ParseResult line, CancellationToken cancellation)

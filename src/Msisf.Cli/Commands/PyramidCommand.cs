@@ -21,10 +21,12 @@ internal static class PyramidCommand
             Description = "The model: its label, its image, or the folder that it lies in with --res (default ./input/ldem)",
             Arity = ArgumentArity.ZeroOrOne,
         };
-        Option<string?> resolution = OptionFactory.Value("--res", ["-r"], "RESOLUTION", "Resolution of the model in px/deg; needed for a folder");
+        Option<string?> resolution = OptionFactory.Value(
+            "--res", ["-r"], "RESOLUTION", "Resolution of the model in px/deg; needed for a folder");
         Option<bool> verify = OptionFactory.Flag("--verify", [], "Make nothing; read the model and its pyramid and compare them");
         Option<bool> batch = OptionFactory.Flag("--batch", ["-b"], "Unattended: draw no progress bar");
-        Command command = new("pyramid", "Writes a model's coarser levels into a file beside it, so that far views of fine models need not read it all.")
+        Command command = new(
+            "pyramid", "Writes a model's coarser levels into a file beside it, so that far views of fine models need not read it all.")
         {
             model, resolution, verify, batch,
         };

@@ -13,7 +13,8 @@ namespace Msisf.Cli.Commands;
 internal static class RenderCommand
 {
     private const string About =
-        "Draws synthetic images of the Moon from LOLA elevation data, with the surface point and the direction of the light of their pixels.";
+        "Draws synthetic images of the Moon from LOLA elevation data, with the surface point and the direction of the light of their "
+            + "pixels.";
 
     /// <summary>Declares the command and its options.</summary>
     public static RootCommand Create(ProgramHost host)

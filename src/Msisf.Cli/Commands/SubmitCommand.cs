@@ -29,26 +29,34 @@ internal static class SubmitCommand
         CutOptions cut = new();
         SlurmOptions slurm = new();
         Option<bool> wait = OptionFactory.Flag("--wait", [], "Tell the progress, and end with the exit code of the whole");
-        Command command = new("submit", $"Gives a run to Slurm in pieces: msis batchconvert --format slurm into the folder of the outputs ({ScriptName}), and its submission.");
+        Command command = new(
+            "submit",
+            $"Gives a run to Slurm in pieces: msis batchconvert --format slurm into the folder of the outputs ({ScriptName}), "
+                + $"and its submission.");
         foreach (Option option in (Option[])[.. cut.All, wait, .. slurm.All, .. run.All])
         {
             command.Options.Add(option);
         }
 
         RunConversion conversion = new(run, cut, slurm, host);
-        command.SetAction((line, cancellation) => Task.Run(() => SubmitAsync(line, conversion, line.GetValue(wait), host, cancellation), cancellation));
+        command.SetAction(
+            (line, cancellation) => Task.Run(() => SubmitAsync(line, conversion, line.GetValue(wait), host, cancellation), cancellation));
         return command;
     }
 
-    private static async Task<int> SubmitAsync(ParseResult line, RunConversion conversion, bool wait, ProgramHost host, CancellationToken cancellation)
+    private static async Task<int> SubmitAsync(
+        ParseResult line, RunConversion conversion, bool wait, ProgramHost host, CancellationToken cancellation)
     {
         SlurmProgram slurm = new(host.Environment("PATH") ?? string.Empty);
         if (!slurm.Has("sbatch"))
         {
-            throw new ExternalPartException("no sbatch on the PATH: this computer gives no jobs to Slurm. Call msis submit on a login node of the cluster, or use msis batchconvert with --format parallel or sh.");
+            throw new ExternalPartException(
+                "no sbatch on the PATH: this computer gives no jobs to Slurm. "
+                    + "Call msis submit on a login node of the cluster, or use msis batchconvert with --format parallel or sh.");
         }
 
-        ConvertedRun run = conversion.Convert(line, ScriptFormat.Slurm, settings => Path.Combine(settings.OutputFolder, ScriptName), cancellation);
+        ConvertedRun run = conversion.Convert(
+            line, ScriptFormat.Slurm, settings => Path.Combine(settings.OutputFolder, ScriptName), cancellation);
         host.Log.Note(string.Create(CultureInfo.InvariantCulture, $"{run.FrameCount} frames in {run.PieceCount} pieces, {run.Script}."));
         ProcessResult answer = await slurm.CallAsync("sh", [run.Script], cancellation).ConfigureAwait(false);
         host.Results.Write(answer.Output);
@@ -71,7 +79,8 @@ internal static class SubmitCommand
         {
             host.Log.Error(code == CheckCommand.ExitNotComplete
                 ? $"frames are missing after all retries: {run.Script}.missing lists them, the logs in {run.Script}.logs say why."
-                : string.Create(CultureInfo.InvariantCulture, $"the last job ended with exit code {code}: see the logs in {run.Script}.logs."));
+                : string.Create(
+                    CultureInfo.InvariantCulture, $"the last job ended with exit code {code}: see the logs in {run.Script}.logs."));
         }
 
         return code;

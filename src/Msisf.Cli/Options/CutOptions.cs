@@ -9,7 +9,8 @@ internal sealed class CutOptions
 {
     public Option<string?> Pieces { get; } = OptionFactory.Value("--pieces", [], "N", "Cut the run into so many pieces");
 
-    public Option<string?> FramesPerPiece { get; } = OptionFactory.Value("--frames-per-piece", [], "N", "Cut the run into pieces of so many frames");
+    public Option<string?> FramesPerPiece { get; } = OptionFactory.Value(
+        "--frames-per-piece", [], "N", "Cut the run into pieces of so many frames");
 
     public IEnumerable<Option> All => [Pieces, FramesPerPiece];
 

@@ -4,7 +4,10 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Options;
 
-/// <summary>What <c>msis patterns</c> asks of a run to know what its frames need: where the camera is, and what else the choice of meshes depends on.</summary>
+/// <summary>
+/// What <c>msis patterns</c> asks of a run to know what its frames need: where the camera is, and what else the choice of meshes depends
+/// on.
+/// </summary>
 internal sealed class ForBatchOptions
 {
     private readonly ImageOptions _image = new();
@@ -14,7 +17,8 @@ internal sealed class ForBatchOptions
     public ModeOptions Mode { get; } = new()
     {
         BatchFile = OptionFactory.Value(
-            "--for-batch", ["--batch-file"], "FILE", "Only what the frames of this batch file need, from the summary of the model to the parts of the surface at their levels"),
+            "--for-batch", ["--batch-file"], "FILE",
+            "Only what the frames of this batch file need, from the summary of the model to the parts of the surface at their levels"),
     };
 
     /// <summary>The command's own too.</summary>

@@ -7,7 +7,8 @@ internal sealed class ModeOptions
 {
     public Option<string[]> KeplerSet { get; } = OptionFactory.Words(
         "--kepler-set", ["-k"], "{a,e,omega,Omega,i,M0}",
-        "Kepler orbit: semi-major axis (m), eccentricity, argument of periapsis, longitude of the ascending node, inclination, mean anomaly at the epoch (rad)");
+        "Kepler orbit: semi-major axis (m), eccentricity, argument of periapsis, longitude of the ascending node, inclination, "
+            + "mean anomaly at the epoch (rad)");
 
     public Option<string[]> StateVectors { get; } = OptionFactory.Words(
         "--state-vectors", ["-s"], "{rx,ry,rz,drx,dry,drz}", "Orbit by position (m) and velocity (m/s) at the epoch");
@@ -35,7 +36,8 @@ internal sealed class ModeOptions
         "--attitude-transition", ["-at"], "{wx,wy,wz}", "Angular velocity about the spacecraft's own axes (rad/s), from the epoch on");
 
     public Option<string?> OrbitFrame { get; } = OptionFactory.Value(
-        "--orbit-frame", [], "moon-me|moon-me-epoch|j2000", "Frame of the orbit: ME/PA that turns with the Moon (default), ME/PA of the epoch held still, or J2000");
+        "--orbit-frame", [], "moon-me|moon-me-epoch|j2000",
+        "Frame of the orbit: ME/PA that turns with the Moon (default), ME/PA of the epoch held still, or J2000");
 
     public IEnumerable<Option> All =>
     [

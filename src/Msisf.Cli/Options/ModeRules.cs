@@ -25,7 +25,9 @@ internal static class ModeRules
 
         if (given.Length > 1)
         {
-            throw new UsageException($"{given[0].Option.Name} and {given[1].Option.Name} exclude each other. Give exactly one of {Names(modes.Select(m => m.Option))}.");
+            throw new UsageException(
+                $"{given[0].Option.Name} and {given[1].Option.Name} exclude each other. "
+                    + $"Give exactly one of {Names(modes.Select(m => m.Option))}.");
         }
 
         (Option modeOption, Mode mode) = given[0];
@@ -44,7 +46,8 @@ internal static class ModeRules
             Option[] forbidden = [options.Epoch, .. times, options.Attitude, options.AttitudeTransition, options.OrbitFrame];
             if (forbidden.FirstOrDefault(isGiven) is Option wrong)
             {
-                throw new UsageException($"{wrong.Name} is not allowed with {modeOption.Name}, which itself says time, position and orientation. Remove it.");
+                throw new UsageException(
+                    $"{wrong.Name} is not allowed with {modeOption.Name}, which itself says time, position and orientation. Remove it.");
             }
         }
 

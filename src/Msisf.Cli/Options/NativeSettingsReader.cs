@@ -44,10 +44,12 @@ internal sealed class NativeSettingsReader
             },
             ReflectanceText = parameters.Count == 0
                 ? law
-                : $"{law}:{string.Join(',', parameters.Select(pair => string.Create(CultureInfo.InvariantCulture, $"{pair.Key}={pair.Value:R}")))}",
+                : $"{law}:{string.Join(',', parameters.Select(
+                    pair => string.Create(CultureInfo.InvariantCulture, $"{pair.Key}={pair.Value:R}")))}",
             Albedo = albedo,
             Grey = OptionText.Named(_options.Exposure, () => new GreyScale(
-                Number(_options.Exposure) ?? 1.0, Choice(_options.Transfer, [("srgb", GreyTransfer.Srgb), ("linear", GreyTransfer.Linear)]))),
+                Number(_options.Exposure) ?? 1.0,
+                Choice(_options.Transfer, [("srgb", GreyTransfer.Srgb), ("linear", GreyTransfer.Linear)]))),
             BitDepth = Choice(_options.BitDepth, [("8", 8), ("16", 16)]),
             Layers = layers,
             LayersFormat = Choice(_options.LayersFormat, [("fits", LayersFormat.Fits), ("npy", LayersFormat.Npy)]),
@@ -68,7 +70,8 @@ internal sealed class NativeSettingsReader
             ? across
             : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"--samples is {samples}; the samples form a square grid, so a square number is needed: {across * across} or {(across + 1) * (across + 1)}."));
+                $"--samples is {samples}; the samples form a square grid, so a square number is needed: "
+                    + $"{across * across} or {(across + 1) * (across + 1)}."));
     }
 
     /// <summary>"hapke:w=0.3,b0=1.2": the law, and its parameters by name.</summary>
@@ -81,7 +84,8 @@ internal sealed class NativeSettingsReader
             string[] pair = parameter.Split('=', 2, StringSplitOptions.TrimEntries);
             if (pair.Length != 2 || !NumberText.TryParse(pair[1], out double value))
             {
-                throw new BadInputException($"--reflectance: '{parameter}' is no parameter; name=number is needed, as in hapke:w=0.3,b0=1.2.");
+                throw new BadInputException(
+                    $"--reflectance: '{parameter}' is no parameter; name=number is needed, as in hapke:w=0.3,b0=1.2.");
             }
 
             if (!parameters.TryAdd(pair[0], value))

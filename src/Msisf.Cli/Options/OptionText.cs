@@ -11,7 +11,8 @@ internal static class OptionText
     /// <summary>A whole number in a range.</summary>
     /// <exception cref="BadInputException">None, or out of range.</exception>
     public static int WholeNumber(Option option, string text, int minimum, int maximum) =>
-        int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= minimum && value <= maximum
+        int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= minimum
+            && value <= maximum
             ? value
             : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture, $"{option.Name} is '{text}'; a whole number from {minimum} to {maximum} is needed."));
@@ -35,7 +36,8 @@ internal static class OptionText
             }
         }
 
-        throw new BadInputException($"{option.Name} is '{text}'; one of {string.Join(", ", choices.Select(choice => choice.Word))} is needed.");
+        throw new BadInputException(
+            $"{option.Name} is '{text}'; one of {string.Join(", ", choices.Select(choice => choice.Word))} is needed.");
     }
 
     /// <summary>A path that is not empty.</summary>

@@ -3,7 +3,9 @@ using Msisf.App.Settings;
 
 namespace Msisf.Cli.Options;
 
-/// <summary>All options of a render run, for each command that takes one: where the camera is, the image, its sources, how it goes.</summary>
+/// <summary>
+/// All options of a render run, for each command that takes one: where the camera is, the image, its sources, how it goes.
+/// </summary>
 internal sealed class RenderOptions
 {
     public ModeOptions Mode { get; } = new();

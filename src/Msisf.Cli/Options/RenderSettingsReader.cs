@@ -83,12 +83,14 @@ internal sealed class RenderSettingsReader
         double degrees = _line.GetValue(option) is string text ? OptionText.Number(option, text) : 40.0;
         return degrees > 0.0 && degrees < 180.0
             ? degrees
-            : throw new BadInputException($"--fov is {_line.GetValue(option)}; a field of view between 0 and 180 degrees (without them) is needed.");
+            : throw new BadInputException(
+                $"--fov is {_line.GetValue(option)}; a field of view between 0 and 180 degrees (without them) is needed.");
     }
 
     private double? LevelOfDetailError(ImageOptions image, RendererKind renderer)
     {
-        bool isOff = _line.GetValue(image.LevelOfDetail) is string word && OptionText.Choice(image.LevelOfDetail, word, [("auto", false), ("off", true)]);
+        bool isOff = _line.GetValue(image.LevelOfDetail) is string word
+            && OptionText.Choice(image.LevelOfDetail, word, [("auto", false), ("off", true)]);
         if (_line.GetValue(image.LevelOfDetailError) is not string text)
         {
             return isOff ? null : renderer == RendererKind.Native ? DetailRule.DefaultErrorOfImage : DetailRule.DefaultErrorOfParts;
@@ -96,7 +98,8 @@ internal sealed class RenderSettingsReader
 
         if (isOff)
         {
-            throw new UsageException("--lod-error has no meaning with --lod off, which always shows the model itself. Leave one of them out.");
+            throw new UsageException(
+                "--lod-error has no meaning with --lod off, which always shows the model itself. Leave one of them out.");
         }
 
         double error = OptionText.Number(image.LevelOfDetailError, text);
@@ -113,7 +116,8 @@ internal sealed class RenderSettingsReader
         }
 
         return _line.GetValue(ignoreSun)
-            ? throw new UsageException($"{option.Name} has no meaning with {ignoreSun.Name}, which lights the scene from the camera. Leave one out.")
+            ? throw new UsageException(
+                $"{option.Name} has no meaning with {ignoreSun.Name}, which lights the scene from the camera. Leave one out.")
             : OptionText.Choice(
                 option,
                 text,

@@ -17,7 +17,10 @@ internal static class RendererRules
             return;
         }
 
-        Refuse(WithoutMeaning(renderer, native, source, run), isGiven, "has no meaning with --renderer native, which needs neither POV-Ray nor patterns. Leave it out, or choose --renderer povray.");
+        Refuse(
+            WithoutMeaning(renderer, native, source, run),
+            isGiven,
+            "has no meaning with --renderer native, which needs neither POV-Ray nor patterns. Leave it out, or choose --renderer povray.");
         if (isGiven(native.LayersFormat) && !isGiven(native.Layers))
         {
             throw new UsageException("--layers-format is given, but no --layers. Name the layers, or leave it out.");

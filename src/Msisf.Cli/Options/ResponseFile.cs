@@ -23,8 +23,10 @@ internal static class ResponseFile
                 .SelectMany(CommandLineParser.SplitCommandLine)];
             error = arguments switch
             {
-                _ when arguments.Any(argument => argument.Contains('\0', StringComparison.Ordinal)) => $"@{path} holds a NUL character: it is no text file",
-                _ when arguments.FirstOrDefault(argument => argument.StartsWith('@')) is string other => $"@{path} holds '{other}': a file of arguments can't name another one",
+                _ when arguments.Any(argument => argument.Contains('\0', StringComparison.Ordinal)) =>
+                    $"@{path} holds a NUL character: it is no text file",
+                _ when arguments.FirstOrDefault(argument => argument.StartsWith('@')) is string other =>
+                    $"@{path} holds '{other}': a file of arguments can't name another one",
                 _ => null,
             };
             return error is null;

@@ -22,16 +22,19 @@ internal sealed partial class SlurmOptions
     /// <summary>Options of sbatch that the script sets by itself, or that have an option here.</summary>
     private static readonly string[] OwnOptions =
     [
-        "account", "array", "chdir", "cpus-per-task", "dependency", "error", "help", "input", "job-name", "mem", "no-requeue", "open-mode", "output",
+        "account", "array", "chdir", "cpus-per-task", "dependency", "error", "help", "input", "job-name", "mem", "no-requeue", "open-mode",
+        "output",
         "parsable", "partition", "quiet", "requeue", "test-only", "time", "usage", "version", "wait", "wrap",
     ];
 
-    public Option<string?> Concurrency { get; } = OptionFactory.Value("--concurrency", [], "N", "Slurm: pieces at once (default: as many as there is room for)");
+    public Option<string?> Concurrency { get; } = OptionFactory.Value(
+        "--concurrency", [], "N", "Slurm: pieces at once (default: as many as there is room for)");
 
     public Option<string?> CpusPerTask { get; } = OptionFactory.Value(
         "--cpus-per-task", [], "N", "Slurm: CPUs of a piece, and its frames at once if --jobs does not say otherwise (default 1)");
 
-    public Option<string?> Memory { get; } = OptionFactory.Value("--memory", [], "SIZE", "Slurm: memory of a piece, e.g. 4G (default: the cluster's)");
+    public Option<string?> Memory { get; } = OptionFactory.Value(
+        "--memory", [], "SIZE", "Slurm: memory of a piece, e.g. 4G (default: the cluster's)");
 
     public Option<string?> TimeLimit { get; } = OptionFactory.Value(
         "--time-limit", [], "TIME", "Slurm: longest time of a piece as sbatch takes it, e.g. 2:00:00 (default: the partition's)");
@@ -41,14 +44,17 @@ internal sealed partial class SlurmOptions
     public Option<string?> Account { get; } = OptionFactory.Value("--account", [], "NAME", "Slurm: account (default: the user's)");
 
     public Option<string?> MoreOptions { get; } = OptionFactory.Value(
-        "--sbatch-options", [], "TEXT", "Slurm: more options of sbatch without their dashes, separated by spaces, e.g. \"qos=long constraint=avx2\"");
+        "--sbatch-options", [], "TEXT",
+        "Slurm: more options of sbatch without their dashes, separated by spaces, e.g. \"qos=long constraint=avx2\"");
 
     public Option<string?> Retries { get; } = OptionFactory.Value(
         "--retries", [], "N", "Slurm: so often are missing frames submitted again (default 3)");
 
-    public Option<bool> ContactSheet { get; } = OptionFactory.Flag("--contact-sheet", [], "Slurm: make a contact sheet when all frames are there");
+    public Option<bool> ContactSheet { get; } = OptionFactory.Flag(
+        "--contact-sheet", [], "Slurm: make a contact sheet when all frames are there");
 
-    public Option<string?> Video { get; } = OptionFactory.Value("--video", [], "FPS", "Slurm: make a video when all frames are there, with so many frames a second");
+    public Option<string?> Video { get; } = OptionFactory.Value(
+        "--video", [], "FPS", "Slurm: make a video when all frames are there, with so many frames a second");
 
     public IEnumerable<Option> All =>
         [Concurrency, CpusPerTask, Memory, TimeLimit, Partition, Account, MoreOptions, Retries, ContactSheet, Video];
@@ -91,7 +97,8 @@ internal sealed partial class SlurmOptions
             yield return OptionText.Number(Video, rate) is > 0.0 and <= FastestVideo
                 ? rate
                 : throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture, $"{Video.Name} is {rate}; frames a second are needed, above 0 and up to {FastestVideo}."));
+                    CultureInfo.InvariantCulture,
+                    $"{Video.Name} is {rate}; frames a second are needed, above 0 and up to {FastestVideo}."));
         }
     }
 
@@ -105,11 +112,14 @@ internal sealed partial class SlurmOptions
         Match match = SbatchText().Match(word);
         if (!match.Success)
         {
-            throw new BadInputException($"{MoreOptions.Name}: '{word}' is none; long options of sbatch are needed, without their dashes, e.g. qos=long.");
+            throw new BadInputException(
+                $"{MoreOptions.Name}: '{word}' is none; long options of sbatch are needed, without their dashes, e.g. qos=long.");
         }
 
         return OwnOptions.Contains(match.Groups["name"].Value)
-            ? throw new UsageException($"{MoreOptions.Name}: {match.Groups["name"].Value} is set by msis itself. Leave it out, or see msis batchconvert --help for its own option.")
+            ? throw new UsageException(
+                $"{MoreOptions.Name}: {match.Groups["name"].Value} is set by msis itself. "
+                    + $"Leave it out, or see msis batchconvert --help for its own option.")
             : word;
     }
 

@@ -10,7 +10,8 @@ internal sealed class SourceOptions
         "--res", ["-r"], "RESOLUTION", "Resolution of the elevation model in px/deg (default 4)");
 
     public Option<string?> Ldem { get; } = OptionFactory.Value(
-        "--ldem", [], "PATH", "Elevation model: its label, its image (of a split model any of them), or a folder of models (default ./input/ldem)");
+        "--ldem", [], "PATH",
+        "Elevation model: its label, its image (of a split model any of them), or a folder of models (default ./input/ldem)");
 
     public Option<string?> PatternRepository { get; } = OptionFactory.Value(
         "--pattern-repos", ["-p"], "PATH", "Folder of the surface patterns (default ./pattern-repository/)");

@@ -4,7 +4,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Options;
 
-/// <summary>Catches what the parser lets pass in silence: an option given twice, and options before a command that has none of them.</summary>
+/// <summary>
+/// Catches what the parser lets pass in silence: an option given twice, and options before a command that has none of them.
+/// </summary>
 internal static class StrayOptions
 {
     /// <summary>Checks a parsed line.</summary>
@@ -32,7 +34,8 @@ internal static class StrayOptions
             if (OptionsOf(command).FirstOrDefault() is OptionResult stray)
             {
                 throw new UsageException(
-                    $"{stray.Option.Name} stands before the command {line.CommandResult.Command.Name}. Put the command first, and see msis {line.CommandResult.Command.Name} --help for its options.");
+                    $"{stray.Option.Name} stands before the command {line.CommandResult.Command.Name}. "
+                        + $"Put the command first, and see msis {line.CommandResult.Command.Name} --help for its options.");
             }
         }
     }

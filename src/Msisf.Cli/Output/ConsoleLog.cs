@@ -18,7 +18,9 @@ internal sealed class ConsoleLog(TextWriter error) : ILog
     /// <inheritdoc/>
     public void Error(string text) => Raw($"msis: error: {text.ReplaceLineEndings(" ")}");
 
-    /// <summary>A line as it is. One that can't be written is lost: there is no other place to tell, and the run and its exit code are worth more.</summary>
+    /// <summary>
+    /// A line as it is. One that can't be written is lost: there is no other place to tell, and the run and its exit code are worth more.
+    /// </summary>
     public void Raw(string line)
     {
         lock (_gate)

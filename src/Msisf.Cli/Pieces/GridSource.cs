@@ -26,7 +26,8 @@ internal sealed class GridSource : IDisposable
     {
         int resolution = source.ReadResolution(line);
         string? ldem = line.GetValue(source.Ldem) is string path ? OptionText.FilePath(source.Ldem, path) : null;
-        bool isDatabase = line.GetValue(database.Source) is string name && OptionText.Choice(database.Source, name, [("ldem", false), ("mysql", true)]);
+        bool isDatabase = line.GetValue(database.Source) is string name
+            && OptionText.Choice(database.Source, name, [("ldem", false), ("mysql", true)]);
         string? optionFile = line.GetValue(database.DefaultsFile) is string file ? OptionText.FilePath(database.DefaultsFile, file) : null;
         if (isDatabase)
         {

@@ -24,7 +24,9 @@ internal sealed class PieceArguments
         Refuse(options.Run.FrameTimes, "names one file, and all pieces would write it");
         if (endsWithCheck)
         {
-            Refuse(options.Run.Frames, "makes a part of the run, and this script looks at all of it in the end; what is there and right is not made again");
+            Refuse(
+                options.Run.Frames,
+                "makes a part of the run, and this script looks at all of it in the end; what is there and right is not made again");
         }
 
         Refuse(options.Run.Overwrite, "would make all frames again each time a piece is run again; remove the outputs in place of it");
@@ -32,7 +34,10 @@ internal sealed class PieceArguments
 
     /// <summary>Of each piece's call, but for <c>--frames</c>.</summary>
     /// <param name="batchFile">The states.</param>
-    /// <param name="engine">The ephemeris engine that this computer takes, null for none: a node that would take another one would give the Sun other last digits.</param>
+    /// <param name="engine">
+    /// The ephemeris engine that this computer takes, null for none: a node that would take another one would give the Sun other last
+    /// digits.
+    /// </param>
     public IReadOnlyList<string> OfPiece(string batchFile, EphemerisChoice? engine) =>
     [
         .. WordsOf(_options.Mode.BatchFile, batchFile),

@@ -33,7 +33,8 @@ internal sealed class RunConversion
     /// <param name="scriptPath">The script, by the folder of the outputs; folders of it that are not there are made.</param>
     /// <param name="cancellation">Ends it and leaves no file.</param>
     /// <exception cref="MsisfException">What the run would refuse is refused here, before anything is written.</exception>
-    public ConvertedRun Convert(ParseResult line, ScriptFormat format, Func<RenderSettings, string> scriptPath, CancellationToken cancellation)
+    public ConvertedRun Convert(
+        ParseResult line, ScriptFormat format, Func<RenderSettings, string> scriptPath, CancellationToken cancellation)
     {
         CutSettings cut = _cut.Read(line);
         SlurmSettings? slurm = format == ScriptFormat.Slurm ? _slurm.Read(line) : null;
@@ -85,7 +86,8 @@ internal sealed class RunConversion
             folder = Path.GetDirectoryName(folder)!;
         }
 
-        ResourceCheck.Check(run.Settings, run.Frames.Count, atOnce, slurm?.MemoryBytes ?? long.MaxValue, new DriveInfo(folder).AvailableFreeSpace);
+        ResourceCheck.Check(
+            run.Settings, run.Frames.Count, atOnce, slurm?.MemoryBytes ?? long.MaxValue, new DriveInfo(folder).AvailableFreeSpace);
     }
 
     private static void Write(PieceScript script, string text, string? statesFile, IReadOnlyList<SpacecraftState> states, bool hasLogs)
@@ -104,7 +106,8 @@ internal sealed class RunConversion
 
         if (statesFile is not null)
         {
-            AtomicFile.WriteText(statesFile, writer => BatchFileWriter.Write(writer, $"Made by msis {script.Version}: msis {script.Call}", states));
+            AtomicFile.WriteText(
+                statesFile, writer => BatchFileWriter.Write(writer, $"Made by msis {script.Version}: msis {script.Call}", states));
         }
 
         AtomicFile.Write(script.Path, stream => stream.Write(Encoding.UTF8.GetBytes(text)));

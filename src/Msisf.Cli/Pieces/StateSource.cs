@@ -16,7 +16,9 @@ using Msisf.Core.Time;
 
 namespace Msisf.Cli.Pieces;
 
-/// <summary>The states of the spacecraft that a run takes images of, from any of the four modes; all are known before the first image.</summary>
+/// <summary>
+/// The states of the spacecraft that a run takes images of, from any of the four modes; all are known before the first image.
+/// </summary>
 internal sealed class StateSource
 {
     private readonly ModeOptions _options;
@@ -91,7 +93,8 @@ internal sealed class StateSource
     private KeplerElements KeplerElements()
     {
         double[] values = Numbers(_options.KeplerSet, ["a", "e", "omega", "Omega", "i", "M0"]);
-        return OptionText.Named(_options.KeplerSet, () => new KeplerElements(values[0], values[1], values[2], values[3], values[4], values[5]));
+        return OptionText.Named(
+            _options.KeplerSet, () => new KeplerElements(values[0], values[1], values[2], values[3], values[4], values[5]));
     }
 
     private StateVector StateVector()
@@ -114,7 +117,8 @@ internal sealed class StateSource
         {
             _log.Warning(string.Create(
                 CultureInfo.InvariantCulture,
-                $"the orbit's periapsis lies {(MoonConstants.ReferenceRadius - orbit.PeriapsisRadius) / 1000.0:F3} km below the Moon's reference radius; times on that part are refused."));
+                $"the orbit's periapsis lies {(MoonConstants.ReferenceRadius - orbit.PeriapsisRadius) / 1000.0:F3} km below the Moon's "
+                    + $"reference radius; times on that part are refused."));
         }
 
         AttitudeTransition? attitude = Attitude();

@@ -26,7 +26,8 @@ public sealed class PinholeCamera
         if (!(fieldOfView >= Tolerances.MinFieldOfView && fieldOfView < Math.PI))
         {
             throw new BadInputException(
-                $"The field of view is {Degrees(fieldOfView)} degrees; it must lie between {Degrees(Tolerances.MinFieldOfView)} and 180 degrees.");
+                $"The field of view is {Degrees(fieldOfView)} degrees; it must lie between {Degrees(Tolerances.MinFieldOfView)} and 180 "
+                    + $"degrees.");
         }
 
         if (!double.IsFinite(positionMoonMe.Length))
@@ -94,7 +95,9 @@ public sealed class PinholeCamera
     /// <summary>How much the pixels cover.</summary>
     public PixelFootprint Footprint { get; }
 
-    /// <summary>The ray through a point of the image plane in rendering coordinates: pixel (x, y) from 1, x right, y down (thesis eq. 8.15).</summary>
+    /// <summary>
+    /// The ray through a point of the image plane in rendering coordinates: pixel (x, y) from 1, x right, y down (thesis eq. 8.15).
+    /// </summary>
     /// <param name="x">Rendering coordinate; whole numbers are pixel centres.</param>
     /// <param name="y">Rendering coordinate.</param>
     public Ray RayThrough(double x, double y)

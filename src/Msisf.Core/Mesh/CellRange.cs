@@ -1,6 +1,8 @@
 namespace Msisf.Core.Mesh;
 
-/// <summary>A block of mesh cells (<see cref="FacetMesh"/>); its vertices are the lines and samples from first to end, both included.</summary>
+/// <summary>
+/// A block of mesh cells (<see cref="FacetMesh"/>); its vertices are the lines and samples from first to end, both included.
+/// </summary>
 /// <param name="FirstLine">Northernmost cell line; -1 is the northern fan.</param>
 /// <param name="EndLine">One past the southernmost cell line.</param>
 /// <param name="FirstSample">Westernmost cell.</param>

@@ -62,7 +62,9 @@ internal sealed class FacetMesh
         }
     }
 
-    /// <summary>Radius of the pole vertex, m: the sum of its line from west to east, one rounding an addition, divided by the count.</summary>
+    /// <summary>
+    /// Radius of the pole vertex, m: the sum of its line from west to east, one rounding an addition, divided by the count.
+    /// </summary>
     /// <param name="grid">The model.</param>
     /// <param name="line">The first or the last line.</param>
     public static double MeanRadius(IElevationGrid grid, int line)

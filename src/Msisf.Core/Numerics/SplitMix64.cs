@@ -1,8 +1,8 @@
 namespace Msisf.Core.Numerics;
 
 /// <summary>
-/// A short run of random numbers that belongs to a place: the same seed and keys give the same numbers in whatever order places are visited.
-/// <c>default</c> is the run of state 0.
+/// A short run of random numbers that belongs to a place: the same seed and keys give the same numbers in whatever order places are
+/// visited. <c>default</c> is the run of state 0.
 /// </summary>
 /// <remarks>G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.</remarks>
 internal struct SplitMix64

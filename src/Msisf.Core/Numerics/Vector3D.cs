@@ -2,7 +2,9 @@ using System.Globalization;
 
 namespace Msisf.Core.Numerics;
 
-/// <summary>A vector of three doubles; <c>default</c> is the zero vector. Unit and frame are in the name of the variable that holds it.</summary>
+/// <summary>
+/// A vector of three doubles; <c>default</c> is the zero vector. Unit and frame are in the name of the variable that holds it.
+/// </summary>
 /// <param name="X">First component.</param>
 /// <param name="Y">Second component.</param>
 /// <param name="Z">Third component.</param>

@@ -11,7 +11,8 @@ namespace Msisf.Core.Terrain;
 public readonly record struct MoonRegion(int SouthDegrees, int NorthDegrees, int WestDegrees, int EastDegrees)
 {
     /// <summary>How a region is written, for messages and help.</summary>
-    public const string ValidValues = "latmin:latmax:lonmin:lonmax in whole degrees, -90 <= latmin < latmax <= 90, 0 <= lonmin < lonmax <= 360";
+    public const string ValidValues =
+        "latmin:latmax:lonmin:lonmax in whole degrees, -90 <= latmin < latmax <= 90, 0 <= lonmin < lonmax <= 360";
 
     /// <summary>All of it.</summary>
     public static MoonRegion WholeMoon { get; } = new(-90, 90, 0, 360);

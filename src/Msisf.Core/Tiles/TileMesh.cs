@@ -4,10 +4,14 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles;
 
-/// <summary>The surface of one tile or part as triangles on the lattice of <see cref="LatticePoint"/>. Treat the arrays as read-only.</summary>
+/// <summary>
+/// The surface of one tile or part as triangles on the lattice of <see cref="LatticePoint"/>. Treat the arrays as read-only.
+/// </summary>
 /// <param name="Layout">Which samples are joined, and the order of the vertices.</param>
 /// <param name="Radii">m, one a vertex; a pole's is the mean of the line beside it.</param>
-/// <param name="Offsets">x, y, z of each vertex in lattice steps from <see cref="Origin"/>, MOON_ME axes, each below 2^24 in size; those of the wall's foot last.</param>
+/// <param name="Offsets">
+/// x, y, z of each vertex in lattice steps from <see cref="Origin"/>, MOON_ME axes, each below 2^24 in size; those of the wall's foot last.
+/// </param>
 /// <param name="Faces">Three vertex numbers a triangle (<see cref="TileMeshLayout.CreateFaces"/>); those of the wall last.</param>
 /// <param name="WallFootRadius">m: where its wall ends, if it has one.</param>
 public sealed record TileMesh(TileMeshLayout Layout, double[] Radii, int[] Offsets, int[] Faces, double WallFootRadius)
@@ -31,7 +35,9 @@ public sealed record TileMesh(TileMeshLayout Layout, double[] Radii, int[] Offse
         return (layout.VertexCount + edges, layout.FaceCount + (2 * edges));
     }
 
-    /// <summary>The lattice point nearest to the part's middle on the sphere of the reference radius; the heights play no part in it.</summary>
+    /// <summary>
+    /// The lattice point nearest to the part's middle on the sphere of the reference radius; the heights play no part in it.
+    /// </summary>
     public static LatticePoint OriginOf(SurfacePart part)
     {
         int halves = 2 * part.Subdivisions; // the middles of parts are odd multiples of half a part

@@ -62,7 +62,9 @@ public sealed class TileMeshBuilder
     /// <summary>The mesh of a tile or part.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
     /// <param name="radii">What <see cref="ReadRadii"/> gave for it.</param>
-    /// <exception cref="BadInputException">A radius is too far from the reference radius for the mesh's lattice (more than about 20 km).</exception>
+    /// <exception cref="BadInputException">
+    /// A radius is too far from the reference radius for the mesh's lattice (more than about 20 km).
+    /// </exception>
     public TileMesh Build(TileMeshLayout layout, double[] radii)
     {
         int[] border = layout.HasWall ? Skirt.Border(layout) : [];
@@ -147,7 +149,8 @@ public sealed class TileMeshBuilder
         int sample = SampleOf(layout, sampleVertex % layout.Samples);
         return new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"The elevation model has the radius {radius:R} m at line {line + 1}, sample {sample + 1}; a surface within about 20 km of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
+            $"The elevation model has the radius {radius:R} m at line {line + 1}, sample {sample + 1}; "
+                + $"a surface within about 20 km of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
     }
 
     private static int SampleOf(TileMeshLayout layout, int column) => (layout.FirstSample + column) % (360 * layout.PixelsPerDegree);

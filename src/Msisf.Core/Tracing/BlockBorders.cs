@@ -43,7 +43,9 @@ internal readonly struct BlockBorders
         return Cut(Cut(piece, new Vector3D(-west.Sine, west.Cosine, 0.0)), new Vector3D(east.Sine, -east.Cosine, 0.0));
     }
 
-    /// <summary>The part of a piece between the block's northern and southern border; the block is at most <see cref="WidestDegrees"/> wide.</summary>
+    /// <summary>
+    /// The part of a piece between the block's northern and southern border; the block is at most <see cref="WidestDegrees"/> wide.
+    /// </summary>
     public RayPiece CutAtParallels(CellRectangle block, RayPiece piece)
     {
         SineCosine west = _mesh.Longitude(block.Column);

@@ -77,11 +77,16 @@ internal sealed class SurfaceBounds
         int west = pageColumn << PageShift;
         int samples = Math.Min(1 << PageShift, _mesh.Samples - west) + 1;
         (double min, double max) = _grid.RadiusBounds(first, last - first + 1, west, Math.Min(samples, _mesh.Samples));
-        if (!(Math.Abs(min - MoonConstants.ReferenceRadius) <= MoonConstants.MaxRelief && Math.Abs(max - MoonConstants.ReferenceRadius) <= MoonConstants.MaxRelief))
+        if (!(
+            Math.Abs(min - MoonConstants.ReferenceRadius) <= MoonConstants.MaxRelief
+                && Math.Abs(max - MoonConstants.ReferenceRadius) <= MoonConstants.MaxRelief))
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{_grid.ProductId} has radii from {min:R} to {max:R} m between its lines {first + 1} and {last + 1}, samples {west + 1} and {Math.Min(west + samples, _mesh.Samples)}; a surface within {MoonConstants.MaxRelief:R} m of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
+                $"{_grid.ProductId} has radii from {min:R} to {max:R} m between its lines {first + 1} and {last + 1}, "
+                    + $"samples {west + 1} and {Math.Min(west + samples, _mesh.Samples)}; "
+                    + $"a surface within {MoonConstants.MaxRelief:R} m of {MoonConstants.ReferenceRadius:R} m is needed. "
+                    + $"Check the model and its label."));
         }
 
         RadiusRange range = RadiusRange.Around(min, max);

@@ -36,7 +36,9 @@ public class ManifestAppendBenchmark
         ManifestFile manifest = new(_folder);
         for (int line = 1; line <= Lines / Writers; line++)
         {
-            manifest.Append(new FrameRecord(line, "MoonSurfIllumSim_step_00001", Key, Key, [new OutputFile("MoonSurfIllumSim_step_00001.png", 100_000, Key)]));
+            manifest.Append(
+                new FrameRecord(
+                    line, "MoonSurfIllumSim_step_00001", Key, Key, [new OutputFile("MoonSurfIllumSim_step_00001.png", 100_000, Key)]));
         }
     }
 }

@@ -33,7 +33,8 @@ internal sealed class ChildProgram
     /// <param name="environment">Variables that it gets beside this process's own.</param>
     /// <param name="watch">Whose memory to look at meanwhile.</param>
     /// <exception cref="BenchmarkException">It can't be started or fails; the message has what it said.</exception>
-    public ProgramRun Run(IReadOnlyList<string> arguments, IReadOnlyDictionary<string, string>? environment = null, MemoryWatch watch = MemoryWatch.None)
+    public ProgramRun Run(
+        IReadOnlyList<string> arguments, IReadOnlyDictionary<string, string>? environment = null, MemoryWatch watch = MemoryWatch.None)
     {
         using Process process = new() { StartInfo = StartInfo(arguments, environment) };
         List<(double, string)> output = [];
@@ -73,7 +74,8 @@ internal sealed class ChildProgram
             ? new ProgramRun(seconds, output, errors, memory, children.PeakBytes)
             : throw new BenchmarkException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{_file} {string.Join(' ', arguments)}: exit code {process.ExitCode}: {string.Join(" / ", errors.TakeLast(ShownErrorLines))}"));
+                $"{_file} {string.Join(' ', arguments)}: exit code {process.ExitCode}: "
+                    + $"{string.Join(" / ", errors.TakeLast(ShownErrorLines))}"));
     }
 
     private static void Add<T>(List<T> list, string? line, Func<string, T> item)

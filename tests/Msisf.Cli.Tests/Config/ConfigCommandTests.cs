@@ -40,7 +40,9 @@ public sealed class ConfigCommandTests : IDisposable
 
         Assert.Equal(0, run.ExitCode);
         Assert.Equal($"msis: {_folder["msisf/config.yaml"]}: not there (the user's file).\n", run.Error);
-        Assert.All(run.Output.Split('\n', StringSplitOptions.RemoveEmptyEntries), line => Assert.EndsWith("\tdefault", line, StringComparison.Ordinal));
+        Assert.All(
+            run.Output.Split('\n', StringSplitOptions.RemoveEmptyEntries),
+            line => Assert.EndsWith("\tdefault", line, StringComparison.Ordinal));
     }
 
     [Theory]
@@ -59,7 +61,8 @@ public sealed class ConfigCommandTests : IDisposable
     [Fact]
     public void Keys_OptionThatDiffersBetweenCommands_IsRefused()
     {
-        RootCommand root = new() { new Command("a") { OptionFactory.Value("--form", [], "x|y", "") }, new Command("b") { OptionFactory.Value("--form", [], "z", "") } };
+        RootCommand root = new() { new Command("a") { OptionFactory.Value(
+            "--form", [], "x|y", "") }, new Command("b") { OptionFactory.Value("--form", [], "z", "") } };
 
         Assert.Empty(new ConfigKeys(root).Allowed);
     }

@@ -14,11 +14,15 @@ public sealed class ConfigRulesTests
     public void Applicable_SettingsThatExcludeEachOther_LeavesOneOut(string inFile, string onLine, string kept)
     {
         Dictionary<string, string> line = Pairs(onLine);
-        Dictionary<string, ConfigValue> file = Pairs(inFile).ToDictionary(pair => pair.Key, pair => new ConfigValue(pair.Key, pair.Value, "a.yaml", 1, Rank: 1));
+        Dictionary<string,
+        ConfigValue> file = Pairs(inFile).ToDictionary(
+            pair => pair.Key, pair => new ConfigValue(pair.Key, pair.Value, "a.yaml", 1, Rank: 1));
 
-        Assert.Equal(kept, string.Join(',', ConfigRules.Applicable(file, line.GetValueOrDefault, draws: true).Keys.Order(StringComparer.Ordinal)));
+        Assert.Equal(
+            kept, string.Join(',', ConfigRules.Applicable(file, line.GetValueOrDefault, draws: true).Keys.Order(StringComparer.Ordinal)));
     }
 
     private static Dictionary<string, string> Pairs(string text) =>
-        text.Split(',', StringSplitOptions.RemoveEmptyEntries).Select(pair => pair.Split('=')).ToDictionary(pair => pair[0], pair => pair[1]);
+        text.Split(
+            ',', StringSplitOptions.RemoveEmptyEntries).Select(pair => pair.Split('=')).ToDictionary(pair => pair[0], pair => pair[1]);
 }

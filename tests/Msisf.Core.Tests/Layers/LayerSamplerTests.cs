@@ -32,7 +32,8 @@ public class LayerSamplerTests
                     _ => 1e-5 * expected.Values[i], // the first-order formula on pixels up to 2e-3 rad wide
                 };
                 Assert.True(
-                    Math.Abs(expected.Values[i] - actual[i]) <= tolerance, $"{expected.Scene}, value {i}: {actual[i]:R}, expected {expected.Values[i]:R}");
+                    Math.Abs(expected.Values[i] - actual[i]) <= tolerance,
+                    $"{expected.Scene}, value {i}: {actual[i]:R}, expected {expected.Values[i]:R}");
             }
         }
     }

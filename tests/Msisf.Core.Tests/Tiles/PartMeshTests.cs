@@ -68,7 +68,9 @@ public class PartMeshTests
         }
     }
 
-    /// <summary>What stands at one place at two levels meets no gap: a coarser part reaches half a cell of its own beyond the tile's borders.</summary>
+    /// <summary>
+    /// What stands at one place at two levels meets no gap: a coarser part reaches half a cell of its own beyond the tile's borders.
+    /// </summary>
     [Fact]
     public void For_CoarserPart_CoversTheCellsOfFinerOnes()
     {
@@ -103,7 +105,8 @@ public class PartMeshTests
             PartSelection selection = selector.Select(camera, null);
             met.UnionWith(selection.Parts.Select(part => part.Level));
             MeshSoup soup = new([.. selection.Parts.Select(part => Build(builders, part))]);
-            bool[] isGround = [.. Enumerable.Range(0, camera.Width * camera.Height).Select(pixel => tracer.TryTrace(RayOf(camera, pixel), out _))];
+            bool[] isGround = [.. Enumerable.Range(0, camera.Width * camera.Height).Select(
+                pixel => tracer.TryTrace(RayOf(camera, pixel), out _))];
             foreach (int pixel in Enumerable.Range(0, isGround.Length).Where(pixel => IsAmidGround(isGround, camera.Width, pixel)))
             {
                 rays++;

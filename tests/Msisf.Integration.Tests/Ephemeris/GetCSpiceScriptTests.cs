@@ -39,7 +39,8 @@ public sealed class GetCSpiceScriptTests : IDisposable
 
         Assert.Equal(1, exitCode);
         Assert.Empty(output);
-        Assert.EndsWith("does not answer (curl: exit code 7); msis will use its built-in kernel reader.\n", errors, StringComparison.Ordinal);
+        Assert.EndsWith(
+            "does not answer (curl: exit code 7); msis will use its built-in kernel reader.\n", errors, StringComparison.Ordinal);
         Assert.False(File.Exists(_library));
         Assert.Empty(Directory.GetFileSystemEntries(Path.GetDirectoryName(_library)!));
     }

@@ -60,7 +60,8 @@ internal static class LayerFrame
         string script = Path.Combine(TestParts.RepositoryRoot, "tests", "Msisf.Integration.Tests", "Layers", "read_layers.py");
         (int exitCode, string output, string errors) = Run(TestParts.Python!, script, reader, path, folder);
         return exitCode == 0
-            ? output.Split('\n', StringSplitOptions.RemoveEmptyEntries).Select(line => line.Split('=', 2)).ToLookup(pair => pair[0], pair => pair[^1])
+            ? output.Split(
+                '\n', StringSplitOptions.RemoveEmptyEntries).Select(line => line.Split('=', 2)).ToLookup(pair => pair[0], pair => pair[^1])
                 .ToDictionary(group => group.Key, group => group.First())
             : throw new InvalidOperationException(errors);
     }

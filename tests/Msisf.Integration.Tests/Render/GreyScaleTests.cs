@@ -53,7 +53,8 @@ public sealed class GreyScaleTests : IDisposable
             double slope = Math.Sqrt(1.0 - (CosIncidence(i) * CosIncidence(i))) / CosIncidence(i);
             scene.Append(
                 CultureInfo.InvariantCulture,
-                $"mesh2 {{ vertex_vectors {{ 4, <{left},-3,{3 * slope:R}>, <{left + 1},-3,{3 * slope:R}>, <{left + 1},3,{-3 * slope:R}>, <{left},3,{-3 * slope:R}> }} ");
+                $"mesh2 {{ vertex_vectors {{ 4, <{left},-3,{3 * slope:R}>, <{left + 1},-3,{3 * slope:R}>, <{left + 1},3,{-3 * slope:R}>, "
+                    + $"<{left},3,{-3 * slope:R}> }} ");
             scene.Append("face_indices { 2, <0,1,2>, <0,2,3> } texture { moon } }\n");
         }
 
@@ -61,7 +62,8 @@ public sealed class GreyScaleTests : IDisposable
         string imagePath = Path.Combine(_folder.FullName, "facets.png");
         File.WriteAllText(scenePath, scene.ToString());
         string[] arguments = [scenePath, "+O" + imagePath, $"+W{Facets}", "+H4", "-A", "-D", fileType];
-        using Process process = Process.Start(new ProcessStartInfo(TestParts.Program("povray")!, arguments) { RedirectStandardError = true })!;
+        using Process process = Process.Start(
+            new ProcessStartInfo(TestParts.Program("povray")!, arguments) { RedirectStandardError = true })!;
         process.StandardError.ReadToEnd();
         process.WaitForExit();
         return PngPixels.Read(imagePath);

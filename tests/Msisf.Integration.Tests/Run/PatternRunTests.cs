@@ -26,7 +26,8 @@ public sealed class PatternRunTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    private string[] Sources => ["--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--ephemeris", "builtin", "--batch"];
+    private string[] Sources =>
+        ["--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--ephemeris", "builtin", "--batch"];
 
     [RequiresTheory(Part.Ldem4, Part.PovRay)]
     [InlineData("auto")]
@@ -72,7 +73,9 @@ public sealed class PatternRunTests : IDisposable
         TaskCompletionSource some = new(TaskCreationOptions.RunContinuationsAsynchronously);
         using FileSystemWatcher watcher = new(patterns) { EnableRaisingEvents = true };
         watcher.Renamed += (_, _) => some.TrySetResult();
-        using Process killed = Process.Start(new ProcessStartInfo(Environment.ProcessPath!, PatternsOfTheMoon) { RedirectStandardError = true, RedirectStandardOutput = true })!;
+        using Process killed = Process.Start(
+            new ProcessStartInfo(
+                Environment.ProcessPath!, PatternsOfTheMoon) { RedirectStandardError = true, RedirectStandardOutput = true })!;
         await some.Task;
         killed.Kill();
         await killed.WaitForExitAsync();
@@ -85,7 +88,9 @@ public sealed class PatternRunTests : IDisposable
     }
 
     private string[] PatternsOfTheMoon =>
-        [Path.Combine(AppContext.BaseDirectory, "msis.dll"), "patterns", "--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--batch"];
+        [Path.Combine(
+            AppContext.BaseDirectory,
+            "msis.dll"), "patterns", "--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--batch"];
 
     private string BatchFile()
     {

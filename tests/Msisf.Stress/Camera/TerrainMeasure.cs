@@ -18,7 +18,9 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
     /// <summary>m: the tracer moves an origin that is farther from the Moon's centre along its ray.</summary>
     private const double FarOrigin = MoonConstants.ReferenceRadius + MoonConstants.MaxRelief;
 
-    /// <summary>m: rounding the moved origin to doubles moves the ray by up to 2e-10 m; so near to an edge either neighbour is right.</summary>
+    /// <summary>
+    /// m: rounding the moved origin to doubles moves the ray by up to 2e-10 m; so near to an edge either neighbour is right.
+    /// </summary>
     private const double MovedOrigin = 1e-9;
 
     private readonly CaseCount _wrong = new();
@@ -42,7 +44,8 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
 
     /// <summary>Errors over the range of an input.</summary>
     public IEnumerable<StressSeries> Series =>
-        [_byAltitude.ToSeries("hit point on the terrain, facet seen below 84 degrees", "m", "height of the camera over the ground", "m", null)];
+        [_byAltitude.ToSeries(
+            "hit point on the terrain, facet seen below 84 degrees", "m", "height of the camera over the ground", "m", null)];
 
     /// <inheritdoc/>
     public void Try(int number, CaseRandom random)
@@ -88,7 +91,9 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
         distance,
         MoonConstants.ReferenceRadius * (number / 8 % 2 == 0 ? Math.Sqrt(random.Between(0.0, 1.0)) : random.Between(0.994, 1.006)));
 
-    /// <summary>m, MOON_ME: where six facets meet, within sight if nothing is in between. Rays to it pass its edges by less than a rounding.</summary>
+    /// <summary>
+    /// m, MOON_ME: where six facets meet, within sight if nothing is in between. Rays to it pass its edges by less than a rounding.
+    /// </summary>
     private Vector3D VertexNear(CaseRandom random, Vector3D zenith, double height)
     {
         double reach = Math.Min(0.5, height / MoonConstants.ReferenceRadius);

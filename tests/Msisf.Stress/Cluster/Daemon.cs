@@ -9,7 +9,8 @@ namespace Msisf.Stress.Cluster;
 /// </summary>
 internal sealed class Daemon : IDisposable
 {
-    private const string Guardian = """log=$1; shift; exec 2>>"$log"; "$@" </dev/null >>"$log" & echo $!; cat >/dev/null; kill $!; wait $!""";
+    private const string Guardian =
+        """log=$1; shift; exec 2>>"$log"; "$@" </dev/null >>"$log" & echo $!; cat >/dev/null; kill $!; wait $!""";
 
     private static readonly TimeSpan EndLimit = TimeSpan.FromSeconds(10);
 

@@ -27,7 +27,9 @@ public sealed class LongSeriesStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "10,000 frames (2,000 at everyday length) of 64 x 64 px by the native renderer in one process: time of a frame and memory at its end against its beginning; then msis status, and the same call again, which finds all frames made.";
+        "10,000 frames (2,000 at everyday length) of 64 x 64 px by the native renderer in one process: "
+            + "time of a frame and memory at its end against its beginning; "
+            + "then msis status, and the same call again, which finds all frames made.";
 
     /// <inheritdoc/>
     public bool IsOfThisMachine => true;
@@ -54,8 +56,18 @@ public sealed class LongSeriesStress : IStressTest
             Name,
             seconds.Length,
             [
-                new StressFigure("median time of a frame in the last tenth, over that in the first", string.Empty, growth, mostGrowth, Text($"{frames}, {1000.0 * first:0.00} ms in the first tenth")),
-                new StressFigure(Text($"resident memory after the last frame, over that after {SettledFrame} frames"), string.Empty, last / settled, MaxGrowth, Text($"{frames}, {last / 1e6:0} MB at the end")),
+                new StressFigure(
+                    "median time of a frame in the last tenth, over that in the first",
+                    string.Empty,
+                    growth,
+                    mostGrowth,
+                    Text($"{frames}, {1000.0 * first:0.00} ms in the first tenth")),
+                new StressFigure(
+                    Text($"resident memory after the last frame, over that after {SettledFrame} frames"),
+                    string.Empty,
+                    last / settled,
+                    MaxGrowth,
+                    Text($"{frames}, {last / 1e6:0} MB at the end")),
                 new StressFigure("msis status", "s", status, isFull ? LongestStatus : null, frames),
                 new StressFigure("the same call again, which skips all frames", "s", again, null, frames),
             ],

@@ -25,7 +25,8 @@ internal sealed class SelectionMeasure(JudgedMoon moon, ElevationSummary summary
     public IEnumerable<StressFigure> Figures =>
     [
         _differences.ToFigure($"{moon.Grid.ProductId}: pixels that differ from the image with all tiles", string.Empty, 0.0),
-        _missed.ToFigure($"{moon.Grid.ProductId}: tiles that a pixel's ray meets and that are missed, light at the camera", string.Empty, 0.0),
+        _missed.ToFigure(
+            $"{moon.Grid.ProductId}: tiles that a pixel's ray meets and that are missed, light at the camera", string.Empty, 0.0),
         new StressFigure($"{moon.Grid.ProductId}: pixels compared", "pixels", _pixels, null, $"{_lit} lit, {_kept} tiles kept in all"),
     ];
 

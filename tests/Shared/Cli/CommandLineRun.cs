@@ -10,7 +10,9 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
     /// <summary>Runs the program.</summary>
     /// <param name="arguments">As <c>main</c> gets them.</param>
     /// <param name="standardInput">What stands on standard input.</param>
-    /// <param name="configHome">XDG_CONFIG_HOME; by default a folder that is not there, so that the settings of whoever runs the tests play no part.</param>
+    /// <param name="configHome">
+    /// XDG_CONFIG_HOME; by default a folder that is not there, so that the settings of whoever runs the tests play no part.
+    /// </param>
     public static CommandLineRun Of(IReadOnlyList<string> arguments, string standardInput = "", string configHome = "/no-settings")
     {
         using StringWriter output = new();

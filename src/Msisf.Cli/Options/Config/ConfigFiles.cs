@@ -12,7 +12,9 @@ internal sealed class ConfigFiles
 
     public ConfigFiles(ConfigKeys keys, ProgramHost host) => (_keys, _host) = (keys, host);
 
-    /// <summary>$XDG_CONFIG_HOME/msisf/config.yaml, else %APPDATA%\msisf\config.yaml, else ~/.config/msisf/config.yaml; null without such a folder.</summary>
+    /// <summary>
+    /// $XDG_CONFIG_HOME/msisf/config.yaml, else %APPDATA%\msisf\config.yaml, else ~/.config/msisf/config.yaml; null without such a folder.
+    /// </summary>
     public static string? UserFile(ProgramHost host)
     {
         string? parent = host.Environment("XDG_CONFIG_HOME")

@@ -5,14 +5,17 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Options.Config;
 
-/// <summary>What may stand in a configuration file: the long names of the commands' options, but for those that belong to one call.</summary>
+/// <summary>
+/// What may stand in a configuration file: the long names of the commands' options, but for those that belong to one call.
+/// </summary>
 internal sealed class ConfigKeys
 {
     private const string OfOneCall = "belongs to one call. Give it on the command line";
 
     private static readonly string[] OptionsOfOneCall =
     [
-        "config", "for-batch", "frame-times", "frames", "frames-per-piece", "list-patterns", "overwrite", "pieces", "print-frames", "script", "verify", "wait",
+        "config", "for-batch", "frame-times", "frames", "frames-per-piece", "list-patterns", "overwrite", "pieces", "print-frames",
+        "script", "verify", "wait",
     ];
 
     private static readonly string[] NamesOfPaths = ["DIR", "FILE", "FOLDER", "PATH"];
@@ -72,7 +75,8 @@ internal sealed class ConfigKeys
         if (!_allowed.TryGetValue(entry.Key, out Option? option))
         {
             throw new BadInputException(
-                $"{place}{NumberText.Shown(entry.Key)} is no option. The nearest one is '{NearestName.To(entry.Key, _allowed.Keys)}'; 'msis config show' lists all.");
+                $"{place}{NumberText.Shown(entry.Key)} is no option. The nearest one is '{NearestName.To(entry.Key, _allowed.Keys)}'; "
+                    + $"'msis config show' lists all.");
         }
 
         if (entry.IsList)

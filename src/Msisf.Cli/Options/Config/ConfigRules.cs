@@ -4,8 +4,8 @@ using Msisf.Core.Render;
 namespace Msisf.Cli.Options.Config;
 
 /// <summary>
-/// Leaves out what a file says and a call can't use: settings for every call meet calls of all kinds. What stands on the command line is never
-/// touched; it is an error where it has no meaning.
+/// Leaves out what a file says and a call can't use: settings for every call meet calls of all kinds. What stands on the command line is
+/// never touched; it is an error where it has no meaning.
 /// </summary>
 internal sealed class ConfigRules
 {
@@ -23,7 +23,8 @@ internal sealed class ConfigRules
     public static IReadOnlyDictionary<string, ConfigValue> Applicable(
         IReadOnlyDictionary<string, ConfigValue> values, Func<string, string?> onLine, bool draws)
     {
-        ConfigRules rules = new(new Dictionary<string, ConfigValue>(values.Where(pair => onLine(pair.Key) is null), StringComparer.Ordinal), onLine);
+        ConfigRules rules = new(
+            new Dictionary<string, ConfigValue>(values.Where(pair => onLine(pair.Key) is null), StringComparer.Ordinal), onLine);
         if (draws)
         {
             rules.LeaveOutOtherRenderer();
@@ -37,7 +38,8 @@ internal sealed class ConfigRules
             rules._values.Remove("defaults-file");
         }
 
-        if (rules.Effective("reflectance") is { } law && law.StartsWith("hapke:", StringComparison.Ordinal) && law.Contains("w=", StringComparison.Ordinal))
+        if (rules.Effective("reflectance") is { } law && law.StartsWith("hapke:", StringComparison.Ordinal)
+            && law.Contains("w=", StringComparison.Ordinal))
         {
             rules._values.Remove("albedo");
         }
@@ -54,7 +56,10 @@ internal sealed class ConfigRules
         }
     }
 
-    /// <summary>Of two that exclude each other, where the first has a certain value, leaves out what comes from farther away; the second if both stand together.</summary>
+    /// <summary>
+    /// Of two that exclude each other, where the first has a certain value, leaves out what comes from farther away; the second if both
+    /// stand together.
+    /// </summary>
     private void KeepOneOf(string first, string firstValue, string second)
     {
         if (Effective(first) == firstValue && Effective(second) is not null)

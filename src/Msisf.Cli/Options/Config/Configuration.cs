@@ -7,8 +7,8 @@ using Msisf.App.Host;
 namespace Msisf.Cli.Options.Config;
 
 /// <summary>
-/// Puts the values of the configuration files behind a command line, as defaults of the options that are not given there: what reads and checks
-/// the options does not see a difference, but for "is it given".
+/// Puts the values of the configuration files behind a command line, as defaults of the options that are not given there: what reads and
+/// checks the options does not see a difference, but for "is it given".
 /// </summary>
 internal sealed class Configuration
 {
@@ -24,7 +24,8 @@ internal sealed class Configuration
     {
         (_root, _host, _keys) = (root, host, new Lazy<ConfigKeys>(() => new ConfigKeys(root)));
         FileOption = OptionFactory.Value(
-            "--config", [], "FILE", "Settings for the options that are not given, one 'key: value' a line; they go before those of ~/.config/msisf/config.yaml");
+            "--config", [], "FILE",
+            "Settings for the options that are not given, one 'key: value' a line; they go before those of ~/.config/msisf/config.yaml");
         FileOption.Recursive = true;
         root.Options.Add(FileOption);
     }

@@ -3,7 +3,10 @@ using System.Text.RegularExpressions;
 
 namespace Msisf.Cli.Options.Config;
 
-/// <summary>What an option is if nobody gives it, as its help text says it: "(default 40)", or "(default)" for the first of the choices or behind the word.</summary>
+/// <summary>
+/// What an option is if nobody gives it, as its help text says it: "(default 40)", or "(default)" for the first of the choices or behind
+/// the word.
+/// </summary>
 internal static partial class DefaultText
 {
     /// <summary>The default; "-" where there is none.</summary>

@@ -6,7 +6,9 @@ internal static class NearestName
     /// <summary>Characters: a longer word is no misspelt name, and comparing it would take long.</summary>
     private const int LongestWord = 100;
 
-    /// <summary>The name that the fewest insertions, deletions and replacements of characters make of a word; the first of several.</summary>
+    /// <summary>
+    /// The name that the fewest insertions, deletions and replacements of characters make of a word; the first of several.
+    /// </summary>
     /// <param name="word">The misspelt one.</param>
     /// <param name="names">At least one.</param>
     public static string To(string word, IEnumerable<string> names)

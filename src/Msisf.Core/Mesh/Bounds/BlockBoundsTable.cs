@@ -8,7 +8,9 @@ namespace Msisf.Core.Mesh.Bounds;
 /// <summary>Bounds of the facets of each block; a block is read when it is first asked for. Safe for several threads.</summary>
 internal sealed class BlockBoundsTable
 {
-    /// <summary>Added to slopes: a cell's legs are neither quite straight nor quite at right angles (below 1 percent at 1 px/deg).</summary>
+    /// <summary>
+    /// Added to slopes: a cell's legs are neither quite straight nor quite at right angles (below 1 percent at 1 px/deg).
+    /// </summary>
     private const double SlopeMargin = 1.02;
 
     private readonly SurfaceModel _surface;
@@ -27,7 +29,9 @@ internal sealed class BlockBoundsTable
     /// <summary>Blocks a row.</summary>
     public int Columns { get; }
 
-    /// <summary>Minimum and maximum vertex radius (m, not widened by the lattice) and tangent of the steepest facet's slope; rounded outwards.</summary>
+    /// <summary>
+    /// Minimum and maximum vertex radius (m, not widened by the lattice) and tangent of the steepest facet's slope; rounded outwards.
+    /// </summary>
     public BlockBounds Of(CellBlock block)
     {
         RowOfBlocks row = Volatile.Read(ref _rows[block.Row]) ?? NewRow(block.Row);
@@ -89,7 +93,9 @@ internal sealed class BlockBoundsTable
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{_surface.Grid.ProductId} has radii from {min:R} to {max:R} m around line {cells.FirstLine + 2}, sample {cells.FirstSample + 1}; a surface within {MoonConstants.MaxRelief:R} m of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
+                $"{_surface.Grid.ProductId} has radii from {min:R} to {max:R} m around line {cells.FirstLine + 2}, "
+                    + $"sample {cells.FirstSample + 1}; a surface within {MoonConstants.MaxRelief:R} m of "
+                    + $"{MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
         }
 
         return new BlockBounds(

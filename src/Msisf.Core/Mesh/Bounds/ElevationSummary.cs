@@ -104,7 +104,8 @@ public sealed class ElevationSummary
         if (grid.PixelsPerDegree != PixelsPerDegree)
         {
             throw new BadInputException(
-                $"The elevation summary is of a model with {PixelsPerDegree} px/deg, but {grid.ProductId} has {grid.PixelsPerDegree}; make it again.");
+                $"The elevation summary is of a model with {PixelsPerDegree} px/deg, but {grid.ProductId} has {grid.PixelsPerDegree}; "
+                    + $"make it again.");
         }
     }
 

@@ -17,7 +17,9 @@ public sealed class SummaryLevel
     /// <summary>Takes the bounds.</summary>
     /// <param name="pixelsPerDegree">Samples a degree of the model.</param>
     /// <param name="subdivisions">Blocks to a tile's edge.</param>
-    /// <param name="bounds">Row by row: minimum and maximum vertex radius in m, tangent of the steepest facet's slope; rounded outwards.</param>
+    /// <param name="bounds">
+    /// Row by row: minimum and maximum vertex radius in m, tangent of the steepest facet's slope; rounded outwards.
+    /// </param>
     internal SummaryLevel(int pixelsPerDegree, int subdivisions, BlockBounds[] bounds)
     {
         Subdivisions = subdivisions;
@@ -68,7 +70,9 @@ public sealed class SummaryLevel
 
     /// <summary>A tile's block with its place and bounds.</summary>
     /// <param name="tile">The tile.</param>
-    /// <param name="block">Row of the block in its tile times <see cref="Subdivisions"/> plus its column; of the tiles themselves there is one block each.</param>
+    /// <param name="block">
+    /// Row of the block in its tile times <see cref="Subdivisions"/> plus its column; of the tiles themselves there is one block each.
+    /// </param>
     internal TerrainNode NodeOf(TileId tile, int block = 0)
     {
         (int row, int column) = PlaceOf(tile, block);

@@ -8,7 +8,9 @@ namespace Msisf.Core.Mesh.Bounds;
 /// <summary>One pass over a model, line by line from the north, that gathers the bounds of its blocks.</summary>
 internal sealed class SummaryScan
 {
-    /// <summary>Added to slopes: a cell's legs are neither quite straight nor quite at right angles (below 1 percent at 1 px/deg).</summary>
+    /// <summary>
+    /// Added to slopes: a cell's legs are neither quite straight nor quite at right angles (below 1 percent at 1 px/deg).
+    /// </summary>
     private const double SlopeMargin = 1.02;
 
     private readonly IElevationGrid _grid;

@@ -60,7 +60,8 @@ internal sealed class SmoothNormals
             {
                 int at = (sample - 1 + column + _surface.Mesh.Samples) % _surface.Mesh.Samples;
                 SineCosine longitude = new(_surface.LongitudeSines[at], _surface.LongitudeCosines[at]);
-                _vertices[(row * PatchSize) + column] = LatticePoint.Nearest(_radii[column], _surface.Latitude(vertexLine), longitude).PositionMoonMe;
+                _vertices[(row * PatchSize) + column] = LatticePoint.Nearest(
+                    _radii[column], _surface.Latitude(vertexLine), longitude).PositionMoonMe;
             }
         }
 

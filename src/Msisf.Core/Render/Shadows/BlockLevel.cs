@@ -4,7 +4,9 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Square groups of blocks of one size: where they lie, and their bounds as far as they are known. Safe for several threads.</summary>
+/// <summary>
+/// Square groups of blocks of one size: where they lie, and their bounds as far as they are known. Safe for several threads.
+/// </summary>
 internal sealed class BlockLevel
 {
     private readonly SineCosine[] _latitudes;

@@ -6,7 +6,9 @@ namespace Msisf.Core.Render.Shadows;
 /// <summary>Tells which parts of the terrain can throw a shadow on a receiver, from bounds alone.</summary>
 internal sealed class CasterBounds
 {
-    /// <summary>1: for the rounding of directions, cosines and products of three of them, and of what the light frame makes of them.</summary>
+    /// <summary>
+    /// 1: for the rounding of directions, cosines and products of three of them, and of what the light frame makes of them.
+    /// </summary>
     private const double Rounding = 1e-12;
 
     private readonly LightFrame _frame;

@@ -7,7 +7,9 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Eight neighbouring cells of a line in light space, those of their facets that face away from the Sun, and where these lie.</summary>
+/// <summary>
+/// Eight neighbouring cells of a line in light space, those of their facets that face away from the Sun, and where these lie.
+/// </summary>
 /// <param name="vertices">The block's, in light space; the strip is set anew in them again and again.</param>
 internal sealed class CellStrip(BlockVertices vertices)
 {
@@ -95,7 +97,8 @@ internal sealed class CellStrip(BlockVertices vertices)
     /// <param name="b">Next vertex, counterclockwise from above.</param>
     /// <param name="c">Last vertex.</param>
     public LightFacet Facet(int a, int b, int c) => new(
-        vertices.X[a], vertices.Y[a], vertices.Z[a], vertices.X[b], vertices.Y[b], vertices.Z[b], vertices.X[c], vertices.Y[c], vertices.Z[c]);
+        vertices.X[a], vertices.Y[a], vertices.Z[a], vertices.X[b], vertices.Y[b], vertices.Z[b], vertices.X[c], vertices.Y[c],
+        vertices.Z[c]);
 
     /// <summary>A slab along the cells that holds all those of <see cref="Box"/>: narrower than the box where cells lie aslant.</summary>
     public LightSlab FindSlab()
@@ -238,7 +241,9 @@ internal sealed class CellStrip(BlockVertices vertices)
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<double> Across(ref double us, ref double vs, nuint corner, double acrossU, double acrossV) =>
-        (Vector512.LoadUnsafe(ref us, corner) * Vector512.Create(acrossU)) + (Vector512.LoadUnsafe(ref vs, corner) * Vector512.Create(acrossV));
+        (
+            Vector512.LoadUnsafe(
+                ref us, corner) * Vector512.Create(acrossU)) + (Vector512.LoadUnsafe(ref vs, corner) * Vector512.Create(acrossV));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<double> Min(Vector512<double> a, Vector512<double> b, Vector512<double> c, Vector512<double> d) =>

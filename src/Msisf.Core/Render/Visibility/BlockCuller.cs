@@ -93,7 +93,10 @@ internal sealed class BlockCuller
         CellRange cells = block.Cells(_surface.Mesh);
         return new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"{_surface.Grid.ProductId}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, samples {cells.FirstSample + 1} to {cells.EndSample + 1}: radii from {bounds.Min:R} to {bounds.Max:R} m, but no radius may lie outside {_limits.Min:R} to {_limits.Max:R} m. The file is damaged: get it again."));
+            $"{_surface.Grid.ProductId}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, "
+                + $"samples {cells.FirstSample + 1} to {cells.EndSample + 1}: "
+                + $"radii from {bounds.Min:R} to {bounds.Max:R} m, but no radius may lie outside {_limits.Min:R} to {_limits.Max:R} m. "
+                + $"The file is damaged: get it again."));
     }
 
     private double LowestPoint(double minRadius) => (minRadius * _sagitta) - Tolerances.VertexLattice;

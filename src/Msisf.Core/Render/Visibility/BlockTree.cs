@@ -29,7 +29,9 @@ internal sealed class BlockTree
     /// <summary>The blocks themselves.</summary>
     public BlockLevel Blocks => _levels[0];
 
-    /// <summary>Appends the blocks that may be in the image if all that is known of the surface is how far it may reach; always in the same order.</summary>
+    /// <summary>
+    /// Appends the blocks that may be in the image if all that is known of the surface is how far it may reach; always in the same order.
+    /// </summary>
     /// <param name="frustum">The image.</param>
     /// <param name="horizon">What is hidden from the camera.</param>
     /// <param name="limits">m: the model's radii.</param>

@@ -18,7 +18,9 @@ internal sealed class CellSieve
 {
     private const int Lanes = 8;
 
-    /// <summary>px: cells that are this wide, on the average of their rows, are filled row by row; measured: there both ways take as long.</summary>
+    /// <summary>
+    /// px: cells that are this wide, on the average of their rows, are filled row by row; measured: there both ways take as long.
+    /// </summary>
     private const double WideCell = 4.0;
 
     private readonly double[] _inverseDepths = new double[Lanes];

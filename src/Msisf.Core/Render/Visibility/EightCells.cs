@@ -4,7 +4,10 @@ using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>The projected corners of eight neighbouring cells of a line, read again from the block's arrays wherever they are needed: there are not registers for all.</summary>
+/// <summary>
+/// The projected corners of eight neighbouring cells of a line, read again from the block's arrays wherever they are needed: there are not
+/// registers for all.
+/// </summary>
 internal readonly ref struct EightCells
 {
     private readonly ref double _x;

@@ -2,7 +2,9 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>What a camera can't see of the Moon: what lies beyond the limb of the largest sphere within it, and blocks whose facets all turn away.</summary>
+/// <summary>
+/// What a camera can't see of the Moon: what lies beyond the limb of the largest sphere within it, and blocks whose facets all turn away.
+/// </summary>
 internal sealed class MoonHorizon
 {
     private readonly double _innerRadius;

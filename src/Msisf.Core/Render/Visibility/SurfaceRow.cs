@@ -1,6 +1,8 @@
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>The pixels of one row that show the surface, from left to right, one array for each number; one object is filled again and again.</summary>
+/// <summary>
+/// The pixels of one row that show the surface, from left to right, one array for each number; one object is filled again and again.
+/// </summary>
 internal sealed class SurfaceRow
 {
     /// <summary>Elements behind the last, so that whole vectors can be read; they are finite.</summary>

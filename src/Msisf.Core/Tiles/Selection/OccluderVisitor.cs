@@ -90,7 +90,9 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
     /// <summary>Whether one of the tiles that were looked for may lie behind a piece of the surface.</summary>
     public bool MayCover(in PolarBounds bounds) => AnyBehind(bounds);
 
-    /// <summary>Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles cover each other in long chains.</summary>
+    /// <summary>
+    /// Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles cover each other in long chains.
+    /// </summary>
     public bool MayLeaveBeforeLimb(TileId tile) => FirstExit(_table[tile]) < _limb;
 
     private bool SharesRay(AzimuthIndex<TileId> index, in PolarBounds bounds)

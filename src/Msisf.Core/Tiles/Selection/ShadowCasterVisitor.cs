@@ -5,8 +5,9 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Keeps the tiles that can throw a shadow on what is seen of a tile: all with a facet, turned away from the Sun, that a ray from there to the Sun can
-/// meet. That a kept ridge stands over the ray is no reason to stop: the ray may have entered the ground before it, through a tile that is not there.
+/// Keeps the tiles that can throw a shadow on what is seen of a tile: all with a facet, turned away from the Sun, that a ray from there to
+/// the Sun can meet. That a kept ridge stands over the ray is no reason to stop: the ray may have entered the ground before it, through a
+/// tile that is not there.
 /// </summary>
 internal sealed class ShadowCasterVisitor : ISurfaceVisitor
 {
@@ -131,7 +132,9 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
         }
     }
 
-    /// <summary>A ray to the Sun enters the ground first through a facet that is turned away from the Sun: it alone has to be there.</summary>
+    /// <summary>
+    /// A ray to the Sun enters the ground first through a facet that is turned away from the Sun: it alone has to be there.
+    /// </summary>
     private bool AnyFacetCasts(TileId tile, in PolarBounds target)
     {
         ReadOnlySpan<PolarBounds> blocks = _sun.Table.Blocks(tile);

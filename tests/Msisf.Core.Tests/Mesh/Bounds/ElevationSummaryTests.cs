@@ -28,7 +28,8 @@ public sealed class ElevationSummaryTests
                 CellRange cells = level.Cells(index / level.Columns, index % level.Columns);
                 int first = Math.Max(cells.FirstLine, 0);
                 int last = Math.Min(cells.EndLine, lines - 1);
-                (double min, double max) = grid.RadiusBounds(first, last - first + 1, cells.FirstSample, cells.EndSample - cells.FirstSample + 1);
+                (double min, double max) = grid.RadiusBounds(
+                    first, last - first + 1, cells.FirstSample, cells.EndSample - cells.FirstSample + 1);
                 Assert.InRange(level.Bounds[index].Min, min - 0.26, min);
                 Assert.InRange(level.Bounds[index].Max, max, max + 0.26);
             }

@@ -33,10 +33,13 @@ public sealed class CasterBoundsTests
     {
         Vector3D receiver = new(0.0, 0.0, Radius);
         Vector3D caster = receiver + new Vector3D(towardsSun, 0.0, 0.0);
-        Assert.Equal(expected, Bounds(receiver, slope: 0.0).MayCast(CapAt(caster), caster.Length - 5.0, caster.Length + 5.0, SteepestSlope));
+        Assert.Equal(
+            expected, Bounds(receiver, slope: 0.0).MayCast(CapAt(caster), caster.Length - 5.0, caster.Length + 5.0, SteepestSlope));
     }
 
-    /// <summary>Under a Sun 30 degrees high facets face away whose slope is above 30 degrees, or a little less for the disc's lower edge.</summary>
+    /// <summary>
+    /// Under a Sun 30 degrees high facets face away whose slope is above 30 degrees, or a little less for the disc's lower edge.
+    /// </summary>
     [Theory]
     [InlineData(30.1, 0.0, true)]
     [InlineData(29.9, 0.0, false)]
