@@ -38,7 +38,7 @@ public sealed class StreamsTests : IDisposable
 
         Task<int> run = Task.Run(() => CommandLineProgram.RunAsync(arguments, host, stop.Token));
 
-        Assert.Equal(130, await run.WaitAsync(TimeSpan.FromSeconds(30)));
+        Assert.Equal(130, await Within.Seconds(60, "the end of the cancelled run", run));
     }
 
     [Fact]
@@ -99,7 +99,7 @@ public sealed class StreamsTests : IDisposable
         public override int Read(char[] buffer, int index, int count)
         {
             stop.Cancel();
-            _closed.Wait();
+            _closed.Wait(TimeSpan.FromMinutes(2)); // longer than the test waits
             return 0;
         }
 

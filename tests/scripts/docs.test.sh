@@ -19,7 +19,7 @@ test_docs_broken_links_are_found() {
 # A page
 [good](b.md#a-heading-of-b) `[no](link.md)`
 [gone](c.md)
-![gone](c.png)
+![gone](c.png) <img src="d.png" width="1">
 [gone](b.md#gone)
 PAGE
     cat >b.md <<'PAGE'
@@ -30,7 +30,7 @@ PAGE
     run links . README.md b.md lonely.md
     assert_code 1
     assert_same "$output" "$(printf '%s\n' 'README.md: c.md: there is no such file' 'README.md: c.png: there is no such file' \
-        'README.md: b.md#gone: there is no such heading' 'lonely.md: no link leads here from README.md')"
+        'README.md: d.png: there is no such file' 'README.md: b.md#gone: there is no such heading' 'lonely.md: no link leads here from README.md')"
 }
 
 test_docs_drawings_are_those_of_the_code() {

@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)|<img src=\"([^\"]+)\"")
 FENCE = re.compile(r"^(```|~~~).*?^\1\s*$", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"`[^`\n]*`")
 
@@ -18,11 +18,15 @@ def anchors(page):
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
+def targets(text):
+    return [link or image for link, image in LINK.findall(text)]
+
+
 def faults(root, name):
     """Each link of a page that leads nowhere."""
     page = root / name
     text = CODE.sub("", FENCE.sub("", page.read_text(encoding="utf-8")))
-    for target in LINK.findall(text):
+    for target in targets(text):
         if re.match(r"[a-z]+:", target):
             continue
         path, _, anchor = target.partition("#")
@@ -42,7 +46,7 @@ def reached(root, name):
             continue
         seen.add(page)
         text = FENCE.sub("", page.read_text(encoding="utf-8"))
-        waiting += [(page.parent / target.partition("#")[0]).resolve() for target in LINK.findall(text) if target.partition("#")[0].endswith(".md")]
+        waiting += [(page.parent / target.partition("#")[0]).resolve() for target in targets(text) if target.partition("#")[0].endswith(".md")]
     return seen
 
 

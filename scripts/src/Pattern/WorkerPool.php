@@ -33,7 +33,8 @@ final class WorkerPool
     }
 
     /**
-     * Waits for all processes. The first failure ends them all, and is passed on.
+     * Waits for all processes, without a limit: a fine model takes hours. One that ends closes its pipes, which ends the wait
+     * for it. The first failure ends them all, and is passed on.
      *
      * @param Closure(GenerationReport): void $progress is told of each batch
      */

@@ -16,6 +16,9 @@ final class WorkerProcess
     private const STDOUT = 1;
     private const STDERR = 2;
 
+    /** s: from the end of its output to its own end. */
+    private const END_SECONDS = 60;
+
     /** @var resource */
     private readonly mixed $process;
 
@@ -92,7 +95,12 @@ final class WorkerProcess
     private function requireSuccess(): void
     {
         // Its pipes are closed, so it is about to end.
+        $deadline = hrtime(true) + self::END_SECONDS * 1_000_000_000;
         while (($status = proc_get_status($this->process))['running']) {
+            if (hrtime(true) > $deadline) {
+                proc_terminate($this->process, 9);
+                throw new ExternalPartException('one of the processes has closed its output and does not end. Run this again: patterns that are there are kept.');
+            }
             usleep(1000);
         }
         $text = trim($this->texts[self::STDERR]);

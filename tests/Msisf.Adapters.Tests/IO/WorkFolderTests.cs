@@ -64,7 +64,7 @@ public sealed class WorkFolderTests : IDisposable
         }
 
         await stop.CancelAsync();
-        await Task.WhenAll(others);
+        await Within.Seconds(60, "the end of those who remove remains", Task.WhenAll(others));
         Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
     }
 }

@@ -23,8 +23,8 @@ public sealed class PatternMakerTests : IDisposable
     {
         using PatternRepository repository = new(_folder["patterns"]);
         FunctionGrid grid = FunctionGrid.Rough(8); // a pattern takes long enough for the threads to meet
-        PatternSet[] sets = await Task.WhenAll(Enumerable.Range(0, 4).Select(_ => Task.Run(
-            () => repository.EnsurePatterns(Tiles, grid, default, maxParallelism: 2))));
+        PatternSet[] sets = await Within.Seconds(120, "four threads at once", Task.WhenAll(Enumerable.Range(0, 4).Select(_ => Task.Run(
+            () => repository.EnsurePatterns(Tiles, grid, default, maxParallelism: 2)))));
 
         Assert.Equal(Tiles.Length, sets.Sum(set => set.Written));
         Assert.All(sets, set => Assert.All(set.Paths, path => Assert.True(File.Exists(path))));
@@ -50,37 +50,38 @@ public sealed class PatternMakerTests : IDisposable
     {
         using PatternRepository elsewhere = new(_folder["elsewhere"]);
         IReadOnlyList<string> made = Ensure(elsewhere).Paths;
-        using Process other = OtherProcess();
+        using Process other = await OtherProcess();
         using PatternRepository repository = new(_folder["patterns"], TimeSpan.MaxValue);
         TaskCompletionSource reads = new();
         Task<PatternSet> waiting = Task.Run(() => repository.EnsurePatterns(Tiles, Telling(reads), default, maxParallelism: 2));
-        await reads.Task;
+        await Within.Seconds(60, "the first read of the model", reads.Task);
         foreach (string path in made)
         {
-            File.Copy(path, Path.Combine(Path.GetDirectoryName(ClaimsFile)!, Path.GetFileName(path)));
+            // A copy that goes on is locked, and can't be read; a pattern gets its name when it is whole.
+            File.Move(path, Path.Combine(Path.GetDirectoryName(ClaimsFile)!, Path.GetFileName(path)));
         }
 
         other.StandardInput.Close();
-        Assert.Equal(0, (await waiting).Written);
+        Assert.Equal(0, (await Within.Seconds(120, "the patterns", waiting)).Written);
     }
 
     [RequiresFact(Part.Python)]
     public async Task Ensure_AnotherProcessIsKilled_MakesThem()
     {
-        using Process other = OtherProcess();
+        using Process other = await OtherProcess();
         using PatternRepository repository = new(_folder["patterns"], TimeSpan.MaxValue);
         TaskCompletionSource reads = new();
         Task<PatternSet> waiting = Task.Run(() => repository.EnsurePatterns(Tiles, Telling(reads), default, maxParallelism: 2));
-        await reads.Task;
+        await Within.Seconds(60, "the first read of the model", reads.Task);
         other.Kill();
 
-        Assert.Equal(Tiles.Length, (await waiting).Written);
+        Assert.Equal(Tiles.Length, (await Within.Seconds(120, "the patterns", waiting)).Written);
     }
 
     [RequiresFact(Part.Python)]
-    public void Ensure_AnotherProcessHangs_MakesThemAfterTheLongestWait()
+    public async Task Ensure_AnotherProcessHangs_MakesThemAfterTheLongestWait()
     {
-        using Process other = OtherProcess();
+        using Process other = await OtherProcess();
         using PatternRepository repository = new(_folder["patterns"], TimeSpan.FromMilliseconds(100));
 
         Assert.Equal(Tiles.Length, Ensure(repository).Written);
@@ -122,7 +123,7 @@ public sealed class PatternMakerTests : IDisposable
     }
 
     /// <summary>Holds a lock on every byte of the file of claims, until its standard input ends.</summary>
-    private Process OtherProcess()
+    private async Task<Process> OtherProcess()
     {
         Directory.CreateDirectory(Path.GetDirectoryName(ClaimsFile)!);
         const string script =
@@ -132,7 +133,7 @@ public sealed class PatternMakerTests : IDisposable
             RedirectStandardInput = true,
             RedirectStandardOutput = true,
         })!;
-        Assert.Equal("holds", process.StandardOutput.ReadLine());
+        Assert.Equal("holds", await Within.Seconds(60, "the lock of the other process", process.StandardOutput.ReadLineAsync()));
         return process;
     }
 }

@@ -6,7 +6,7 @@ namespace Msisf.Benchmarks.Measures;
 /// <param name="Scene">The scene.</param>
 /// <param name="Targets">Its targets.</param>
 /// <param name="First">Processes of one frame.</param>
-/// <param name="Further">Further frames; the first setting is the program's usual one: all threads, the widest vectors.</param>
+/// <param name="Further">Further frames; the first setting is the program's default: all threads, the widest vectors.</param>
 internal sealed record SceneResult(Scene Scene, SceneTargets Targets, FirstFrameResult First, IReadOnlyList<FurtherFramesResult> Further)
 {
     public Samples DefaultFurtherSeconds => new(Further[0].FrameSeconds);

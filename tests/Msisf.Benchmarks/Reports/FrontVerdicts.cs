@@ -62,10 +62,10 @@ internal static class FrontVerdicts
                 scene.About, "POV-Ray's image, to the thesis's way", min, IsUpperLimit: false, median, best, Unit.Times);
         }
 
-        SettingResult? usual = front.Of(Settings.PovRayDefault);
+        SettingResult? povRay = front.Of(Settings.PovRayDefault);
         if (scene.Settings.Contains(Settings.PovRayDefault) && scene.Settings.Contains(Settings.PovRayFull))
         {
-            double error = usual?.Error?.Grey.Rms / front.Of(Settings.PovRayFull)?.Error?.Grey.Rms ?? double.NaN;
+            double error = povRay?.Error?.Grey.Rms / front.Of(Settings.PovRayFull)?.Error?.Grey.Rms ?? double.NaN;
             yield return new Verdict(
                 scene.About, "rms error of POV-Ray's image, to that at full resolution", MaxOfFullError, IsUpperLimit: true, error, error,
                 Unit.Times);
@@ -73,7 +73,7 @@ internal static class FrontVerdicts
 
         if (TimesFaster.ContainsKey(scene.Name))
         {
-            double disk = usual?.PatternBytes / front.Of(Settings.Thesis)?.PatternBytes ?? double.NaN;
+            double disk = povRay?.PatternBytes / front.Of(Settings.Thesis)?.PatternBytes ?? double.NaN;
             yield return new Verdict(
                 scene.About, "disk for the scene's patterns, to the thesis's", MaxOfThesisBytes, IsUpperLimit: true, disk, disk,
                 Unit.Times);
@@ -81,8 +81,8 @@ internal static class FrontVerdicts
     }
 
     private static (double Median, double Best) Speed(SceneFront front) =>
-        front.Of(Settings.PovRayDefault) is SettingResult usual && front.Of(Settings.Thesis) is SettingResult thesis
-            ? (thesis.Seconds.Median / usual.Seconds.Median, thesis.Seconds.Minimum / usual.Seconds.Minimum)
+        front.Of(Settings.PovRayDefault) is SettingResult povRay && front.Of(Settings.Thesis) is SettingResult thesis
+            ? (thesis.Seconds.Median / povRay.Seconds.Median, thesis.Seconds.Minimum / povRay.Seconds.Minimum)
             : (double.NaN, double.NaN);
 
     /// <summary>Of msis itself in all images by POV-Ray with the program's defaults.</summary>

@@ -3,7 +3,7 @@ using Msisf.Benchmarks.Measures;
 
 namespace Msisf.Benchmarks.Reports;
 
-/// <summary>Compares what was measured with the targets. Times count by their median, memory by its most.</summary>
+/// <summary>Compares what was measured with the targets. Times count by their median, memory by its maximum.</summary>
 internal static class Verdicts
 {
     public static IEnumerable<Verdict> Of(BenchmarkResult result) =>

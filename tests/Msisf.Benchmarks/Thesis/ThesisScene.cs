@@ -18,7 +18,7 @@ internal static class ThesisScene
 
         """;
 
-    /// <summary>POV-Ray's settings of 2012: its usual antialiasing.</summary>
+    /// <summary>POV-Ray's settings of 2012: its default antialiasing.</summary>
     public static IReadOnlyList<string> Options { get; } =
         ["+Q11", "Antialias=On", "Antialias_Depth=3", "Antialias_Threshold=0.3", "Jitter=On", "Jitter_Amount=0.5"];
 

@@ -76,7 +76,7 @@ def rows_of(path):
 
 def plot(results, value, xlabel):
     """A row for each scene, a point for each way."""
-    names = list(results.scenes)
+    names = [name for name in results.scenes if any(value(name, way) for way in WAYS)]
     figure, axes = pyplot.subplots(figsize=(8.5, 0.6 + 0.27 * max(len(names), 2)))
     for way, (label, colour, marker) in WAYS.items():
         points = [(value(name, way), -row) for row, name in enumerate(names) if value(name, way)]

@@ -126,11 +126,11 @@ public sealed class LodLevelsTests
         double[][] radii = [.. Enumerable.Range(0, Threads).Select(_ => new double[64])];
         Thread[] threads = [.. radii.Select(target => new Thread(() =>
         {
-            start.SignalAndWait();
+            start.SignalAndWait(TimeSpan.FromSeconds(60));
             grid.ReadRadii(70, 128, target);
         }))];
         Array.ForEach(threads, thread => thread.Start());
-        Array.ForEach(threads, thread => thread.Join());
+        Assert.All(threads, thread => Assert.True(thread.Join(TimeSpan.FromSeconds(120)), "a thread still reads"));
 
         Assert.Equal(1024 * 1024, source.SamplesRead);
         Assert.All(radii, other => Assert.Equal(radii[0], other));

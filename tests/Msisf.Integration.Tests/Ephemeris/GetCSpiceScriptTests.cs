@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Runtime.Versioning;
 using Msisf.TestSupport;
 using Xunit;
@@ -101,16 +100,10 @@ public sealed class GetCSpiceScriptTests : IDisposable
         File.SetUnixFileMode(curl, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
     }
 
-    private (int ExitCode, string Output, string Errors) Run(string namedLibrary)
+    private ChildRun Run(string namedLibrary) =>
+        ChildRun.Of("bash", [_script], _folder.FullName, environment: new Dictionary<string, string>
     {
-        ProcessStartInfo start = new("bash") { RedirectStandardOutput = true, RedirectStandardError = true };
-        start.ArgumentList.Add(_script);
-        start.Environment["MSISF_CSPICE"] = namedLibrary;
-        start.Environment["PATH"] = Path.Combine(_folder.FullName, "bin") + Path.PathSeparator + start.Environment["PATH"];
-        using Process process = Process.Start(start)!;
-        Task<string> errors = process.StandardError.ReadToEndAsync();
-        string output = process.StandardOutput.ReadToEnd();
-        process.WaitForExit();
-        return (process.ExitCode, output, errors.Result);
-    }
+        ["MSISF_CSPICE"] = namedLibrary,
+        ["PATH"] = $"{Path.Combine(_folder.FullName, "bin")}{Path.PathSeparator}{Environment.GetEnvironmentVariable("PATH")}",
+    });
 }

@@ -20,7 +20,7 @@ public sealed class FitsLayerWriterTests : IDisposable
     {
         string path = _folder.Write("frame.fits", LayerFrame.Fits(layers));
 
-        (_, string output, _) = LayerFrame.Run(TestParts.Program("fitsverify")!, path);
+        string output = ChildRun.Of(TestParts.Program("fitsverify")!, [path], "/").Output;
 
         Assert.Contains("Verification found 0 warning(s) and 0 error(s)", output, StringComparison.Ordinal);
     }
@@ -33,7 +33,7 @@ public sealed class FitsLayerWriterTests : IDisposable
         file[^30000] ^= 1;
         string path = _folder.Write("frame.fits", file);
 
-        (_, string output, _) = LayerFrame.Run(TestParts.Program("fitsverify")!, path);
+        string output = ChildRun.Of(TestParts.Program("fitsverify")!, [path], "/").Output;
 
         Assert.DoesNotContain("found 0 warning(s)", output, StringComparison.Ordinal);
     }

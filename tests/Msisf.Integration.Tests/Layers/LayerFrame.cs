@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Runtime.InteropServices;
 using Msisf.Adapters.Layers;
 using Msisf.Core.Layers;
@@ -58,21 +57,9 @@ internal static class LayerFrame
     public static Dictionary<string, string> Read(string reader, string path, string folder)
     {
         string script = Path.Combine(TestParts.RepositoryRoot, "tests", "Msisf.Integration.Tests", "Layers", "read_layers.py");
-        (int exitCode, string output, string errors) = Run(TestParts.Python!, script, reader, path, folder);
-        return exitCode == 0
-            ? output.Split(
-                '\n', StringSplitOptions.RemoveEmptyEntries).Select(line => line.Split('=', 2)).ToLookup(pair => pair[0], pair => pair[^1])
-                .ToDictionary(group => group.Key, group => group.First())
-            : throw new InvalidOperationException(errors);
-    }
-
-    public static (int ExitCode, string Output, string Errors) Run(string program, params string[] arguments)
-    {
-        ProcessStartInfo start = new(program, arguments) { RedirectStandardError = true, RedirectStandardOutput = true };
-        using Process process = Process.Start(start)!;
-        Task<string> errors = process.StandardError.ReadToEndAsync();
-        string output = process.StandardOutput.ReadToEnd();
-        process.WaitForExit();
-        return (process.ExitCode, output, errors.Result);
+        string output = ChildRun.Of(TestParts.Python!, [script, reader, path, folder], folder).Succeeded().Output;
+        return output.Split(
+            '\n', StringSplitOptions.RemoveEmptyEntries).Select(line => line.Split('=', 2)).ToLookup(pair => pair[0], pair => pair[^1])
+            .ToDictionary(group => group.Key, group => group.First());
     }
 }

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using Msisf.Adapters.Metadata;
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
@@ -81,11 +80,8 @@ public sealed class MetadataXmlTests : IDisposable
 
     private static (int ExitCode, string Errors) Xmllint(params string[] arguments)
     {
-        ProcessStartInfo start = new(TestParts.Program("xmllint")!, ["--noout", "--nonet", .. arguments]) { RedirectStandardError = true };
-        using Process process = Process.Start(start)!;
-        string errors = process.StandardError.ReadToEnd();
-        process.WaitForExit();
-        return (process.ExitCode, errors);
+        ChildRun run = ChildRun.Of(TestParts.Program("xmllint")!, ["--noout", "--nonet", .. arguments], "/");
+        return (run.ExitCode, run.Error);
     }
 
     private void AssertValid(FrameMetadata frame, int spacing) => AssertValid(frame, ExampleFrame.Sampler(frame, spacing));

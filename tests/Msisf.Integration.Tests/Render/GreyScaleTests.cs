@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Globalization;
 using System.Text;
 using Msisf.Core.Render.Photometry;
@@ -62,10 +61,7 @@ public sealed class GreyScaleTests : IDisposable
         string imagePath = Path.Combine(_folder.FullName, "facets.png");
         File.WriteAllText(scenePath, scene.ToString());
         string[] arguments = [scenePath, "+O" + imagePath, $"+W{Facets}", "+H4", "-A", "-D", fileType];
-        using Process process = Process.Start(
-            new ProcessStartInfo(TestParts.Program("povray")!, arguments) { RedirectStandardError = true })!;
-        process.StandardError.ReadToEnd();
-        process.WaitForExit();
+        ChildRun.Of(TestParts.Program("povray")!, arguments, _folder.FullName).Succeeded();
         return PngPixels.Read(imagePath);
     }
 }

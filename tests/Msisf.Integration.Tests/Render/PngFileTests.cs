@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Text;
 using Msisf.Adapters.Render;
 using Msisf.TestSupport;
@@ -18,14 +17,7 @@ public sealed class PngFileTests : IDisposable
         string scene = Path.Combine(_folder.FullName, "grey.pov");
         string image = Path.Combine(_folder.FullName, "grey.png");
         File.WriteAllText(scene, "#version 3.7; global_settings { assumed_gamma 1.0 } background { rgb 0.5 }");
-        ProcessStartInfo start = new(
-            TestParts.Program("povray")!, [scene, "+O" + image, "+W8", "+H4", "-D"]) { RedirectStandardError = true };
-        using (Process process = Process.Start(start)!)
-        {
-            process.StandardError.ReadToEnd();
-            process.WaitForExit();
-        }
-
+        ChildRun.Of(TestParts.Program("povray")!, [scene, "+O" + image, "+W8", "+H4", "-D"], _folder.FullName).Succeeded();
         byte[] original = File.ReadAllBytes(image);
         using MemoryStream copy = new();
         PngHeader header = PngFile.CopyImage(new MemoryStream(original), copy, image);

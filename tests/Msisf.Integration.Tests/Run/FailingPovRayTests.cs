@@ -159,18 +159,12 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
         ];
         ProgramHost host = ConsoleHost.Create(
             TextWriter.Null, error, () => TextReader.Null, TimeProvider.System, Environment.GetEnvironmentVariable);
-        using FileSystemWatcher watcher = new(_folder.Path) { EnableRaisingEvents = true };
-        watcher.Renamed += (_, change) =>
-        {
-            if (change.FullPath == marker)
-            {
-                stop.Cancel();
-            }
-        };
 
-        int exitCode = await Cli.CommandLineProgram.RunAsync(arguments, host, stop.Token);
+        Task<int> run = Task.Run(() => Cli.CommandLineProgram.RunAsync(arguments, host, stop.Token));
+        await Within.Seconds(120, "the stand-in for POV-Ray", () => File.Exists(marker));
+        await stop.CancelAsync();
 
-        Assert.Equal(130, exitCode);
+        Assert.Equal(130, await Within.Seconds(60, "the end of the cancelled run", run));
         int processId = int.Parse(File.ReadAllText(marker), System.Globalization.CultureInfo.InvariantCulture);
         Assert.False(Directory.Exists($"/proc/{processId}"), "POV-Ray still runs");
         AssertHoldsTheManifestOnly();

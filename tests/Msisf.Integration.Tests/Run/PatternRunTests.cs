@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Globalization;
 using System.Text.RegularExpressions;
 using Msisf.TestSupport;
@@ -59,8 +58,8 @@ public sealed class PatternRunTests : IDisposable
     [RequiresFact(Part.Ldem4)]
     public async Task Patterns_FourProcessesAtOnce_MakeEachOnce()
     {
-        ChildRun[] runs = await Task.WhenAll(Enumerable.Range(0, 4).Select(_ => Task.Run(
-            () => ChildRun.Of(Environment.ProcessPath!, PatternsOfTheMoon, _folder.Path).Succeeded())));
+        ChildRun[] runs = await Within.Seconds(600, "four processes at once", Task.WhenAll(Enumerable.Range(0, 4).Select(_ => Task.Run(
+            () => ChildRun.Of(Environment.ProcessPath!, PatternsOfTheMoon, _folder.Path).Succeeded()))));
 
         Assert.Equal(AllPatterns, runs.Sum(run => Made(run.Error)));
         Assert.Equal(AllPatterns, Directory.GetFiles(Path.Combine(_folder["patterns"], "4"), "pattern_*").Length);
@@ -70,16 +69,13 @@ public sealed class PatternRunTests : IDisposable
     public async Task Patterns_KilledAtWork_AreFinishedByTheNext()
     {
         string patterns = Directory.CreateDirectory(Path.Combine(_folder["patterns"], "4")).FullName;
-        TaskCompletionSource some = new(TaskCreationOptions.RunContinuationsAsynchronously);
-        using FileSystemWatcher watcher = new(patterns) { EnableRaisingEvents = true };
-        watcher.Renamed += (_, _) => some.TrySetResult();
-        using Process killed = Process.Start(
-            new ProcessStartInfo(
-                Environment.ProcessPath!, PatternsOfTheMoon) { RedirectStandardError = true, RedirectStandardOutput = true })!;
-        await some.Task;
+        IEnumerable<string> made = Directory.EnumerateFiles(patterns, "pattern_*").Where(
+            path => !path.Contains(".partial", StringComparison.Ordinal));
+        using RunningProgram killed = RunningProgram.Start(Environment.ProcessPath!, PatternsOfTheMoon, _folder.Path);
+        await Within.Seconds(120, "the first pattern of the process that is to be killed", made.Any);
         killed.Kill();
-        await killed.WaitForExitAsync();
-        int finished = Directory.GetFiles(patterns, "pattern_*").Count(path => !path.Contains(".partial", StringComparison.Ordinal));
+        killed.End(TimeSpan.FromSeconds(30));
+        int finished = made.Count();
 
         CommandLineRun next = Msis([.. PatternsOfTheMoon.Skip(1)]);
 

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Globalization;
 using Msisf.Core.Attitude;
 using Msisf.Core.Numerics;
@@ -48,16 +47,7 @@ public sealed class VectorWidthTests : IDisposable
             "16",
             "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder], "--output-name", "view", "--batch",
         ];
-        ProcessStartInfo start = new(Environment.ProcessPath!, arguments) { RedirectStandardError = true };
-        foreach ((string name, string value) in environment)
-        {
-            start.Environment[name] = value;
-        }
-
-        using Process child = Process.Start(start)!;
-        string errors = child.StandardError.ReadToEnd();
-        child.WaitForExit();
-        Assert.True(child.ExitCode == 0, errors);
+        ChildRun.Of(Environment.ProcessPath!, arguments, _folder.Path, environment: environment).Succeeded();
         return [.. Files(folder).Select(File.ReadAllBytes)];
     }
 }

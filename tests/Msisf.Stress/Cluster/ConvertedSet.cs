@@ -33,7 +33,7 @@ internal sealed class ConvertedSet
     /// <summary>Runs the script.</summary>
     public ChildRun Run(IReadOnlyDictionary<string, string>? environment = null)
     {
-        using RunningProgram program = RunningProgram.Start("/bin/sh", [_script], _folder.Path, environment);
+        using RunningProgram program = RunningProgram.Start("/bin/sh", [_script], _folder.Path, environment: environment);
         return program.End(Msis.Limit);
     }
 

@@ -34,7 +34,9 @@ internal sealed class Daemon : IDisposable
         }
 
         _guardian = System.Diagnostics.Process.Start(start)!;
-        Id = int.Parse(_guardian.StandardOutput.ReadLine()!, CultureInfo.InvariantCulture);
+        string? id = Within.Seconds(
+            EndLimit.TotalSeconds, $"the start of {command[0]}", _guardian.StandardOutput.ReadLineAsync()).GetAwaiter().GetResult();
+        Id = int.Parse(id!, CultureInfo.InvariantCulture);
     }
 
     /// <summary>Of the program's process.</summary>
@@ -54,7 +56,7 @@ internal sealed class Daemon : IDisposable
         if (!_guardian.WaitForExit(EndLimit))
         {
             ProcessTable.Kill(Id);
-            _guardian.WaitForExit();
+            _guardian.WaitForExit(EndLimit);
         }
 
         _guardian.Dispose();

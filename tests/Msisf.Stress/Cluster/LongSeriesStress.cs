@@ -78,23 +78,22 @@ public sealed class LongSeriesStress : IStressTest
     private static (double Settled, double Last) Memory(TemporaryFolder folder, FrameSeries series)
     {
         const int FilesOfFrame = 2;
+        const int LinesOfLook = FilesOfFrame * SettledFrame / 10;
         int lines = 0;
         double settled = double.NaN;
         double last = double.NaN;
         int id = 0;
-        using ManualResetEventSlim started = new();
-        using RunningProgram program = Msis.Start(folder.Path, series.Arguments(Output, "--frame-times", Times), _ =>
+        using RunningProgram program = Msis.Start(folder.Path, series.Arguments(Output, "--frame-times", Times), text =>
         {
-            started.Wait();
-            lines++;
-            if (lines % (FilesOfFrame * SettledFrame / 10) == 0 && ProcessTable.MemoryOf(id) is long bytes)
+            int before = lines;
+            lines += text.Count('\n');
+            if (lines / LinesOfLook > before / LinesOfLook && ProcessTable.MemoryOf(id) is long bytes)
             {
                 settled = lines <= FilesOfFrame * SettledFrame ? bytes : settled;
                 last = bytes;
             }
         });
         id = program.Id;
-        started.Set();
         program.End(Msis.Limit).Succeeded();
         return (settled, last);
     }

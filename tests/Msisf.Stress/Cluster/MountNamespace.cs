@@ -1,3 +1,5 @@
+using Msisf.TestSupport;
+
 namespace Msisf.Stress.Cluster;
 
 /// <summary>Runs shell scripts that may mount what only they see, and that is gone with them: as root, or in a user namespace.</summary>

@@ -19,8 +19,8 @@ internal static class Msis
     public static string Program => Path.Combine(TestParts.RepositoryRoot, "msis");
 
     /// <summary>Starts it in a folder.</summary>
-    public static RunningProgram Start(string folder, IReadOnlyList<string> arguments, Action<string>? onLine = null) =>
-        RunningProgram.Start(Program, arguments, folder, onLine: onLine);
+    public static RunningProgram Start(string folder, IReadOnlyList<string> arguments, Action<string>? onOutput = null) =>
+        RunningProgram.Start(Program, arguments, folder, onOutput: onOutput);
 
     /// <summary>Runs it in a folder to its end.</summary>
     public static ChildRun Run(string folder, IReadOnlyList<string> arguments)

@@ -183,7 +183,7 @@ public sealed class SlurmCluster : IDisposable
 
     private ChildRun Run(string command, IReadOnlyList<string> arguments)
     {
-        using RunningProgram program = RunningProgram.Start(FileOf(command)!, arguments, _folder, Environment);
+        using RunningProgram program = RunningProgram.Start(FileOf(command)!, arguments, _folder, environment: Environment);
         return program.End(CallLimit);
     }
 

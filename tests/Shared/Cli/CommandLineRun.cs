@@ -7,7 +7,11 @@ namespace Msisf.TestSupport;
 /// <summary>One call of the program, in this process, and what came of it.</summary>
 internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
 {
+    /// <summary>Far above what any call here takes, even on a busy machine.</summary>
+    private const double LimitSeconds = 600.0;
+
     /// <summary>Runs the program.</summary>
+    /// <exception cref="TimeoutException">It did not end in time; the message has what it was called with.</exception>
     /// <param name="arguments">As <c>main</c> gets them.</param>
     /// <param name="standardInput">What stands on standard input.</param>
     /// <param name="configHome">
@@ -19,7 +23,10 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
         using StringWriter error = new();
         string? Variable(string name) => name == "XDG_CONFIG_HOME" ? configHome : Environment.GetEnvironmentVariable(name);
         ProgramHost host = ConsoleHost.Create(output, error, () => new StringReader(standardInput), TimeProvider.System, Variable);
-        int exitCode = CommandLineProgram.RunAsync(arguments, host).GetAwaiter().GetResult();
+        int exitCode = Within.Seconds(
+            LimitSeconds, $"msis {string.Join(' ', arguments)}", Task.Run(() => CommandLineProgram.RunAsync(arguments, host)))
+            .GetAwaiter()
+            .GetResult();
         return new CommandLineRun(exitCode, output.ToString(), error.ToString());
     }
 }

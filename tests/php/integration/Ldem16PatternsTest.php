@@ -14,17 +14,19 @@ use Msisf\Tests\Support\Parts;
 use Msisf\Tests\Support\ReferencePatterns;
 use Msisf\Tests\Support\ScriptRun;
 use Msisf\Tests\Support\TemporaryFolder;
+use Msisf\Tests\Support\TestLength;
 use PHPUnit\Framework\TestCase;
 
 /**
- * Tiles of a synthetic LDEM_16 at the poles, the seam and one hundred random places. Only their samples are in the table:
+ * Tiles of a synthetic LDEM_16 at the poles, the seam and random places. Only their samples are in the table:
  * the whole model would take minutes.
  */
 final class Ldem16PatternsTest extends TestCase
 {
     private const RESOLUTION = Resolution::Px16;
     private const PRODUCT = 'LDEM_16_SYNTHETIC';
-    private const RANDOM_TILES = 100;
+    private const RANDOM_TILES = 15;
+    private const RANDOM_TILES_OF_LONG_TESTS = 100;
 
     public function testTilesAtPolesSeamAndRandomPlacesAreThoseOfMsis(): void
     {
@@ -58,7 +60,8 @@ final class Ldem16PatternsTest extends TestCase
     {
         $places = [[85, 0], [85, 355], [85, 180], [-90, 0], [-90, 355], [-90, 90], [0, 355], [-5, 355], [0, 0], [40, 355]];
         mt_srand(20120222);
-        for ($i = 0; $i < self::RANDOM_TILES; $i++) {
+        $random = TestLength::of(self::RANDOM_TILES, self::RANDOM_TILES_OF_LONG_TESTS);
+        for ($i = 0; $i < $random; $i++) {
             $places[] = [5 * mt_rand(-18, 17), 5 * mt_rand(0, 71)];
         }
         $tiles = [];

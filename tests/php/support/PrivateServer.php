@@ -73,7 +73,11 @@ final class PrivateServer
     public function kill(): void
     {
         proc_terminate($this->process, 9);
+        $deadline = hrtime(true) + 60_000_000_000;
         while (proc_get_status($this->process)['running']) {
+            if (hrtime(true) > $deadline) {
+                throw new RuntimeException('mariadbd did not end within 60 s of its SIGKILL');
+            }
             usleep(2000);
         }
     }

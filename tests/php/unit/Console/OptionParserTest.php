@@ -31,6 +31,39 @@ final class OptionParserTest extends TestCase
         self::assertSame(['a', '--fast'], self::parse('a', '--', '--fast')->operands);
     }
 
+    /** @dataProvider operands */
+    public function testParseArgumentsWithoutDashesAreOperands(array $arguments, array $expected): void
+    {
+        self::assertSame($expected, self::parse(...$arguments)->operands);
+    }
+
+    public static function operands(): array
+    {
+        return [
+            'between options' => [['a', '--fast', 'b'], ['a', 'b']],
+            'standard input' => [['-'], ['-']],
+            'empty' => [[''], ['']],
+            'two dashes twice' => [['--', '--', 'a'], ['--', 'a']],
+            'two dashes alone' => [['--'], []],
+        ];
+    }
+
+    public function testParseOperandWhereThereAreNoneIsRefused(): void
+    {
+        $this->expectException(UsageException::class);
+        $this->expectExceptionMessage("'a' is not an option. --help lists the options.");
+        (new OptionParser('usage', []))->parse(['a']);
+    }
+
+    public function testParseValueMayBeEmptyOrADash(): void
+    {
+        self::assertSame('', self::parse('--name=')->text('name'));
+        self::assertSame('', self::parse('--name', '')->text('name'));
+        self::assertSame('-', self::parse('--name', '-')->text('name'));
+        self::assertSame('--fast', self::parse('--name=--fast')->text('name'));
+        self::assertTrue(self::parse('--name=')->has('name'));
+    }
+
     /** @dataProvider wrongArguments */
     public function testParseWrongArgumentsAreRefusedByName(array $arguments, string $message): void
     {
@@ -46,6 +79,9 @@ final class OptionParserTest extends TestCase
             'one dash' => [['-fast'], '-fast is not an option'],
             'abbreviated' => [['--cou=1'], '--cou is not an option'],
             'twice' => [['--fast', '--fast'], '--fast is given twice'],
+            'twice in two forms' => [['--count=1', '--count', '1'], '--count is given twice'],
+            'no name' => [['--=1'], '-- is not an option'],
+            'help with a value' => [['--help=1'], '--help=1: this option has no value'],
             'no value' => [['--count'], '--count is missing'],
             'an option as value' => [['--count', '--fast'], '--count has no value'],
             'a flag with a value' => [['--fast=1'], '--fast=1: this option has no value'],
@@ -60,6 +96,18 @@ final class OptionParserTest extends TestCase
         $help = self::parser()->help();
         self::assertMatchesRegularExpression('/^  --count N +How many\. \(default: 3\)$/m', $help);
         self::assertMatchesRegularExpression('/^  --help +Show this text\.$/m', $help);
+    }
+
+    public function testHelpLongNamesAndTextsGoOnInLinesOfTheirOwn(): void
+    {
+        $help = (new OptionParser('usage', [
+            Option::value('name-of-an-option', 'LONG-VALUE', 'Short.'),
+            Option::value('list', 'A', str_repeat('word ', 20), 'end'),
+        ]))->help();
+
+        self::assertStringContainsString("  --name-of-an-option LONG-VALUE\n" . str_repeat(' ', 30) . "Short.\n", $help);
+        self::assertMatchesRegularExpression('/^ {30}(word )+ \(default: end\)$/m', $help);
+        self::assertLessThanOrEqual(100, max(array_map('strlen', explode("\n", $help))));
     }
 
     private static function parse(string ...$arguments): ParsedOptions

@@ -65,6 +65,33 @@ final class ConnectionSettingsTest extends TestCase
         self::assertStringNotContainsString('p4ss', print_r($settings, true));
     }
 
+    /** @dataProvider servers */
+    public function testReadServerIsNamedAsItIsReached(array $environment, string $dataSource, string $server): void
+    {
+        $settings = ConnectionSettings::read(null, ['MSISF_DB_USER' => 'me', ...$environment]);
+
+        self::assertSame([$dataSource, $server], [$settings->dataSource(), $settings->server()]);
+    }
+
+    public static function servers(): array
+    {
+        $socket = ['MSISF_DB_SOCKET' => '/run/db.sock'];
+
+        return [
+            'nothing said' => [[], 'mysql:host=localhost;charset=utf8mb4', 'localhost'],
+            'the first port' => [['MSISF_DB_PORT' => '1'], 'mysql:host=localhost;port=1;charset=utf8mb4', 'localhost:1'],
+            'the last port' => [['MSISF_DB_PORT' => '65535'], 'mysql:host=localhost;port=65535;charset=utf8mb4', 'localhost:65535'],
+            'a socket goes before a host' => [[...$socket, 'MSISF_DB_HOST' => 'h'], 'mysql:unix_socket=/run/db.sock;charset=utf8mb4', '/run/db.sock'],
+        ];
+    }
+
+    public function testReadLongestNameOfADatabaseIsAccepted(): void
+    {
+        $name = str_repeat('a_1', 21) . 'Z';
+
+        self::assertSame($name, ConnectionSettings::read(null, ['MSISF_DB_USER' => 'me', 'MSISF_DB_DATABASE' => $name])->database);
+    }
+
     public function testReadNoUserIsAUsageError(): void
     {
         $this->expectException(UsageException::class);
@@ -87,7 +114,10 @@ final class ConnectionSettingsTest extends TestCase
             'the same for the socket' => [['MSISF_DB_SOCKET' => '/tmp/x;dbname=y'], 'database socket'],
             'SQL in the name' => [['MSISF_DB_DATABASE' => 'a`; DROP DATABASE b; --'], 'database name'],
             'a line end in the name' => [['MSISF_DB_DATABASE' => "a\n"], 'database name'],
+            'a name of 65 letters' => [['MSISF_DB_DATABASE' => str_repeat('a', 65)], 'database name'],
+            'no name' => [['MSISF_DB_DATABASE' => ''], 'database name'],
             'port' => [['MSISF_DB_PORT' => '0'], 'database port'],
+            'port too large' => [['MSISF_DB_PORT' => '65536'], 'database port'],
             'port with a tail' => [['MSISF_DB_PORT' => '3306;x'], 'database port'],
         ];
     }

@@ -25,6 +25,9 @@ final class ServerVersionTest extends TestCase
             ['8.0.36', 'MySQL 8.0.36'],
             ['8.4.0-commercial', 'MySQL 8.4.0'],
             ['8.0.36-28', 'MySQL 8.0.36'],
+            'the oldest MariaDB' => ['10.5.0-MariaDB', 'MariaDB 10.5.0'],
+            'the oldest MySQL' => ['8.0.0', 'MySQL 8.0.0'],
+            'not older than 10.5, as texts would be' => ['10.10.2-mariadb', 'MariaDB 10.10.2'],
         ];
     }
 
@@ -42,6 +45,7 @@ final class ServerVersionTest extends TestCase
             ['5.7.44', 'MySQL 5.7.44 is too old; MariaDB 10.5 or MySQL 8.0, or later, is needed'],
             ['10.4.33-MariaDB', 'MariaDB 10.4.33 is too old'],
             ['5.5.5-10.3.1-MariaDB', 'MariaDB 10.3.1 is too old'],
+            ['8.0', "the server says that its version is '8.0'"],
             ['', "the server says that its version is ''"],
             ["8.0\nDROP", 'the server says that its version is \'8.0\nDROP\''],
         ];

@@ -1,8 +1,7 @@
 using System.Diagnostics;
 using System.Text;
-using Msisf.TestSupport;
 
-namespace Msisf.Stress.Cluster;
+namespace Msisf.TestSupport;
 
 /// <summary>A program that runs beside the test, which may kill it. It does not outlive this object.</summary>
 internal sealed class RunningProgram : IDisposable
@@ -10,36 +9,33 @@ internal sealed class RunningProgram : IDisposable
     private readonly Process _process;
     private readonly StringBuilder _output = new();
     private readonly StringBuilder _error = new();
+    private readonly Task _readers;
 
-    private RunningProgram(ProcessStartInfo start, Action<string>? onLine)
+    private RunningProgram(ProcessStartInfo start, string standardInput, Action<string>? onOutput)
     {
-        _process = new Process { StartInfo = start };
-        _process.OutputDataReceived += (_, line) => Append(_output, line.Data, onLine);
-        _process.ErrorDataReceived += (_, line) => Append(_error, line.Data, null);
-        _process.Start();
-        _process.BeginOutputReadLine();
-        _process.BeginErrorReadLine();
+        _process = Process.Start(start)!;
+        _readers = Task.WhenAll(ReadAsync(_process.StandardOutput, _output, onOutput), ReadAsync(_process.StandardError, _error, null));
+        _process.StandardInput.Write(standardInput);
         _process.StandardInput.Close();
     }
 
     /// <summary>Of the process.</summary>
     public int Id => _process.Id;
 
-    /// <summary>Whether it has ended by itself or was killed.</summary>
-    public bool HasEnded => _process.HasExited;
-
-    /// <summary>Starts a program.</summary>
+    /// <summary>Starts a program. The settings of whoever runs the tests play no part.</summary>
     /// <param name="program">Its file.</param>
     /// <param name="arguments">As its <c>main</c> gets them.</param>
     /// <param name="folder">Its working directory.</param>
+    /// <param name="standardInput">What stands on its standard input.</param>
     /// <param name="environment">Variables that it gets beside this process's own.</param>
-    /// <param name="onLine">Gets each line of standard output as it comes, on another thread.</param>
+    /// <param name="onOutput">Gets what it writes to standard output as it comes, in pieces of any length, on another thread.</param>
     public static RunningProgram Start(
         string program,
         IReadOnlyList<string> arguments,
         string folder,
+        string standardInput = "",
         IReadOnlyDictionary<string, string>? environment = null,
-        Action<string>? onLine = null)
+        Action<string>? onOutput = null)
     {
         ProcessStartInfo start = new(program, arguments)
         {
@@ -48,12 +44,13 @@ internal sealed class RunningProgram : IDisposable
             RedirectStandardError = true,
             WorkingDirectory = folder,
         };
+        start.Environment["XDG_CONFIG_HOME"] = "/no-settings";
         foreach ((string name, string value) in environment ?? new Dictionary<string, string>())
         {
             start.Environment[name] = value;
         }
 
-        return new RunningProgram(start, onLine);
+        return new RunningProgram(start, standardInput, onOutput);
     }
 
     /// <summary>Waits for its end.</summary>
@@ -61,13 +58,12 @@ internal sealed class RunningProgram : IDisposable
     /// <exception cref="TimeoutException">It did; the message has what it said.</exception>
     public ChildRun End(TimeSpan limit)
     {
-        if (!_process.WaitForExit(limit))
+        if (!_process.WaitForExit(limit) || !_readers.Wait(limit)) // what it started may keep its pipes open
         {
             _process.Kill(entireProcessTree: true);
             throw new TimeoutException($"{Call} did not end within {limit}: {Text(_error)}{Text(_output)}");
         }
 
-        _process.WaitForExit(); // and for the end of both pipes
         return new ChildRun(_process.ExitCode, Text(_output), Text(_error));
     }
 
@@ -90,19 +86,18 @@ internal sealed class RunningProgram : IDisposable
 
     private string Call => $"{_process.StartInfo.FileName} {string.Join(' ', _process.StartInfo.ArgumentList)}";
 
-    private static void Append(StringBuilder text, string? line, Action<string>? onLine)
+    private static async Task ReadAsync(StreamReader pipe, StringBuilder text, Action<string>? onText)
     {
-        if (line is null)
+        char[] buffer = new char[4096];
+        for (int count; (count = await pipe.ReadAsync(buffer).ConfigureAwait(false)) > 0;)
         {
-            return;
-        }
+            lock (text)
+            {
+                text.Append(buffer, 0, count);
+            }
 
-        lock (text)
-        {
-            text.Append(line).Append('\n');
+            onText?.Invoke(new string(buffer, 0, count));
         }
-
-        onLine?.Invoke(line);
     }
 
     private static string Text(StringBuilder text)
