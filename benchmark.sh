@@ -89,7 +89,7 @@ install_parts povray matplotlib downloader certificates
 [ -z "$is_stress" ] || install_parts slurm parallel || warn 'going on without them: what needs them is reported as not run'
 scripts/build.sh
 ensure_dotnet
-dotnet build tests/Msisf.Benchmarks -c Release -v quiet -nologo ||
+dotnet build tests/Msisf.Benchmarks -c Release -p:RunAnalyzers=false -v quiet -nologo ||
     die 'the build of the benchmarks failed; the messages above say why'
 get_base
 scripts/get-cspice.sh >/dev/null || say 'Going on without CSPICE, with the built-in kernel reader.'

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Sets up what the tests need and runs every suite. As root, or as a user with sudo; can be run again.
 # The last line is "N passed, N failed" or "N passed, N failed, N skipped". A part that is missing skips its tests by
-# name; with CI=true that fails the run.
+# name; with CI=true that fails the run. tests/README.md says how to run single tests, and the long ones.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
@@ -11,25 +11,35 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 cd "$root"
 require_own_folders
 
-# The suites in their order: scripts/suites/NAME.sh. A new one is added here, and what it needs to install_parts below.
-suites=(style scripts xunit php)
+# The suites, scripts/suites/NAME.sh; of xunit each project by itself. The longest first, so that none runs alone at the
+# end. A new suite is added here, and what it needs to install_parts below; a new project is found by itself.
+suites=('xunit Msisf.Stress.Tests' 'xunit Msisf.Core.Tests' scripts php style)
+for project in $(test_projects); do
+    [[ " ${suites[*]} " == *" $project "* ]] || suites+=("xunit $project")
+done
 
 MSISF_RESULTS=$(mktemp)
 export MSISF_RESULTS
-trap 'rm -f "$MSISF_RESULTS"' EXIT
+trap 'rm -rf "$MSISF_RESULTS" "$MSISF_RESULTS".*' EXIT
 
 install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
     warn 'going on without them: their tests are skipped'
 ensure_dotnet
 
-check build 'dotnet build' dotnet build MSISF.sln -v quiet -nologo
+# Optimized, or the tests take twice as long; the assertions of debug builds stay.
+check build 'dotnet build' dotnet build MSISF.sln -v quiet -nologo -p:Optimize=true
 check build 'scripts/build.sh' scripts/build.sh
+if [ "$(count failed build)" -gt 0 ]; then
+    export MSISF_BUILD_FAILED=1
+fi
 scripts/get-ldem.sh --real-only || warn 'going on without the elevation model: its tests are skipped'
 scripts/get-cspice.sh || warn 'going on without CSPICE: its tests are skipped'
 
+# Side by side, one more than there are cores: many tests wait for other programs.
+say "Running ${#suites[@]} suites side by side; each shows its output when it has ended."
+printf '%s\n' "${suites[@]}" | xargs -P $(($(getconf _NPROCESSORS_ONLN) + 1)) -I '{}' bash scripts/lib/run-suite.sh '{}' || true
 for suite in "${suites[@]}"; do
-    say "== $suite"
-    bash "scripts/suites/$suite.sh" </dev/null || record failed "$suite" 'the suite itself ended early'
+    cat "$MSISF_RESULTS.$suite" >>"$MSISF_RESULTS" || record failed "$suite" 'it was not started'
 done
 
 summarise

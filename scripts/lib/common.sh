@@ -10,6 +10,17 @@ die() {
     exit 1
 }
 
+# within SECONDS COMMAND...: ends a command that hangs, where the system has a timeout.
+within() {
+    local seconds=$1
+    shift
+    if have timeout; then
+        timeout --kill-after=10 "$seconds" "$@"
+    else
+        "$@"
+    fi
+}
+
 have() { command -v "$1" >/dev/null 2>&1; }
 
 # What a run as root has made belongs to root: a later run of another user would fail half way. Checks this folder.

@@ -3,6 +3,11 @@
 
 export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1
 
+# Names of the xunit projects.
+test_projects() {
+    grep -l Microsoft.NET.Test.Sdk tests/*/*.csproj | sed 's|.*/||; s|\.csproj$||'
+}
+
 # Puts an SDK 10.0 on the PATH and into DOTNET_ROOT; fails if there is none.
 find_dotnet() {
     local candidate sdk

@@ -14,7 +14,7 @@ run_test() {
     # the folders that a test works in have a space in their path, as a user's may
     mkdir "$folder/a b"
     # shellcheck disable=SC2016 # expanded by the inner shell
-    (cd "$folder/a b" && bash -euo pipefail -c '. "$1" && "$2"' "$test" "$MSISF_TESTED_ROOT/$file" "$test") \
+    (cd "$folder/a b" && within 600 bash -euo pipefail -c '. "$1" && "$2"' "$test" "$MSISF_TESTED_ROOT/$file" "$test") \
         >"$log" 2>&1 </dev/null || code=$?
     case $code in
         0) record passed scripts "$test" ;;

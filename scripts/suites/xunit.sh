@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Suite: every xunit project, built by test.sh before. One at a time: each uses all cores by itself.
+# Suite: the xunit projects that are named, or all of them; built by test.sh before.
 set -euo pipefail
 . scripts/lib/common.sh
+. scripts/lib/dotnet.sh
 . scripts/lib/results.sh
 
 reports=$PWD/TestResults
@@ -9,15 +10,14 @@ seconds_a_project=900 # a run that hangs must end before the machine's own limit
 
 # run_project NAME: a host that crashes or hangs leaves a report without its tests, so its exit code counts too.
 run_project() {
-    local project=$1 assembly=tests/$1/bin/Debug/net10.0/$1.dll code=0 limit=(env)
+    local project=$1 assembly=tests/$1/bin/Debug/net10.0/$1.dll code=0
     rm -f "$reports/$project.trx"
     # a broken build may leave an assembly of an earlier one, whose results would say nothing of these sources
-    if [ ! -e "$assembly" ] || grep -q '^failed	build	dotnet build$' "$MSISF_RESULTS"; then
+    if [ ! -e "$assembly" ] || [ -n "${MSISF_BUILD_FAILED:-}" ]; then
         record skipped "$project" 'all tests (missing: the build)'
         return 0
     fi
-    ! have timeout || limit=(timeout --kill-after=10 "$seconds_a_project")
-    "${limit[@]}" dotnet test "$assembly" --logger "trx;LogFileName=$project.trx" --results-directory "$reports" ||
+    within "$seconds_a_project" dotnet test "$assembly" --logger "trx;LogFileName=$project.trx" --results-directory "$reports" ||
         code=$?
     record_report "$project" "$reports/$project.trx"
     if [ "$code" -ne 0 ] && [ "$(count failed "$project")" -eq 0 ]; then
@@ -27,8 +27,10 @@ run_project() {
     fi
 }
 
-for file in tests/*/*.csproj; do
-    if grep -q Microsoft.NET.Test.Sdk "$file"; then
-        run_project "$(basename "$file" .csproj)"
-    fi
+if [ $# -eq 0 ]; then
+    # shellcheck disable=SC2046 # names without blanks
+    set -- $(test_projects)
+fi
+for project in "$@"; do
+    run_project "$project"
 done

@@ -28,7 +28,7 @@ PROGRAM
     touch -t 202001010000 clone/quickstart.sh clone/publish/sources clone/input/ldem/*
 }
 
-test_quickstart_renders_three_pictures_once() {
+test_quickstart_renders_three_images_once() {
     make_built_clone
     run clone/quickstart.sh
     assert_code 0

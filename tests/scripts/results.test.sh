@@ -75,7 +75,7 @@ HOST
 }
 
 test_results_broken_build_skips_the_tests_of_an_earlier_one() {
-    record failed build 'dotnet build'
+    export MSISF_BUILD_FAILED=1
     run_xunit_suite <<'HOST'
 #!/bin/sh
 exit 0
@@ -89,4 +89,35 @@ test_results_project_without_a_test_is_a_failure() {
 exit 0
 HOST
     assert_same "$(cat results)" 'failed	X.Tests	no test was found'
+}
+
+# One suite beside others, as test.sh starts it; the suite is standard input.
+run_suite() {
+    mkdir -p scripts/suites
+    cp -R "$MSISF_TESTED_ROOT/scripts/lib" scripts
+    cat >scripts/suites/fake.sh
+    run bash scripts/lib/run-suite.sh "$1"
+}
+
+test_results_of_a_suite_beside_others_go_to_a_file_of_their_own() {
+    run_suite 'fake One.Tests' <<'SUITE'
+. scripts/lib/results.sh
+echo "tested $1"
+record passed "$1" first
+SUITE
+    assert_code 0
+    assert_says '== fake One.Tests: '
+    assert_says 'tested One.Tests'
+    assert_same "$(cat results)" ''
+    assert_same "$(cat 'results.fake One.Tests')" 'passed	One.Tests	first'
+}
+
+test_results_of_a_suite_that_ends_early_are_a_failure() {
+    run_suite fake <<'SUITE'
+echo 'half done'
+exit 3
+SUITE
+    assert_code 0
+    assert_says 'half done'
+    assert_same "$(cat results.fake)" 'failed	fake	the suite itself ended early'
 }

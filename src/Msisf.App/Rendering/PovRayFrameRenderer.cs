@@ -67,7 +67,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         PovRayJob[] jobs = strips.Count == 1
             ? [JobOf(frame, parts, null, threads)]
             : Jobs(frame, parts, strips, threads / strips.Count, cancellation);
-        await _processes.WaitAsync(cancellation).ConfigureAwait(false);
+        await _processes.WaitAsync(cancellation).ConfigureAwait(false); // for another frame's POV-Ray, which has --timeout as its limit
         try
         {
             using Stream image = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);

@@ -23,9 +23,16 @@ internal sealed class BarProgress : IRunProgress
             .Start(context =>
             {
                 started.SetResult(context.AddTask(Markup.Escape(title), maxValue: total));
-                _finished.Wait();
+                _finished.Wait(); // as long as the run takes: Dispose ends it
             }));
-        _bar = started.Task.GetAwaiter().GetResult();
+
+        // Where the terminal can't be drawn on, the drawing fails before it has begun.
+        if (Task.WaitAny(started.Task, _drawing) != 0)
+        {
+            _drawing.GetAwaiter().GetResult();
+        }
+
+        _bar = started.Task.Result;
     }
 
     public void Advance(string name) => _bar.Increment(1.0);

@@ -26,6 +26,7 @@ VIDEO_RATE = 30  # frames a second
 NODES = (1, 16, 1000)
 SERIES = (("45 s of video, as the thesis made", 45 * VIDEO_RATE), ("an hour of video", 3600 * VIDEO_RATE), ("1e6 frames", 1_000_000))
 MEGABYTE = 1e6
+MANIFEST_RATES = (("a local disk", 2600.0), ("a network", 500.0))  # lines a second, docs/scaling.md
 
 
 class Results:
@@ -176,6 +177,8 @@ def scaling(results):
         [f"outputs, {text_of(file_bytes / 1e3)} kB a frame", *(f"{text_of(rate * file_bytes / MEGABYTE, 2)} MB/s" for rate in rates.values())],
         ["outputs of 1e6 frames", *(f"{file_bytes * 1e6 / 1e9:.0f} GB" for _ in rates)],
         ["lines of the manifest", *(f"{text_of(rate)} a second" for rate in rates.values())],
+        *([f"nodes that fill the manifest's lock on {where}, {lines_a_second:,.0f} lines/s", *(f"{lines_a_second / rate:,.0f}" for rate in rates.values())]
+          for where, lines_a_second in MANIFEST_RATES),
         ["nodes that write 1 GB/s", *(f"{1e9 / (rate * file_bytes):,.0f}" for rate in rates.values())],
         [f"nodes that make a live video ({VIDEO_RATE} frames a second)", *(f"{math.ceil(VIDEO_RATE / rate)}" for rate in rates.values())],
     ])

@@ -5,6 +5,7 @@
 """
 import csv
 import pathlib
+import re
 import sys
 
 # What the reader wants to know, and the figure of stress.csv that says it.
@@ -35,19 +36,21 @@ PROMISES = (
 
 
 def text_of(number, unit):
-    """Three digits, as the other tables have it."""
-    return f"{float(number):.3g} {unit if unit != '1' else ''}".rstrip()
+    """Three digits, e.g. 2.8e-8 m; 8 x 2^-53 rad."""
+    text = re.sub(r"e([+-])0", r"e\1", f"{float(number):.3g}")
+    times = "x " if unit[:1].isdigit() else ""
+    return text if unit in ("", "1") else f"{text} {times}{unit}"
 
 
 def table(rows):
     figures = {(row["test"], row["quantity"]): row for row in rows if row["limit"]}
-    lines = ["| what | at most | found | cases | test |", "|---|---|---|---|---|"]
+    lines = ["| what | at most | found | test | its cases |", "|---|---|---|---|---|"]
     for words, test, quantity in PROMISES:
         if (test, quantity) not in figures:
             raise SystemExit(f"promises.py: there is no figure with a limit, \"{quantity}\", of the test {test}")
         row = figures[test, quantity]
         found = text_of(row["worst"], row["unit"]) + (" (**missed**)" if row["verdict"] == "missed" else "")
-        lines.append(f"| {words} | {text_of(row['limit'], row['unit'])} | {found} | {int(row['cases']):,} | [{test}](accuracy-tables.md#{test}) |")
+        lines.append(f"| {words} | {text_of(row['limit'], row['unit'])} | {found} | [{test}](accuracy-tables.md#{test}) | {int(row['cases']):,} |")
     verdicts = [row["verdict"] for row in rows]
     return [*lines, "", f"These are the ones that matter most. Of all {verdicts.count('met') + verdicts.count('missed')} limits {verdicts.count('met')} are met, {verdicts.count('missed')} missed."]
 

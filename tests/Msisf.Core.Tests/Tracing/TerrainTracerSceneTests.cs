@@ -16,14 +16,14 @@ public sealed class TerrainTracerSceneTests
     private const double Ldem4Relief = 11_000.0;
 
     [RequiresFact(Part.Ldem4)]
-    public void Trace_RealModel_IsAsBruteForce() => Compare(MemoryElevationGrid.Ldem4(), Ldem4Relief, 150);
+    public void Trace_RealModel_IsAsBruteForce() => Compare(MemoryElevationGrid.Ldem4(), Ldem4Relief, TestLength.Of(60, 150));
 
     [Theory]
-    [InlineData(16, 60)]
-    [InlineData(64, 20)]
-    [InlineData(512, 2)]
-    public void Trace_RuggedModel_IsAsBruteForce(int pixelsPerDegree, int pixels) =>
-        Compare(FunctionGrid.Rugged(pixelsPerDegree), FunctionGrid.RuggedRelief, pixels);
+    [InlineData(16, 24, 60)]
+    [InlineData(64, 8, 20)]
+    [InlineData(512, 2, 2)]
+    public void Trace_RuggedModel_IsAsBruteForce(int pixelsPerDegree, int pixels, int pixelsInLongForm) =>
+        Compare(FunctionGrid.Rugged(pixelsPerDegree), FunctionGrid.RuggedRelief, TestLength.Of(pixels, pixelsInLongForm));
 
     private static void Compare(IElevationGrid grid, double relief, int pixels)
     {

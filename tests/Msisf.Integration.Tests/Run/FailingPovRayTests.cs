@@ -33,7 +33,7 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
     }
 
     [RequiresFact(Part.Ldem4)]
-    public void Run_PovRayEndsWellWithoutAImage_IsAFailure()
+    public void Run_PovRayEndsWellWithoutAnImage_IsAFailure()
     {
         CommandLineRun run = RunWith("exit 0");
 

@@ -2,7 +2,6 @@ using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
-using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
 using Msisf.Stress.Reference;
 
@@ -15,14 +14,7 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
     /// <summary>m: how far below the reference sphere a camera "in a valley" stands at least.</summary>
     private const double ValleyDepth = 1000.0;
 
-    /// <summary>m: the tracer moves an origin that is farther from the Moon's centre along its ray.</summary>
-    private const double FarOrigin = MoonConstants.ReferenceRadius + MoonConstants.MaxRelief;
-
-    /// <summary>
-    /// m: rounding the moved origin to doubles moves the ray by up to 2e-10 m; so near to an edge either neighbour is right.
-    /// </summary>
-    private const double MovedOrigin = 1e-9;
-
+    private readonly FacetJudge _judge = new(terrain);
     private readonly CaseCount _wrong = new();
     private readonly WorstCase _ratio = new();
     private readonly WorstCase _metres = new();
@@ -61,7 +53,7 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
             : cameras.Passing(position, Nearest(number, random, ground + height));
         Ray ray = input.ToCamera().RayThrough(input.Frame.X, input.Frame.Y);
         bool isHit = terrain.Tracer.TryTrace(ray, out SurfaceHit hit);
-        bool isWrong = IsWrong(ray, isHit, hit);
+        bool isWrong = _judge.IsWrong(ray, isHit ? hit : null);
         _wrong.Note(isWrong, input.ToString);
         if (isHit && !isWrong)
         {
@@ -115,46 +107,12 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
         return zenith;
     }
 
-    /// <summary>The ray as the program has it, against every facet; where the brute force's own rounding shows, 30 digits decide.</summary>
-    private bool IsWrong(Ray ray, bool isHit, SurfaceHit hit)
-    {
-        PreciseVector origin = PreciseVector.From(ray.Origin);
-        PreciseVector direction = PreciseVector.From(ray.Direction);
-        double doubt = ray.Origin.Length > FarOrigin ? MovedOrigin : 0.0;
-        if (isHit && !(hit.PointMoonMe.IsFinite && FacetOf(hit.Facet).Inside(origin, direction) >= -doubt))
-        {
-            return true;
-        }
-
-        if (FirstByBruteForce(origin, direction) is not FacetId first || (isHit && first == hit.Facet))
-        {
-            return false;
-        }
-
-        PreciseFacet other = FacetOf(first);
-        return other.Inside(origin, direction) > doubt
-            && !(isHit && FacetOf(hit.Facet).ParameterOn(origin, direction) < other.ParameterOn(origin, direction));
-    }
-
-    private FacetId? FirstByBruteForce(PreciseVector origin, PreciseVector direction)
-    {
-        // From 1e12 m doubles would know the facets to 1e-4 m: a far origin is moved to the ray's nearest approach less a lunar diameter.
-        double distance = origin.Length.High;
-        double length = direction.Length.High;
-        double approach = -(PreciseVector.Dot(origin, direction) / direction.Length).High;
-        double shift = Math.Max(0.0, Math.Min(approach, distance) - (2.0 * MoonConstants.ReferenceRadius)) / length;
-        (BruteForceMoon.FacetId Facet, double T)? hit = terrain.Facets.FirstHit((origin + (shift * direction)).Rounded, direction.Rounded);
-        return hit is null ? null : TerrainUnderTest.FacetOf(hit.Value.Facet);
-    }
-
-    private PreciseFacet FacetOf(FacetId facet) => PreciseFacet.From(terrain.Vertices.CornersOf(facet));
-
     /// <summary>The point against that of the exact ray on the facet's plane.</summary>
     private void NoteHit(CameraInput input, Ray ray, SurfaceHit hit, double height)
     {
         PreciseCamera camera = input.ToPrecise();
         PreciseVector direction = camera.DirectionThrough(input.Frame.X, input.Frame.Y);
-        PreciseFacet facet = FacetOf(hit.Facet);
+        PreciseFacet facet = terrain.PreciseFacetOf(hit.Facet);
         PreciseVector exact = camera.Position + (facet.ParameterOn(camera.Position, direction) * direction);
         double error = (PreciseVector.From(hit.PointMoonMe) - exact).Length.High;
         double cosine = facet.Cosine(direction);

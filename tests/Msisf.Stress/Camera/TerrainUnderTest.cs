@@ -2,6 +2,7 @@ using Msisf.Core.Mesh;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
+using Msisf.Stress.Reference;
 
 namespace Msisf.Stress.Camera;
 
@@ -16,6 +17,9 @@ internal sealed class TerrainUnderTest(JudgedMoon moon)
     public LatticeVertices Vertices { get; } = new(moon.Grid);
 
     public BruteForceMoon Facets => moon.Facets;
+
+    /// <summary>The facet to 30 digits.</summary>
+    public PreciseFacet PreciseFacetOf(FacetId facet) => PreciseFacet.From(Vertices.CornersOf(facet));
 
     /// <summary>The facet as the program numbers it.</summary>
     public static FacetId FacetOf(BruteForceMoon.FacetId facet) => new(facet.Row - 1, facet.Column, (FacetHalf)facet.Half);

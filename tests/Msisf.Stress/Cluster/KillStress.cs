@@ -24,17 +24,17 @@ public sealed class KillStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        int times = length == StressLength.Full ? 20 : 1;
+        (int native, int program, int povRay) = length == StressLength.Full ? (480, 240, 220) : (12, 6, 6);
         SetJudge judge = new();
         CaseCount unnoticed = new();
-        using KilledSet native = new(frames: 300, size: 64, isPovRay: false);
-        using KilledSet povRay = new(frames: 4, size: 32, isPovRay: true);
-        int kills = Kill(24 * times, "native, msis", new CaseRandom(seed, part: 0), (most, random, what) =>
-            native.Run(most, isPovRayKilled: false, random, judge, unnoticed, what));
-        kills += Kill(12 * times, "POV-Ray, msis", new CaseRandom(seed, part: 1), (most, random, what) =>
-            povRay.Run(most, isPovRayKilled: false, random, judge, unnoticed, what));
-        kills += Kill(11 * times, "POV-Ray itself", new CaseRandom(seed, part: 2), (most, random, what) =>
-            povRay.Run(most, isPovRayKilled: true, random, judge, unnoticed, what));
+        using KilledSet nativeSet = new(frames: 300, size: 64, isPovRay: false);
+        using KilledSet povRaySet = new(frames: 4, size: 32, isPovRay: true);
+        int kills = Kill(native, "native, msis", new CaseRandom(seed, part: 0), (most, random, what) =>
+            nativeSet.Run(most, isPovRayKilled: false, random, judge, unnoticed, what));
+        kills += Kill(program, "POV-Ray, msis", new CaseRandom(seed, part: 1), (most, random, what) =>
+            povRaySet.Run(most, isPovRayKilled: false, random, judge, unnoticed, what));
+        kills += Kill(povRay, "POV-Ray itself", new CaseRandom(seed, part: 2), (most, random, what) =>
+            povRaySet.Run(most, isPovRayKilled: true, random, judge, unnoticed, what));
         return new StressReport(
             Name, kills,
             [.. judge.Figures(), unnoticed.ToFigure("runs that lost a POV-Ray and did not end with exit code 3", string.Empty, 0.0)], []);

@@ -114,7 +114,7 @@ final class SamePatternsTest extends GenerationTestCase
     }
 
     /** The published example of thesis section 9.2. */
-    public function testSceneOfSection92FromPatternsOfTheDatabaseIsTheSamePicture(): void
+    public function testSceneOfSection92FromPatternsOfTheDatabaseIsTheSameImage(): void
     {
         $repository = $this->folder->path('repository');
         self::assertSame(0, $this->generate(['--all', '--jobs=2', '--repository', $repository])->exitCode);

@@ -25,7 +25,7 @@ public sealed class VisibilityPassSceneTests
     private const double OffsetY = -0.375;
 
     [RequiresFact(Part.Ldem4)]
-    public void Run_RealModel_ShowsWhatRaysMeet() => Compare(MemoryElevationGrid.Ldem4(), 100, [.. RenderScenes.Names]);
+    public void Run_RealModel_ShowsWhatRaysMeet() => Compare(MemoryElevationGrid.Ldem4(), TestLength.Of(50, 100), [.. RenderScenes.Names]);
 
     [Fact]
     public void Run_RuggedModel_ShowsWhatRaysMeet() => Compare(FunctionGrid.Rugged(16), 40, [.. RenderScenes.Names]);
