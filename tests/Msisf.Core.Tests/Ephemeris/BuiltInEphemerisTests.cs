@@ -25,13 +25,13 @@ public class BuiltInEphemerisTests
     }
 
     [Theory]
-    [InlineData(0.0)]
-    [InlineData(double.PositiveInfinity)]
-    public void SunPositionMoonMe_NoDirectionFromTheMoon_IsBadInput(double sunX)
+    [InlineData(0.0, Aberration.LightTimeAndStellar)]
+    [InlineData(double.PositiveInfinity, Aberration.None)]
+    public void SunPositionMoonMe_NoDirectionFromTheMoon_IsBadInput(double sunX, Aberration aberration)
     {
         BuiltInEphemeris ephemeris = Make([Position(10, 0, new(sunX, 0.0, 0.0)), Position(301, 0, default)], angles: default);
 
-        Assert.Throws<BadInputException>(() => ephemeris.SunPositionMoonMe(Time, Aberration.LightTimeAndStellar));
+        Assert.Throws<BadInputException>(() => ephemeris.SunPositionMoonMe(Time, aberration));
     }
 
     [Fact]

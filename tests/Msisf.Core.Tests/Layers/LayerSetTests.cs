@@ -37,7 +37,7 @@ public class LayerSetTests
     [Fact]
     public void Parse_UnknownName_NamesAllThatThereAre() =>
         Assert.Contains(
-            "depth, range, z-depth, position, latitude, longitude, height, normal, incidence, emission, phase, illumination-direction, "
+            "depth, range, position, latitude, longitude, height, normal, incidence, emission, phase, illumination-direction, "
                 + "mask, sun-visibility, tile, cell, pixel-scale",
             Assert.Throws<UsageException>(() => LayerSet.Parse("x")).Message,
             StringComparison.Ordinal);
