@@ -28,7 +28,7 @@ public class ManifestAppendBenchmark
     {
         Thread[] writers = [.. Enumerable.Range(0, Writers).Select(_ => new Thread(AppendShare))];
         Array.ForEach(writers, writer => writer.Start());
-        Array.ForEach(writers, writer => writer.Join());
+        Array.ForEach(writers, writer => writer.Join()); // Append waits for the lock for two minutes at most
     }
 
     private void AppendShare()

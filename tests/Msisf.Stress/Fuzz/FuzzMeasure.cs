@@ -24,7 +24,7 @@ internal sealed class FuzzMeasure(IReadOnlyList<IFuzzTarget> turns, string paren
     {
         string folder = Directory.CreateDirectory(Path.Combine(parent, FormattableString.Invariant($"case {number}"))).FullName;
         FuzzCase fuzzCase = turns[number % turns.Count].Make(folder, new CaseRandom(seed, number), isDamaged: true);
-        atOnce.Wait();
+        atOnce.Wait(); // for other cases, which FuzzRunner does not let run for ever
         FuzzRun? run = FuzzRunner.Run(fuzzCase);
         atOnce.Release();
         FuzzFault found = FuzzJudge.Judge(fuzzCase, run);
