@@ -16,8 +16,11 @@ public sealed class LongSeriesStress : IStressTest
     /// <summary>1: a tenth may hold more frames with much ground in sight than another.</summary>
     private const double MaxGrowth = 1.25;
 
-    /// <summary>1: a short series lasts a second or two, in which the machine may have had other work.</summary>
-    private const double MaxGrowthOfShort = 2.0;
+    /// <summary>
+    /// 1: a short series lasts a second or two, in which the machine may have had other work, such as the other tests. A cost that grows with the number of
+    /// frames made would be 19 times as much.
+    /// </summary>
+    private const double MaxGrowthOfShort = 4.0;
 
     /// <summary>s.</summary>
     private const double LongestStatus = 2.0;
