@@ -23,21 +23,21 @@ internal static class PatternHeader
     /// <summary>The header up to the file's length, in ASCII: equal for equal content.</summary>
     /// <param name="layout">What the mesh joins.</param>
     /// <param name="radii">m, one a vertex.</param>
-    /// <param name="wallFootRadius">m: where the mesh's wall ends, if it has one.</param>
+    /// <param name="skirtFootRadius">m: the radius at which the mesh's skirt ends, if it has one.</param>
     /// <param name="productId">The elevation model.</param>
     /// <param name="format">The form of the mesh.</param>
-    public static byte[] WithoutLength(TileMeshLayout layout, double[] radii, double wallFootRadius, string productId, PatternFormat format)
+    public static byte[] WithoutLength(TileMeshLayout layout, double[] radii, double skirtFootRadius, string productId, PatternFormat format)
     {
         string formatName = format == PatternFormat.Mesh2 ? "mesh2" : "mesh";
         SurfacePart part = layout.Part;
         string place = layout.Part == SurfacePart.Whole(part.Tile)
             ? string.Empty
             : string.Create(CultureInfo.InvariantCulture, $" level={part.Level} part={part.Row}_{part.Column}_of_{part.Subdivisions}");
-        string wall = layout.HasWall ? string.Create(CultureInfo.InvariantCulture, $" wall-foot={wallFootRadius:R}") : string.Empty;
+        string skirt = layout.HasSkirt ? string.Create(CultureInfo.InvariantCulture, $" wall-foot={skirtFootRadius:R}") : string.Empty;
         (int vertices, int faces) = TileMesh.CountsOf(layout);
         return Encoding.ASCII.GetBytes(string.Create(
             CultureInfo.InvariantCulture,
-            $"{Mark}{FormatVersion} format={formatName} product={productId} res={layout.PixelsPerDegree} tile={part.Tile.RangeText}{place} margin-samples={layout.MarginSamples}{wall} samples-sha256={Hash(radii)} vertices={vertices} faces={faces} bytes="));
+            $"{Mark}{FormatVersion} format={formatName} product={productId} res={layout.PixelsPerDegree} tile={part.Tile.RangeText}{place} margin-samples={layout.MarginSamples}{skirt} samples-sha256={Hash(radii)} vertices={vertices} faces={faces} bytes="));
     }
 
     /// <summary>SHA-256 over the radii as little-endian doubles in vertex order, in small hexadecimal digits.</summary>

@@ -17,7 +17,7 @@ internal sealed record PatternOrder(string Path, TileMeshLayout Layout, TileMesh
     public Content Read()
     {
         double[] radii = Builder.ReadRadii(Layout);
-        return new Content(this, radii, PatternHeader.WithoutLength(Layout, radii, Builder.WallFootRadius, ProductId, Format));
+        return new Content(this, radii, PatternHeader.WithoutLength(Layout, radii, Builder.SkirtFootRadius, ProductId, Format));
     }
 
     /// <summary>What the file of an order must hold.</summary>

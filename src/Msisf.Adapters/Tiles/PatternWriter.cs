@@ -17,7 +17,7 @@ public static class PatternWriter
     /// <param name="productId">PRODUCT_ID of the elevation model.</param>
     /// <param name="format">The form of the mesh.</param>
     public static void Write(Stream output, TileMesh mesh, string productId, PatternFormat format) =>
-        Write(output, mesh, PatternHeader.WithoutLength(mesh.Layout, mesh.Radii, mesh.WallFootRadius, productId, format), format);
+        Write(output, mesh, PatternHeader.WithoutLength(mesh.Layout, mesh.Radii, mesh.SkirtFootRadius, productId, format), format);
 
     /// <summary>Writes a pattern whose header is known.</summary>
     internal static void Write(Stream output, TileMesh mesh, byte[] headerWithoutLength, PatternFormat format)

@@ -14,7 +14,7 @@ public readonly record struct SurfacePart(TileId Tile, int Level, int Subdivisio
 {
     /// <summary>
     /// Cells to a part's edge: a tile of 16 px/deg has as many. Smaller parts follow the image's borders better, but each costs a file and, where
-    /// levels meet, a wall around it.
+    /// levels meet, a skirt.
     /// </summary>
     public const int DefaultCells = 40;
 

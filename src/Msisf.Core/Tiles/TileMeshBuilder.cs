@@ -29,10 +29,10 @@ public sealed class TileMeshBuilder
         _southPoleRadius = new Lazy<double>(() => FacetMesh.MeanRadius(grid, (180 * grid.PixelsPerDegree) - 1));
     }
 
-    /// <summary>m: where the walls of parts end (<see cref="TileMeshLayout.HasWall"/>), below all ground.</summary>
-    public double WallFootRadius => _grid.RadiusLimits.Min - Skirt.DepthBelowLowest;
+    /// <summary>m: the radius at which the skirts of parts end (<see cref="TileMeshLayout.HasSkirt"/>), below all ground.</summary>
+    public double SkirtFootRadius => _grid.RadiusLimits.Min - Skirt.DepthBelowLowest;
 
-    /// <summary>The radius of each vertex, in vertex order, without those of a wall's foot.</summary>
+    /// <summary>The radius of each vertex, in vertex order, without those of the skirt's foot.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
     /// <returns>m.</returns>
     /// <exception cref="BadInputException">The grid can't give a sample, or gives one that is no radius of the Moon.</exception>
@@ -65,7 +65,7 @@ public sealed class TileMeshBuilder
     /// <exception cref="BadInputException">A radius is too far from the reference radius for the mesh's lattice (more than about 20 km).</exception>
     public TileMesh Build(TileMeshLayout layout, double[] radii)
     {
-        int[] border = layout.HasWall ? Skirt.Border(layout) : [];
+        int[] border = layout.HasSkirt ? Skirt.Border(layout) : [];
         int[] offsets = new int[3 * (radii.Length + border.Length)];
         LatticePoint origin = TileMesh.OriginOf(layout.Part);
         SineCosine[] longitudes = new SineCosine[layout.Samples];
@@ -100,10 +100,10 @@ public sealed class TileMeshBuilder
         foreach (int top in border)
         {
             (SineCosine latitude, SineCosine longitude) = DirectionOf(layout, top, longitudes);
-            Place(offsets, vertex++, layout, WallFootRadius, origin, latitude, longitude);
+            Place(offsets, vertex++, layout, SkirtFootRadius, origin, latitude, longitude);
         }
 
-        return new TileMesh(layout, radii, offsets, [.. layout.CreateFaces(), .. Skirt.Faces(border, radii.Length)], WallFootRadius);
+        return new TileMesh(layout, radii, offsets, [.. layout.CreateFaces(), .. Skirt.Faces(border, radii.Length)], SkirtFootRadius);
     }
 
     private (SineCosine Latitude, SineCosine Longitude) DirectionOf(TileMeshLayout layout, int vertex, SineCosine[] longitudes)

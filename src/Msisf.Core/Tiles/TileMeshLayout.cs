@@ -23,10 +23,10 @@ public readonly record struct TileMeshLayout(
     public bool HasSouthPole => FirstLine + Lines == 180 * PixelsPerDegree;
 
     /// <summary>
-    /// Parts of coarser levels have a wall around them that goes down below the lowest ground of the Moon: where levels meet their surfaces differ, and no
+    /// Parts of coarser levels have a skirt that goes down below the lowest ground of the Moon: where levels meet their surfaces differ, and no
     /// ray can pass between.
     /// </summary>
-    public bool HasWall => Part.Level > 0;
+    public bool HasSkirt => Part.Level > 0;
 
     /// <summary>Vertices of samples and poles.</summary>
     public int VertexCount => (Lines * Samples) + (HasNorthPole ? 1 : 0) + (HasSouthPole ? 1 : 0);

@@ -50,8 +50,8 @@ public class PartMeshTests
             Assert.InRange(mesh.Offsets.Max(Math.Abs), 0, TileMesh.OffsetLimit - 1);
             Assert.All(
                 Enumerable.Range(mesh.Layout.VertexCount, edges),
-                foot => Assert.InRange(mesh.Vertex(foot).PositionMoonMe.Length, mesh.WallFootRadius - 0.01, mesh.WallFootRadius + 0.01));
-            Assert.True(mesh.WallFootRadius < ((IElevationGrid)grid).RadiusLimits.Min);
+                foot => Assert.InRange(mesh.Vertex(foot).PositionMoonMe.Length, mesh.SkirtFootRadius - 0.01, mesh.SkirtFootRadius + 0.01));
+            Assert.True(mesh.SkirtFootRadius < ((IElevationGrid)grid).RadiusLimits.Min);
         }
     }
 

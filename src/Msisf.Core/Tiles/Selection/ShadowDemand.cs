@@ -7,8 +7,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// What must be there only because its shadow may fall on something that is seen, and how coarse it may be: the edge of a shadow moves over level
-/// ground by the caster's difference in height over the tangent of the Sun's elevation.
+/// Tells of ground outside the image whether its shadow may fall on something visible, and how coarse it may be: on level ground the edge of a shadow
+/// moves by the error in the caster's height divided by the tangent of the Sun's elevation.
 /// </summary>
 internal sealed class ShadowDemand
 {
