@@ -12,6 +12,7 @@ fi
 
 report=$PWD/TestResults/php.xml
 code=0
+mkdir -p "${report%/*}"
 rm -f "$report"
 # A run that hangs must end before the machine's own limit ends it without a count.
 within 900 phpunit --configuration tests/php/phpunit.xml --log-junit "$report" || code=$?

@@ -1,14 +1,16 @@
 using System.CommandLine;
-using System.CommandLine.Parsing;
 using Msisf.App.Host;
+using Msisf.App.Settings.Config;
+using Msisf.App.Settings.Specs;
 using Msisf.Cli.Commands;
-using Msisf.Cli.Options.Config;
+using Msisf.Cli.Help;
+using Msisf.Cli.Parsing;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli;
 
 /// <summary>From arguments to an exit code; the one place where failures end.</summary>
-internal static class CommandLineProgram
+internal sealed class CommandLineProgram
 {
     /// <summary>A run that the user ended, as shells have it: 128 + SIGINT.</summary>
     private const int ExitCancelled = 130;
@@ -16,38 +18,26 @@ internal static class CommandLineProgram
     private const int ExitUsage = 1;
     private const int ExitBug = 70;
 
+    private readonly ProgramHost _host;
+    private readonly CommandTree _tree;
+    private OptionValues _values = new([]);
+
+    private CommandLineProgram(ProgramHost host)
+    {
+        _host = host;
+        _tree = new CommandTree((path, command) => HelpText.Write(host.Results, path, command), RunAsync);
+    }
+
     /// <summary>Runs one command.</summary>
     /// <param name="arguments">As <c>main</c> gets them.</param>
     /// <param name="host">The world.</param>
     /// <param name="cancellation">Ends the run, as Ctrl-C does.</param>
     public static async Task<int> RunAsync(IReadOnlyList<string> arguments, ProgramHost host, CancellationToken cancellation = default)
     {
-        RootCommand root = RenderCommand.Create(host);
-        Configuration configuration = new(root, host);
+        CommandLineProgram program = new(host);
         try
         {
-            root.Subcommands.Add(PatternsCommand.Create(host));
-            root.Subcommands.Add(LdemCommand.Create(host));
-            root.Subcommands.Add(CheckCommand.CreateStatus(host));
-            root.Subcommands.Add(CheckCommand.CreateVerify(host));
-            root.Subcommands.Add(MergeCommand.Create(host));
-            root.Subcommands.Add(BatchConvertCommand.Create(host));
-            root.Subcommands.Add(SubmitCommand.Create(host));
-            root.Subcommands.Add(ConfigCommand.Create(configuration, host));
-            ParseResult line = configuration.Parse(arguments);
-            if (line.Errors.Count > 0)
-            {
-                host.Log.Error($"{string.Join(" ", line.Errors.Select(error => error.Message))} See {HelpCall(line)}.");
-                return ExitUsage;
-            }
-
-            InvocationConfiguration invocation = new()
-            {
-                EnableDefaultExceptionHandler = false,
-                Output = host.Results,
-                ProcessTerminationTimeout = Timeout.InfiniteTimeSpan,
-            };
-            return await line.InvokeAsync(invocation, cancellation).ConfigureAwait(false);
+            return await program.RunAsync(arguments, cancellation).ConfigureAwait(false);
         }
         catch (OperationCanceledException)
         {
@@ -56,25 +46,53 @@ internal static class CommandLineProgram
         }
         catch (MsisfException exception)
         {
-            host.Log.Error(configuration.WithOrigin(exception.Message));
+            host.Log.Error(program._values.MessageOf(exception));
             return exception.ExitCode;
         }
         catch (Exception exception)
         {
-            host.Log.Error($"a bug in msis, please report it with the command line and this text: {exception.GetType().Name}: {exception.Message}");
+            host.Log.Error(
+                $"a bug in msis, please report it with the command line and this text: {exception.GetType().Name}: {exception.Message}");
             host.Log.Raw(exception.StackTrace ?? string.Empty);
             return ExitBug;
         }
     }
 
-    private static string HelpCall(ParseResult line)
+    private async Task<int> RunAsync(IReadOnlyList<string> arguments, CancellationToken cancellation)
     {
-        string command = string.Empty;
-        for (SymbolResult? result = line.CommandResult; result is CommandResult { Parent: not null } inner; result = inner.Parent)
+        ParseResult line = _tree.Root.Parse([.. arguments], new ParserConfiguration { ResponseFileTokenReplacer = ResponseFile.TryRead });
+        if (line.Errors.Count > 0)
         {
-            command = $"{inner.Command.Name} {command}";
+            _host.Log.Error($"{string.Join(" ", line.Errors.Select(error => error.Message))} {HelpHint(line)}");
+            return ExitUsage;
         }
 
-        return $"msis {command}--help";
+        InvocationConfiguration invocation = new()
+        {
+            EnableDefaultExceptionHandler = false,
+            Output = _host.Results,
+            ProcessTerminationTimeout = Timeout.InfiniteTimeSpan,
+        };
+        return await line.InvokeAsync(invocation, cancellation).ConfigureAwait(false);
     }
+
+    private Task<int> RunAsync(CommandSpec command, ParseResult line, CancellationToken cancellation)
+    {
+        if (line.Tokens.Count == 0)
+        {
+            HelpText.Write(_host.Results, string.Empty, command);
+            return Task.FromResult(0);
+        }
+
+        StrayOptions.Refuse(line);
+        _values = Configuration.Behind(_tree.ValuesOf(line), command, _host);
+        if (command.Options.FirstOrDefault(option => option.IsRequired && _values.Text(option) is null) is { } missing)
+        {
+            throw new UsageException($"{missing.Name} is required. {HelpHint(line)}");
+        }
+
+        return CommandActions.Of(command)(new CommandCall(_values, [.. line.Tokens.Select(token => token.Value)], _host), cancellation);
+    }
+
+    private string HelpHint(ParseResult line) => $"See {$"msis {_tree.PathOf(line)}".TrimEnd()} --help.";
 }

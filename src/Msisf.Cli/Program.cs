@@ -10,5 +10,6 @@ using PosixSignalRegistration registration = PosixSignalRegistration.Create(Posi
     context.Cancel = true;
     hangUp.Cancel();
 });
-ProgramHost host = ConsoleHost.Create(Console.Out, Console.Error, () => Console.In, TimeProvider.System, Environment.GetEnvironmentVariable);
+ProgramHost host = ConsoleHost.Create(
+    Console.Out, Console.Error, () => Console.In, TimeProvider.System, Environment.GetEnvironmentVariable);
 return await CommandLineProgram.RunAsync(args, host, hangUp.Token).ConfigureAwait(false);

@@ -3,7 +3,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Core;
 
-/// <summary>The checks at the border: what is not finite or out of range gets a <see cref="BadInputException"/> here and never travels on.</summary>
+/// <summary>
+/// The checks at the border: what is not finite or out of range gets a <see cref="BadInputException"/> here and never travels on.
+/// </summary>
 public static class Guard
 {
     /// <summary>Lets a finite number pass.</summary>

@@ -4,27 +4,30 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>Reads the [client] group of an option file of the MySQL and MariaDB clients. A message never shows a line's text.</summary>
+/// <summary>Reads the [client] group of an option file of the MySQL and MariaDB clients. A message never shows a value.</summary>
 internal static partial class ClientOptionFile
 {
     private const UnixFileMode OfOthers = UnixFileMode.GroupRead | UnixFileMode.GroupWrite | UnixFileMode.GroupExecute
         | UnixFileMode.OtherRead | UnixFileMode.OtherWrite | UnixFileMode.OtherExecute;
 
-    /// <summary>The options of the group by name.</summary>
-    /// <exception cref="BadInputException">The file can't be read, others can read its password, or a line is no option.</exception>
+    private static readonly string[] Tls = ["ssl-ca", "ssl-mode", "ssl-verify-server-cert"];
+
+    private static string Supported => $"host, port, socket, {string.Join(", ", Tls)}";
+
+    /// <summary>The options of the group by name, with "-" between words.</summary>
+    /// <exception cref="BadInputException">
+    /// The file can't be read, others can read its password, a line is no option, or an option that changes the connection is not
+    /// supported.
+    /// </exception>
     public static IReadOnlyDictionary<string, string> Read(string path)
     {
-        try
+        return FileErrors.ToBadInput($"{path}: this option file is missing or can't be read", () =>
         {
             Dictionary<string, string> options = Parse(File.ReadAllLines(path), path);
             return options.ContainsKey("password") && !OperatingSystem.IsWindows() && (File.GetUnixFileMode(path) & OfOthers) != 0
                 ? throw new BadInputException($"{path}: holds a password, and other users may read it. Say: chmod 600 on it.")
                 : options;
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new BadInputException($"{path}: this option file is missing or can't be read.", exception);
-        }
+        });
     }
 
     private static Dictionary<string, string> Parse(string[] lines, string path)
@@ -47,7 +50,14 @@ internal static partial class ClientOptionFile
             {
                 if (isClient)
                 {
-                    options[option.Groups["name"].Value] = Unquoted(option.Groups["value"].Value);
+                    string name = option.Groups["name"].Value.Replace('_', '-');
+                    options[name] = Unquoted(option.Groups["value"].Value);
+                    if (OfConnection().IsMatch(name) && !Tls.Contains(name))
+                    {
+                        throw new BadInputException(string.Create(
+                            CultureInfo.InvariantCulture,
+                            $"{path}, line {i + 1}: the option {name} is not supported here. Leave it out; {Supported} say how to connect."));
+                    }
                 }
             }
             else
@@ -61,7 +71,10 @@ internal static partial class ClientOptionFile
         return options;
     }
 
-    /// <summary>The rules of the clients: quotes round a value are left out, " #" begins a comment outside them, backslashes escape.</summary>
+    /// <summary>
+    /// Removes quotes, comments and escapes from a value by the rules of the clients: quotes around a value are dropped, " #" outside them
+    /// begins a comment, backslashes escape.
+    /// </summary>
     private static string Unquoted(string value)
     {
         Match quoted = Quoted().Match(value);
@@ -77,8 +90,14 @@ internal static partial class ClientOptionFile
         });
     }
 
-    [GeneratedRegex(@"\A(?<name>[\w-]+)\s*(?:=\s*(?<value>.*))?\z", RegexOptions.CultureInvariant)]
+    [GeneratedRegex(@"\A(?<name>[0-9A-Za-z_-]+)\s*(?:=\s*(?<value>.*))?\z", RegexOptions.CultureInvariant)]
     private static partial Regex Option();
+
+    /// <summary>
+    /// Options that change the connection: to leave one out unread could mean another server, or one that is not verified.
+    /// </summary>
+    [GeneratedRegex(@"\Aprotocol\z|(?:\A|-)(?:ssl|tls)(?:-|\z)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase)]
+    private static partial Regex OfConnection();
 
     [GeneratedRegex("""\A(?<quote>["'])(?<text>(?:\\.|(?!\k<quote>)[^\\])*)\k<quote>(?:\s*#.*)?\z""", RegexOptions.CultureInvariant)]
     private static partial Regex Quoted();

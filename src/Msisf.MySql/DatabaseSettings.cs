@@ -1,52 +1,122 @@
 using System.Globalization;
+using System.Net;
+using System.Text.RegularExpressions;
 using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>Where the database is and who asks; as for the PHP scripts. The password is in no message.</summary>
-public sealed class DatabaseSettings
+/// <summary>
+/// Where the database is and who asks, read as the PHP scripts read it (docs/database.md). The password is in no message.
+/// </summary>
+public sealed partial class DatabaseSettings
 {
+    /// <summary>Where servers put their socket: Debian's packages, Red Hat's, and a server built from source or on macOS.</summary>
+    internal static readonly IReadOnlyList<string> DefaultSockets =
+        ["/run/mysqld/mysqld.sock", "/var/lib/mysql/mysql.sock", "/tmp/mysql.sock"];
+
     private const string DefaultDatabase = "msisf";
+    private const string LocalHost = "localhost";
 
     private DatabaseSettings(Func<string, string?> valueOf)
     {
-        Socket = valueOf("socket");
-        Host = valueOf("host") ?? "localhost";
-        Port = valueOf("port") is string port ? PortOf(port) : null;
         User = valueOf("user") ?? throw new UsageException(
             "no database user. Give --defaults-file FILE with a [client] group, or set MSISF_DB_USER and MSISF_DB_PASSWORD.");
         Password = valueOf("password") ?? string.Empty;
         Database = DatabaseOf(valueOf("database") ?? DefaultDatabase);
+        Host = HostOf(valueOf("host") ?? LocalHost);
+        Port = valueOf("port") is string port ? PortOf(port) : null;
+        Socket = SocketOf(valueOf("socket"));
+        Tls = TlsSettings.Read(valueOf);
+        if (Socket is not null && Tls.Mode is TlsMode.Required or TlsMode.VerifyIdentity)
+        {
+            throw new BadInputException(
+                $"ssl options are for a server on the network, and this is the socket {Socket}. "
+                + "Leave them out, or give the host by another name than localhost.");
+        }
     }
 
     /// <summary>Path of the server's socket; null for a server on the network.</summary>
     public string? Socket { get; }
 
-    /// <summary>The server's name; means nothing if there is a socket.</summary>
+    /// <summary>The server's name; "localhost" if there is a socket.</summary>
     public string Host { get; }
 
-    /// <summary>The server's port; null for the usual one.</summary>
+    /// <summary>The server's port; null for the default one.</summary>
     public int? Port { get; }
 
-    /// <summary>Who asks.</summary>
+    /// <summary>The database user.</summary>
     public string User { get; }
 
     /// <summary>The database of the tables.</summary>
     public string Database { get; }
 
+    /// <summary>Encryption of the connection.</summary>
+    public TlsSettings Tls { get; }
+
+    /// <summary>The server for messages: its socket, or host and port.</summary>
+    public string Server => Socket ?? (Port is int port ? string.Create(CultureInfo.InvariantCulture, $"{Host}:{port}") : Host);
+
+    /// <summary>Whether the server is on another computer and no option says whether to verify it.</summary>
+    public bool IsUnverified => Socket is null && Tls.Mode == TlsMode.Default && Host != LocalHost
+        && !(IPAddress.TryParse(Host, out IPAddress? address) && IPAddress.IsLoopback(address));
+
     /// <summary>For the connection, never for a message.</summary>
     internal string Password { get; }
 
-    /// <summary>What the option file says; what it leaves out comes from MSISF_DB_HOST, _PORT, _SOCKET, _USER, _PASSWORD, _DATABASE.</summary>
+    /// <summary>
+    /// What the option file says; what it leaves out comes from the environment: MSISF_DB_HOST, _PORT, _SOCKET, ..., _SSL_CA.
+    /// </summary>
     /// <param name="optionFile">Path of a file with a [client] group, as the mysql client reads; null if there is none.</param>
     /// <param name="environment">Gives a variable of the environment; null if it is not set.</param>
     /// <exception cref="BadInputException">The file or a value is wrong.</exception>
     /// <exception cref="UsageException">Nothing names a user.</exception>
     public static DatabaseSettings Read(string? optionFile, Func<string, string?> environment)
     {
-        IReadOnlyDictionary<string, string> file = optionFile is null ? new Dictionary<string, string>() : ClientOptionFile.Read(optionFile);
-        return new DatabaseSettings(name => file.TryGetValue(name, out string? value) ? value : environment($"MSISF_DB_{name.ToUpperInvariant()}"));
+        IReadOnlyDictionary<string, string> file = optionFile is null
+            ? new Dictionary<string, string>()
+            : ClientOptionFile.Read(optionFile);
+        return new DatabaseSettings(name =>
+        {
+            bool mayBeEmpty = name is "password" or "ssl-verify-server-cert";
+            return file.TryGetValue(name, out string? value) && (value.Length > 0 || mayBeEmpty)
+                ? value
+                : environment($"MSISF_DB_{name.Replace('-', '_').ToUpperInvariant()}") is { Length: > 0 } variable ? variable : null;
+        });
     }
+
+    /// <summary>The first that is there; the first of all if none is.</summary>
+    internal static string DefaultSocket(IReadOnlyList<string> places) => places.FirstOrDefault(File.Exists, places[0]);
+
+    /// <summary>As for the clients, localhost is the socket; Windows has none.</summary>
+    private string? SocketOf(string? named)
+    {
+        if (named is not null)
+        {
+            if (named.Any(letter => letter == ';' || char.IsControl(letter)))
+            {
+                throw new BadInputException("database socket: no semicolon or control character can be in its path.");
+            }
+
+            return Host == LocalHost
+                ? named
+                : throw new BadInputException($"database host '{Host}' and socket '{named}' contradict each other. Leave one of them out.");
+        }
+
+        if (Host != LocalHost || OperatingSystem.IsWindows())
+        {
+            return null;
+        }
+
+        return Port is null
+            ? DefaultSocket(DefaultSockets)
+            : throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"database port {Port}: localhost is the server's socket, which has no port. Give host=127.0.0.1, or leave the port out."));
+    }
+
+    private static string HostOf(string text) => HostName().IsMatch(text)
+        ? text.Equals(LocalHost, StringComparison.OrdinalIgnoreCase) ? LocalHost : text
+        : throw new BadInputException($"database host '{text}': the name or address of one host is needed.");
 
     private static int PortOf(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int port) && port is >= 1 and <= 65535
@@ -57,4 +127,7 @@ public sealed class DatabaseSettings
         name.Length is >= 1 and <= 64 && name.All(letter => char.IsAsciiLetterOrDigit(letter) || letter == '_')
             ? name
             : throw new BadInputException($"database name '{name}': 1 to 64 letters, digits or '_' are needed.");
+
+    [GeneratedRegex(@"\A[0-9A-Za-z_.:%-]{1,255}\z", RegexOptions.CultureInvariant)]
+    private static partial Regex HostName();
 }

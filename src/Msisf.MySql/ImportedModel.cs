@@ -5,22 +5,24 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>What the records of the imports (docs/database.md) say about a table; the PHP scripts judge them the same way.</summary>
+/// <summary>Reads what the records of the imports (docs/database.md) say about a table, by the same rules as the PHP scripts.</summary>
 internal static partial class ImportedModel
 {
     private const int FormatVersion = 1;
 
     /// <summary>The model's name for the patterns; the parts of a model above 128 px/deg have the model's name.</summary>
-    /// <param name="connection">Open, to the database of the tables.</param>
+    /// <param name="database">That of the tables.</param>
     /// <param name="table">Name of the table.</param>
     /// <exception cref="BadInputException">Nothing was imported, not all of it, or parts of several models.</exception>
-    public static string ReadProductId(DbConnection connection, string table)
+    /// <exception cref="ExternalPartException">The database failed.</exception>
+    public static string ReadProductId(Database database, string table) => database.Query(
+        "SELECT product_id, state, format_version, rows_done, row_count FROM ldem_import WHERE table_name = @table ORDER BY first_row, "
+            + "first_col",
+        [("@table", table)],
+        reader => ProductId(reader, table));
+
+    private static string ProductId(DbDataReader reader, string table)
     {
-        using DbCommand command = connection.CreateCommand();
-        command.CommandText =
-            "SELECT product_id, state, format_version, rows_done, row_count FROM ldem_import WHERE table_name = @table ORDER BY first_row, first_col";
-        command.AddValue("@table", table);
-        using DbDataReader reader = command.ExecuteReader();
         List<string> names = [];
         while (reader.Read())
         {
@@ -32,10 +34,13 @@ internal static partial class ImportedModel
         string[] distinct = [.. names.Distinct(StringComparer.Ordinal)];
         return distinct switch
         {
-            [] => throw new BadInputException($"table {table}: no elevation model of this resolution is in the database. Import it with scripts/ldem_mysql_insert.php."),
+            [] => throw new BadInputException(
+                $"table {table}: no elevation model of this resolution is in the database. Import it with scripts/ldem_mysql_insert.php."),
             [string name] when ProperName().IsMatch(name) => name,
-            [_] => throw new BadInputException($"table {table}: the record of the import has a product without a proper name. Import it again."),
-            _ => throw new BadInputException($"table {table}: it holds parts of several models ({string.Join(", ", distinct)}). Import each into a database of its own."),
+            [_] => throw new BadInputException(
+                $"table {table}: the record of the import has a product without a proper name. Import it again."),
+            _ => throw new BadInputException($"table {table}: it holds parts of several models ({string.Join(", ", distinct)}). "
+                + $"Import each into a database of its own."),
         };
     }
 
@@ -48,18 +53,20 @@ internal static partial class ImportedModel
         if (format != FormatVersion)
         {
             throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"table {table}: {product} was imported in format {format}, this is {FormatVersion}. Import it again."));
+                CultureInfo.InvariantCulture,
+                $"table {table}: {product} was imported in format {format}, this is {FormatVersion}. Import it again."));
         }
 
         if (state != "complete" || done != all)
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"table {table}: the import of {product} is not complete ({done} of {all} lines, state {state}). Run scripts/ldem_mysql_insert.php again: it goes on where it stopped."));
+                $"table {table}: the import of {product} is not complete ({done} of {all} lines, state {state}). "
+                    + $"Run scripts/ldem_mysql_insert.php again: it goes on where it stopped."));
         }
     }
 
-    /// <summary>The columns are unsigned and of several widths: providers give them different types.</summary>
+    /// <summary>Reads a whole number. The columns are unsigned and of several widths, for which providers use different types.</summary>
     private static int Number(DbDataReader reader, int column) => Convert.ToInt32(reader.GetValue(column), CultureInfo.InvariantCulture);
 
     /// <summary>How NASA names the parts of a model: LDEM_512_00N_45N_000_090.</summary>

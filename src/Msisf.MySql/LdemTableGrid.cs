@@ -1,4 +1,3 @@
-using System.Data.Common;
 using System.Globalization;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
@@ -7,17 +6,17 @@ namespace Msisf.MySql;
 
 /// <summary>
 /// The elevation model that scripts/ldem_mysql_insert.php has put into a table (docs/database.md). Samples are read in runs of a line
-/// and kept for a while, as neighbouring tiles share them. Safe for several threads; each query takes a connection of its own.
+/// and kept for a while, as neighbouring tiles share them. Safe for several threads.
 /// </summary>
 public sealed class LdemTableGrid : IElevationGrid
 {
-    private readonly DbDataSource _source;
+    private readonly Database _database;
     private readonly string _table;
     private readonly RunCache _runs;
 
-    private LdemTableGrid(DbDataSource source, int pixelsPerDegree, string table, string productId)
+    private LdemTableGrid(Database database, int pixelsPerDegree, string table, string productId)
     {
-        _source = source;
+        _database = database;
         _table = table;
         ProductId = productId;
         PixelsPerDegree = pixelsPerDegree;
@@ -33,16 +32,16 @@ public sealed class LdemTableGrid : IElevationGrid
     private int LineSamples => 360 * PixelsPerDegree;
 
     /// <summary>Opens the model of a resolution.</summary>
-    /// <param name="source">Connections to the database of the tables; the caller keeps it, and disposes of it last.</param>
+    /// <param name="database">That of the tables; the caller keeps it, and disposes of it last.</param>
     /// <param name="pixelsPerDegree">The resolution, at least 1.</param>
     /// <exception cref="BadInputException">The model was not imported, or not all of it.</exception>
     /// <exception cref="ExternalPartException">The database can't be reached, or refuses.</exception>
-    public static LdemTableGrid Open(DbDataSource source, int pixelsPerDegree)
+    public static LdemTableGrid Open(Database database, int pixelsPerDegree)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
         string table = string.Create(CultureInfo.InvariantCulture, $"ldem_{pixelsPerDegree}");
-        string productId = Ask(source, connection => ImportedModel.ReadProductId(connection, table));
-        return new LdemTableGrid(source, pixelsPerDegree, table, productId);
+        string productId = ImportedModel.ReadProductId(database, table);
+        return new LdemTableGrid(database, pixelsPerDegree, table, productId);
     }
 
     /// <inheritdoc/>
@@ -81,39 +80,24 @@ public sealed class LdemTableGrid : IElevationGrid
         return (minimum, maximum);
     }
 
-    private static T Ask<T>(DbDataSource source, Func<DbConnection, T> question)
-    {
-        try
+    private double[] ReadRun(int line, int firstSample, int count) => _database.Query(
+        $"SELECT planetary_radius FROM {_table} WHERE row_index = @row AND col_index BETWEEN @first AND @last ORDER BY col_index",
+        [("@row", line), ("@first", firstSample), ("@last", firstSample + count - 1)],
+        reader =>
         {
-            using DbConnection connection = source.OpenConnection();
-            return question(connection);
-        }
-        catch (DbException exception)
-        {
-            throw new ExternalPartException($"database: {exception.Message.ReplaceLineEndings(" ")} Check that the server runs, and the user's name, password and rights.", exception);
-        }
-    }
+            double[] radii = new double[count];
+            int found = 0;
+            while (reader.Read() && found < count)
+            {
+                radii[found++] = reader.GetDouble(0);
+            }
 
-    private double[] ReadRun(int line, int firstSample, int count) => Ask(_source, connection =>
-    {
-        using DbCommand command = connection.CreateCommand();
-        command.CommandText = $"SELECT planetary_radius FROM {_table} WHERE row_index = @row AND col_index BETWEEN @first AND @last ORDER BY col_index";
-        command.AddValue("@row", line);
-        command.AddValue("@first", firstSample);
-        command.AddValue("@last", firstSample + count - 1);
-        using DbDataReader reader = command.ExecuteReader();
-        double[] radii = new double[count];
-        int found = 0;
-        while (reader.Read() && found < count)
-        {
-            radii[found++] = reader.GetDouble(0);
-        }
-
-        // The key is (row, column): as many rows as samples are those samples.
-        return found == count ? radii : throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
-            $"table {_table}: only {found} of {count} samples of line {line + 1} from sample {firstSample + 1} on are there. Import the product that has them, or run scripts/ldem_mysql_insert.php --verify."));
-    });
+            // The key is (row, column): as many rows as samples are those samples.
+            return found == count ? radii : throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"table {_table}: only {found} of {count} samples of line {line + 1} from sample {firstSample + 1} on are there. "
+                    + $"Import the product that has them, or run scripts/ldem_mysql_insert.php --verify."));
+        });
 
     private void CheckBlock(int firstLine, int lines, int firstSample, int samples)
     {

@@ -6,33 +6,46 @@ using Msisf.Core.Errors;
 namespace Msisf.MySql;
 
 /// <summary>
-/// Connects to MySQL and MariaDB. The one place that names the package MySqlConnector: it is not in every registry, so it is looked for
-/// when it is needed, in a folder of its own beside the program; the build puts it there where the package restores.
+/// The provider of connections to MySQL and MariaDB. The one place that names the package MySqlConnector: it is not in every registry, so
+/// it is looked for when it is needed, in a folder of its own beside the program; the build puts it there where the package restores.
 /// </summary>
-public static class MySqlProvider
+internal static class MySqlProvider
 {
     private const string Library = "MySqlConnector.dll";
     private const string Factory = "MySqlConnector.MySqlConnectorFactory";
 
-    /// <summary>A source of connections; nothing is connected yet.</summary>
-    /// <param name="settings">Where the database is.</param>
+    /// <summary>Connections that lie in the pool for no longer than this are taken to be open, s; a server ends them after hours.</summary>
+    private const string IdlePingSeconds = "30";
+
+    /// <summary>Loads the package.</summary>
     /// <param name="folder">Folder of the package's files.</param>
-    /// <exception cref="ExternalPartException">This build is without the package.</exception>
-    public static DbDataSource Open(DatabaseSettings settings, string folder)
+    /// <exception cref="ExternalPartException">This build is without the package, or its files are damaged.</exception>
+    public static DbProviderFactory Load(string folder)
     {
         string path = Path.GetFullPath(Path.Combine(folder, Library));
         if (!File.Exists(path))
         {
-            throw new ExternalPartException($"this build of msis has no MySqlConnector ({path} is missing), so it can't read a database. Use scripts/generate_pattern.php, or build where the package MySqlConnector can be restored.");
+            throw new ExternalPartException(
+                $"this build of msis has no MySqlConnector ({path} is missing), so it can't read a database. "
+                    + $"Use scripts/generate_pattern.php, or run scripts/build.sh where the package MySqlConnector can be restored.");
         }
 
-        object? factory = Assembly.LoadFrom(path).GetType(Factory)?.GetField("Instance")?.GetValue(null);
-        return factory is DbProviderFactory provider
-            ? provider.CreateDataSource(ConnectionString(settings))
-            : throw new ExternalPartException($"{path}: has no {Factory}; another version of MySqlConnector is needed. Build msis again.");
+        try
+        {
+            return Assembly.LoadFrom(path).GetType(Factory)?.GetField("Instance")?.GetValue(null) as DbProviderFactory
+                ?? throw new TypeLoadException($"it has no {Factory}");
+        }
+        catch (Exception exception)
+        {
+            throw DatabaseFailure.OfProvider(exception, path);
+        }
     }
 
-    private static string ConnectionString(DatabaseSettings settings)
+    /// <summary>The settings in the words of the provider.</summary>
+    /// <remarks>
+    /// No statement changes a session's state, so a connection from the pool is used as it is, without the two statements that reset it.
+    /// </remarks>
+    public static string ConnectionString(DatabaseSettings settings)
     {
         DbConnectionStringBuilder builder = new()
         {
@@ -40,6 +53,8 @@ public static class MySqlProvider
             ["User ID"] = settings.User,
             ["Password"] = settings.Password,
             ["Database"] = settings.Database,
+            ["Connection Reset"] = "false",
+            ["Connection Idle Ping Time"] = IdlePingSeconds,
         };
         if (settings.Socket is not null)
         {
@@ -48,6 +63,21 @@ public static class MySqlProvider
         else if (settings.Port is int port)
         {
             builder["Port"] = port.ToString(CultureInfo.InvariantCulture);
+        }
+
+        if (settings.Tls.Mode != TlsMode.Default)
+        {
+            builder["SSL Mode"] = settings.Tls.Mode switch
+            {
+                TlsMode.Disabled => "None",
+                TlsMode.Required => "Required",
+                _ => "VerifyFull",
+            };
+        }
+
+        if (settings.Tls.CertificateAuthority is string authority)
+        {
+            builder["SslCa"] = Path.GetFullPath(authority);
         }
 
         return builder.ConnectionString;

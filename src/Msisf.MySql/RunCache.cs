@@ -1,12 +1,16 @@
 namespace Msisf.MySql;
 
-/// <summary>Keeps the runs of samples that were read last. A run is part of a line; each is read once, also if several threads want it.</summary>
+/// <summary>
+/// Caches the runs of samples that were read last. A run is a part of a line; each is read once, even if several threads want it.
+/// </summary>
 internal sealed class RunCache
 {
-    /// <summary>Samples: a query's fixed costs are small beside them, and a tile of 512 px/deg needs no more than two in a line.</summary>
+    /// <summary>
+    /// Samples of a run: a query's fixed costs are small beside them, and a tile of 512 px/deg needs no more than two runs in a line.
+    /// </summary>
     private const int RunSamples = 8192;
 
-    /// <summary>Bytes of radii: a row of tiles at 64 px/deg.</summary>
+    /// <summary>Bytes of the cache: enough for a row of tiles at 64 px/deg.</summary>
     private const long Budget = 256L << 20;
 
     private readonly Lock _gate = new();
@@ -24,7 +28,7 @@ internal sealed class RunCache
         _read = read;
     }
 
-    /// <summary>The samples from one on, to the end of its run; at least that one.</summary>
+    /// <summary>The samples from a given one to the end of its run; at least that one.</summary>
     public ReadOnlySpan<double> From(int line, int sample)
     {
         int first = sample / RunSamples * RunSamples;

@@ -1,32 +1,38 @@
 using System.Reflection;
 using System.Reflection.Metadata;
 using System.Reflection.PortableExecutable;
-using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 using Xunit;
 
 namespace Msisf.Architecture.Tests;
 
-/// <summary>Cli uses Adapters uses Core, never back; Core is pure; native calls live in one namespace.</summary>
+/// <summary>Cli uses App uses Adapters and MySql use Core, never back; Core is pure; native calls live in one namespace.</summary>
 public sealed class LayerTests
 {
     /// <summary>The compiler puts it into every iterator method.</summary>
     private const string UsedByEachIterator = "System.Environment.get_CurrentManagedThreadId";
 
-    private static readonly Assembly Core = typeof(MsisfException).Assembly;
-    private static readonly Assembly Adapters = typeof(AtomicFile).Assembly;
-    private static readonly Assembly Cli = Assembly.Load("msis");
+    private static readonly Assembly Core = Assembly.Load("Msisf.Core");
+    private static readonly Assembly[] Own = [.. (
+        (string[])["Msisf.Core", "Msisf.Synthesis", "Msisf.Adapters", "Msisf.MySql", "Msisf.App", "msis"]).Select(Assembly.Load)];
+
+    /// <summary>Each names all that it may use of ours, and uses it: a reference that nothing needs is not in the assembly.</summary>
+    [Theory]
+    [InlineData("Msisf.Core", "")]
+    [InlineData("Msisf.Synthesis", "Msisf.Core")]
+    [InlineData("Msisf.Adapters", "Msisf.Core Msisf.Synthesis")]
+    [InlineData("Msisf.MySql", "Msisf.Core")]
+    [InlineData("Msisf.App", "Msisf.Adapters Msisf.Core Msisf.MySql")]
+    public void Assemblies_Reference_OnlyLayersBelow(string name, string expected) =>
+        Assert.Equal(expected, string.Join(' ', ReferencesOf(Assembly.Load(name)).Where(IsOurs).Order(StringComparer.Ordinal)));
 
     [Fact]
-    public void Core_References_NothingOfOurs() =>
-        Assert.DoesNotContain(Core.GetReferencedAssemblies(), name => name.Name is "Msisf.Adapters" or "msis");
+    public void Cli_References_TheApplication() => Assert.Contains("Msisf.App", ReferencesOf(Assembly.Load("msis")));
 
-    [Fact]
-    public void Adapters_References_CoreButNotCli()
-    {
-        Assert.Contains(Adapters.GetReferencedAssemblies(), name => name.Name == "Msisf.Core");
-        Assert.DoesNotContain(Adapters.GetReferencedAssemblies(), name => name.Name == "msis");
-    }
+    [Theory]
+    [InlineData("System.CommandLine")]
+    [InlineData("Spectre.Console")]
+    public void CommandLineLibraries_AreUsed_InCliOnly(string library) =>
+        Assert.Equal(["msis"], Own.Where(assembly => ReferencesOf(assembly).Contains(library)).Select(assembly => assembly.GetName().Name));
 
     [Fact]
     public void Core_References_OnlyTheRuntimeAndMathNet() =>
@@ -44,18 +50,19 @@ public sealed class LayerTests
     [InlineData("System.TimeProvider")]
     [InlineData("System.Random")]
     [InlineData("System.Net.Http.HttpClient")]
-    public void Core_DoesNotUse_TheWorld(string forbidden) =>
+    public void CoreAndSynthesis_DoNotUse_TheWorld(string forbidden) =>
         Assert.DoesNotContain(
-            MembersUsedBy(Core),
+            MembersUsedBy(Core).Concat(MembersUsedBy(Assembly.Load("Msisf.Synthesis"))),
             member => member.StartsWith($"{forbidden}.", StringComparison.Ordinal) && member != UsedByEachIterator);
 
     [Fact]
     public void NativeCalls_Live_InTheInteropNamespaceOnly()
     {
         IEnumerable<MethodInfo> native =
-            from assembly in (Assembly[])[Core, Adapters, Cli]
+            from assembly in Own
             from type in assembly.GetTypes()
-            from method in type.GetMethods(BindingFlags.Static | BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)
+            from method in type.GetMethods(
+                BindingFlags.Static | BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly)
             where method.Attributes.HasFlag(MethodAttributes.PinvokeImpl)
             select method;
 
@@ -63,6 +70,10 @@ public sealed class LayerTests
         Assert.NotEmpty(found);
         Assert.All(found, method => Assert.StartsWith("Msisf.Adapters.Interop", method.DeclaringType!.FullName, StringComparison.Ordinal));
     }
+
+    private static bool IsOurs(string name) => name.StartsWith("Msisf.", StringComparison.Ordinal) || name == "msis";
+
+    private static IEnumerable<string> ReferencesOf(Assembly assembly) => assembly.GetReferencedAssemblies().Select(name => name.Name!);
 
     private static IReadOnlyList<string> MembersUsedBy(Assembly assembly)
     {

@@ -10,19 +10,41 @@ public sealed partial class SourceRuleTests
     /// <summary>STYLE: a file has one purpose and stays under about 200 lines; past this it has two jobs.</summary>
     private const int LongestFile = 300;
 
-    private static readonly string[] Sources =
-    [
-        .. Directory.EnumerateFiles(Path.Combine(TestParts.RepositoryRoot, "src"), "*.cs", SearchOption.AllDirectories)
-            .Where(path => !path.Contains("/obj/", StringComparison.Ordinal)),
-    ];
+    /// <summary>As .editorconfig has it (max_line_length), which only editors keep.</summary>
+    private const int LongestLine = 140;
+
+    private static readonly string[] Sources = FilesUnder("src");
 
     [Fact]
     public void Files_AreShort() =>
         Assert.All(Sources, path => Assert.True(File.ReadLines(path).Count() <= LongestFile, $"{path} is longer than {LongestFile} lines"));
 
     [Fact]
+    public void Lines_AreShort() =>
+        Assert.All(
+            Sources.Concat(FilesUnder("tests")),
+            path => Assert.DoesNotContain(File.ReadLines(path), line => line.Length > LongestLine));
+
+    [Fact]
     public void Sources_HaveNoRegionsAndNoTodo() =>
         Assert.All(Sources, path => Assert.DoesNotMatch(RegionOrTodo(), File.ReadAllText(path)));
+
+    /// <summary>Arguments pass without a shell, pipes are drained and children are ended in one place.</summary>
+    [Fact]
+    public void OtherPrograms_AreStarted_InOnePlaceOnly() =>
+        Assert.Equal(
+            ["src/Msisf.Adapters/Programs/ChildProgram.cs"],
+            Sources.Where(path => File.ReadAllText(path).Contains("ProcessStartInfo", StringComparison.Ordinal))
+                .Select(path => Path.GetRelativePath(TestParts.RepositoryRoot, path)));
+
+    /// <summary>Which exceptions say that the file system refuses is written in one place.</summary>
+    [Fact]
+    public void FileErrors_AreNamed_InOnePlaceOnly() =>
+        Assert.Equal(
+            ["src/Msisf.Core/Errors/FileErrors.cs"],
+            Sources.Where(
+                path => File.ReadAllText(path).Contains("is IOException or UnauthorizedAccessException", StringComparison.Ordinal))
+                .Select(path => Path.GetRelativePath(TestParts.RepositoryRoot, path)));
 
     /// <summary>The crater profile's published fits are in km.</summary>
     [Fact]
@@ -33,6 +55,12 @@ public sealed partial class SourceRuleTests
                 && !path.EndsWith("PovSceneWriter.cs", StringComparison.Ordinal)
                 && !path.EndsWith("CraterProfile.cs", StringComparison.Ordinal)),
             path => Assert.DoesNotMatch(KilometreName(), File.ReadAllText(path)));
+
+    private static string[] FilesUnder(string folder) =>
+    [
+        .. Directory.EnumerateFiles(Path.Combine(TestParts.RepositoryRoot, folder), "*.cs", SearchOption.AllDirectories)
+            .Where(path => !path.Contains("/obj/", StringComparison.Ordinal)),
+    ];
 
     [GeneratedRegex(@"^\s*#region|\bTODO\b|\bFIXME\b|\bHACK\b", RegexOptions.Multiline)]
     private static partial Regex RegionOrTodo();

@@ -17,7 +17,9 @@ internal sealed class BenchmarkOptions
         Names = values["--scenes"].LastOrDefault() is string names
             ? names.Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
             : isQuick ? Scenes.QuickNames : [.. Scenes.All.Select(scene => scene.Name), Scenes.FromNothing, Scenes.Sequence];
-        Chosen = [.. Names.Where(name => name is not (Scenes.Sequence or Scenes.FromNothing)).Select(Scenes.Named).Select(scene => isQuick ? Quick(scene) : scene)];
+        Chosen = [.. Names.Where(
+            name =>
+                name is not (Scenes.Sequence or Scenes.FromNothing)).Select(Scenes.Named).Select(scene => isQuick ? Quick(scene) : scene)];
     }
 
     /// <summary>The repository's folder.</summary>
@@ -83,7 +85,8 @@ internal sealed class BenchmarkOptions
         ? Msisf.Stress.StressTests.All
         : [.. names.Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).Select(name =>
             Msisf.Stress.StressTests.All.FirstOrDefault(test => test.Name == name)
-                ?? throw new BenchmarkException($"there is no stress test {name}; known: {string.Join(", ", Msisf.Stress.StressTests.All.Select(test => test.Name))}."))];
+                ?? throw new BenchmarkException($"there is no stress test {name}; known: "
+                    + $"{string.Join(", ", Msisf.Stress.StressTests.All.Select(test => test.Name))}."))];
 
     private static Scene Quick(Scene scene) => scene with { Settings = [.. scene.Settings.Intersect(Settings.Default)] };
 

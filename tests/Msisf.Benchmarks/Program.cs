@@ -11,11 +11,16 @@ using Msisf.Stress;
 
 // benchmark.sh is the way to start it.
 const string Usage = """
-    measure     [--quick] [--scenes NAME,...] --root DIR --folder DIR --model LABEL...    measures; writes tables.md, figures.csv, targets.csv
-    resolutions [--quick] [--scenes NAME,...]                                             prints which elevation models that needs, px/deg
-    fill        LABEL                                                                     completes a part of a model by flat ground
-    stress      [--quick] [--tests NAME,...] --folder DIR                                 runs stress tests; writes tables.md, stress.csv, stress_machine.csv, stress_series.csv
-    micro       [BenchmarkDotNet's options]                                               micro-benchmarks
+    measure     [--quick] [--scenes NAME,...] --root DIR --folder DIR --model LABEL...
+                measures; writes tables.md, figures.csv, targets.csv
+    resolutions [--quick] [--scenes NAME,...]
+                prints which elevation models that needs, px/deg
+    fill        LABEL
+                completes a part of a model by flat ground
+    stress      [--quick] [--tests NAME,...] --folder DIR
+                runs stress tests; writes tables.md, stress.csv, stress_machine.csv, stress_series.csv
+    micro       [BenchmarkDotNet's options]
+                micro-benchmarks
     """;
 try
 {
@@ -27,14 +32,19 @@ try
             ResultFiles.Write(options.Folder, result);
             return 0;
         case "resolutions":
-            Console.WriteLine(string.Join(' ', BenchmarkOptions.Parse(args.Skip(1)).Resolutions.Select(resolution => resolution.ToString(CultureInfo.InvariantCulture))));
+            Console.WriteLine(
+                string.Join(
+                    ' ',
+                    BenchmarkOptions.Parse(args.Skip(1)).Resolutions.Select(
+                        resolution => resolution.ToString(CultureInfo.InvariantCulture))));
             return 0;
         case "fill" when args.Length == 2:
             FlatGround.Fill(args[1]);
             return 0;
         case "stress":
             BenchmarkOptions stressOptions = BenchmarkOptions.Parse(args.Skip(1));
-            StressResult stressResult = StressRun.Measure(stressOptions.IsQuick ? StressLength.Everyday : StressLength.Full, stressOptions.StressTests, Console.Out);
+            StressResult stressResult = StressRun.Measure(
+                stressOptions.IsQuick ? StressLength.Everyday : StressLength.Full, stressOptions.StressTests, Console.Out);
             StressFiles.Write(stressOptions.Folder, stressResult);
             return 0;
         case "micro":

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.TestSupport;
 using Xunit;
@@ -44,7 +45,8 @@ public sealed class PyramidCommandTests : IDisposable
         CommandLineRun run = CommandLineRun.Of(["ldem", "pyramid", _label, "--verify"]);
 
         Assert.Equal(2, run.ExitCode);
-        Assert.Contains("LDEM_4_SYNTHETIC.pyramid: it is damaged, or no pyramid of this version; it is not used.", run.Error, StringComparison.Ordinal);
+        Assert.Contains(
+            "LDEM_4_SYNTHETIC.pyramid: it is damaged, or no pyramid of this version; it is not used.", run.Error, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -55,8 +57,10 @@ public sealed class PyramidCommandTests : IDisposable
         File.WriteAllText(Sidecar, "not a pyramid");
         CommandLineRun run = CommandLineRun.Of(
         [
-            "--fixed-state", "{55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1}", "--ignore-sun", "--fov", "1", "--width", "8", "--height", "8", "--lod", levels, "--ldem", _label,
-            "--pattern-repos", Path.Combine(_folder.Path, "patterns"), "--output-dir", Path.Combine(_folder.Path, "out"), "--pov-path", "/bin/false", "--batch",
+            "--fixed-state", "{55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1}", "--ignore-sun", "--fov", "1", "--width",
+            "8", "--height", "8", "--lod", levels, "--ldem", _label,
+            "--pattern-repos", Path.Combine(_folder.Path, "patterns"), "--output-dir", Path.Combine(_folder.Path, "out"), "--pov-path",
+            "/bin/false", "--batch",
         ]);
 
         Assert.Equal(3, run.ExitCode); // that is no POV-Ray

@@ -16,7 +16,9 @@ internal static class RefusedRun
         CommandLineRun run = CommandLineRun.Of(WithOutputFolder(folder, arguments));
 
         Assert.True(exitCode == run.ExitCode, $"exit code {run.ExitCode}, expected {exitCode}: {run.Error}");
-        string error = Assert.Single(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), line => line.StartsWith("msis: error: ", StringComparison.Ordinal));
+        string error = Assert.Single(
+            run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries),
+            line => line.StartsWith("msis: error: ", StringComparison.Ordinal));
         Assert.Contains(message, error, StringComparison.Ordinal);
         Assert.DoesNotContain("   at ", run.Error, StringComparison.Ordinal);
         Assert.Empty(Directory.EnumerateFileSystemEntries(folder.Path));

@@ -174,7 +174,8 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("# only this\n", 4, "no state in it", "MJD rx ry rz")]
     public void Run_WrongBatchFile_NamesLineAndColumn(string content, int exitCode, string place, string message)
     {
-        CommandLineRun run = CommandLineRun.Of(RefusedRun.WithOutputFolder(_folder, ["--batch-file", "-", "--ephemeris", "builtin"]), content);
+        CommandLineRun run = CommandLineRun.Of(
+            RefusedRun.WithOutputFolder(_folder, ["--batch-file", "-", "--ephemeris", "builtin"]), content);
 
         Assert.True(exitCode == run.ExitCode, $"exit code {run.ExitCode}: {run.Error}");
         Assert.Contains(place, run.Error, StringComparison.Ordinal);

@@ -10,7 +10,8 @@ public sealed class GuardTests
     [InlineData(double.PositiveInfinity)]
     [InlineData(double.NegativeInfinity)]
     public void Finite_NotFinite_IsRefusedByName(double value) =>
-        Assert.StartsWith("a (m) is ", Assert.Throws<BadInputException>(() => Guard.Finite(value, "a (m)")).Message, StringComparison.Ordinal);
+        Assert.StartsWith(
+            "a (m) is ", Assert.Throws<BadInputException>(() => Guard.Finite(value, "a (m)")).Message, StringComparison.Ordinal);
 
     [Fact]
     public void Finite_Number_Passes() => Assert.Equal(-1.5, Guard.Finite(-1.5, "a"));
@@ -28,7 +29,8 @@ public sealed class GuardTests
     [InlineData(2.1)]
     [InlineData(double.NaN)]
     public void InRange_Outside_IsRefusedWithTheRange(double value) =>
-        Assert.Contains("from 1 to 2", Assert.Throws<BadInputException>(() => Guard.InRange(value, 1.0, 2.0, "a")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "from 1 to 2", Assert.Throws<BadInputException>(() => Guard.InRange(value, 1.0, 2.0, "a")).Message, StringComparison.Ordinal);
 
     [Theory]
     [InlineData(1.0)]

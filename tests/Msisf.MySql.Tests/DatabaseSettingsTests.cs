@@ -1,4 +1,5 @@
 using System.Data.Common;
+using System.Text.Json;
 using Msisf.Core.Errors;
 using Msisf.TestSupport;
 using Xunit;
@@ -9,17 +10,52 @@ public sealed class DatabaseSettingsTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
 
+    public static TheoryData<string> Connections => [.. OptionFileCases.Names(areRefused: false)];
+
+    public static TheoryData<string> Refused => [.. OptionFileCases.Names(areRefused: true)];
+
     public void Dispose() => _folder.Dispose();
 
-    [Fact]
-    public void Read_FileAndEnvironment_TheFileComesFirst()
+    [Theory]
+    [MemberData(nameof(Connections))]
+    public void Read_OptionFile_IsTheConnectionOfTheTable(string name)
     {
-        string file = OptionFile("[mysqld]", "port=1", "[client]", "user = reader # who", "password=\"a\\\"b#c\"", "; no", "port=3307");
+        DatabaseSettings settings = Read(name);
 
-        DatabaseSettings settings = DatabaseSettings.Read(file, Variables(("MSISF_DB_USER", "other"), ("MSISF_DB_HOST", "moon")));
+        Dictionary<string, string> found = new()
+        {
+            ["user"] = settings.User,
+            ["password"] = settings.Password,
+            ["database"] = settings.Database,
+            ["host"] = settings.Host,
+            ["port"] = $"{settings.Port}",
+            ["socket"] = settings.Socket == DatabaseSettings.DefaultSocket(DatabaseSettings.DefaultSockets)
+                ? "default"
+                : settings.Socket ?? string.Empty,
+            ["tls"] = settings.Tls.Mode == TlsMode.VerifyIdentity ? "verify-identity" : settings.Tls.Mode.ToString().ToLowerInvariant(),
+            ["ca"] = settings.Tls.CertificateAuthority ?? string.Empty,
+            ["unverified"] = $"{settings.IsUnverified}",
+        };
+        Assert.Equal(OptionFileCases.Expected(name).ToDictionary(pair => pair.Key, pair => InFolder(pair.Value)), found);
+    }
 
-        Assert.Equal(("moon", 3307, "reader", "msisf", null), (settings.Host, settings.Port, settings.User, settings.Database, settings.Socket));
-        Assert.Equal("a\"b#c", settings.Password);
+    [Theory]
+    [MemberData(nameof(Refused))]
+    public void Read_OptionFile_IsRefusedWithTheMessageOfTheTable(string name)
+    {
+        MsisfException exception = Assert.ThrowsAny<MsisfException>(() => Read(name));
+        Assert.Contains(
+            InFolder(OptionFileCases.Of(name).GetProperty("refused").GetString()!), exception.Message, StringComparison.Ordinal);
+        Assert.DoesNotContain("secret", exception.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void DefaultSocket_IsTheFirstThatIsThere()
+    {
+        Assert.Equal(OptionFileCases.DefaultSockets, DatabaseSettings.DefaultSockets);
+        string there = _folder.Write("there", string.Empty);
+        Assert.Equal(there, DatabaseSettings.DefaultSocket([_folder["a"], there, _folder["b"]]));
+        Assert.Equal(_folder["a"], DatabaseSettings.DefaultSocket([_folder["a"], _folder["b"]]));
     }
 
     [Fact]
@@ -32,56 +68,63 @@ public sealed class DatabaseSettingsTests : IDisposable
 
         string file = OptionFile("[client]", "password=secret");
         File.SetUnixFileMode(file, UnixFileMode.UserRead | UnixFileMode.OtherRead);
-        Assert.Contains("chmod 600", Refusal(file).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "chmod 600", Assert.Throws<BadInputException>(() => DatabaseSettings.Read(file, _ => null)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
-    public void Read_LineThatIsNoOption_IsRefusedWithoutShowingIt()
+    public void Read_MissingFile_IsRefused() =>
+        Assert.Contains(
+            "missing",
+            Assert.Throws<BadInputException>(() => DatabaseSettings.Read(_folder["none.cnf"], _ => null)).Message,
+            StringComparison.Ordinal);
+
+    [Fact]
+    public void ConnectionString_AnyValue_IsQuoted()
     {
-        BadInputException exception = Refusal(OptionFile("[client]", "!include secret"));
-        Assert.Contains("line 2", exception.Message, StringComparison.Ordinal);
-        Assert.DoesNotContain("secret", exception.Message, StringComparison.Ordinal);
-    }
+        DbConnectionStringBuilder parts = ConnectionString(
+            "user=\"reader;Server=elsewhere\"", "password=\"a;b'\\\"c\"", "socket=/run/my.sock");
 
-    [Fact]
-    public void Read_MissingFile_IsRefused() => Assert.Contains("missing", Refusal(_folder["none.cnf"]).Message, StringComparison.Ordinal);
-
-    [Fact]
-    public void Read_NoUser_IsAUsageError() => Assert.Throws<UsageException>(() => DatabaseSettings.Read(null, _ => null));
-
-    [Theory]
-    [InlineData("MSISF_DB_DATABASE", "msisf`; DROP TABLE ldem_4; --")]
-    [InlineData("MSISF_DB_PORT", "65536")]
-    [InlineData("MSISF_DB_PORT", "3306;Database=mysql")]
-    public void Read_HostileValue_IsRefused(string variable, string value) =>
-        Assert.Throws<BadInputException>(() => DatabaseSettings.Read(null, Variables(("MSISF_DB_USER", "reader"), (variable, value))));
-
-    [Fact]
-    public void Open_ProviderInTheFolder_GetsAConnectionStringWithEachValueQuoted()
-    {
-        DatabaseSettings settings = DatabaseSettings.Read(null, Variables(
-            ("MSISF_DB_USER", "reader;Server=elsewhere"), ("MSISF_DB_PASSWORD", "a;b'\"c"), ("MSISF_DB_SOCKET", "/run/my.sock")));
-
-        using DbDataSource source = MySqlProvider.Open(settings, AppContext.BaseDirectory);
-
-        DbConnectionStringBuilder parts = new() { ConnectionString = source.ConnectionString };
         Assert.Equal("reader;Server=elsewhere", parts["User ID"]);
         Assert.Equal("a;b'\"c", parts["Password"]);
         Assert.Equal(("/run/my.sock", "Unix", "msisf"), (parts["Server"], parts["Connection Protocol"], parts["Database"]));
+        Assert.Equal(("false", "30"), (parts["Connection Reset"], parts["Connection Idle Ping Time"]));
+        Assert.False(parts.ContainsKey("SSL Mode"));
     }
 
-    [Fact]
-    public void Open_BuildWithoutTheProvider_SaysSo()
+    [Theory]
+    [InlineData("ssl-mode=DISABLED", "None", false)]
+    [InlineData("ssl-mode=REQUIRED", "Required", false)]
+    [InlineData("ssl-mode=VERIFY_IDENTITY", "VerifyFull", false)]
+    [InlineData("ssl-ca={folder}/ca.pem", "VerifyFull", true)]
+    public void ConnectionString_Tls_IsWhatTheProviderCallsIt(string option, string mode, bool hasAuthority)
     {
-        DatabaseSettings settings = DatabaseSettings.Read(null, Variables(("MSISF_DB_USER", "reader")));
-        ExternalPartException exception = Assert.Throws<ExternalPartException>(() => MySqlProvider.Open(settings, _folder["."]));
-        Assert.StartsWith("this build of msis has no MySqlConnector", exception.Message, StringComparison.Ordinal);
+        DbConnectionStringBuilder parts = ConnectionString("user=me", "host=db", "port=3307", option);
+
+        Assert.Equal(("db", "3307", mode), (parts["Server"], parts["Port"], parts["SSL Mode"]));
+        Assert.Equal(hasAuthority ? _folder["ca.pem"] : null, parts.TryGetValue("SslCa", out object? file) ? file : null);
+        Assert.False(parts.ContainsKey("Connection Protocol"));
     }
 
-    private static Func<string, string?> Variables(params (string Name, string Value)[] variables) =>
-        name => variables.Where(variable => variable.Name == name).Select(variable => variable.Value).FirstOrDefault();
+    private DatabaseSettings Read(string name)
+    {
+        _folder.Write("ca.pem", string.Empty);
+        JsonElement item = OptionFileCases.Of(name);
+        string file = OptionFile([.. item.GetProperty("file").EnumerateArray().Select(line => InFolder(line.GetString()!))]);
+        return DatabaseSettings.Read(
+            file,
+            variable => item.TryGetProperty("environment", out JsonElement variables)
+                && variables.TryGetProperty(variable, out JsonElement value) ? InFolder(value.GetString()!) : null);
+    }
 
-    private static BadInputException Refusal(string file) => Assert.Throws<BadInputException>(() => DatabaseSettings.Read(file, _ => null));
+    private DbConnectionStringBuilder ConnectionString(params string[] options)
+    {
+        _folder.Write("ca.pem", string.Empty);
+        string file = OptionFile(["[client]", .. options.Select(InFolder)]);
+        return new() { ConnectionString = MySqlProvider.ConnectionString(DatabaseSettings.Read(file, _ => null)) };
+    }
+
+    private string InFolder(string text) => text.Replace("{folder}", _folder.Path, StringComparison.Ordinal);
 
     private string OptionFile(params string[] lines)
     {

@@ -17,9 +17,12 @@ internal sealed class FakeMoon
         _grid = grid;
         _records = [.. records];
         Source = new FakeDataSource(Answer);
+        Database = new Database(Source, "fake", CancellationToken.None);
     }
 
     public FakeDataSource Source { get; }
+
+    public Database Database { get; }
 
     public int SampleQueries => _sampleQueries;
 
@@ -35,12 +38,14 @@ internal sealed class FakeMoon
         string table = string.Create(CultureInfo.InvariantCulture, $"ldem_{_grid.PixelsPerDegree}");
         if (text.Contains("FROM ldem_import", StringComparison.Ordinal))
         {
-            return Equals(parameters["@table"], table) ? Table([typeof(string), typeof(string), typeof(ushort), typeof(uint), typeof(uint)], _records) : Table([typeof(string)], []);
+            return Equals(parameters["@table"], table)
+                ? Table([typeof(string), typeof(string), typeof(ushort), typeof(uint), typeof(uint)], _records)
+                : Table([typeof(string)], []);
         }
 
         if (!text.Contains($"FROM {table} ", StringComparison.Ordinal))
         {
-            throw new NoSuchTableException();
+            throw new MySqlException(1146, $"Table '{text}' doesn't exist");
         }
 
         Interlocked.Increment(ref _sampleQueries);

@@ -22,7 +22,7 @@ public class ImportedModelTests
     [MemberData(nameof(Refused))]
     public void Open_RecordsThatAreNoWholeModel_AreRefused(string message, object[][] records)
     {
-        BadInputException exception = Assert.Throws<BadInputException>(() => LdemTableGrid.Open(new FakeMoon(Grid, records).Source, 2));
+        BadInputException exception = Assert.Throws<BadInputException>(() => LdemTableGrid.Open(new FakeMoon(Grid, records).Database, 2));
         Assert.Contains(message, exception.Message, StringComparison.Ordinal);
     }
 
@@ -30,6 +30,6 @@ public class ImportedModelTests
     public void Open_PartsOfOneModel_HaveTheModelsName()
     {
         FakeMoon moon = new(Grid, FakeMoon.Record("LDEM_512_00N_45N_000_090"), FakeMoon.Record("LDEM_512_45S_00S_090_180"));
-        Assert.Equal("LDEM_512", LdemTableGrid.Open(moon.Source, 2).ProductId);
+        Assert.Equal("LDEM_512", LdemTableGrid.Open(moon.Database, 2).ProductId);
     }
 }

@@ -22,7 +22,7 @@ public class LdemTableGridTests
         Rough.ReadRadii(line, firstSample, expected);
         double[] radii = new double[samples];
 
-        LdemTableGrid.Open(moon.Source, 2).ReadRadii(line, firstSample, radii);
+        LdemTableGrid.Open(moon.Database, 2).ReadRadii(line, firstSample, radii);
 
         Assert.Equal(expected, radii);
         Assert.Equal(0, moon.Source.OpenConnections);
@@ -37,7 +37,7 @@ public class LdemTableGridTests
         fine.ReadRadii(5000, 23000, expected);
         double[] radii = new double[23040];
 
-        LdemTableGrid.Open(moon.Source, 64).ReadRadii(5000, 23000, radii);
+        LdemTableGrid.Open(moon.Database, 64).ReadRadii(5000, 23000, radii);
 
         Assert.Equal(expected, radii);
         Assert.Equal(3, moon.SampleQueries);
@@ -46,8 +46,9 @@ public class LdemTableGridTests
     [Fact]
     public void RadiusBounds_BlockOverTheSeam_IsMinAndMax()
     {
-        FunctionGrid peaks = new(1, (line, sample) => 1_737_400.0 + (line == 90 && sample == 1 ? 9.5 : 0.0) - (line == 91 && sample == 358 ? 7.5 : 0.0));
-        LdemTableGrid grid = LdemTableGrid.Open(new FakeMoon(peaks, FakeMoon.Record("TEST_GRID")).Source, 1);
+        FunctionGrid peaks = new(
+            1, (line, sample) => 1_737_400.0 + (line == 90 && sample == 1 ? 9.5 : 0.0) - (line == 91 && sample == 358 ? 7.5 : 0.0));
+        LdemTableGrid grid = LdemTableGrid.Open(new FakeMoon(peaks, FakeMoon.Record("TEST_GRID")).Database, 1);
 
         Assert.Equal((1_737_392.5, 1_737_409.5), grid.RadiusBounds(89, 3, 357, 6));
         Assert.Equal((1_737_400.0, 1_737_400.0), grid.RadiusBounds(92, 3, 357, 6));
@@ -61,7 +62,8 @@ public class LdemTableGridTests
         TileId[] tiles = [new(85, 0), new(-90, 355), new(0, 355), new(0, 0)];
 
         IReadOnlyList<string> expected = new PatternRepository(folder["grid"]).EnsurePatterns(tiles, Rough, default, 2).Paths;
-        IReadOnlyList<string> made = new PatternRepository(folder["table"]).EnsurePatterns(tiles, LdemTableGrid.Open(moon.Source, 2), default, 2).Paths;
+        IReadOnlyList<string> made = new PatternRepository(folder["table"]).EnsurePatterns(
+            tiles, LdemTableGrid.Open(moon.Database, 2), default, 2).Paths;
 
         Assert.Equal(expected.Select(File.ReadAllBytes), made.Select(File.ReadAllBytes));
         Assert.Equal(11 + 11 + 10, moon.SampleQueries); // each line once, whatever the number of threads and tiles
@@ -71,18 +73,10 @@ public class LdemTableGridTests
     public void ReadRadii_MissingSample_IsRefusedWithItsPlace()
     {
         FakeMoon moon = new(Rough, FakeMoon.Record("TEST_GRID")) { MissingColumn = 3 };
-        LdemTableGrid grid = LdemTableGrid.Open(moon.Source, 2);
+        LdemTableGrid grid = LdemTableGrid.Open(moon.Database, 2);
 
         BadInputException exception = Assert.Throws<BadInputException>(() => grid.ReadRadii(9, 0, new double[2]));
 
         Assert.StartsWith("table ldem_2: only 719 of 720 samples of line 10 ", exception.Message, StringComparison.Ordinal);
-    }
-
-    [Fact]
-    public void Open_DatabaseFails_IsAnExternalPart()
-    {
-        MySqlConnector.FakeDataSource source = new((_, _) => throw new NoSuchTableException());
-        ExternalPartException exception = Assert.Throws<ExternalPartException>(() => LdemTableGrid.Open(source, 4));
-        Assert.StartsWith("database: Table 'x' doesn't exist", exception.Message, StringComparison.Ordinal);
     }
 }

@@ -8,7 +8,8 @@ internal sealed class MissingPartsFactAttribute : FactAttribute
 {
     public MissingPartsFactAttribute()
     {
-        string[] missing = [.. StressTests.All.Where(test => test.MissingPart is not null).Select(test => $"{test.MissingPart} for {test.Name}")];
+        string[] missing = [.. StressTests.All.Where(test => test.MissingPart is not null).Select(
+            test => $"{test.MissingPart} for {test.Name}")];
         if (missing.Length > 0 && Environment.GetEnvironmentVariable("CI") != "true")
         {
             Skip = $"missing: {string.Join(", ", missing)}";

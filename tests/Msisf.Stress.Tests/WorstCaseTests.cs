@@ -28,7 +28,8 @@ public sealed class WorstCaseTests
     [Fact]
     public void Note_NotANumber_StaysTheWorst()
     {
-        StressFigure figure = Noted((1e300, "large"), (double.NaN, "none"), (double.PositiveInfinity, "infinite")).ToFigure("q", "", double.PositiveInfinity);
+        StressFigure figure = Noted(
+            (1e300, "large"), (double.NaN, "none"), (double.PositiveInfinity, "infinite")).ToFigure("q", "", double.PositiveInfinity);
         Assert.Equal("none", figure.WorstInput);
         Assert.False(figure.IsKept);
     }

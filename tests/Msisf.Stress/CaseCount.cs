@@ -1,6 +1,8 @@
 namespace Msisf.Stress;
 
-/// <summary>How many cases did what none may do, and the first of them. Not safe for several threads: each has its own, merged by <see cref="Add"/>.</summary>
+/// <summary>
+/// How many cases did what none may do, and the first of them. Not safe for several threads: each has its own, merged by <see cref="Add"/>.
+/// </summary>
 public sealed class CaseCount
 {
     private long _tried;
@@ -28,5 +30,10 @@ public sealed class CaseCount
 
     /// <summary>The figure for the report; NaN, which keeps no limit, if nothing was tried.</summary>
     public StressFigure ToFigure(string quantity, string unit, double? limit) =>
-        new(quantity, unit, _tried == 0 ? double.NaN : _wrong, limit, _wrong == 0 ? FormattableString.Invariant($"none of {_tried}") : _first);
+        new(
+            quantity,
+            unit,
+            _tried == 0 ? double.NaN : _wrong,
+            limit,
+            _wrong == 0 ? FormattableString.Invariant($"none of {_tried}") : _first);
 }

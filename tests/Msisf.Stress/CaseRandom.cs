@@ -1,9 +1,10 @@
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain.Synthesis;
 
 namespace Msisf.Stress;
 
-/// <summary>Random numbers with all bits of a double, the same on every machine. Not safe for several threads: each part of the cases has its own.</summary>
+/// <summary>
+/// Random numbers with all bits of a double, the same on every machine. Not safe for several threads: each part of the cases has its own.
+/// </summary>
 public sealed class CaseRandom
 {
     private SplitMix64 _bits;

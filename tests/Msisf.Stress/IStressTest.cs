@@ -15,7 +15,9 @@ public interface IStressTest
     /// <summary>Whether its figures are times and memory, which differ from machine to machine and from run to run.</summary>
     bool IsOfThisMachine => false;
 
-    /// <summary>Runs it; the same length and seed give the same report, whatever the machine, unless <see cref="IsOfThisMachine"/>.</summary>
+    /// <summary>
+    /// Runs it; the same length and seed give the same report, whatever the machine, unless <see cref="IsOfThisMachine"/>.
+    /// </summary>
     /// <param name="length">How much of it.</param>
     /// <param name="seed">Of all random inputs.</param>
     StressReport Run(StressLength length, int seed);

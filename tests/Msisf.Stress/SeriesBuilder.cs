@@ -1,6 +1,8 @@
 namespace Msisf.Stress;
 
-/// <summary>Sorts errors into bins of the input. Not safe for several threads: each has its own, merged by <see cref="Add(SeriesBuilder)"/>.</summary>
+/// <summary>
+/// Sorts errors into bins of the input. Not safe for several threads: each has its own, merged by <see cref="Add(SeriesBuilder)"/>.
+/// </summary>
 public sealed class SeriesBuilder
 {
     private readonly double _from;

@@ -1,6 +1,8 @@
 namespace Msisf.Stress;
 
-/// <summary>The maximum error so far and the input that shows it. Not safe for several threads: each has its own, merged by <see cref="Add"/>.</summary>
+/// <summary>
+/// The maximum error so far and the input that shows it. Not safe for several threads: each has its own, merged by <see cref="Add"/>.
+/// </summary>
 public sealed class WorstCase
 {
     private double _error = double.NaN;

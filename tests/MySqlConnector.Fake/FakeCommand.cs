@@ -4,7 +4,7 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace MySqlConnector;
 
-internal sealed class FakeCommand(Func<string, IReadOnlyDictionary<string, object>, DataTable> answer) : DbCommand
+internal sealed class FakeCommand(FakeDataSource source) : DbCommand
 {
     private readonly FakeParameters _parameters = new();
 
@@ -25,7 +25,7 @@ internal sealed class FakeCommand(Func<string, IReadOnlyDictionary<string, objec
 
     protected override DbTransaction? DbTransaction { get; set; }
 
-    public override void Cancel() => throw new NotSupportedException();
+    public override void Cancel() => source.Cancelling();
 
     public override int ExecuteNonQuery() => throw new NotSupportedException();
 
@@ -37,5 +37,6 @@ internal sealed class FakeCommand(Func<string, IReadOnlyDictionary<string, objec
 
     protected override DbParameter CreateDbParameter() => new FakeParameter();
 
-    protected override DbDataReader ExecuteDbDataReader(CommandBehavior behavior) => answer(CommandText, _parameters.Values).CreateDataReader();
+    protected override DbDataReader ExecuteDbDataReader(CommandBehavior behavior) =>
+        source.Answer(CommandText, _parameters.Values).CreateDataReader();
 }

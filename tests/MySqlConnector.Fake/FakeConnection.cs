@@ -4,7 +4,7 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace MySqlConnector;
 
-internal sealed class FakeConnection(Func<string, IReadOnlyDictionary<string, object>, DataTable> answer, Action<int> countOpen) : DbConnection
+internal sealed class FakeConnection(FakeDataSource source) : DbConnection
 {
     private ConnectionState _state = ConnectionState.Closed;
 
@@ -23,8 +23,9 @@ internal sealed class FakeConnection(Func<string, IReadOnlyDictionary<string, ob
 
     public override void Open()
     {
+        source.Opening();
         _state = ConnectionState.Open;
-        countOpen(1);
+        source.CountOpen(1);
     }
 
     public override void Close()
@@ -32,7 +33,7 @@ internal sealed class FakeConnection(Func<string, IReadOnlyDictionary<string, ob
         if (_state == ConnectionState.Open)
         {
             _state = ConnectionState.Closed;
-            countOpen(-1);
+            source.CountOpen(-1);
         }
     }
 
@@ -44,5 +45,5 @@ internal sealed class FakeConnection(Func<string, IReadOnlyDictionary<string, ob
 
     protected override DbTransaction BeginDbTransaction(IsolationLevel isolationLevel) => throw new NotSupportedException();
 
-    protected override DbCommand CreateDbCommand() => new FakeCommand(answer);
+    protected override DbCommand CreateDbCommand() => new FakeCommand(source);
 }

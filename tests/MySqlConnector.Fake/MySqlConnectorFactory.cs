@@ -3,7 +3,7 @@ using System.Data.Common;
 
 namespace MySqlConnector;
 
-/// <summary>Makes sources whose database is <see cref="Answer"/>.</summary>
+/// <summary>Makes sources of an empty database, if the socket that they name is there.</summary>
 public sealed class MySqlConnectorFactory : DbProviderFactory
 {
     public static readonly MySqlConnectorFactory Instance = new();
@@ -12,9 +12,11 @@ public sealed class MySqlConnectorFactory : DbProviderFactory
     {
     }
 
-    /// <summary>What a source of this factory answers.</summary>
-    public Func<string, IReadOnlyDictionary<string, object>, DataTable> Answer { get; set; } = (_, _) => new DataTable();
-
-    public override DbDataSource CreateDataSource(string connectionString) =>
-        new FakeDataSource((text, parameters) => Answer(text, parameters), connectionString);
+    public override DbDataSource CreateDataSource(string connectionString)
+    {
+        DbConnectionStringBuilder parts = new() { ConnectionString = connectionString };
+        return parts.ContainsKey("Connection Protocol") && !File.Exists((string)parts["Server"])
+            ? throw new MySqlException(0, $"Cannot find Unix Socket at {parts["Server"]}")
+            : new FakeDataSource((_, _) => new DataTable(), connectionString);
+    }
 }

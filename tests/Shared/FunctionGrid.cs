@@ -31,8 +31,10 @@ internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> r
     public static FunctionGrid Rugged(int pixelsPerDegree)
     {
         int octaves = 1 + (int)Math.Log(pixelsPerDegree * 60.0, 4.0);
-        double[][] alongMeridian = [.. Enumerable.Range(0, octaves).Select(k => Wave(180 * pixelsPerDegree, pixelsPerDegree, 3 << (2 * k), 0.7 * k))];
-        double[][] alongParallel = [.. Enumerable.Range(0, octaves).Select(k => Wave(360 * pixelsPerDegree, pixelsPerDegree, 4 << (2 * k), 1.9 * k))];
+        double[][] alongMeridian = [.. Enumerable.Range(0, octaves).Select(
+            k => Wave(180 * pixelsPerDegree, pixelsPerDegree, 3 << (2 * k), 0.7 * k))];
+        double[][] alongParallel = [.. Enumerable.Range(0, octaves).Select(
+            k => Wave(360 * pixelsPerDegree, pixelsPerDegree, 4 << (2 * k), 1.9 * k))];
         double[] amplitudes = [.. Enumerable.Range(0, octaves).Select(k => 1200.0 * Math.Pow(0.36, k))];
         double[] ofLine = Bowl(180 * pixelsPerDegree, pixelsPerDegree, 90.0 - RuggedBowlDegrees.Latitude, 1.5);
         double[] ofSample = Bowl(360 * pixelsPerDegree, pixelsPerDegree, RuggedBowlDegrees.Longitude, 4.5);

@@ -11,13 +11,17 @@ internal sealed class FunctionTruth(
     PinholeCamera camera, Vector3D lightPositionMoonMe, Func<int, int, (SurfaceHit Hit, PixelIllumination Light)?> pixelOf) : IGroundTruth
 {
     private static readonly PixelIllumination[] Lights =
-        [new(IlluminationState.Lit, 1.0), new(IlluminationState.Penumbra, 0.25), new(IlluminationState.Shadow, 0.0), new(IlluminationState.Night, 0.0)];
+        [new(IlluminationState.Lit, 1.0), new(
+            IlluminationState.Penumbra, 0.25), new(IlluminationState.Shadow, 0.0), new(IlluminationState.Night, 0.0)];
 
     public PinholeCamera Camera => camera;
 
     public Vector3D LightPositionMoonMe => lightPositionMoonMe;
 
-    /// <summary>A <see cref="SphereTruth"/> of 4 px/deg that shows all there is: the states take turns from column to column, the halves from row to row.</summary>
+    /// <summary>
+    /// A <see cref="SphereTruth"/> of 4 px/deg that shows all there is: the states take turns from column to column, the halves from row to
+    /// row.
+    /// </summary>
     public static FunctionTruth OfSphere(PinholeCamera camera, Vector3D lightPositionMoonMe)
     {
         SphereTruth sphere = new(camera, lightPositionMoonMe, pixelsPerDegree: 4);

@@ -4,7 +4,9 @@ using System.Text;
 
 namespace Msisf.TestSupport;
 
-/// <summary>The samples of a PNG image, 8 or 16 bits, grey or RGB with or without alpha, not interlaced: an independent reader for image tests.</summary>
+/// <summary>
+/// The samples of a PNG image, 8 or 16 bits, grey or RGB with or without alpha, not interlaced: an independent reader for image tests.
+/// </summary>
 internal sealed class PngPixels
 {
     private readonly ushort[] _samples;
@@ -60,7 +62,8 @@ internal sealed class PngPixels
             }
         }
 
-        int channels = header[9] switch { 0 => 1, 2 => 3, 4 => 2, 6 => 4, byte code => throw new NotSupportedException($"colour type {code}") };
+        int channels = header[9] switch { 0 => 1, 2 => 3, 4 => 2, 6 => 4, byte code => throw new NotSupportedException(
+            $"colour type {code}") };
         if (header[8] is not (8 or 16) || header[12] != 0)
         {
             throw new NotSupportedException($"{header[8]} bits, interlace {header[12]}");

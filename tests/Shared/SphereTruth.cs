@@ -7,8 +7,11 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.TestSupport;
 
-/// <summary>A smooth sphere in place of the terrain: every layer of it is known in closed form. Lit by day, night beyond the terminator.</summary>
-internal sealed class SphereTruth(PinholeCamera camera, Vector3D lightPositionMoonMe, int pixelsPerDegree, double radius = 1_737_400.0) : IGroundTruth
+/// <summary>
+/// A smooth sphere in place of the terrain: every layer of it is known in closed form. Lit by day, night beyond the terminator.
+/// </summary>
+internal sealed class SphereTruth(
+    PinholeCamera camera, Vector3D lightPositionMoonMe, int pixelsPerDegree, double radius = 1_737_400.0) : IGroundTruth
 {
     private readonly ReferenceSphere _sphere = new(radius);
 

@@ -3,8 +3,8 @@ using System.Diagnostics;
 namespace Msisf.TestSupport;
 
 /// <summary>
-/// Waits with a limit: a test that waits in vain fails and says for what, instead of never ending. The limits are far above what the work takes
-/// on an idle machine, since other tests run at the same time.
+/// Waits with a limit: a test that waits in vain fails and says for what, instead of never ending. The limits are far above what the work
+/// takes on an idle machine, since other tests run at the same time.
 /// </summary>
 internal static class Within
 {
@@ -52,5 +52,6 @@ internal static class Within
         }
     }
 
-    private static TimeoutException Late(double seconds, string what) => new(FormattableString.Invariant($"{what}: not within {seconds} s"));
+    private static TimeoutException Late(double seconds, string what) =>
+        new(FormattableString.Invariant($"{what}: not within {seconds} s"));
 }

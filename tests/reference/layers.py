@@ -21,7 +21,7 @@ def angle(u, v):
 
 
 def layers(position, q, fov, width, height, x, y, sun):
-    """Depth, z depth, position, height, incidence, emission, phase, pixel scale; or None for space."""
+    """Depth, range, position, height, incidence, emission, phase, pixel scale; or None for space."""
     position, q, sun = ([mpf(c) for c in v] for v in (position, q, sun))
     aspect = mpf(width) / height
     forward = scale(aspect / 2 / tan(mpf(fov) / 2), rotate(q, [-1, 0, 0]))
@@ -36,22 +36,22 @@ def layers(position, q, fov, width, height, x, y, sun):
     discriminant = half_b**2 - dot(position, position) + RADIUS**2
     if discriminant < 0 or half_b > 0:
         return None
-    depth = -half_b - sqrt(discriminant)
-    surface = add(position, scale(depth, ray))
+    slant = -half_b - sqrt(discriminant)
+    surface = add(position, scale(slant, ray))
     to_sun = add(sun, scale(-1, surface))
     to_camera = scale(-1, ray)
     half = mpf("0.5")
     corners = [ray_through(x + i, y + j) for i, j in ((-half, -half), (half, -half), (half, half), (-half, half))]
     solid = solid_angle(corners[0], corners[1], corners[2]) + solid_angle(corners[0], corners[2], corners[3])
-    return (depth, depth * dot(ray, unit(forward)), *surface, norm(surface) - RADIUS, angle(surface, to_sun),
-            angle(surface, to_camera), angle(to_sun, to_camera), depth * sqrt(solid))
+    return (slant * dot(ray, unit(forward)), slant, *surface, norm(surface) - RADIUS, angle(surface, to_sun),
+            angle(surface, to_camera), angle(to_sun, to_camera), slant * sqrt(solid))
 
 
 def main():
     scenes = Scenes()
     print("# python3 tests/reference/layers.py (mpmath, 50 digits); doubles in, m and degrees out")
     print("# case\tx\ty\tz\tqx\tqy\tqz\tq0\tfov_rad\twidth\theight\tpixel_x\tpixel_y\tsun_x\tsun_y\tsun_z"
-          "\tdepth\tz_depth\tpoint_x\tpoint_y\tpoint_z\theight\tincidence\temission\tphase\tpixel_scale")
+          "\tdepth\trange\tpoint_x\tpoint_y\tpoint_z\theight\tincidence\temission\tphase\tpixel_scale")
     for case, count in [("moderate", 30), ("one_metre_above", 10), ("pole", 10), ("subsolar", 10), ("light_at_camera", 10)]:
         found = 0
         while found < count:

@@ -23,23 +23,30 @@ final class Accounts
         self::READ_USER => 'SELECT',
     ];
 
+    /** What a server notes of IF NOT EXISTS: a database; a user on MariaDB, on MySQL. */
+    private const EXISTS = [1007, 1973, 3163];
+
     public function __construct(private readonly Connection $connection)
     {
     }
 
-    public function createDatabase(): void
+    /** @return bool whether it is new */
+    public function createDatabase(): bool
     {
         $this->connection->execute("CREATE DATABASE IF NOT EXISTS `{$this->connection->database}` CHARACTER SET utf8mb4");
+
+        return $this->isNew();
     }
 
     /**
      * Makes a user, or leaves the one that is there with its password, and gives it its rights on the database.
      *
+     * @return bool whether it is new
      * @param string $host from where it may come, e.g. "localhost", "10.1.%"
      * @throws BadInputException the host is none
      * @throws ExternalPartException the server refuses
      */
-    public function createUser(string $user, string $host, #[SensitiveParameter] string $password): void
+    public function createUser(string $user, string $host, #[SensitiveParameter] string $password): bool
     {
         if (preg_match('/^[0-9A-Za-z_.:%-]{1,60}$/D', $host) !== 1) {
             throw new BadInputException("--user-host=$host: a host name or address is needed, with % for any part.");
@@ -53,8 +60,16 @@ final class Accounts
             throw ExternalPartException::database("the user $account can't be made (error " . DatabaseFailure::number($exception)
                 . '). Does this user have the right CREATE USER, and does the password fit the server\'s rules?');
         }
+        $isNew = $this->isNew();
         // "_" in a database name would stand for any character here.
         $database = addcslashes($this->connection->database, '_');
         $this->connection->execute('GRANT ' . self::RIGHTS[$user] . " ON `$database`.* TO $account");
+
+        return $isNew;
+    }
+
+    private function isNew(): bool
+    {
+        return array_intersect(self::EXISTS, $this->connection->warnings()) === [];
     }
 }

@@ -18,6 +18,7 @@ final class Connection
         private readonly PDO $pdo,
         public readonly ServerVersion $serverVersion,
         public readonly string $database,
+        private readonly string $server,
     ) {
     }
 
@@ -31,13 +32,19 @@ final class Connection
             throw new ExternalPartException('PHP has no pdo_mysql. Install it (Debian: php-mysql).');
         }
 
-        return DatabaseFailure::wrap($settings, static function () use ($settings, $allowLocalFiles): self {
-            $pdo = new PDO($settings->dataSource(), $settings->user, $settings->password(), [
+        $pdo = DatabaseFailure::wrapConnecting($settings, static fn (): PDO => new PDO(
+            $settings->dataSource(),
+            $settings->user,
+            $settings->password(),
+            $settings->tls->pdoOptions() + [
                 PDO::ATTR_ERRMODE => PDO::ERRMODE_EXCEPTION,
                 PDO::ATTR_STRINGIFY_FETCHES => false,
                 PDO::MYSQL_ATTR_LOCAL_INFILE => $allowLocalFiles,
                 PDO::MYSQL_ATTR_MULTI_STATEMENTS => false,
-            ]);
+            ],
+        ));
+
+        return DatabaseFailure::wrap($settings->server(), static function () use ($pdo, $settings): self {
             $version = ServerVersion::parse((string) $pdo->query('SELECT VERSION()')->fetchColumn());
             // Only now: a server that is too old for prepared statements can still say so.
             $pdo->setAttribute(PDO::ATTR_EMULATE_PREPARES, false);
@@ -45,7 +52,7 @@ final class Connection
             $pdo->exec("SET SESSION sql_mode = 'STRICT_ALL_TABLES,NO_ENGINE_SUBSTITUTION,ERROR_FOR_DIVISION_BY_ZERO'");
             $pdo->exec('SET SESSION TRANSACTION ISOLATION LEVEL READ COMMITTED');
 
-            return new self($pdo, $version, $settings->database);
+            return new self($pdo, $version, $settings->database, $settings->server());
         });
     }
 
@@ -110,6 +117,18 @@ final class Connection
         }
     }
 
+    /** @return list<int> numbers of the server's warnings and notes about the last statement */
+    public function warnings(): array
+    {
+        return $this->wrap(function (): array {
+            // As text: to prepare it on the server would be a statement of its own.
+            $statement = $this->pdo->prepare('SHOW WARNINGS', [PDO::ATTR_EMULATE_PREPARES => true]);
+            $statement->execute();
+
+            return array_map(intval(...), array_column($statement->fetchAll(PDO::FETCH_ASSOC), 'Code'));
+        });
+    }
+
     /** PDO itself, for unbuffered reading. */
     public function pdo(): PDO
     {
@@ -123,7 +142,7 @@ final class Connection
      */
     public function wrap(Closure $work): mixed
     {
-        return DatabaseFailure::wrap(null, $work);
+        return DatabaseFailure::wrap($this->server, $work);
     }
 
     /** @param array<int|string, int|float|string|null> $values */

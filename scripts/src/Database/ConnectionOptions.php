@@ -14,9 +14,9 @@ final class ConnectionOptions
     public static function all(): array
     {
         return [
-            Option::value('defaults-file', 'FILE', 'Option file of the MySQL client: host, port, socket, user, password and '
-                . 'database in its group [client]. What it leaves out comes from the environment: MSISF_DB_HOST, _PORT, '
-                . '_SOCKET, _USER, _PASSWORD, _DATABASE.'),
+            Option::value('defaults-file', 'FILE', 'Option file of the MySQL client: host, port, socket, user, password, '
+                . 'database and ssl-ca in its group [client]. What it leaves out comes from the environment: MSISF_DB_HOST, _PORT, '
+                . '_SOCKET, _USER, _PASSWORD, _DATABASE, _SSL_CA.'),
         ];
     }
 

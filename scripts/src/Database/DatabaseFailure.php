@@ -6,6 +6,7 @@ namespace Msisf\Scripts\Database;
 
 use Closure;
 use Msisf\Scripts\Exception\ExternalPartException;
+use PDO;
 use PDOException;
 
 /** Turns failures of PDO into messages that say what to do. */
@@ -30,6 +31,7 @@ final class DatabaseFailure
         1227 => 'The user lacks rights; docs/database.md lists those that are needed.',
         1290 => 'The server runs with an option that forbids it (read-only?).',
         1410 => 'The user lacks rights; docs/database.md lists those that are needed.',
+        1698 => 'This user logs in by the socket, not by a password (docs/database.md, In short).',
         2002 => 'Is the server running, and are host, port or socket right?',
         2006 => 'The server has gone away: restart it if it is down, and run this again.',
         2013 => 'The server has gone away: restart it if it is down, and run this again.',
@@ -37,19 +39,44 @@ final class DatabaseFailure
         4031 => 'The server has closed the idle connection. Run this again.',
     ];
 
+    private const ADVICE_OTHER_SERVICE = 'Is it a MySQL or MariaDB server that answers there? Check host and port.';
+
+    private const ADVICE_TLS = 'Does the server have TLS, does its certificate come from the authority in ssl-ca, and does it name the host?';
+
     /**
      * @template T
-     * @param ConnectionSettings|null $settings while connecting: what is connected to
+     * @param string $server for messages
      * @param Closure(): T $work
      * @return T
      * @throws ExternalPartException PDO failed
      */
-    public static function wrap(?ConnectionSettings $settings, Closure $work): mixed
+    public static function wrap(string $server, Closure $work): mixed
     {
         try {
             return $work();
         } catch (PDOException $exception) {
-            throw self::of($exception, $settings);
+            throw self::of($exception, $server, self::ADVICE);
+        }
+    }
+
+    /**
+     * @param Closure(): PDO $connect
+     * @throws ExternalPartException PDO failed
+     */
+    public static function wrapConnecting(ConnectionSettings $settings, Closure $connect): PDO
+    {
+        try {
+            return $connect();
+        } catch (PDOException $exception) {
+            $advice = self::ADVICE;
+            if ($settings->tls->pdoOptions() !== []) {
+                // Without TLS on the server, PDO hangs up; of a certificate that is refused it says this only.
+                $advice[2006] = self::ADVICE_TLS;
+                $advice[2002] = str_contains($exception->getMessage(), 'using SSL') ? self::ADVICE_TLS : $advice[2002];
+            } elseif ($settings->socket === null) {
+                $advice[2006] = self::ADVICE_OTHER_SERVICE;
+            }
+            throw self::of($exception, $settings->server(), $advice);
         }
     }
 
@@ -60,14 +87,14 @@ final class DatabaseFailure
         return (int) ($exception->errorInfo[1] ?? $exception->getCode());
     }
 
-    private static function of(PDOException $exception, ?ConnectionSettings $settings): ExternalPartException
+    /** @param array<int, string> $advice by number */
+    private static function of(PDOException $exception, string $server, array $advice): ExternalPartException
     {
         $number = self::number($exception);
         // While connecting there can be no errorInfo; the message then begins with "SQLSTATE[HY000] [2002] ".
         $what = $exception->errorInfo[2] ?? (string) preg_replace('/^SQLSTATE\[\w+\]:?(?: \[\d+\])?\s*/', '', $exception->getMessage());
-        $where = $settings === null ? '' : $settings->server() . ': ';
-        $advice = self::ADVICE[$number] ?? 'The server\'s documentation explains the number.';
+        $hint = $advice[$number] ?? 'The server\'s documentation explains the number.';
 
-        return ExternalPartException::database("$where" . rtrim($what, '. ') . " (error $number). $advice", $exception);
+        return new ExternalPartException("database $server: " . rtrim($what, '. ') . " (error $number). $hint", $exception);
     }
 }

@@ -31,7 +31,10 @@ final class ImportCommand
             Option::flag('create', 'Make the database, its tables, and the users ' . implode(' and ', array_keys(self::PASSWORDS))
                 . ' whose passwords stand in ' . implode(' and ', self::PASSWORDS) . ' (needs an administrator\'s account).'),
             Option::value('user-host', 'HOST', 'With --create: from where the users may come.', 'localhost'),
-            Option::flag('replace', 'Delete what is in the table of another version of the product, or of overlapping products; import a complete one anew.'),
+            Option::flag(
+                'replace',
+                'Delete what is in the table of another version of the product, or of overlapping products; import a complete one anew.',
+            ),
             Option::flag('verify', 'Import nothing: compare every row in the table with the file.'),
             Option::value('load', 'WAY', 'Bulk way: auto, local-file or insert. auto asks the server.', LoaderChoice::Auto->value),
             Option::value('wait', 'SECONDS', 'How long to wait for another import into the same table.', '600'),
@@ -48,7 +51,9 @@ final class ImportCommand
             static fn (string $path): LdemImage => LdemImage::open(LdemLabelReader::readFile($path)),
             $this->options->operands
         );
-        $connection = Connection::open(ConnectionOptions::settings($this->options), $load !== LoaderChoice::Insert);
+        $settings = ConnectionOptions::settings($this->options);
+        $settings->warn($this->output);
+        $connection = Connection::open($settings, $load !== LoaderChoice::Insert);
         if ($this->options->has('create')) {
             $this->create($connection);
         }
@@ -71,23 +76,35 @@ final class ImportCommand
             throw new UsageException('no label is given. Name the .LBL files of the products; --help shows how.');
         }
         if ($this->options->has('verify') && ($this->options->has('replace') || $this->options->has('create'))) {
-            throw new UsageException('--verify changes nothing: it goes neither with --create nor with --replace. Run them one after the other.');
+            throw new UsageException(
+                '--verify changes nothing: it goes neither with --create nor with --replace. Run them one after the other.',
+            );
         }
     }
 
     private function create(Connection $connection): void
     {
         $accounts = new Accounts($connection);
-        $accounts->createDatabase();
+        $this->tellMade("database $connection->database", $accounts->createDatabase());
         $connection->useDatabase();
         (new Schema($connection))->createImports();
+        $host = $this->options->requiredText('user-host');
         foreach (self::PASSWORDS as $user => $variable) {
             $password = getenv($variable);
             if ($password === false || $password === '') {
                 $this->output->notice("no user $user is made: $variable is not set");
             } else {
-                $accounts->createUser($user, $this->options->requiredText('user-host'), $password);
+                $this->tellMade("user '$user'@'$host'", $accounts->createUser($user, $host, $password));
             }
+        }
+    }
+
+    private function tellMade(string $what, bool $isNew): void
+    {
+        if ($isNew) {
+            $this->output->result("$what made");
+        } else {
+            $this->output->notice("$what was there and stays as it is");
         }
     }
 }

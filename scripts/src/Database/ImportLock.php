@@ -28,7 +28,9 @@ final class ImportLock
             $tell("another import into $where is running; waiting up to $patienceSeconds s for it");
         }
         if ($patienceSeconds === 0 || $connection->value('SELECT GET_LOCK(?, ?)', [$name, $patienceSeconds]) !== 1) {
-            throw ExternalPartException::database("another import into $where is running. Wait until it has ended, or give a longer --wait.");
+            throw ExternalPartException::database(
+                "another import into $where is running. Wait until it has ended, or give a longer --wait.",
+            );
         }
     }
 }

@@ -42,7 +42,8 @@ final class ImportRecords
 
     public function add(ImportRecord $record): void
     {
-        $this->connection->execute('INSERT INTO ' . Schema::IMPORTS . ' (' . self::COLUMNS . ') VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)', [
+        $values = implode(', ', array_fill(0, 12, '?'));
+        $this->connection->execute('INSERT INTO ' . Schema::IMPORTS . ' (' . self::COLUMNS . ") VALUES ($values)", [
             $record->table,
             $record->productId,
             $record->state->value,

@@ -35,8 +35,10 @@ final class ImportRemoval
             return null;
         }
         if ($present === []) {
-            throw new BadInputException("database {$this->connection->database}: its table {$resolution->table()} was not made by this script. "
-                . 'Rename or drop it, or import into another database.');
+            throw new BadInputException(
+                "database {$this->connection->database}: its table {$resolution->table()} was not made by this script. "
+                . 'Rename or drop it, or import into another database.',
+            );
         }
         $kept = null;
         foreach ($present as $record) {

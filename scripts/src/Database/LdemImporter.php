@@ -77,7 +77,8 @@ final class LdemImporter
     {
         $loader = ($this->loaderFor)($this->connection);
         $resumed = $record->rowsDone === 0 ? '' : ", going on after line $record->rowsDone";
-        $this->output->notice("$record->productId into {$resolution->table()} of {$this->connection->serverVersion} by {$loader->name()}$resumed");
+        $target = "{$resolution->table()} of {$this->connection->serverVersion}";
+        $this->output->notice("$record->productId into $target by {$loader->name()}$resumed");
         $grid = new GridTables($this->connection, $resolution, $image->label);
         $grid->create();
         $text = new RowText($image);

@@ -33,10 +33,10 @@ final class LdemVerifier
         $columns = self::columns($directions, $resolution, $record);
         $hash = hash_init('sha256');
         $progress = new Progress($this->output, 'rows compared', $record->rowCount * $record->columnCount);
-        $select = $this->connection->pdo()->prepare(
+        $select = $this->connection->wrap(fn (): PDOStatement => $this->connection->pdo()->prepare(
             'SELECT row_index, col_index, latitude, longitude, planetary_radius, x, y, z, `point`'
             . " FROM {$resolution->table()} WHERE row_index = ? AND col_index >= ? AND col_index < ? ORDER BY row_index, col_index"
-        );
+        ));
         foreach ($image->lines() as $line => $values) {
             $row = $record->firstRow + $line;
             $expected = self::expectedLine($image, $resolution, $directions, $columns, $row, $values);
@@ -73,7 +73,10 @@ final class LdemVerifier
         throw new BadInputException("$wanted->productId is not in $table of the database {$this->connection->database}. Import it first.");
     }
 
-    /** @return list<array{int, float, float, float, string}> column, longitude, its sine and cosine, the point's bytes before the latitude */
+    /**
+     * @return list<array{int, float, float, float, string}> column, longitude, its sine and cosine, the point's bytes before the
+     *     latitude
+     */
     private static function columns(GridDirections $directions, Resolution $resolution, ImportRecord $record): array
     {
         $columns = [];

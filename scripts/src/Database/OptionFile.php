@@ -6,16 +6,23 @@ namespace Msisf\Scripts\Database;
 
 use Msisf\Scripts\Exception\BadInputException;
 
-/** Reads the [client] group of an option file of the MySQL and MariaDB clients. A message never shows a line's text. */
+/** Reads the [client] group of an option file of the MySQL and MariaDB clients. A message never shows a value. */
 final class OptionFile
 {
-    private const KNOWN = ['host', 'port', 'socket', 'user', 'password', 'database'];
+    /** Options that are read; in a file, "_" in a name is "-". */
+    public const KNOWN = ['host', 'port', 'socket', 'user', 'password', 'database', ...self::TLS];
+
+    private const TLS = ['ssl-ca', 'ssl-mode', 'ssl-verify-server-cert'];
+
+    /** Others that change the connection: to leave one out unread could mean another server, or one that is not verified. */
+    private const OF_CONNECTION = '/^protocol$|(?:^|-)(?:ssl|tls)(?:-|$)/Di';
 
     private const ESCAPES = ['b' => "\x08", 't' => "\t", 'n' => "\n", 'r' => "\r", '\\' => '\\', 's' => ' ', '"' => '"', "'" => "'"];
 
     /**
-     * @return array<string, string> by name, only the names that ConnectionSettings knows
-     * @throws BadInputException the file can't be read, others can read its password, or a line is no option
+     * @return array<string, string> by the names of KNOWN
+     * @throws BadInputException the file can't be read, others can read its password, a line is no option, or an option would
+     *                           change the connection in a way that is not supported
      */
     public static function read(string $path): array
     {
@@ -43,14 +50,20 @@ final class OptionFile
             }
             if (preg_match('/^\[([^\]]+)\]$/', $line, $group) === 1) {
                 $isClient = $group[1] === 'client';
-            } elseif ($line[0] === '!' || preg_match('/^([\w-]+)\s*(?:=\s*(.*))?$/s', $line, $option) !== 1) {
+            } elseif ($line[0] === '!' || preg_match('/^([0-9A-Za-z_-]+)\s*(?:=\s*(.*))?$/s', $line, $option) !== 1) {
                 throw BadInputException::atLine(
                     $path,
                     $index + 1,
                     'neither [group] nor name=value. Keep the connection in a file of its own, without !include.'
                 );
-            } elseif ($isClient && in_array($option[1], self::KNOWN, true)) {
-                $values[$option[1]] = self::unquoted($option[2] ?? '');
+            } elseif ($isClient) {
+                $name = strtr($option[1], '_', '-');
+                if (in_array($name, self::KNOWN, true)) {
+                    $values[$name] = self::unquoted($option[2] ?? '');
+                } elseif (preg_match(self::OF_CONNECTION, $name) === 1) {
+                    throw BadInputException::atLine($path, $index + 1, "the option $name is not supported here. "
+                        . 'Leave it out; host, port, socket, ' . implode(', ', self::TLS) . ' say how to connect.');
+                }
             }
         }
 

@@ -88,8 +88,10 @@ final class Schema
         $entries = array_column($keys, 'entry');
         sort($entries);
         if ($entries !== ['PRIMARY 1 row_index', 'PRIMARY 2 col_index', 'point_index 1 point']) {
-            throw new BadInputException("database {$this->connection->database}: the table {$resolution->table()} there has other keys than "
-                . 'this version makes (docs/database.md). Rename or drop it, or import into another database.');
+            throw new BadInputException(
+                "database {$this->connection->database}: the table {$resolution->table()} there has other keys than "
+                . 'this version makes (docs/database.md). Rename or drop it, or import into another database.',
+            );
         }
     }
 }

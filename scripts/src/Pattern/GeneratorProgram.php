@@ -33,6 +33,7 @@ final class GeneratorProgram
     public function run(array $command): void
     {
         $start = hrtime(true);
+        $this->options->connection->warn($this->output);
         $table = $this->openTable();
         $this->repository->makeFolder();
         $total = new GenerationReport();

@@ -1,5 +1,4 @@
-using System.ComponentModel;
-using System.Diagnostics;
+using Msisf.Adapters.Programs;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Cluster;
@@ -9,55 +8,22 @@ public sealed class SlurmProgram
 {
     private readonly string _searchPath;
 
-    /// <summary>Takes the folders in which programs are.</summary>
+    /// <summary>Takes the folders in which the commands are.</summary>
     /// <param name="searchPath">In the form of the PATH variable.</param>
     public SlurmProgram(string searchPath) => _searchPath = searchPath;
 
     /// <summary>Whether a command is there.</summary>
-    public bool Has(string name) => Find(name) is not null;
+    public bool Has(string name) => SearchPath.Find(_searchPath, name) is not null;
 
     /// <summary>Runs a command to its end.</summary>
     /// <param name="name">One that is on the path.</param>
     /// <param name="arguments">Its arguments.</param>
     /// <param name="cancellation">Ends it, with all that it started.</param>
     /// <exception cref="ExternalPartException">It is missing or can't be started.</exception>
-    public async Task<ProcessResult> CallAsync(string name, IReadOnlyList<string> arguments, CancellationToken cancellation)
+    public Task<ProcessResult> CallAsync(string name, IReadOnlyList<string> arguments, CancellationToken cancellation)
     {
-        ProcessStartInfo start = new(Find(name) ?? throw new ExternalPartException($"no {name} on the PATH."), arguments)
-        {
-            RedirectStandardInput = true,
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
-        };
-        start.Environment["PATH"] = _searchPath;
-        using Process process = new() { StartInfo = start };
-        try
-        {
-            process.Start();
-        }
-        catch (Win32Exception exception)
-        {
-            throw new ExternalPartException($"{start.FileName}: can't be started: {exception.Message}", exception);
-        }
-
-        process.StandardInput.Close();
-        Task<string> output = process.StandardOutput.ReadToEndAsync(CancellationToken.None);
-        Task<string> error = process.StandardError.ReadToEndAsync(CancellationToken.None);
-        try
-        {
-            await process.WaitForExitAsync(cancellation).ConfigureAwait(false);
-        }
-        catch (OperationCanceledException)
-        {
-            process.Kill(entireProcessTree: true);
-            throw;
-        }
-
-        return new ProcessResult(process.ExitCode, await output.ConfigureAwait(false), await error.ConfigureAwait(false));
+        string program = SearchPath.Find(_searchPath, name) ?? throw new ExternalPartException($"no {name} on the PATH.");
+        Dictionary<string, string> environment = new() { ["PATH"] = _searchPath };
+        return new ChildProgram(program, arguments) { Environment = environment }.RunAsync(cancellation);
     }
-
-    private string? Find(string name) => _searchPath
-        .Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)
-        .Select(folder => Path.Combine(folder, name))
-        .FirstOrDefault(File.Exists);
 }

@@ -70,7 +70,9 @@ public sealed class BuiltInKernels : IDisposable
             default:
                 if (idWord.Contains('\0', StringComparison.Ordinal) || idWord is "NAIF/DAF" or "DAFETF")
                 {
-                    throw new BadInputException($"{path}: neither a text kernel nor a binary SPK or PCK: the file begins with \"{idWord.Replace('\0', '?')}\". Get the file anew, or convert it with NAIF's tobin.");
+                    throw new BadInputException(
+                        $"{path}: neither a text kernel nor a binary SPK or PCK: the file begins with \"{idWord.Replace('\0', '?')}\". "
+                            + $"Get the file anew, or convert it with NAIF's tobin.");
                 }
 
                 using (StreamReader reader = KernelFile.OpenText(path))

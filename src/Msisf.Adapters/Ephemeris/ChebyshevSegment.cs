@@ -5,19 +5,19 @@ using Msisf.Core.Numerics;
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>
-/// A segment of SPK type 2 or 3 or PCK type 2: records of equal length, each with three Chebyshev series. A record is read
-/// when a time first needs it, and kept. SPK type 3 has three series for the velocities behind.
+/// A segment of SPK type 2 or 3, or of PCK type 2: records of equal length, each with three Chebyshev series; SPK type 3 adds three series
+/// for the velocities. A record is read when it is first needed, and kept.
 /// </summary>
 /// <remarks>NAIF, SPK Required Reading, "Type 2" and "Type 3"; PCK Required Reading, "Type 2".</remarks>
 internal sealed class ChebyshevSegment : IEphemerisSegment
 {
-    /// <summary>At the end of a segment: INIT, INTLEN, RSIZE, N.</summary>
+    /// <summary>Doubles at the end of a segment: INIT, INTLEN, RSIZE, N.</summary>
     private const int DirectoryWords = 4;
 
-    /// <summary>At the start of a record: its middle and its half length.</summary>
+    /// <summary>Doubles at the start of a record: its middle and its half length.</summary>
     private const int WordsBeforeSeries = 2;
 
-    /// <summary>Of a record that has series of its own for the rates.</summary>
+    /// <summary>Series in a record that has some for the rates, too.</summary>
     private const int SeriesWithRates = 6;
 
     private readonly DafFile _file;

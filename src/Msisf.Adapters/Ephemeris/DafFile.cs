@@ -17,14 +17,14 @@ public sealed class DafFile : IDisposable
     private const int WordBytes = sizeof(double);
     private const int WordsBeforeSummaries = 3;
 
-    /// <summary>SPK and PCK alike: the segment's first and last time.</summary>
+    /// <summary>Doubles of a summary: the segment's first and last time, in SPK and in PCK.</summary>
     private const int SummaryDoubles = 2;
 
     private readonly Stream _stream;
     private readonly Lock _streamLock = new();
     private readonly bool _isLittleEndian;
 
-    /// <summary>Opens a kernel and takes the stream over.</summary>
+    /// <summary>Opens a kernel. The stream is disposed with the object.</summary>
     /// <param name="stream">Must be able to seek.</param>
     /// <param name="fileName">For messages.</param>
     /// <exception cref="BadInputException">Not an SPK or binary PCK, damaged or cut short.</exception>
@@ -35,7 +35,8 @@ public sealed class DafFile : IDisposable
         Span<byte> fileRecord = stackalloc byte[RecordBytes];
         if (stream.Length < RecordBytes)
         {
-            throw new BadInputException($"{fileName}: {stream.Length} bytes are too few for a binary kernel ({RecordBytes} at least). Get the file anew.");
+            throw new BadInputException(
+                $"{fileName}: {stream.Length} bytes are too few for a binary kernel ({RecordBytes} at least). Get the file anew.");
         }
 
         ReadBytes(0, fileRecord);
@@ -51,7 +52,9 @@ public sealed class DafFile : IDisposable
         {
             "LTL-IEEE" => true,
             "BIG-IEEE" => false,
-            _ => throw new BadInputException($"{fileName}: the number format is \"{format.Trim()}\"; LTL-IEEE or BIG-IEEE expected. Convert the kernel with NAIF's bingo."),
+            _ => throw new BadInputException(
+                $"{fileName}: the number format is \"{format.Trim()}\"; LTL-IEEE or BIG-IEEE expected. "
+                    + $"Convert the kernel with NAIF's bingo."),
         };
         int doubles = ReadInt32(fileRecord[8..]);
         int integers = ReadInt32(fileRecord[12..]);
@@ -63,7 +66,7 @@ public sealed class DafFile : IDisposable
         Summaries = ReadSummaries(ReadInt32(fileRecord[76..]), summaryIntegers);
     }
 
-    /// <summary>For messages.</summary>
+    /// <summary>The file's name, for messages.</summary>
     public string FileName { get; }
 
     /// <summary>"DAF/SPK" or "DAF/PCK".</summary>
@@ -87,7 +90,7 @@ public sealed class DafFile : IDisposable
         }
     }
 
-    /// <summary>The failure for a file that contradicts itself.</summary>
+    /// <summary>The error for a file that contradicts itself.</summary>
     /// <param name="what">What was found.</param>
     public BadInputException Damaged(string what) => new($"{FileName}: damaged kernel: {what}. Get the file anew.");
 

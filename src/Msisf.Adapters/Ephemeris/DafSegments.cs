@@ -16,11 +16,16 @@ internal static class DafSegments
 
     private static IEphemerisSegment Position(DafFile file, DafSummary summary)
     {
-        (int target, int center, int frame, int type) = (summary.Integers[0], summary.Integers[1], summary.Integers[2], summary.Integers[3]);
+        (
+            int target,
+            int center,
+            int frame,
+            int type) = (summary.Integers[0], summary.Integers[1], summary.Integers[2], summary.Integers[3]);
         if (frame != J2000 || type is not (ChebyshevPositions or ChebyshevStates))
         {
             return new UnreadableSegment(target, center, summary.Interval,
-                $"{file.FileName}: body {target} is given by SPK type {type} in frame {frame}; the built-in reader knows the types 2 and 3 in J2000 (1)");
+                $"{file.FileName}: body {target} is given by SPK type {type} in frame {frame}; "
+                    + $"the built-in reader knows the types 2 and 3 in J2000 (1)");
         }
 
         return new ChebyshevSegment(file, summary, target, center, seriesPerRecord: type == ChebyshevStates ? 6 : 3);
@@ -32,7 +37,8 @@ internal static class DafSegments
         if (frame != J2000 || type != ChebyshevAngles)
         {
             return new UnreadableSegment(body, Center: 0, summary.Interval,
-                $"{file.FileName}: orientation {body} is given by PCK type {type} in frame {frame}; the built-in reader knows type 2 in J2000 (1)");
+                $"{file.FileName}: orientation {body} is given by PCK type {type} in frame {frame}; "
+                    + $"the built-in reader knows type 2 in J2000 (1)");
         }
 
         return new ChebyshevSegment(file, summary, body, center: 0, seriesPerRecord: 3);

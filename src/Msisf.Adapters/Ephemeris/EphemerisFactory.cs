@@ -3,7 +3,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Ephemeris;
 
-/// <summary>Opens the ephemeris engine that the user wants, or the best one that is there.</summary>
+/// <summary>Opens the ephemeris engine that the user asks for, or the best one that is installed.</summary>
 public static class EphemerisFactory
 {
     /// <summary>Opens an engine.</summary>
@@ -27,12 +27,14 @@ public static class EphemerisFactory
 
         return request.Choice == EphemerisChoice.Auto
             ? OpenBuiltIn(kernels, $"because {pathOrReason}")
-            : throw new ExternalPartException($"{pathOrReason}. Run scripts/get-cspice.sh, name the library in MSISF_CSPICE, or use --ephemeris builtin.");
+            : throw new ExternalPartException(
+                $"{pathOrReason}. Run scripts/get-cspice.sh, name the library in MSISF_CSPICE, or use --ephemeris builtin.");
     }
 
     private static OpenedEphemeris OpenBuiltIn(IReadOnlyList<string> kernels, string reason)
     {
         BuiltInKernels opened = new(kernels);
-        return new OpenedEphemeris(opened.Ephemeris, EphemerisChoice.BuiltIn, $"Ephemeris: {opened.Ephemeris.EngineName}, {reason}.", opened);
+        return new OpenedEphemeris(
+            opened.Ephemeris, EphemerisChoice.BuiltIn, $"Ephemeris: {opened.Ephemeris.EngineName}, {reason}.", opened);
     }
 }

@@ -5,14 +5,14 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Ephemeris;
 
-/// <summary>Frames that frame kernels (FK) define: constant offsets ("TK frames") down to a frame that a binary PCK orients.</summary>
+/// <summary>Reads frames that frame kernels (FK) define by constant offsets ("TK frames") from a frame that a binary PCK orients.</summary>
 /// <remarks>NAIF, Frames Required Reading: "TK frames", "PCK Frames".</remarks>
 public static class FrameKernel
 {
     private const int PckClass = 2;
     private const int TkClass = 4;
 
-    /// <summary>Follows a frame's definition down to the PCK frame under it.</summary>
+    /// <summary>Follows a frame's definition down to the PCK frame that it is based on.</summary>
     /// <param name="pool">Holds the frame kernels.</param>
     /// <param name="name">The frame, e.g. "MOON_ME".</param>
     /// <exception cref="BadInputException">The frame is not defined, defined by itself, or of a kind that can't be read.</exception>
@@ -25,13 +25,17 @@ public static class FrameKernel
         {
             if (names.Contains(current))
             {
-                throw new BadInputException($"{pool.Existing($"FRAME_{current}").Source}: frame {name} is defined by itself: {string.Join(" -> ", names)} -> {current}.");
+                throw new BadInputException(
+                    $"{pool.Existing($"FRAME_{current}").Source}: frame {name} is defined by itself: "
+                        + $"{string.Join(" -> ", names)} -> {current}.");
             }
 
             names.Add(current);
             if (pool.Find($"FRAME_{current}") is null)
             {
-                throw new BadInputException($"No frame kernel defines the frame {current} ({string.Join(" -> ", names)}). Add its frame kernel to the list of kernels.");
+                throw new BadInputException(
+                    $"No frame kernel defines the frame {current} ({string.Join(" -> ", names)}). "
+                        + $"Add its frame kernel to the list of kernels.");
             }
 
             int id = pool.WholeNumber($"FRAME_{current}");
@@ -45,7 +49,9 @@ public static class FrameKernel
                     current = pool.Text(Variable(pool, "TKFRAME", id, current, "RELATIVE"));
                     break;
                 default:
-                    throw new BadInputException($"{pool.Existing(classVariable).Source}: frame {current} is of class {pool.WholeNumber(classVariable)}; the built-in reader knows the classes 2 (PCK) and 4 (TK). Use --ephemeris cspice.");
+                    throw new BadInputException(
+                        $"{pool.Existing(classVariable).Source}: frame {current} is of class {pool.WholeNumber(classVariable)}; "
+                            + $"the built-in reader knows the classes 2 (PCK) and 4 (TK). Use --ephemeris cspice.");
             }
         }
     }
@@ -57,7 +63,9 @@ public static class FrameKernel
         {
             "MATRIX" => ReadMatrix(pool, Variable(pool, "TKFRAME", id, name, "MATRIX")),
             "ANGLES" => ReadAngles(pool, id, name),
-            string other => throw new BadInputException($"{pool.Existing(specification).Source}: frame {name} is given as {other}; the built-in reader knows 'MATRIX' and 'ANGLES'. Use --ephemeris cspice."),
+            string other => throw new BadInputException(
+                $"{pool.Existing(specification).Source}: frame {name} is given as {other}; "
+                    + $"the built-in reader knows 'MATRIX' and 'ANGLES'. Use --ephemeris cspice."),
         };
     }
 
@@ -74,7 +82,10 @@ public static class FrameKernel
             && Math.Abs(byColumns.Row0.Length - 1.0) <= Tolerances.FrameMatrix;
         return isRotation
             ? byColumns.Transposed
-            : throw new BadInputException($"{pool.Existing(matrixVariable).Source}: {matrixVariable} is not a rotation within {Tolerances.FrameMatrix.ToString("R", CultureInfo.InvariantCulture)}. Give it more digits, or use --ephemeris cspice.");
+            : throw new BadInputException(
+                $"{pool.Existing(matrixVariable).Source}: {matrixVariable} is not a rotation within "
+                    + $"{Tolerances.FrameMatrix.ToString("R", CultureInfo.InvariantCulture)}. "
+                    + $"Give it more digits, or use --ephemeris cspice.");
     }
 
     private static bool IsClose(Vector3D u, Vector3D v) => (u - v).Length <= Tolerances.FrameMatrix;
@@ -94,7 +105,8 @@ public static class FrameKernel
                 1.0 => RotationMatrix.FrameAboutX(angle),
                 2.0 => RotationMatrix.FrameAboutY(angle),
                 3.0 => RotationMatrix.FrameAboutZ(angle),
-                _ => throw new BadInputException($"{pool.Existing(axesVariable).Source}: {axesVariable} must be three of the axes 1, 2 and 3."),
+                _ => throw new BadInputException(
+                    $"{pool.Existing(axesVariable).Source}: {axesVariable} must be three of the axes 1, 2 and 3."),
             };
         }
 
@@ -107,7 +119,8 @@ public static class FrameKernel
         "DEGREES" => Math.PI / 180.0,
         "ARCMINUTES" => Math.PI / 180.0 / 60.0,
         "ARCSECONDS" => Math.PI / 180.0 / 3600.0,
-        string other => throw new BadInputException($"{pool.Existing(unitsVariable).Source}: {unitsVariable} is {other}; RADIANS, DEGREES, ARCMINUTES or ARCSECONDS expected."),
+        string other => throw new BadInputException(
+            $"{pool.Existing(unitsVariable).Source}: {unitsVariable} is {other}; RADIANS, DEGREES, ARCMINUTES or ARCSECONDS expected."),
     };
 
     /// <summary>SPICE lets a frame's variables carry its number or its name.</summary>

@@ -8,7 +8,9 @@ internal static class KernelFile
 {
     private const int IdWordBytes = 8;
 
-    /// <summary>The first eight characters, by which SPICE tells the kinds of kernels, up to the first blank; "" for an empty file.</summary>
+    /// <summary>
+    /// The first eight characters up to the first blank, by which SPICE tells the kinds of kernels; "" for an empty file.
+    /// </summary>
     public static string IdWordOf(string path)
     {
         using FileStream stream = OpenBinary(path);
@@ -22,16 +24,8 @@ internal static class KernelFile
     /// <summary>Opens a text kernel.</summary>
     public static StreamReader OpenText(string path) => new(OpenBinary(path), Encoding.UTF8);
 
-    /// <summary>Opens a binary kernel; unbuffered, because each read takes a whole record.</summary>
-    public static FileStream OpenBinary(string path)
-    {
-        try
-        {
-            return new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new BadInputException($"{path}: the kernel can't be opened: {exception.Message}", exception);
-        }
-    }
+    /// <summary>Opens a binary kernel. The stream has no buffer, because each read takes a whole record.</summary>
+    public static FileStream OpenBinary(string path) => FileErrors.ToBadInput(
+        $"{path}: the kernel can't be opened",
+        () => new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0));
 }

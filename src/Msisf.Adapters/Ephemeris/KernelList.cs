@@ -55,7 +55,9 @@ public static class KernelList
         string? other = pool.Names.FirstOrDefault(name => name is not (Kernels or PathSymbols or PathValues));
         if (other is not null)
         {
-            throw new BadInputException($"{pool.Existing(other).Source}: a meta-kernel may assign {Kernels}, {PathSymbols} and {PathValues} only. Put {other} into a text kernel of its own and list that.");
+            throw new BadInputException(
+                $"{pool.Existing(other).Source}: a meta-kernel may assign {Kernels}, {PathSymbols} and {PathValues} only. "
+                    + $"Put {other} into a text kernel of its own and list that.");
         }
 
         List<string> names = JoinContinued(pool, Kernels);
@@ -74,7 +76,9 @@ public static class KernelList
             string file = ReplaceSymbol(name, symbols, values);
             if (file.Contains('\0', StringComparison.Ordinal))
             {
-                throw new BadInputException($"{path}: {NumberText.Shown(file)} in {Kernels} holds a NUL character, as no file name does. Is the meta-kernel damaged?");
+                throw new BadInputException(
+                    $"{path}: {NumberText.Shown(file)} in {Kernels} holds a NUL character, as no file name does. "
+                        + $"Is the meta-kernel damaged?");
             }
 
             string kernel = Existing(Path.GetFullPath(file, folder), $", which {path} lists");
@@ -103,10 +107,11 @@ public static class KernelList
 
         return current.Length == 0
             ? whole
-            : throw new BadInputException($"{pool.Existing(variable).Source}: the last value of {variable} ends in '+', but nothing follows.");
+            : throw new BadInputException(
+                $"{pool.Existing(variable).Source}: the last value of {variable} ends in '+', but nothing follows.");
     }
 
-    /// <summary>Replaces $SYMBOL; of several that fit the longest counts, so that $KERNELS is not taken for $K.</summary>
+    /// <summary>Replaces $SYMBOL. Of several symbols that fit, the longest counts, so that $KERNELS is not taken for $K.</summary>
     private static string ReplaceSymbol(string name, List<string> symbols, List<string> values)
     {
         int dollar = name.IndexOf('$', StringComparison.Ordinal);

@@ -3,7 +3,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Ephemeris;
 
-/// <summary>What text kernels assign. A later assignment replaces an earlier one, as in SPICE; names are case-sensitive.</summary>
+/// <summary>
+/// The variables that text kernels assign. A later assignment replaces an earlier one, as in SPICE; names are case-sensitive.
+/// </summary>
 public sealed class KernelPool
 {
     private readonly Dictionary<string, KernelVariable> _variables = new(StringComparer.Ordinal);
@@ -26,7 +28,8 @@ public sealed class KernelPool
 
         if ((present.Numbers.Count > 0) != (values.Numbers.Count > 0))
         {
-            throw new BadInputException($"{values.Source}: {name} += mixes numbers and texts; the values before stand in {present.Source}.");
+            throw new BadInputException(
+                $"{values.Source}: {name} += mixes numbers and texts; the values before stand in {present.Source}.");
         }
 
         _variables[name] = new KernelVariable([.. present.Numbers, .. values.Numbers], [.. present.Texts, .. values.Texts], values.Source);
@@ -35,7 +38,7 @@ public sealed class KernelPool
     /// <summary>The values of a name, or null.</summary>
     public KernelVariable? Find(string name) => _variables.GetValueOrDefault(name);
 
-    /// <summary>Numbers that must be there.</summary>
+    /// <summary>The numbers of a variable that must exist.</summary>
     /// <param name="name">Name of the variable.</param>
     /// <param name="count">How many values it must have.</param>
     /// <exception cref="BadInputException">Missing, texts, or another count.</exception>
@@ -49,7 +52,7 @@ public sealed class KernelPool
                 $"{variable.Source}: {name} has {variable.Numbers.Count} numbers, {count} expected."));
     }
 
-    /// <summary>A whole number that must be there.</summary>
+    /// <summary>The whole number of a variable that must exist.</summary>
     /// <param name="name">Name of the variable.</param>
     /// <exception cref="BadInputException">Missing, a text, several values, or not a whole number.</exception>
     public int WholeNumber(string name)
@@ -62,7 +65,7 @@ public sealed class KernelPool
                 $"{Existing(name).Source}: {name} is {value:R}, a whole number expected."));
     }
 
-    /// <summary>A single text that must be there.</summary>
+    /// <summary>The single text of a variable that must exist.</summary>
     /// <param name="name">Name of the variable.</param>
     /// <exception cref="BadInputException">Missing, a number, or several values.</exception>
     public string Text(string name)
@@ -73,7 +76,7 @@ public sealed class KernelPool
             : throw new BadInputException($"{variable.Source}: {name} must be one text in quotes.");
     }
 
-    /// <summary>A variable that must be there.</summary>
+    /// <summary>The variable of a name that must exist.</summary>
     /// <param name="name">Name of the variable.</param>
     /// <exception cref="BadInputException">Missing.</exception>
     public KernelVariable Existing(string name) =>

@@ -2,7 +2,7 @@ using Msisf.Core.Ephemeris;
 
 namespace Msisf.Adapters.Ephemeris;
 
-/// <summary>An engine that works until <see cref="Dispose"/>.</summary>
+/// <summary>An ephemeris engine, with the kernels that it holds open until <see cref="Dispose"/>.</summary>
 public sealed class OpenedEphemeris : IDisposable
 {
     private readonly IDisposable _resources;

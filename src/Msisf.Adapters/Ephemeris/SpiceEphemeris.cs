@@ -12,7 +12,7 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
     private readonly CSpice _cspice;
     private readonly KernelSet _kernels;
 
-    /// <summary>Furnishes kernels to a CSPICE that is started.</summary>
+    /// <summary>Loads kernels into CSPICE, which must be started.</summary>
     internal SpiceEphemeris(CSpice cspice, IReadOnlyList<string> paths)
     {
         _cspice = cspice;
@@ -45,7 +45,9 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
         }
     }
 
-    /// <summary>CSPICE says that data lack, but not for which times they exist; the kernels do. Null if the built-in reader can't read them.</summary>
+    /// <summary>
+    /// The times that the kernels cover, which CSPICE's errors do not tell; null if the built-in reader can't read the kernels.
+    /// </summary>
     private KernelCover? ReadCover()
     {
         try

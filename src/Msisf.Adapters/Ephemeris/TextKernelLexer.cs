@@ -85,7 +85,8 @@ internal static class TextKernelLexer
     private static int EndOfWord(string line, int start)
     {
         int end = start + 1;
-        while (end < line.Length && !char.IsWhiteSpace(line[end]) && !"=(),'".Contains(line[end], StringComparison.Ordinal) && !IsAppend(line, end))
+        while (end < line.Length && !char.IsWhiteSpace(line[end]) && !"=(),'".Contains(line[end], StringComparison.Ordinal)
+            && !IsAppend(line, end))
         {
             end++;
         }
@@ -112,6 +113,7 @@ internal static class TextKernelLexer
             }
         }
 
-        throw new BadInputException($"{fileName}, line {lineNumber}: the quote that opens at column {start + 1} is not closed on its line.");
+        throw new BadInputException(
+            $"{fileName}, line {lineNumber}: the quote that opens at column {start + 1} is not closed on its line.");
     }
 }

@@ -49,12 +49,14 @@ public static class TextKernelReader
         return next;
     }
 
-    private static List<TextKernelToken> ValuesFrom(List<TextKernelToken> tokens, int first, TextKernelToken name, string fileName, out int next)
+    private static List<TextKernelToken> ValuesFrom(
+        List<TextKernelToken> tokens, int first, TextKernelToken name, string fileName, out int next)
     {
         bool isList = first < tokens.Count && tokens[first].Kind == TextKernelTokenKind.Open;
         List<TextKernelToken> values = [];
         next = isList ? first + 1 : first;
-        while (next < tokens.Count && tokens[next].Kind is TextKernelTokenKind.Word or TextKernelTokenKind.Text && (isList || values.Count == 0))
+        while (next < tokens.Count && tokens[next].Kind is TextKernelTokenKind.Word or TextKernelTokenKind.Text
+            && (isList || values.Count == 0))
         {
             values.Add(tokens[next++]);
         }
@@ -92,7 +94,8 @@ public static class TextKernelReader
             }
             else if (!KernelNumber.TryParse(value.Value, out numbers[i]))
             {
-                throw new BadInputException($"{Place(fileName, value)}: {name.Value} has the value {value.Value}; {KernelNumber.ValidValues} expected.");
+                throw new BadInputException(
+                    $"{Place(fileName, value)}: {name.Value} has the value {value.Value}; {KernelNumber.ValidValues} expected.");
             }
         }
 

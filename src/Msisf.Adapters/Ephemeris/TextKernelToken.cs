@@ -1,6 +1,6 @@
 namespace Msisf.Adapters.Ephemeris;
 
-/// <summary>What a piece of a text kernel's data is.</summary>
+/// <summary>The kind of a token.</summary>
 internal enum TextKernelTokenKind
 {
     /// <summary>A name, a number or a date.</summary>
@@ -22,7 +22,7 @@ internal enum TextKernelTokenKind
     Close,
 }
 
-/// <summary>A piece of a text kernel's data. A class, because lists of it need no compilation at start-up.</summary>
+/// <summary>A token of a text kernel's data. A class, because lists of it need no compilation at start-up.</summary>
 /// <param name="Kind">What it is.</param>
 /// <param name="Value">Its characters; a text's without quotes.</param>
 /// <param name="Line">Its line in the file, from 1.</param>

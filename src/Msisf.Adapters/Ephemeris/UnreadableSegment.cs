@@ -4,7 +4,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Ephemeris;
 
-/// <summary>A segment of a form that the built-in reader does not know: no trouble until a chain needs it.</summary>
+/// <summary>A segment of a type that the built-in reader does not know. Only its use is an error.</summary>
 /// <param name="Body">NAIF's number.</param>
 /// <param name="Center">NAIF's number.</param>
 /// <param name="Interval">When its data hold.</param>

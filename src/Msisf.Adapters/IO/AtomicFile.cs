@@ -3,16 +3,18 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.IO;
 
-/// <summary>Writes a file whole or not at all: under a name of its own in the same folder, flushed to disk, then renamed.</summary>
+/// <summary>Writes a file completely or not at all: under a temporary name in the same folder, flushed to disk, then renamed.</summary>
 public static class AtomicFile
 {
-    /// <summary>What the names of unfinished files end in, before their extension.</summary>
+    /// <summary>The end of an unfinished file's name, before its extension.</summary>
     public const string PartialMark = ".partial";
 
-    /// <summary>Writes one file; an existing file is replaced at the end, in one step.</summary>
+    /// <summary>Writes one file. An existing file is replaced in one step, at the end.</summary>
     /// <param name="path">The final name.</param>
     /// <param name="write">Writes the content; the stream can seek.</param>
-    /// <param name="flushToDisk">False only for files that can be made again and carry their own check: after a power cut such a file may be empty or short.</param>
+    /// <param name="flushToDisk">
+    /// False only for files that can be made again and carry their own check: after a power cut such a file may be empty or short.
+    /// </param>
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
     public static void Write(string path, Action<Stream> write, bool flushToDisk = true)
     {

@@ -4,8 +4,8 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.IO;
 
 /// <summary>
-/// Files that belong together: each is written under a name of its own, flushed to disk; all get their final names
-/// at the end, or none does. Not for several threads.
+/// Files that belong together: each is written under a temporary name and flushed to disk; at the end all get their final names. Not for
+/// several threads.
 /// </summary>
 public sealed class AtomicFileSet : IDisposable
 {
@@ -14,8 +14,8 @@ public sealed class AtomicFileSet : IDisposable
 
     /// <summary>Begins a set.</summary>
     /// <param name="folder">
-    /// Where files are until they get their names, on the disk of the final ones: that of a <see cref="WorkFolder"/>, which does not outlast
-    /// a killed process. Null for the folder of each file.
+    /// Where files are until they get their names, on the disk of the final ones: that of a <see cref="WorkFolder"/>, which does not
+    /// outlast a killed process. Null for the folder of each file.
     /// </param>
     public AtomicFileSet(string? folder = null) => _folder = folder;
 
@@ -25,7 +25,8 @@ public sealed class AtomicFileSet : IDisposable
     /// <param name="flushToDisk">See <see cref="AtomicFile.Write"/>.</param>
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
     public void Write(string path, Action<Stream> write, bool flushToDisk = true) => Write(
-        path, AtomicFile.TemporaryNameFor(_folder is null ? path : Path.Combine(_folder, Path.GetFileName(path))), FileMode.CreateNew, write, flushToDisk);
+        path, AtomicFile.TemporaryNameFor(_folder is null ? path : Path.Combine(_folder, Path.GetFileName(path))), FileMode.CreateNew,
+        write, flushToDisk);
 
     /// <summary>The same for a file that nobody else may write meanwhile (<see cref="AtomicFile.WriteClaimed"/>).</summary>
     internal void WriteClaimed(string path, Action<Stream> write, bool flushToDisk) =>
@@ -37,12 +38,13 @@ public sealed class AtomicFileSet : IDisposable
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
     public void WriteText(string path, Action<TextWriter> write) => Write(path, stream =>
     {
-        using StreamWriter writer = new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), bufferSize: 65536, leaveOpen: true);
+        using StreamWriter writer = new(
+            stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), bufferSize: 65536, leaveOpen: true);
         writer.NewLine = "\n";
         write(writer);
     });
 
-    /// <summary>Checksum and length of a file that is written, but has not got its name yet.</summary>
+    /// <summary>Length and checksum of a file that is written but not committed.</summary>
     /// <param name="path">Its final name.</param>
     /// <exception cref="ExternalPartException">It can't be read.</exception>
     public (long Bytes, string Sha256) Measure(string path)
@@ -86,15 +88,5 @@ public sealed class AtomicFileSet : IDisposable
         });
     }
 
-    private static void Wrapped(string path, Action work)
-    {
-        try
-        {
-            work();
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"{path}: can't be written: {exception.Message}", exception);
-        }
-    }
+    private static void Wrapped(string path, Action work) => FileErrors.ToExternalPart($"{path}: can't be written", work);
 }

@@ -2,13 +2,15 @@ using System.Buffers.Binary;
 using System.Collections.Concurrent;
 using System.Security.Cryptography;
 using System.Text;
+using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.IO;
 
 /// <summary>
-/// Says which process works on what, so that several in one folder share the work: a claim is a lock on one byte of a file that stays
-/// empty, chosen by the name of what is claimed. The system frees the claims of a process that dies, over NFS those of a node too.
-/// Where the file system (or macOS's .NET) knows no such locks, every claim is granted: work is then done twice, with the same bytes as result. Safe for several threads.
+/// Says which process works on what, so that several processes can share the work in one folder. A claim is a lock on one byte of a file
+/// that stays empty; the byte follows from the name of what is claimed. The system releases the claims of a process that dies, over NFS
+/// also those of a node. Where the file system (or .NET on macOS) has no such locks, every claim is granted: work is then done twice, with
+/// the same bytes as result. Safe for several threads.
 /// </summary>
 public sealed class ClaimFile : IDisposable
 {
@@ -17,22 +19,25 @@ public sealed class ClaimFile : IDisposable
 
     private ClaimFile(FileStream? locks) => _locks = locks;
 
-    /// <summary>Opens the file; makes it if it is not there.</summary>
-    /// <param name="path">In the folder of what is claimed. A folder that can't be written to has no claims but those within the process.</param>
+    /// <summary>Opens the file, or creates it.</summary>
+    /// <param name="path">
+    /// In the folder of what is claimed. A folder that can't be written to has no claims but those within the process.
+    /// </param>
     public static ClaimFile Open(string path)
     {
         try
         {
             // Sharing both ways takes no lock on the whole file over NFS, which would be in the way of the claims.
-            return new ClaimFile(new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0));
+            return new ClaimFile(
+                new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0));
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return new ClaimFile(null);
         }
     }
 
-    /// <summary>Claims a name; does not wait.</summary>
+    /// <summary>Claims a name, without waiting.</summary>
     /// <param name="name">What is claimed, the same text in all processes.</param>
     /// <returns>Gives the claim back when disposed; null if another process or thread has it.</returns>
     public Claim? TryTake(string name)
@@ -53,7 +58,7 @@ public sealed class ClaimFile : IDisposable
             _locks.Lock(place, 1);
             return new Claim(() => GiveBack(place), isExclusive: true);
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             if (!FileLock.IsHeldByAnother(exception))
             {
@@ -65,7 +70,7 @@ public sealed class ClaimFile : IDisposable
         }
     }
 
-    /// <summary>Gives all claims back.</summary>
+    /// <summary>Releases all claims.</summary>
     public void Dispose() => _locks?.Dispose();
 
     private static long PlaceOf(string name) =>
@@ -80,7 +85,7 @@ public sealed class ClaimFile : IDisposable
                 _locks?.Unlock(place, 1);
             }
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return; // there was no lock: the claim held within the process only
         }

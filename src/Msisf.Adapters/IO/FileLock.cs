@@ -1,6 +1,6 @@
 namespace Msisf.Adapters.IO;
 
-/// <summary>Tells a lock that another process has from other troubles with a file.</summary>
+/// <summary>Tells a lock that another process holds from other file errors.</summary>
 internal static class FileLock
 {
     private const int LinuxWouldBlock = 11;

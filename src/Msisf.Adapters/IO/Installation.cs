@@ -15,16 +15,16 @@ public sealed class Installation
     /// <summary>The meta-kernel that the project ships.</summary>
     public string MetaKernel => Path.Combine(Root, "kernels", "msisf.tm");
 
-    /// <summary>The grammar of the meta files.</summary>
+    /// <summary>The DTD of the meta files.</summary>
     public string MetaFileDtd => Path.Combine(Root, "lib", "MSISRendering.dtd");
 
-    /// <summary>Elevation models that the set-up script put here.</summary>
+    /// <summary>The folder into which the set-up script puts elevation models.</summary>
     public string ElevationModels => Path.Combine(Root, "input", "ldem");
 
-    /// <summary>What starts the program, in scripts that are run later and elsewhere.</summary>
+    /// <summary>The command that starts the program in scripts that run later and elsewhere.</summary>
     public string Launcher => OperatingSystem.IsWindows() ? Path.Combine(Root, "publish", "msis.exe") : Path.Combine(Root, "msis");
 
-    /// <summary>Looks for the installation from a folder upwards.</summary>
+    /// <summary>Searches a folder and the folders above it for the installation.</summary>
     /// <param name="programFolder">Folder of the running program.</param>
     /// <exception cref="ExternalPartException">No folder above holds the kernels.</exception>
     public static Installation Above(string programFolder)

@@ -4,15 +4,15 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.IO;
 
 /// <summary>
-/// A folder for one job's own files, beside the outputs, removed at the end. While it is in use a file in it is locked; the system
-/// frees the lock of a process that was killed, so that a later run can tell its remains from the folder of one that works.
+/// A temporary folder for one job, beside the outputs. A file in it is locked while it is in use. The system frees the lock of a killed
+/// process, so that a later run can tell a folder that was left behind from one in use.
 /// </summary>
 public sealed class WorkFolder : IDisposable
 {
     private const string Prefix = ".msis-";
     private const string LockName = "lock";
 
-    /// <summary>A try is lost only to a process that looks for remains just when the folder is there and its lock is not.</summary>
+    /// <summary>A try fails only if another process looks for remains just when the folder exists and its lock does not.</summary>
     private const int Tries = 100;
 
     private readonly FileStream _heldLock;
@@ -30,7 +30,8 @@ public sealed class WorkFolder : IDisposable
     {
         for (int left = Tries; ; left--)
         {
-            string path = System.IO.Path.Combine(parent, string.Create(CultureInfo.InvariantCulture, $"{Prefix}{Environment.ProcessId}-{Guid.NewGuid():N}"));
+            string path = System.IO.Path.Combine(
+                parent, string.Create(CultureInfo.InvariantCulture, $"{Prefix}{Environment.ProcessId}-{Guid.NewGuid():N}"));
             Directory.CreateDirectory(path);
             if (TryLock(path, isLast: left == 0) is FileStream heldLock)
             {
@@ -56,7 +57,7 @@ public sealed class WorkFolder : IDisposable
 
                 removed++;
             }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            catch (Exception exception) when (exception.IsFileError())
             {
                 continue; // in use, or another user's
             }
@@ -77,7 +78,7 @@ public sealed class WorkFolder : IDisposable
                 Thread.Sleep(1);
             }
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             throw new ExternalPartException($"{Path}: can't be removed: {exception.Message}", exception);
         }
@@ -87,7 +88,9 @@ public sealed class WorkFolder : IDisposable
         }
     }
 
-    /// <returns>False if it has to be tried again: another process took the folder for remains as soon as the file of the lock was gone.</returns>
+    /// <returns>
+    /// False if it has to be tried again: another process took the folder for remains as soon as the file of the lock was gone.
+    /// </returns>
     private bool TryRemove(bool isLast)
     {
         try
@@ -105,7 +108,7 @@ public sealed class WorkFolder : IDisposable
         }
     }
 
-    /// <summary>Locks a folder of one's own.</summary>
+    /// <summary>Locks a folder that was just made.</summary>
     /// <returns>Null if another process took it for remains before it was locked, and has removed it or is about to.</returns>
     private static FileStream? TryLock(string folder, bool isLast)
     {

@@ -51,7 +51,8 @@ public static class BatchFileReader
             if (!NumberText.TryParse(word, out double number))
             {
                 throw new BadInputException(
-                    $"{fileName}, line {lineNumber}, column {position - word.Length + 1}: {NumberText.ProblemWith(word)}. A line is: {Expected}; comments begin with '#'.");
+                    $"{fileName}, line {lineNumber}, column {position - word.Length + 1}: {NumberText.ProblemWith(word)}. A line is: "
+                        + $"{Expected}; comments begin with '#'.");
             }
 
             if (count < numbers.Length)
@@ -65,7 +66,8 @@ public static class BatchFileReader
         if (count != numbers.Length)
         {
             throw new BadInputException(
-                $"{fileName}, line {lineNumber}: {count} numbers, {numbers.Length} expected ({Expected}). {(count < numbers.Length ? "Complete" : "Shorten")} or remove the line.");
+                $"{fileName}, line {lineNumber}: {count} numbers, {numbers.Length} expected ({Expected}). "
+                    + $"{(count < numbers.Length ? "Complete" : "Shorten")} or remove the line.");
         }
 
         try

@@ -3,12 +3,12 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Input;
 
-/// <summary>The lines of a text, in the memory of the longest line allowed; refuses what can't be a text.</summary>
+/// <summary>Reads the lines of a text with memory for the longest allowed line only, and refuses what can't be text.</summary>
 /// <param name="reader">The text; LF or CRLF ends a line, a byte order mark at the start is left out.</param>
 /// <param name="fileName">For messages.</param>
 internal sealed class BoundedLineReader(TextReader reader, string fileName)
 {
-    /// <summary>Characters: a line of numbers has some 200; more is another kind of file.</summary>
+    /// <summary>Characters. A line of numbers has some 200; a longer line belongs to another kind of file.</summary>
     public const int LongestLine = 65_536;
 
     private static readonly SearchValues<char> NeverInText =
@@ -43,7 +43,8 @@ internal sealed class BoundedLineReader(TextReader reader, string fileName)
         if (control >= 0)
         {
             throw new BadInputException(
-                $"{fileName}, line {LineNumber}, column {control + 1}: control character U+{(int)line[control]:X4}; this is not a text file.");
+                $"{fileName}, line {LineNumber}, column {control + 1}: control character U+{(int)line[control]:X4}; "
+                    + $"this is not a text file.");
         }
 
         line = LineNumber == 1 ? line.TrimStart('\uFEFF') : line;

@@ -1,6 +1,6 @@
 namespace Msisf.Adapters.Input;
 
-/// <summary>One key of a configuration file with what stands behind it, still as text.</summary>
+/// <summary>One key of a configuration file with its value or values, as text.</summary>
 /// <param name="Key">As it is written.</param>
 /// <param name="Values">The value, or the values of a list; at least one, each a line without control characters.</param>
 /// <param name="IsList">Whether it is written as a list.</param>

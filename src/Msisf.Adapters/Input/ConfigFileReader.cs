@@ -6,12 +6,12 @@ using YamlDotNet.Core.Events;
 namespace Msisf.Adapters.Input;
 
 /// <summary>
-/// Reads configuration files: one YAML map from keys to values or to lists of values. What YAML has beyond that (maps in maps, anchors, aliases,
+/// Reads configuration files: one YAML map from keys to values or lists of values. Everything else in YAML (maps in maps, anchors, aliases,
 /// tags, several documents) is refused. No other class names YamlDotNet, so that it is loaded only when there is a file to read.
 /// </summary>
 public sealed class ConfigFileReader
 {
-    /// <summary>Bytes: a file of settings has some hundred; more is another kind of file.</summary>
+    /// <summary>Bytes. A configuration file has some hundred; a larger one is another kind of file.</summary>
     public const int LargestSize = 1_000_000;
 
     private static readonly string[] NullWords = ["", "~", "null", "Null", "NULL"];
@@ -40,7 +40,8 @@ public sealed class ConfigFileReader
         catch (Exception exception) when (exception is InvalidOperationException or ArgumentException)
         {
             // YamlDotNet's scanner throws this at a list whose words go on in the next line.
-            throw NotYaml(fileName, parser.Current?.End ?? Mark.Empty, "what begins here has no end; is there a ']' or '}' missing?", exception);
+            throw NotYaml(
+                fileName, parser.Current?.End ?? Mark.Empty, "what begins here has no end; is there a ']' or '}' missing?", exception);
         }
     }
 
@@ -155,7 +156,8 @@ public sealed class ConfigFileReader
     {
         if (!_parser.TryConsume<Scalar>(out Scalar? scalar))
         {
-            throw Wrong(_parser.Current!, _parser.Current is AnchorAlias ? "aliases are not read here. Write the value itself" : whatIsNeeded);
+            throw Wrong(
+                _parser.Current!, _parser.Current is AnchorAlias ? "aliases are not read here. Write the value itself" : whatIsNeeded);
         }
 
         RefuseProperties(scalar);
@@ -172,7 +174,7 @@ public sealed class ConfigFileReader
 
     private static bool IsNull(Scalar value) => value.Style == ScalarStyle.Plain && NullWords.Contains(value.Value, StringComparer.Ordinal);
 
-    /// <summary>No half of a character that needs two: "\\uD800" in quotes makes one.</summary>
+    /// <summary>Whether each surrogate has its pair: "\\uD800" in quotes makes one without.</summary>
     private static bool IsWellFormed(string text) => !text.EnumerateRunes().Contains(Rune.ReplacementChar);
 
     private BadInputException Wrong(ParsingEvent place, string what) =>

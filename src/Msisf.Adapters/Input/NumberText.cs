@@ -4,7 +4,10 @@ using System.Text;
 
 namespace Msisf.Adapters.Input;
 
-/// <summary>Numbers as the thesis writes them: decimal or scientific, plus sign optional, decimal point (section 6.3.2); the culture plays no part.</summary>
+/// <summary>
+/// Reads numbers as the thesis writes them (section 6.3.2): decimal or scientific, with a decimal point whatever the culture; a plus sign
+/// is optional.
+/// </summary>
 public static class NumberText
 {
     /// <summary>What a number may look like, for messages.</summary>
@@ -14,7 +17,7 @@ public static class NumberText
 
     private static readonly SearchValues<char> CharactersOfNumbers = SearchValues.Create("0123456789+-.eE");
 
-    /// <summary>Reads one number; nothing may stand around it. A number too small for a double is 0, as rounding has it.</summary>
+    /// <summary>Reads one number, without anything around it. A number too small for a double becomes 0.</summary>
     /// <param name="text">The characters of the number alone.</param>
     /// <param name="value">The nearest double.</param>
     /// <returns>False if it is not a number, or too large for one: <see cref="ProblemWith"/> says why.</returns>

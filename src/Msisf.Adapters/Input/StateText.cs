@@ -23,7 +23,8 @@ public static class StateText
         return texts.Count == fields.Count
             ? ParseAll(option, texts, index => fields[index])
             : throw new BadInputException(
-                $"{option}: {CountOf(texts.Count)}, {fields.Count} expected: {expected}. Commas separate the numbers, decimals take a point.");
+                $"{option}: {CountOf(texts.Count)}, {fields.Count} expected: {expected}. "
+                    + $"Commas separate the numbers, decimals take a point.");
     }
 
     /// <summary>Reads a list of any length from 1.</summary>
@@ -92,7 +93,9 @@ public static class StateText
         bool closes = text.EndsWith(close);
         string inner = opens && closes && text.Length > 1 ? text[1..^1].Trim() : text;
         return inner.AsSpan().ContainsAny(open, close)
-            ? throw new BadInputException($"{option}: {NumberText.Shown(text)} has unbalanced '{open}' and '{close}'; {expected} is expected, quoted so that the shell leaves it alone.")
+            ? throw new BadInputException(
+                $"{option}: {NumberText.Shown(text)} has unbalanced '{open}' and '{close}'; "
+                    + $"{expected} is expected, quoted so that the shell leaves it alone.")
             : inner;
     }
 

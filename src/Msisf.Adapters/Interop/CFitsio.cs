@@ -5,10 +5,12 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Interop;
 
-/// <summary>CFITSIO as a whole: is it there, and what went wrong in it.</summary>
+/// <summary>Loads CFITSIO and turns its errors into exceptions.</summary>
 internal static unsafe class CFitsio
 {
-    /// <summary>Held round every call: a build that is not reentrant has one state a process, and every build one list of messages.</summary>
+    /// <summary>
+    /// The lock for every call: a build that is not reentrant has one state per process, and every build has one list of messages.
+    /// </summary>
     public static readonly Lock Gate = new();
 
     /// <summary>Checks that a library can be loaded.</summary>
@@ -19,7 +21,8 @@ internal static unsafe class CFitsio
         if (!NativeLibrary.TryLoad(name, typeof(CFitsio).Assembly, searchPath: null, out _))
         {
             throw new ExternalPartException(
-                $"{name} (CFITSIO, which writes the layers) can't be loaded. Install it (Debian, Ubuntu: apt-get install libcfitsio10) or give --layers-format npy.");
+                $"{name} (CFITSIO, which writes the layers) can't be loaded. Install it (Debian, Ubuntu: "
+                    + $"apt-get install libcfitsio10) or give --layers-format npy.");
         }
     }
 

@@ -3,7 +3,9 @@ using System.Runtime.InteropServices;
 
 namespace Msisf.Adapters.Interop;
 
-/// <summary>The functions of CFITSIO 4 that the layers need; C names, no logic. A status that is not 0 on entry makes them do nothing.</summary>
+/// <summary>
+/// The functions of CFITSIO 4 that the layers need; C names, no logic. A status that is not 0 on entry makes them do nothing.
+/// </summary>
 internal static unsafe partial class CFitsioNative
 {
     /// <summary>The name that the run-time linker knows; Debian and Ubuntu have it in the package libcfitsio10.</summary>

@@ -7,8 +7,8 @@ using Msisf.Core.Time;
 namespace Msisf.Adapters.Interop;
 
 /// <summary>
-/// CSPICE with every call checked. CSPICE is not thread-safe and has one kernel pool and one error state a process; so there is
-/// one object, and one lock round each sequence of calls.
+/// CSPICE with every call checked. CSPICE is not thread-safe and has one kernel pool and one error state per process, so there is one
+/// object, and one lock around each sequence of calls.
 /// </summary>
 internal sealed class CSpice
 {
@@ -58,7 +58,7 @@ internal sealed class CSpice
         }
     }
 
-    /// <summary>Makes these kernels, and no others, the loaded ones.</summary>
+    /// <summary>Loads these kernels and unloads all others.</summary>
     /// <param name="paths">Absolute paths in load order.</param>
     /// <exception cref="SpiceException">CSPICE refuses a kernel.</exception>
     public void Furnish(IReadOnlyList<string> paths)
@@ -79,7 +79,10 @@ internal sealed class CSpice
         }
     }
 
-    /// <summary>Position of the Sun relative to the Moon's centre: m, MOON_ME of the time (SPICE turns it by the light time from the frame's centre to the observer, which is 0).</summary>
+    /// <summary>
+    /// Position of the Sun relative to the Moon's centre: m, MOON_ME of the time (SPICE turns it by the light time from the frame's centre
+    /// to the observer, which is 0).
+    /// </summary>
     /// <param name="kernels">The kernels to work with.</param>
     /// <param name="time">UTC.</param>
     /// <param name="aberration">What of light's finite speed is taken in.</param>

@@ -2,14 +2,16 @@ using System.Runtime.InteropServices;
 
 namespace Msisf.Adapters.Interop;
 
-/// <summary>Finds CSPICE's shared library and serves it to <see cref="CSpiceNative"/>. Call it under <see cref="CSpice"/>'s lock.</summary>
+/// <summary>Finds CSPICE's shared library for <see cref="CSpiceNative"/>. Call it under <see cref="CSpice"/>'s lock.</summary>
 internal sealed class CSpiceLibrary
 {
     private const string FileName = "libcspice.so";
 
     private nint _loaded;
 
-    /// <summary>Loads the library: the explicit path alone if one is given, else beside the program, in the installation, in the system.</summary>
+    /// <summary>
+    /// Loads the library: the explicit path alone if one is given, else beside the program, in the installation, in the system.
+    /// </summary>
     /// <param name="explicitPath">MSISF_CSPICE, or null.</param>
     /// <param name="installationRoot">The folder that holds lib/native.</param>
     /// <param name="pathOrFailures">Where it was found; on failure each place with the reason why not.</param>

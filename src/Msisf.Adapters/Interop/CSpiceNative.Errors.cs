@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Msisf.Adapters.Interop;
 
-/// <summary>CSPICE as it is: C names, no logic. Only <see cref="CSpice"/> calls it, under its lock.</summary>
+/// <summary>The functions of CSPICE: C names, no logic. Only <see cref="CSpice"/> calls them, under its lock.</summary>
 internal static partial class CSpiceNative
 {
     /// <summary>The name that <see cref="CSpiceLibrary"/> resolves.</summary>

@@ -3,7 +3,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Interop;
 
-/// <summary>An image that is drawn on with cairo; every result is checked. Coordinates are in px from the upper left corner, x right, y down.</summary>
+/// <summary>
+/// An image that is drawn on with cairo; every result is checked. Coordinates are in px from the upper left corner, x right, y down.
+/// </summary>
 internal sealed unsafe class CairoImage : IDisposable
 {
     /// <summary>
@@ -64,7 +66,8 @@ internal sealed unsafe class CairoImage : IDisposable
         source.ThrowIfFailed();
         if (status == CairoNative.StatusNoMemory)
         {
-            throw new ExternalPartException("cairo has too little memory for the image. Make the image smaller or leave out the annotation.");
+            throw new ExternalPartException(
+                "cairo has too little memory for the image. Make the image smaller or leave out the annotation.");
         }
 
         throw new BadInputException($"The image can't be read as PNG: {Text(status)}.");
@@ -78,7 +81,8 @@ internal sealed unsafe class CairoImage : IDisposable
         if (!NativeLibrary.TryLoad(name, typeof(CairoImage).Assembly, searchPath: null, out _))
         {
             throw new ExternalPartException(
-                $"{name} (cairo, which draws on images) can't be loaded. Install it (Debian, Ubuntu: apt-get install libcairo2) or leave out --rendering-annotation and --contact-sheet.");
+                $"{name} (cairo, which draws on images) can't be loaded. Install it (Debian, Ubuntu: "
+                    + $"apt-get install libcairo2) or leave out --rendering-annotation and --contact-sheet.");
         }
     }
 
@@ -121,7 +125,7 @@ internal sealed unsafe class CairoImage : IDisposable
         ThrowIfContextFailed("cairo_fill");
     }
 
-    /// <summary>Draws another image on it, with its upper left corner at a point.</summary>
+    /// <summary>Draws another image with its upper left corner at a point.</summary>
     public void DrawImage(CairoImage other, double x, double y, double scale)
     {
         CairoNative.cairo_save(_context);

@@ -4,7 +4,10 @@ using System.Runtime.InteropServices;
 
 namespace Msisf.Adapters.Interop;
 
-/// <summary>A stream as cairo's read and write callbacks see it. An exception may not cross native code: it is kept and thrown again behind it.</summary>
+/// <summary>
+/// Lets cairo's read and write callbacks use a stream. An exception must not pass through native code: it is kept and thrown after the
+/// call.
+/// </summary>
 internal sealed unsafe class CairoStream : IDisposable
 {
     private readonly Stream _stream;

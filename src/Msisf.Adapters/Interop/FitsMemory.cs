@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Msisf.Adapters.Interop;
 
-/// <summary>The memory of a FITS file that is none on disk; CFITSIO keeps pointers into it, and may move and resize it.</summary>
+/// <summary>The memory that holds a FITS file. CFITSIO keeps pointers into it, and may move and resize it.</summary>
 internal sealed unsafe class FitsMemory : IDisposable
 {
     private readonly Block* _block;

@@ -5,8 +5,8 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Interop;
 
 /// <summary>
-/// One header and data unit of a FITS file, made by CFITSIO in memory and then copied to a stream, so that a file is as good as
-/// any other output and never more than one unit is in memory. Texts are ASCII. Every result is checked.
+/// One header and data unit of a FITS file. CFITSIO makes it in memory, and it is then copied to a stream: so the file is written as
+/// atomically as any other, and no more than one unit is in memory. Texts are ASCII. Every result is checked.
 /// </summary>
 internal sealed unsafe class FitsUnit : IDisposable
 {
@@ -86,7 +86,8 @@ internal sealed unsafe class FitsUnit : IDisposable
     public void Put(string key, double value, string comment)
     {
         int digits = 15;
-        while (digits < 17 && double.Parse(value.ToString($"G{digits}", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture) != value)
+        while (digits < 17
+            && double.Parse(value.ToString($"G{digits}", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture) != value)
         {
             digits++;
         }
@@ -140,7 +141,7 @@ internal sealed unsafe class FitsUnit : IDisposable
         }
     }
 
-    /// <summary>Sets the checksums and copies the unit; nothing can be added any more.</summary>
+    /// <summary>Sets the checksums and copies the unit to a stream. Nothing can be added after that.</summary>
     public void CopyTo(Stream destination)
     {
         long start;
@@ -191,7 +192,7 @@ internal sealed unsafe class FitsUnit : IDisposable
         }
     }
 
-    /// <summary>As ffpcks does, whose comments have the time of day in them.</summary>
+    /// <summary>Writes the checksums as ffpcks does, but without the time of day that its comments have.</summary>
     private void PutChecksums(ref int status)
     {
         const string Unchanged = "&";

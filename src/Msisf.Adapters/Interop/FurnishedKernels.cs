@@ -5,8 +5,8 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Interop;
 
 /// <summary>
-/// The kernels in CSPICE's pool. The pool is one for the process; so two engines with different kernels take turns, and none sees
-/// the other's. Call it under <see cref="CSpice"/>'s lock.
+/// The kernels in CSPICE's pool. There is one pool per process, so engines with different kernels take turns, and none sees the kernels of
+/// another. Call it under <see cref="CSpice"/>'s lock.
 /// </summary>
 internal sealed class FurnishedKernels
 {
@@ -15,7 +15,7 @@ internal sealed class FurnishedKernels
 
     private IReadOnlyList<string> _loaded = [];
 
-    /// <summary>Makes these kernels, and no others, the loaded ones.</summary>
+    /// <summary>Loads these kernels and unloads all others.</summary>
     /// <param name="paths">Absolute paths in load order.</param>
     /// <exception cref="SpiceException">CSPICE refuses a kernel; none stays loaded.</exception>
     public void Use(IReadOnlyList<string> paths)
@@ -62,7 +62,8 @@ internal sealed class FurnishedKernels
         {
             throw new SpiceException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{path}: the path has {bytes} bytes; CSPICE takes {MaximumPathBytes} at most. Move the kernels to a shorter path, or use --ephemeris builtin."));
+                $"{path}: the path has {bytes} bytes; CSPICE takes {MaximumPathBytes} at most. "
+                    + $"Move the kernels to a shorter path, or use --ephemeris builtin."));
         }
 
         CSpiceNative.furnsh_c(path);

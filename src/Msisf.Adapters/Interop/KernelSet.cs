@@ -1,6 +1,6 @@
 namespace Msisf.Adapters.Interop;
 
-/// <summary>Kernels that are furnished to CSPICE until <see cref="Dispose"/>.</summary>
+/// <summary>Kernels that stay loaded in CSPICE until <see cref="Dispose"/>.</summary>
 internal sealed class KernelSet : IDisposable
 {
     private readonly CSpice _cspice;

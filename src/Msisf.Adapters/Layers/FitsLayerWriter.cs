@@ -8,13 +8,15 @@ using Msisf.Core.Render;
 
 namespace Msisf.Adapters.Layers;
 
-/// <summary>Writes a frame's layers as one FITS file: a primary unit with the provenance, an IMAGE extension a layer (docs/formats.md).</summary>
+/// <summary>
+/// Writes a frame's layers as one FITS file: a primary unit with the provenance, an IMAGE extension a layer (docs/formats.md).
+/// </summary>
 public static class FitsLayerWriter
 {
-    /// <summary>Pixels that are converted at a time, so that they stay in the processor's cache.</summary>
+    /// <summary>Pixels that are converted at once, so that they stay in the processor's cache.</summary>
     private const int BlockPixels = 16384;
 
-    /// <summary>Checks that CFITSIO is there, before work is done in vain.</summary>
+    /// <summary>Checks that CFITSIO is installed, before frames are made.</summary>
     /// <exception cref="ExternalPartException">It can't be loaded.</exception>
     public static void RequireCFitsio() => CFitsio.RequireLibrary(CFitsioNative.Library);
 
@@ -28,7 +30,8 @@ public static class FitsLayerWriter
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Write(
-        Stream stream, FrameMetadata frame, LayerProvenance provenance, IGroundTruth truth, LayerSet layers, CancellationToken cancellation = default)
+        Stream stream, FrameMetadata frame, LayerProvenance provenance, IGroundTruth truth, LayerSet layers,
+        CancellationToken cancellation = default)
     {
         using (FitsUnit primary = FitsUnit.Primary())
         {

@@ -11,9 +11,13 @@ internal static class FitsProvenance
 {
     private static readonly string[] Remarks =
     [
-        "Ground truth of each pixel of a synthetic image of the Moon, one layer an extension. Positions and directions are in MOON_ME (mean Earth/polar axis), from the Moon's centre, in m.",
-        "Pixel (x, y) of the image, from 1, x right and y DOWN, is FITS pixel (x, y): the first row of the data is the image's top row, in numpy data[y - 1, x - 1]. Programs that draw the first row at the bottom show the image upside down.",
-        "Pixels that show no surface are NaN in layers of real numbers (FITS standard 4.0, section 5.3), BLANK in layers of whole numbers, and 0 in MASK.",
+        "Ground truth of each pixel of a synthetic image of the Moon, one layer an extension. "
+            + "Positions and directions are in MOON_ME (mean Earth/polar axis), from the Moon's centre, in m.",
+        "Pixel (x, y) of the image, from 1, x right and y DOWN, is FITS pixel (x, y): "
+            + "the first row of the data is the image's top row, in numpy data[y - 1, x - 1]. "
+            + "Programs that draw the first row at the bottom show the image upside down.",
+        "Pixels that show no surface are NaN in layers of real numbers (FITS standard 4.0, section 5.3), "
+            + "BLANK in layers of whole numbers, and 0 in MASK.",
     ];
 
     public static void Put(FitsUnit unit, FrameMetadata frame, LayerProvenance provenance)

@@ -10,8 +10,8 @@ internal static class FitsText
     private const int CardText = 72;
 
     /// <summary>
-    /// Writes what is not printable ASCII as JSON does: \u00e4; each UTF-16 unit for itself, and the backslash too, so that nothing is
-    /// lost. Also the apostrophe: FITS has a way to write it, but astropy before 5.3 ends a long text at one.
+    /// Escapes characters that are not printable ASCII as JSON does (\u00e4), each UTF-16 unit for itself, and the backslash, so that
+    /// nothing is lost. The apostrophe is escaped too: FITS could hold it, but astropy before 5.3 ends a long text at one.
     /// </summary>
     public static string Ascii(string text)
     {

@@ -3,13 +3,18 @@ using Msisf.Core.Layers;
 
 namespace Msisf.Adapters.Layers;
 
-/// <summary>Computes a frame's layers, all rows in parallel, a few layers at a time so that memory does not grow with their number.</summary>
+/// <summary>
+/// Computes a frame's layers, all rows in parallel. A few layers are computed at a time, so that memory does not grow with their number.
+/// </summary>
 internal static class LayerPasses
 {
-    /// <summary>bytes of planes in a pass: at 1024 x 1024 px all layers take three passes, so a pixel is looked up three times, not seventeen.</summary>
+    /// <summary>
+    /// Bytes of the planes of one pass. At 1024 x 1024 px all layers take three passes, so each pixel is looked up three times instead of
+    /// sixteen times.
+    /// </summary>
     private const long MemoryOfAPass = 64L << 20;
 
-    /// <summary>Computes layers and hands them on, one after the other.</summary>
+    /// <summary>Computes layers and passes them on, one after the other.</summary>
     /// <param name="sampler">The frame.</param>
     /// <param name="layers">Which, in their order.</param>
     /// <param name="use">
@@ -43,7 +48,8 @@ internal static class LayerPasses
     }
 
     private static void RunPass(
-        LayerSampler sampler, Layer[] pass, List<double[]> planes, Action<Layer, IReadOnlyList<double[]>> use, CancellationToken cancellation)
+        LayerSampler sampler, Layer[] pass, List<double[]> planes, Action<Layer, IReadOnlyList<double[]>> use,
+        CancellationToken cancellation)
     {
         Parallel.For(
             0,

@@ -5,7 +5,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Layers;
 
-/// <summary>The provenance beside the array files, which have no place for it. Numbers read back to the bit.</summary>
+/// <summary>Writes the provenance of array files, which have no place for it. Numbers read back to the bit.</summary>
 internal static class LayersJson
 {
     private static readonly JsonWriterOptions Indented = new() { Indented = true, NewLine = "\n" };
@@ -22,7 +22,8 @@ internal static class LayersJson
             json.WriteNumber("mjdUtc", frame.SimulationTime.Days);
             json.WriteString("utc", frame.SimulationTime.ToIsoUtc());
             json.WriteString("frame", "MOON_ME");
-            WriteNumbers(json, "cameraPositionM", frame.Camera.PositionMoonMe.X, frame.Camera.PositionMoonMe.Y, frame.Camera.PositionMoonMe.Z);
+            WriteNumbers(
+                json, "cameraPositionM", frame.Camera.PositionMoonMe.X, frame.Camera.PositionMoonMe.Y, frame.Camera.PositionMoonMe.Z);
             WriteNumbers(json, "cameraQuaternionXyz0", orientation.X, orientation.Y, orientation.Z, orientation.W);
             json.WriteNumber("fieldOfViewDegrees", frame.FieldOfViewDegrees);
             WriteNumbers(json, "sunPositionM", frame.SunPositionMoonMe.X, frame.SunPositionMoonMe.Y, frame.SunPositionMoonMe.Z);

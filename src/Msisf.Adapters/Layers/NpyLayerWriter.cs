@@ -8,7 +8,9 @@ using Msisf.Core.Render;
 
 namespace Msisf.Adapters.Layers;
 
-/// <summary>Writes a frame's layers as array files of NumPy, one a layer, and their provenance as JSON (docs/formats.md). Needs no library.</summary>
+/// <summary>
+/// Writes a frame's layers as array files of NumPy, one a layer, and their provenance as JSON (docs/formats.md). Needs no library.
+/// </summary>
 public static class NpyLayerWriter
 {
     /// <summary>Writes the files; they appear when the set is committed. The bytes depend on the arguments alone.</summary>

@@ -3,7 +3,9 @@ using Msisf.Adapters.Terrain;
 
 namespace Msisf.Adapters.Lod;
 
-/// <summary>SHA-256 of a model's samples: of each file's samples in the file's order, then of these hashes in the order of the files.</summary>
+/// <summary>
+/// SHA-256 of a model's samples: each file's samples are hashed in the file's order, then these hashes in the order of the files.
+/// </summary>
 internal sealed class LdemContentHash : IDisposable
 {
     private readonly IReadOnlyList<LdemPart> _parts;
@@ -15,7 +17,7 @@ internal sealed class LdemContentHash : IDisposable
         _hashes = [.. _parts.Select(_ => IncrementalHash.CreateHash(HashAlgorithmName.SHA256))];
     }
 
-    /// <summary>Adds lines of the whole Moon; each line once, from the north.</summary>
+    /// <summary>Adds lines of the whole Moon, from north to south, each once.</summary>
     public void Append(int firstLine, int lines)
     {
         for (int index = 0; index < _parts.Count; index++)

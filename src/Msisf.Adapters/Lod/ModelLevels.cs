@@ -19,7 +19,7 @@ public sealed class ModelLevels : IDisposable
     /// <summary>The sidecar in use; null if all levels are computed.</summary>
     public PyramidFile? Sidecar { get; }
 
-    /// <summary>A sidecar that is there but can't be used, and why; null if there is none such.</summary>
+    /// <summary>Which sidecar exists but can't be used, and why; null if there is none such.</summary>
     public string? Warning { get; }
 
     /// <summary>Opens the levels; no sample is read.</summary>

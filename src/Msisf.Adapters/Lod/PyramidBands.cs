@@ -3,7 +3,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Lod;
 
-/// <summary>A level while its sidecar is made: the last two rows of blocks, from which a row of the next level follows.</summary>
+/// <summary>A level of detail while its sidecar is made: the last two rows of blocks, from which a row of the next level follows.</summary>
 internal sealed class PyramidBands : BlockedGrid
 {
     private readonly float[][] _bands;
@@ -33,7 +33,11 @@ internal sealed class PyramidBands : BlockedGrid
             Array.Clear(band); // what the last blocks lack is zero in the file
         }
 
-        Parallel.For(0, Columns, options, column => reducer.Reduce(row, column, band.AsSpan(column * LodLayout.BlockSamples, LodLayout.BlockSamples)));
+        Parallel.For(
+            0,
+            Columns,
+            options,
+            column => reducer.Reduce(row, column, band.AsSpan(column * LodLayout.BlockSamples, LodLayout.BlockSamples)));
     }
 
     /// <inheritdoc/>

@@ -19,7 +19,8 @@ public sealed unsafe class PyramidFile : IDisposable
     {
         FilePath = path;
         _header = header;
-        _file = MemoryMappedFile.CreateFromFile(stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
+        _file = MemoryMappedFile.CreateFromFile(
+            stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
         _view = _file.CreateViewAccessor(0, 0, MemoryMappedFileAccess.Read);
         byte* mapped = null;
         _view.SafeMemoryMappedViewHandle.AcquirePointer(ref mapped);
@@ -29,7 +30,8 @@ public sealed unsafe class PyramidFile : IDisposable
         for (int index = 0; index < _levels.Length; index++)
         {
             int first = layout.FirstBlockOf(index);
-            _levels[index] = new PyramidLevel(source, layout.LevelAt(index).PixelsPerDegree, path, (float*)(start + layout.OffsetOf(first)), checksums, first);
+            _levels[index] = new PyramidLevel(
+                source, layout.LevelAt(index).PixelsPerDegree, path, (float*)(start + layout.OffsetOf(first)), checksums, first);
         }
     }
 
@@ -39,7 +41,7 @@ public sealed unsafe class PyramidFile : IDisposable
     /// <summary>The stored levels, finest first: level 2 of the model and all coarser ones.</summary>
     public IReadOnlyList<IElevationGrid> Levels => _levels;
 
-    /// <summary>Opens a sidecar, if it is whole and of this model. Neither its samples nor the model's are read for that.</summary>
+    /// <summary>Opens a sidecar if it is complete and of this model. Neither its samples nor the model's are read for that.</summary>
     /// <param name="path">The file.</param>
     /// <param name="image">The model.</param>
     /// <param name="problem">Why it can't be used; null if it can, or if there is none.</param>
@@ -58,7 +60,7 @@ public sealed unsafe class PyramidFile : IDisposable
             stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read);
             (file, problem) = Open(path, stream, image);
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             problem = $"can't be read: {exception.Message}";
         }
@@ -73,7 +75,7 @@ public sealed unsafe class PyramidFile : IDisposable
         return file;
     }
 
-    /// <summary>Reads the whole sidecar and the whole model, and compares both with what was noted when the sidecar was made.</summary>
+    /// <summary>Reads the whole sidecar and the whole model, and compares both with the checksums that the sidecar was made with.</summary>
     /// <param name="image">The model.</param>
     /// <param name="cancellation">Ends the work.</param>
     /// <exception cref="BadInputException">A block is damaged, or the model's samples are others.</exception>
@@ -93,7 +95,8 @@ public sealed unsafe class PyramidFile : IDisposable
 
         if (!content.Finish().SequenceEqual(_header.ContentHash))
         {
-            throw new BadInputException($"{FilePath}: it was made of other samples than {image.Set.Location} has now. Make it again with 'msis ldem pyramid'.");
+            throw new BadInputException(
+                $"{FilePath}: it was made of other samples than {image.Set.Location} has now. Make it again with 'msis ldem pyramid'.");
         }
     }
 

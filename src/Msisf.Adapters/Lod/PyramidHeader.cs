@@ -4,7 +4,7 @@ using Msisf.Adapters.Terrain;
 
 namespace Msisf.Adapters.Lod;
 
-/// <summary>The first bytes of a sidecar: what it was made of, and what checks the rest.</summary>
+/// <summary>The first bytes of a sidecar: which model it was made of, and the checksums of the rest.</summary>
 /// <param name="PixelsPerDegree">Samples a degree of the model.</param>
 /// <param name="Fingerprint">Of label, sizes and times of the model's files (<see cref="SummarySource"/>), 32 bytes.</param>
 /// <param name="ContentHash">Of the model's samples (<see cref="LdemContentHash"/>), 32 bytes.</param>
@@ -14,7 +14,7 @@ internal sealed record PyramidHeader(int PixelsPerDegree, byte[] Fingerprint, by
     /// <summary>Magic number, two numbers, three hashes, and the hash of all that.</summary>
     public const int Bytes = 8 + (2 * sizeof(int)) + (4 * SHA256.HashSizeInBytes);
 
-    /// <summary>Samples and check sums are in the machine's byte order; a file of the other one is none.</summary>
+    /// <summary>Samples and checksums are in the machine's byte order; a file of the other order is refused.</summary>
     private static ReadOnlySpan<byte> Magic => BitConverter.IsLittleEndian ? "MSISFPL1"u8 : "MSISFPB1"u8;
 
     public byte[] ToBytes()
@@ -39,7 +39,11 @@ internal sealed record PyramidHeader(int PixelsPerDegree, byte[] Fingerprint, by
             && BinaryPrimitives.ReadInt32LittleEndian(bytes[12..]) == PyramidLayout.FirstLevel
             && bytes[112..Bytes].SequenceEqual(SHA256.HashData(bytes[..112]));
         return isWhole
-            ? new PyramidHeader(BinaryPrimitives.ReadInt32LittleEndian(bytes[8..]), bytes[16..48].ToArray(), bytes[48..80].ToArray(), bytes[80..112].ToArray())
+            ? new PyramidHeader(
+                BinaryPrimitives.ReadInt32LittleEndian(bytes[8..]),
+                bytes[16..48].ToArray(),
+                bytes[48..80].ToArray(),
+                bytes[80..112].ToArray())
             : null;
     }
 }

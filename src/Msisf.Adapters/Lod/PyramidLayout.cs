@@ -5,13 +5,15 @@ using Msisf.Core.Lod;
 namespace Msisf.Adapters.Lod;
 
 /// <summary>
-/// Where a sidecar keeps what: a page with the header, a check sum for each block, then the blocks, level by level from the finest stored one, each level row
-/// by row. Blocks begin on pages and have their full size.
+/// The layout of a sidecar: a page with the header, a checksum for each block, then the blocks, level by level from the finest one, each
+/// level row by row. Blocks begin at pages and have their full size.
 /// </summary>
 /// <param name="PixelsPerDegree">Samples a degree of the model.</param>
 internal readonly record struct PyramidLayout(int PixelsPerDegree)
 {
-    /// <summary>The first level that is stored. Level 1 would take half of the model's own size, and is computed from four samples for one.</summary>
+    /// <summary>
+    /// The first level that is stored. Level 1 would take half of the model's own size; it is computed, four samples for one.
+    /// </summary>
     public const int FirstLevel = 2;
 
     public const int BlockBytes = sizeof(float) * LodLayout.BlockSamples;
@@ -36,7 +38,7 @@ internal readonly record struct PyramidLayout(int PixelsPerDegree)
     /// <param name="index">0 is level <see cref="FirstLevel"/> of the model.</param>
     public LodLayout LevelAt(int index) => new(PixelsPerDegree >> (FirstLevel + index));
 
-    /// <summary>Number of a level's first block among all stored ones.</summary>
+    /// <summary>Index of a level's first block among all stored blocks.</summary>
     public int FirstBlockOf(int index)
     {
         int first = 0;

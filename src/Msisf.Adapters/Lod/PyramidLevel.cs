@@ -50,7 +50,9 @@ internal sealed unsafe class PyramidLevel : BlockedGrid
         {
             if (PyramidLayout.ChecksumOf(heights) != _checksums[_firstBlock + block])
             {
-                throw new BadInputException($"{_path}: block {block} of the level of {PixelsPerDegree} px/deg is damaged. Delete the file, or make it again with 'msis ldem pyramid'.");
+                throw new BadInputException(
+                    $"{_path}: block {block} of the level of {PixelsPerDegree} px/deg is damaged. "
+                        + $"Delete the file, or make it again with 'msis ldem pyramid'.");
             }
 
             _isChecked[block] = true;

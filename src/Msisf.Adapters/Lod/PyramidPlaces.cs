@@ -1,10 +1,13 @@
 using System.Security.Cryptography;
 using System.Text;
 using Msisf.Adapters.Terrain;
+using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Lod;
 
-/// <summary>Where the sidecar of a model may be: beside it, or, if that folder can't be written to, in the user's cache.</summary>
+/// <summary>
+/// The possible places of a model's sidecar: beside the model, or, if that folder can't be written to, in the user's cache.
+/// </summary>
 /// <param name="Beside">Beside the model.</param>
 /// <param name="Cached">In the cache, under a name of the model's own place; null without a cache.</param>
 public sealed record PyramidPlaces(string Beside, string? Cached)
@@ -37,10 +40,11 @@ public sealed record PyramidPlaces(string Beside, string? Cached)
         try
         {
             string probe = Path.Combine(folder, Path.GetRandomFileName());
-            using FileStream file = new(probe, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 1, FileOptions.DeleteOnClose);
+            using FileStream file = new(
+                probe, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 1, FileOptions.DeleteOnClose);
             return true;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return false;
         }

@@ -9,8 +9,8 @@ using Msisf.Core.Lod;
 namespace Msisf.Adapters.Lod;
 
 /// <summary>
-/// Makes the sidecar of a model: its levels of detail from the second on. The model is read once, from the north, and hashed on the way;
-/// memory holds two rows of blocks a level.
+/// Makes the sidecar of a model: its levels of detail from the second on. The model is read and hashed once, from north to south; memory
+/// holds two rows of blocks per level.
 /// </summary>
 public sealed class PyramidWriter
 {
@@ -25,7 +25,8 @@ public sealed class PyramidWriter
     {
         _image = image;
         _layout = new PyramidLayout(image.PixelsPerDegree);
-        _levels = [.. Enumerable.Range(0, _layout.LevelCount).Select(level => new PyramidBands(image, _layout.LevelAt(level).PixelsPerDegree))];
+        _levels = [.. Enumerable.Range(0, _layout.LevelCount).Select(
+            level => new PyramidBands(image, _layout.LevelAt(level).PixelsPerDegree))];
         _reducers =
         [
             new BlockReducer(image, PyramidLayout.FirstLevel),
@@ -35,7 +36,7 @@ public sealed class PyramidWriter
         _options = new ParallelOptions { MaxDegreeOfParallelism = Math.Max(1, threads), CancellationToken = cancellation };
     }
 
-    /// <summary>Writes the sidecar whole or not at all; the same model gives the same levels.</summary>
+    /// <summary>Writes the sidecar completely or not at all. The same model gives the same levels.</summary>
     /// <param name="image">The model.</param>
     /// <param name="path">The sidecar's name; an older one is replaced.</param>
     /// <param name="threads">How many threads compute at most.</param>
@@ -47,7 +48,8 @@ public sealed class PyramidWriter
     {
         if (new PyramidLayout(image.PixelsPerDegree).LevelCount < 1)
         {
-            throw new BadInputException($"{image.Set.Location}: a model of {image.PixelsPerDegree} px/deg has no levels that are worth a file. It needs none.");
+            throw new BadInputException(
+                $"{image.Set.Location}: a model of {image.PixelsPerDegree} px/deg has no levels that are worth a file. It needs none.");
         }
 
         byte[] fingerprint = SummarySource.Of(image.Set).Fingerprint();
@@ -56,7 +58,8 @@ public sealed class PyramidWriter
         {
             AtomicFile.Write(path, stream => writer.WriteFile(stream, fingerprint, progress));
         }
-        catch (AggregateException exception) when (exception.Flatten().InnerExceptions.FirstOrDefault(inner => inner is MsisfException or OperationCanceledException) is { } first)
+        catch (AggregateException exception) when (
+            exception.Flatten().InnerExceptions.FirstOrDefault(inner => inner is MsisfException or OperationCanceledException) is { } first)
         {
             ExceptionDispatchInfo.Throw(first);
         }
@@ -79,7 +82,8 @@ public sealed class PyramidWriter
 
         if (!SummarySource.Of(_image.Set).Fingerprint().SequenceEqual(fingerprint))
         {
-            throw new BadInputException($"{_image.Set.Location}: the model was changed while it was read. Start again when it is complete.");
+            throw new BadInputException(
+                $"{_image.Set.Location}: the model was changed while it was read. Start again when it is complete.");
         }
 
         ReadOnlySpan<byte> checksums = MemoryMarshal.AsBytes(_checksums.AsSpan());
@@ -103,7 +107,8 @@ public sealed class PyramidWriter
 
         for (int column = 0; column < bands.Columns; column++)
         {
-            _checksums[firstBlock + column] = PyramidLayout.ChecksumOf(heights.Slice(column * LodLayout.BlockSamples, LodLayout.BlockSamples));
+            _checksums[firstBlock + column] = PyramidLayout.ChecksumOf(
+                heights.Slice(column * LodLayout.BlockSamples, LodLayout.BlockSamples));
         }
 
         stream.Position = _layout.OffsetOf(firstBlock);

@@ -5,14 +5,14 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Manifest;
 
-/// <summary>Whether an output file is whole by its own format.</summary>
+/// <summary>Checks whether an output file is complete by its own format.</summary>
 /// <param name="metaFileDtd">lib/MSISRendering.dtd of the installation.</param>
 public sealed class FileStructure(string metaFileDtd)
 {
     /// <summary>A meta file has no entities of its own.</summary>
     private const long MaxCharactersFromEntities = 100_000;
 
-    /// <summary>Looks at an image or a meta file; other files have no structure that is checked.</summary>
+    /// <summary>Checks an image or a meta file; other files are not checked.</summary>
     /// <param name="path">The file.</param>
     /// <returns>What is wrong with it; null if nothing is.</returns>
     /// <exception cref="IOException">It can't be read.</exception>

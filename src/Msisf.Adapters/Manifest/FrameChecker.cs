@@ -1,9 +1,12 @@
 using System.Globalization;
 using Msisf.Adapters.IO;
+using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Manifest;
 
-/// <summary>Judges frames: what is to be there, what the manifest says was made, and what lies in the folder. Safe for several threads.</summary>
+/// <summary>
+/// Checks frames: what is to be there, what the manifest says was made, and what lies in the folder. Safe for several threads.
+/// </summary>
 public sealed class FrameChecker
 {
     private readonly string _folder;
@@ -21,21 +24,21 @@ public sealed class FrameChecker
         _structure = structure;
     }
 
-    /// <summary>Judges a frame.</summary>
+    /// <summary>Checks a frame.</summary>
     /// <param name="expected">What is to be there.</param>
     /// <param name="made">What was made last under its name; null for nothing.</param>
     /// <param name="failed">What failed since; null for nothing.</param>
-    public FrameCheck Judge(ExpectedRecord expected, FrameRecord? made, FailedRecord? failed)
+    public FrameCheck Check(ExpectedRecord expected, FrameRecord? made, FailedRecord? failed)
     {
         (FrameState state, string reason) = made is null ? (FrameState.Missing, "not made yet")
             : made.Frame != expected.Frame ? (FrameState.OtherSettings, "made with other settings, or from another state")
-            : JudgeFiles(made.Files);
+            : CheckFiles(made.Files);
         return state != FrameState.Complete && failed is not null && failed.Frame == expected.Frame
             ? new FrameCheck(expected, FrameState.Failed, failed.Cause)
             : new FrameCheck(expected, state, reason);
     }
 
-    private (FrameState State, string Reason) JudgeFiles(IReadOnlyList<OutputFile> files)
+    private (FrameState State, string Reason) CheckFiles(IReadOnlyList<OutputFile> files)
     {
         FileInfo[] there = [.. files.Select(file => Target(new FileInfo(Path.Combine(_folder, file.Name))))];
         if (Array.TrueForAll(there, file => !file.Exists))
@@ -52,7 +55,7 @@ public sealed class FrameChecker
                     return (FrameState.Damaged, $"{made.Name}: {problem}");
                 }
             }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            catch (Exception exception) when (exception.IsFileError())
             {
                 return (FrameState.Damaged, $"{made.Name}: can't be read: {exception.Message}");
             }
@@ -61,8 +64,9 @@ public sealed class FrameChecker
         return (FrameState.Complete, string.Empty);
     }
 
-    /// <summary>The file itself where outputs were moved and links left in their place.</summary>
-    private static FileInfo Target(FileInfo file) => file.LinkTarget is null ? file : file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file;
+    /// <summary>The file itself, where outputs were moved and links left in their place.</summary>
+    private static FileInfo Target(FileInfo file) =>
+        file.LinkTarget is null ? file : file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file;
 
     private string? ProblemWith(OutputFile made, FileInfo file)
     {

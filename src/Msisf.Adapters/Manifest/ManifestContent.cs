@@ -1,6 +1,6 @@
 namespace Msisf.Adapters.Manifest;
 
-/// <summary>What a manifest says, its lines taken together: of several lines on one thing the last counts. Not for several threads.</summary>
+/// <summary>The content of a manifest: of several lines about one thing, the last counts. Not for several threads.</summary>
 public sealed class ManifestContent
 {
     private readonly Dictionary<string, SettingsRecord> _settings = [];
@@ -12,22 +12,22 @@ public sealed class ManifestContent
     /// <summary>Settings by key.</summary>
     public IReadOnlyDictionary<string, SettingsRecord> Settings => _settings;
 
-    /// <summary>Runs by name; one whose frames are all expected otherwise by now is still there.</summary>
+    /// <summary>Runs by name, also those whose frames belong to later runs by now.</summary>
     public IReadOnlyDictionary<string, RunRecord> Runs => _runs;
 
-    /// <summary>The run that was announced last; null if there is none.</summary>
+    /// <summary>The run that was registered last; null if there is none.</summary>
     public string? LastRun { get; private set; }
 
-    /// <summary>What is to be there, by the frame's name: what the last run that has a frame of this name wants.</summary>
+    /// <summary>The frames that the folder is to have, by name: of several runs that have a frame of this name, the last counts.</summary>
     public IReadOnlyDictionary<string, ExpectedRecord> Expected => _expected;
 
     /// <summary>What was made last under each frame's name.</summary>
     public IReadOnlyDictionary<string, FrameRecord> Frames => _frames;
 
-    /// <summary>What failed since it was last made, by the frame's name.</summary>
+    /// <summary>Frames that failed after they were last made, by name.</summary>
     public IReadOnlyDictionary<string, FailedRecord> Failed => _failed;
 
-    /// <summary>Lines that are none of a manifest, and were left out.</summary>
+    /// <summary>Number of lines that could not be read and were left out.</summary>
     public int DamagedLines { get; private set; }
 
     /// <summary>Adds a line.</summary>
@@ -59,7 +59,9 @@ public sealed class ManifestContent
         }
     }
 
-    /// <summary>The records that say all of it, in an order that depends on nothing but them: what several processes wrote in any order becomes the same.</summary>
+    /// <summary>
+    /// All records in an order that depends on the records only, so that what several processes wrote in any order becomes the same file.
+    /// </summary>
     public IEnumerable<ManifestRecord> InOrder()
     {
         RunRecord[] runs = [.. _runs.Values

@@ -4,8 +4,8 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Manifest;
 
 /// <summary>
-/// The file that says what a folder of outputs holds: JSON Lines, appended to by any number of threads, processes and nodes. A line is
-/// there whole or not at all. Safe for several threads.
+/// The manifest of an output folder: JSON Lines to which any number of threads, processes and nodes append. A line is written completely or
+/// not at all. Safe for several threads.
 /// </summary>
 public sealed class ManifestFile
 {
@@ -14,7 +14,10 @@ public sealed class ManifestFile
 
     private const string LockName = ".msisf-manifest.lock";
 
-    /// <summary>A live process holds the lock for milliseconds, the system frees that of a dead one: who waits longer waits for a process that is stopped.</summary>
+    /// <summary>
+    /// The longest wait for the lock. A live process holds it for milliseconds, and the system frees that of a dead one: after so long, a
+    /// process that holds it must be stopped.
+    /// </summary>
     private static readonly TimeSpan LongestWait = TimeSpan.FromMinutes(2);
 
     private readonly Lock _queueGate = new();
@@ -68,18 +71,11 @@ public sealed class ManifestFile
     /// <typeparam name="T">Of the result.</typeparam>
     /// <param name="work">What is done.</param>
     /// <exception cref="ExternalPartException">The file system refuses, or another process keeps the lock.</exception>
-    public T Locked<T>(Func<T> work)
+    public T Locked<T>(Func<T> work) => FileErrors.ToExternalPart($"{FilePath}: can't be written", () =>
     {
-        try
-        {
-            using FileStream held = TakeLock();
-            return work();
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"{FilePath}: can't be written: {exception.Message}", exception);
-        }
-    }
+        using FileStream held = TakeLock();
+        return work();
+    });
 
     /// <summary>Appends lines. Within <see cref="Locked"/> only.</summary>
     public void AppendLocked(IEnumerable<ManifestRecord> records) => AppendBytes([.. records.SelectMany(ManifestLine.Write)]);
@@ -124,7 +120,8 @@ public sealed class ManifestFile
 
     private void AppendBytes(byte[] bytes)
     {
-        using FileStream stream = new(FilePath, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
+        using FileStream stream = new(
+            FilePath, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
         long end = EndOfWholeLines(stream);
         stream.SetLength(end); // what a process that was killed, or a full disk, left of a line
         stream.Position = end;
@@ -170,7 +167,9 @@ public sealed class ManifestFile
             {
                 if (System.Diagnostics.Stopwatch.GetElapsedTime(start) > LongestWait)
                 {
-                    throw new ExternalPartException($"{_lockPath}: another process keeps the lock, for minutes now. End it if it is stopped, and try again.", exception);
+                    throw new ExternalPartException(
+                        $"{_lockPath}: another process keeps the lock, for minutes now. End it if it is stopped, and try again.",
+                        exception);
                 }
 
                 Thread.Sleep(1);

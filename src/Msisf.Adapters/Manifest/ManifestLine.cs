@@ -11,7 +11,7 @@ internal static class ManifestLine
 
     private static readonly JsonWriterOptions Plain = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>The line of a record, UTF-8, with its LF. The same record, the same bytes.</summary>
+    /// <summary>The line of a record, UTF-8, with its LF. The same record gives the same bytes.</summary>
     public static byte[] Write(ManifestRecord record)
     {
         ArrayBufferWriter<byte> buffer = new();
@@ -69,7 +69,8 @@ internal static class ManifestLine
             using JsonDocument document = JsonDocument.Parse(line);
             return Read(document.RootElement);
         }
-        catch (Exception exception) when (exception is JsonException or KeyNotFoundException or InvalidOperationException or FormatException)
+        catch (Exception exception) when (
+            exception is JsonException or KeyNotFoundException or InvalidOperationException or FormatException)
         {
             return null;
         }
@@ -79,7 +80,9 @@ internal static class ManifestLine
     {
         "settings" => new SettingsRecord(
             Text(line, "settings"),
-            line.GetProperty("description") is { ValueKind: JsonValueKind.Object } description ? description.GetRawText() : throw new FormatException()),
+            line.GetProperty("description") is { ValueKind: JsonValueKind.Object } description
+                ? description.GetRawText()
+                : throw new FormatException()),
         "run" => new RunRecord(Text(line, "run"), Text(line, "settings"), Step(line, "frames")),
         "expected" => new ExpectedRecord(Text(line, "run"), Step(line, "step"), Name(line), Text(line, "frame")),
         "frame" => new FrameRecord(Step(line, "step"), Name(line), Text(line, "frame"), Text(line, "settings"), Files(line)),
@@ -113,10 +116,12 @@ internal static class ManifestLine
     {
         OutputFile[] files = [.. line.GetProperty("files").EnumerateArray().Select(file => new OutputFile(
             Name(file), file.GetProperty("bytes").GetInt64(), Text(file, "sha256")))];
-        return files.Length > 0 && files.All(file => file.Bytes >= 0 && file.Sha256.Length == Sha256Digits) ? files : throw new FormatException();
+        return files.Length > 0 && files.All(file => file.Bytes >= 0 && file.Sha256.Length == Sha256Digits)
+            ? files
+            : throw new FormatException();
     }
 
-    /// <summary>A file name; one with a folder in it could lead out of the outputs' folder.</summary>
+    /// <summary>A file name without a folder, which could lead out of the outputs' folder.</summary>
     private static string Name(JsonElement line) =>
         Text(line, "name") is { Length: > 0 } name && name is not ("." or "..") && name.AsSpan().IndexOfAny('/', '\\', '\0') < 0
             ? name

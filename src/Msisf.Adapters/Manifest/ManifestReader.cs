@@ -3,12 +3,12 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Manifest;
 
-/// <summary>Reads a manifest, and goes on where it ended when others have appended to it. Not for several threads.</summary>
+/// <summary>Reads a manifest, and later the lines that others have appended to it. Not for several threads.</summary>
 public sealed class ManifestReader : IDisposable
 {
     private const int ChunkBytes = 1 << 20;
 
-    /// <summary>Bytes: a line has some hundred; more is no manifest, and is not kept in memory.</summary>
+    /// <summary>Bytes. A line has some hundred; a longer one is no line of a manifest, and is not kept in memory.</summary>
     private const int LongestLine = 1 << 20;
 
     private readonly string _path;
@@ -32,32 +32,25 @@ public sealed class ManifestReader : IDisposable
     /// <summary>What was read so far.</summary>
     public ManifestContent Content { get; } = new();
 
-    /// <summary>Reads what there is more by now; a last line without its end waits for the next call.</summary>
+    /// <summary>Reads what was appended since the last call. An incomplete last line waits for the next call.</summary>
     /// <returns>Whether there was more.</returns>
     /// <exception cref="ExternalPartException">The file can't be read.</exception>
-    public bool Refresh()
+    public bool Refresh() => FileErrors.ToExternalPart($"{_path}: can't be read", () =>
     {
-        try
+        if (!TryOpen() || _stream!.Position >= _stream.Length)
         {
-            if (!TryOpen() || _stream!.Position >= _stream.Length)
-            {
-                return false;
-            }
-
-            byte[] buffer = ArrayPool<byte>.Shared.Rent(ChunkBytes);
-            for (int read = _stream.Read(buffer); read > 0; read = _stream.Read(buffer))
-            {
-                Take((byte[])[.. _rest, .. buffer.AsSpan(0, read)]);
-            }
-
-            ArrayPool<byte>.Shared.Return(buffer);
-            return true;
+            return false;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+
+        byte[] buffer = ArrayPool<byte>.Shared.Rent(ChunkBytes);
+        for (int read = _stream.Read(buffer); read > 0; read = _stream.Read(buffer))
         {
-            throw new ExternalPartException($"{_path}: can't be read: {exception.Message}", exception);
+            Take((byte[])[.. _rest, .. buffer.AsSpan(0, read)]);
         }
-    }
+
+        ArrayPool<byte>.Shared.Return(buffer);
+        return true;
+    });
 
     /// <summary>Closes the file.</summary>
     public void Dispose() => _stream?.Dispose();

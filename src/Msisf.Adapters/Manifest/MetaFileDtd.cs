@@ -3,7 +3,10 @@ using System.Xml;
 
 namespace Msisf.Adapters.Manifest;
 
-/// <summary>Gives the meta file's DTD from where it is installed, wherever a meta file lies, and nothing else: no file names another one to be read.</summary>
+/// <summary>
+/// Resolves the DTD of a meta file to the installed one, wherever the meta file lies, and resolves nothing else, so that no file can make
+/// others be read.
+/// </summary>
 /// <param name="path">lib/MSISRendering.dtd of the installation.</param>
 internal sealed class MetaFileDtd(string path) : XmlResolver
 {

@@ -11,7 +11,7 @@ namespace Msisf.Adapters.Metadata;
 /// </summary>
 public static class AnnotationRenderer
 {
-    /// <summary>px: the built-in font can be read down to this size.</summary>
+    /// <summary>px: the smallest readable size of the built-in font.</summary>
     private const double MinFontSize = 8.0;
 
     /// <summary>px: larger text only hides more of the image.</summary>
@@ -20,14 +20,17 @@ public static class AnnotationRenderer
     /// <summary>Line height as a multiple of the font size.</summary>
     private const double LineSpacing = 1.35;
 
-    /// <summary>Part of the image's width that the text block takes if the font sizes allow.</summary>
+    /// <summary>Share of the image's width that the text block takes, if the font sizes allow it.</summary>
     private const double TextWidthShare = 0.6;
 
-    /// <summary>Checks, before any work is done, that images can be annotated.</summary>
+    /// <summary>Checks that images can be annotated, before any is made.</summary>
     /// <exception cref="ExternalPartException">cairo is missing.</exception>
     public static void RequireCairo() => CairoImage.RequireLibrary(CairoNative.Library);
 
-    /// <summary>Writes the annotated image. The text is left out where a readable one does not fit (on images less than about 300 px wide or 190 px high).</summary>
+    /// <summary>
+    /// Writes the annotated image. The text is left out where a readable one does not fit (on images less than about 300 px wide or 190 px
+    /// high).
+    /// </summary>
     /// <param name="rendered">The rendered image, PNG.</param>
     /// <param name="annotated">Receives the annotated one, PNG without time stamps: same input, same bytes.</param>
     /// <param name="frame">The frame's general information.</param>
@@ -43,7 +46,8 @@ public static class AnnotationRenderer
         if (image.Width != frame.Camera.Width || image.Height != frame.Camera.Height)
         {
             throw new BadInputException(
-                $"The image has {image.Width} x {image.Height} px, the frame {frame.Camera.Width} x {frame.Camera.Height} px. Render it again.");
+                $"The image has {image.Width} x {image.Height} px, the frame {frame.Camera.Width} x {frame.Camera.Height} px. "
+                    + $"Render it again.");
         }
 
         DrawGrid(image, pixels, cancellation);

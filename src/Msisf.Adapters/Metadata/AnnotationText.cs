@@ -4,7 +4,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Metadata;
 
-/// <summary>The text block of an annotated image (thesis figure 9.1), shortened to what a viewer reads; the meta file has all digits.</summary>
+/// <summary>The text block of an annotated image (thesis figure 9.1), with rounded numbers; the meta file has all digits.</summary>
 internal static class AnnotationText
 {
     /// <summary>The lines of the block, in ASCII: the built-in font has no more.</summary>

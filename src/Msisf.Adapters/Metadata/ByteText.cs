@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Msisf.Adapters.Metadata;
 
-/// <summary>Text written straight into bytes, piece after piece.</summary>
+/// <summary>Writes text directly as bytes, piece by piece.</summary>
 internal ref struct ByteText
 {
     private readonly Span<byte> _destination;

@@ -4,10 +4,10 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Metadata;
 
-/// <summary>Small images of many frames on one, each with its step.</summary>
+/// <summary>Draws small images of many frames on one, each with its step.</summary>
 public static class ContactSheet
 {
-    /// <summary>More frames than this are shown by so many, evenly spread from the first to the last.</summary>
+    /// <summary>The most images on a sheet. Of more frames, this many are shown, evenly spread from the first to the last.</summary>
     public const int MaxImages = 100;
 
     private const int Columns = 10;
@@ -20,7 +20,7 @@ public static class ContactSheet
 
     private const double FontSize = 11.0;
 
-    /// <summary>Between black, which night and space are, and the white of the text.</summary>
+    /// <summary>Grey between the black of night and space and the white of the text.</summary>
     private const double BackgroundGrey = 0.2;
 
     /// <summary>Writes the sheet.</summary>
@@ -60,7 +60,7 @@ public static class ContactSheet
             using FileStream stream = File.OpenRead(path);
             return CairoImage.FromPng(stream);
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             throw new ExternalPartException($"{path}: can't be read: {exception.Message}", exception);
         }

@@ -6,13 +6,17 @@ using Msisf.Core.Render;
 
 namespace Msisf.Adapters.Metadata;
 
-/// <summary>Writes a frame's meta file as thesis section 9.2 shows it (docs/formats.md): UTF-8 without BOM, LF, valid against lib/MSISRendering.dtd.</summary>
+/// <summary>
+/// Writes a frame's meta file as thesis section 9.2 shows it (docs/formats.md): UTF-8 without BOM, LF, valid against lib/MSISRendering.dtd.
+/// </summary>
 public static class MetadataXmlWriter
 {
     /// <summary>Below this many grid points, starting threads costs more than it gains.</summary>
     private const int MinPixelsInParallel = 4096;
 
-    /// <summary>Of the files with terrain points. Those on the reference sphere have the format of the thesis and name no version.</summary>
+    /// <summary>
+    /// Format version of files with terrain points. Files with points on the reference sphere have the format of the thesis and no version.
+    /// </summary>
     private const int TerrainFormatVersion = 2;
 
     /// <summary>Writes one file. The bytes depend on the arguments alone, not on the number of cores.</summary>
@@ -47,7 +51,6 @@ public static class MetadataXmlWriter
 
     private static string GeneralInformation(FrameMetadata frame, PixelSurface surface)
     {
-        UnitQuaternion orientation = frame.Camera.MoonFromCamera;
         return string.Create(CultureInfo.InvariantCulture, $"""
             <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
             <!DOCTYPE MSISRendering SYSTEM "../lib/MSISRendering.dtd">
@@ -61,7 +64,7 @@ public static class MetadataXmlWriter
                   {Vector3DElement(frame.Camera.PositionMoonMe)}
                 </CameraPosition>
                 <CameraOrientation>
-                  <Quaternion r="{LongE.ToText(orientation.W)}" x="{LongE.ToText(orientation.X)}" y="{LongE.ToText(orientation.Y)}" z="{LongE.ToText(orientation.Z)}" />
+                  {QuaternionElement(frame.Camera.MoonFromCamera)}
                 </CameraOrientation>
                 <SunPosition unit="m">
                   {Vector3DElement(frame.SunPositionMoonMe)}
@@ -94,6 +97,9 @@ public static class MetadataXmlWriter
 
     private static string Vector3DElement(Vector3D v) =>
         $"""<Vector3D x="{LongE.ToText(v.X)}" y="{LongE.ToText(v.Y)}" z="{LongE.ToText(v.Z)}" />""";
+
+    private static string QuaternionElement(UnitQuaternion q) =>
+        $"""<Quaternion r="{LongE.ToText(q.W)}" x="{LongE.ToText(q.X)}" y="{LongE.ToText(q.Y)}" z="{LongE.ToText(q.Z)}" />""";
 
     /// <summary>The memory of one worker: a row's records and their text.</summary>
     private sealed class RowBuffer(PixelSampler pixels)

@@ -2,10 +2,12 @@ using Msisf.Core.Metadata;
 
 namespace Msisf.Adapters.Metadata;
 
-/// <summary>One Pixel element, written straight into bytes: an image can have hundreds of millions of them.</summary>
+/// <summary>Writes a Pixel element directly as bytes: an image can have hundreds of millions of them.</summary>
 internal static class PixelXml
 {
-    /// <summary>No Pixel element on the reference sphere is longer: 161 bytes of markup, two whole numbers, three longE numbers.</summary>
+    /// <summary>
+    /// Bytes of the longest Pixel element on the reference sphere: 161 bytes of markup, two whole numbers, three longE numbers.
+    /// </summary>
     private const int MaximumLengthOnSphere = 161 + (2 * 10) + (3 * LongE.Length);
 
     /// <summary>No Pixel element is longer.</summary>

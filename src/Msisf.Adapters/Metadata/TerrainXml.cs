@@ -8,7 +8,9 @@ namespace Msisf.Adapters.Metadata;
 /// <summary>The elements that a Pixel has on the terrain only.</summary>
 internal static class TerrainXml
 {
-    /// <summary>No pixel has more: 423 bytes of markup, the longest state, tile and half; two whole numbers, twelve longE numbers.</summary>
+    /// <summary>
+    /// Bytes of the longest content: 423 bytes of markup, the longest state, tile and half; two whole numbers, twelve longE numbers.
+    /// </summary>
     public const int MaximumLength = 423 + 8 + 23 + 2 + (2 * 10) + (12 * LongE.Length);
 
     /// <summary>Writes the elements.</summary>

@@ -1,6 +1,8 @@
 namespace Msisf.Adapters.Render;
 
-/// <summary>Writes what comes in as IDAT chunks of a PNG file, so that the compressed image need not be held. Leaves the file open.</summary>
+/// <summary>
+/// Writes what comes in as IDAT chunks of a PNG file, so that the compressed image need not be held. Leaves the file open.
+/// </summary>
 internal sealed class PngDataStream(Stream file) : Stream
 {
     private const int ChunkLength = 65536;

@@ -22,3 +22,8 @@ public sealed record PovRayJob(
     int Threads,
     IReadOnlyList<string> Options,
     TimeSpan? Timeout);
+
+/// <summary>What a run of POV-Ray gave.</summary>
+/// <param name="Raster">The image.</param>
+/// <param name="Times">POV-Ray's own times.</param>
+public sealed record PovRayImage(PngRaster Raster, PovRayTimes Times);

@@ -13,7 +13,10 @@ public static class PovRayOptions
         "Frame_Step", "Field_",
     ];
 
-    private static readonly string[] ReservedSwitches = ["W", "WT", "H", "HI", "L", "D", "C", "S", "SC", "SR", "SF", "E", "EC", "ER", "EF", "K", "KC", "KF", "KI", "KFF", "KFI"];
+    private static readonly string[] ReservedSwitches =
+    [
+        "W", "WT", "H", "HI", "L", "D", "C", "S", "SC", "SR", "SF", "E", "EC", "ER", "EF", "K", "KC", "KF", "KI", "KFF", "KFI"
+    ];
 
     /// <summary>Switches whose value follows at once and may begin with a letter: +Iname, +Oname, +FN16.</summary>
     private static readonly char[] ReservedLetters = ['I', 'O', 'F'];
@@ -30,7 +33,8 @@ public static class PovRayOptions
             if (isSwitch ? IsReservedSwitch(option[1..]) : IsReservedSetting(option))
             {
                 throw new UsageException(
-                    $"--pov-options: {option} is set by msis itself. Use --width, --height, --output-dir, --output-name, --pattern-repos or --jobs.");
+                    $"--pov-options: {option} is set by msis itself. Use --width, --height, --output-dir, --output-name, "
+                        + $"--pattern-repos or --jobs.");
             }
 
             if (!isSwitch && !option.Contains('='))

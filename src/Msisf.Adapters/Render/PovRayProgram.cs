@@ -1,3 +1,4 @@
+using Msisf.Adapters.Programs;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
@@ -8,7 +9,9 @@ public static class PovRayProgram
     private static readonly string[] Names = OperatingSystem.IsWindows() ? ["povray.exe", "pvengine64.exe"] : ["povray"];
 
     /// <summary>The program to start.</summary>
-    /// <param name="givenPath">The user's <c>--pov-path</c>: the program, or the folder that holds it; null looks along <paramref name="searchPath"/>.</param>
+    /// <param name="givenPath">
+    /// The user's <c>--pov-path</c>: the program, or the folder that holds it; null looks along <paramref name="searchPath"/>.
+    /// </param>
     /// <param name="searchPath">Folders in the form of the PATH variable.</param>
     /// <exception cref="PovRayException">There is none; the message says where it was looked for.</exception>
     public static string Find(string? givenPath, string searchPath)
@@ -20,18 +23,13 @@ public static class PovRayProgram
                 return Path.GetFullPath(givenPath);
             }
 
-            return FirstIn([givenPath]) ?? throw new PovRayException(
-                $"--pov-path {givenPath}: neither POV-Ray itself nor a folder that holds {string.Join(" or ", Names)}. Give the path of POV-Ray 3.7.");
+            return SearchPath.Find(givenPath, Names) ?? throw new PovRayException(
+                $"--pov-path {givenPath}: neither POV-Ray itself nor a folder that holds {string.Join(" or ", Names)}. "
+                    + $"Give the path of POV-Ray 3.7.");
         }
 
-        return FirstIn(searchPath.Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)) ?? throw new PovRayException(
-            $"POV-Ray is missing: no {string.Join(" or ", Names)} on the PATH. Install POV-Ray 3.7 (Debian, Ubuntu: apt install povray) or give --pov-path.");
+        return SearchPath.Find(searchPath, Names) ?? throw new PovRayException(
+            $"POV-Ray is missing: no {string.Join(" or ", Names)} on the PATH. Install POV-Ray 3.7 (Debian, Ubuntu: "
+                + $"apt install povray) or give --pov-path.");
     }
-
-    private static string? FirstIn(IEnumerable<string> folders) =>
-        (from folder in folders
-         from name in Names
-         let candidate = Path.Combine(folder, name)
-         where File.Exists(candidate)
-         select Path.GetFullPath(candidate)).FirstOrDefault();
 }

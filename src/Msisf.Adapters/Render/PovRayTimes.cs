@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace Msisf.Adapters.Render;
 
-/// <summary>What POV-Ray says of its own time, s; null where it said nothing.</summary>
+/// <summary>The times that POV-Ray reports, s; null where it reports none.</summary>
 /// <param name="ParseSeconds">Reading the scene and its patterns.</param>
 /// <param name="TraceSeconds">Tracing.</param>
 public readonly partial record struct PovRayTimes(double? ParseSeconds, double? TraceSeconds)

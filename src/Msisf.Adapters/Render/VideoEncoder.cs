@@ -1,7 +1,6 @@
-using System.ComponentModel;
-using System.Diagnostics;
 using System.Globalization;
 using System.Text;
+using Msisf.Adapters.Programs;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
@@ -12,12 +11,9 @@ public static class VideoEncoder
     /// <summary>Where ffmpeg is.</summary>
     /// <param name="searchPath">Folders in the form of the PATH variable.</param>
     /// <returns>Null if it is not there.</returns>
-    public static string? Find(string searchPath) => searchPath
-        .Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries)
-        .Select(folder => Path.Combine(folder, OperatingSystem.IsWindows() ? "ffmpeg.exe" : "ffmpeg"))
-        .FirstOrDefault(File.Exists);
+    public static string? Find(string searchPath) => SearchPath.Find(searchPath, OperatingSystem.IsWindows() ? "ffmpeg.exe" : "ffmpeg");
 
-    /// <summary>Encodes the images, H.264 in 4:2:0 so that every player shows it; an odd last row or column is doubled.</summary>
+    /// <summary>Encodes the images as H.264 in 4:2:0, which every player shows. An odd last row or column is doubled.</summary>
     /// <param name="program">ffmpeg.</param>
     /// <param name="images">Absolute paths, in their order; at least one.</param>
     /// <param name="framesPerSecond">Of the video.</param>
@@ -26,41 +22,28 @@ public static class VideoEncoder
     /// <param name="cancellation">Ends ffmpeg.</param>
     /// <exception cref="ExternalPartException">ffmpeg can't be started or fails.</exception>
     public static async Task EncodeAsync(
-        string program, IReadOnlyList<string> images, double framesPerSecond, string workFolder, string destination, CancellationToken cancellation)
+        string program, IReadOnlyList<string> images, double framesPerSecond, string workFolder, string destination,
+        CancellationToken cancellation)
     {
         string list = Path.Combine(workFolder, "images.txt");
         string rate = framesPerSecond.ToString("R", CultureInfo.InvariantCulture);
         string seconds = (1.0 / framesPerSecond).ToString("R", CultureInfo.InvariantCulture);
-        IEnumerable<string> lines = images.SelectMany(image => (string[])[$"file '{image.Replace("'", "'\\''", StringComparison.Ordinal)}'", $"duration {seconds}"]);
-        await File.WriteAllLinesAsync(list, lines, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), cancellation).ConfigureAwait(false);
-        ProcessStartInfo start = new(program,
+        IEnumerable<string> lines = images.SelectMany(
+            image => (string[])[$"file '{image.Replace("'", "'\\''", StringComparison.Ordinal)}'", $"duration {seconds}"]);
+        await File.WriteAllLinesAsync(
+            list, lines, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), cancellation).ConfigureAwait(false);
+        string[] arguments =
         [
             "-nostdin", "-loglevel", "error", "-y", "-f", "concat", "-safe", "0", "-i", list, "-r", rate,
-            "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p", "-c:v", "libx264", "-fflags", "+bitexact", "-flags:v", "+bitexact", destination,
-        ])
+            "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p", "-c:v", "libx264", "-fflags", "+bitexact", "-flags:v", "+bitexact",
+            destination,
+        ];
+        ProcessResult result = await new ChildProgram(program, arguments).RunAsync(cancellation).ConfigureAwait(false);
+        if (result.ExitCode != 0)
         {
-            RedirectStandardError = true,
-        };
-        using Process process = new() { StartInfo = start };
-        try
-        {
-            process.Start();
-            string errors = await process.StandardError.ReadToEndAsync(cancellation).ConfigureAwait(false);
-            await process.WaitForExitAsync(cancellation).ConfigureAwait(false);
-            if (process.ExitCode != 0)
-            {
-                throw new ExternalPartException(string.Create(
-                    CultureInfo.InvariantCulture, $"{program} failed with exit code {process.ExitCode}: {errors.Trim().ReplaceLineEndings(" ")}"));
-            }
-        }
-        catch (Win32Exception exception)
-        {
-            throw new ExternalPartException($"{program}: can't be started: {exception.Message}", exception);
-        }
-        catch (OperationCanceledException)
-        {
-            process.Kill();
-            throw;
+            throw new ExternalPartException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{program} failed with exit code {result.ExitCode}: {result.Error.Trim().ReplaceLineEndings(" ")}"));
         }
     }
 }

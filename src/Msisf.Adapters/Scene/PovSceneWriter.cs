@@ -6,12 +6,14 @@ using Msisf.Core.Tiles;
 namespace Msisf.Adapters.Scene;
 
 /// <summary>
-/// Writes a scene in POV-Ray's language (thesis section 5.3): kilometres, MOON_ME, round-trip numbers. The patterns are
-/// included by bare file name, so that the scene holds no path of the machine that made it; POV-Ray finds them by its library path.
+/// Writes a scene in POV-Ray's language (thesis section 5.3): kilometres, MOON_ME, round-trip numbers. Patterns are included by file name
+/// only and found through POV-Ray's library path, so that the scene holds no path of the machine that made it.
 /// </summary>
 public static class PovSceneWriter
 {
-    /// <summary>m: POV-Ray 3.7 draws nothing that is farther than 1e7 of its units (MAX_DISTANCE), which are kilometres here; an image from there is black.</summary>
+    /// <summary>
+    /// m. POV-Ray 3.7 draws nothing beyond 1e7 of its units (MAX_DISTANCE), which are kilometres here; an image from farther away is black.
+    /// </summary>
     public const double MaxDistance = 1e10;
 
     private const string Surface =
@@ -33,7 +35,7 @@ public static class PovSceneWriter
         }
         """;
 
-    /// <summary>The Sun as the thesis has it: a glowing ball of 1000 km that only a ray straight into it sees.</summary>
+    /// <summary>The Sun as in the thesis: a glowing ball of 1000 km radius, seen only by a ray straight into it.</summary>
     private const string SunLooksLike =
         """
             looks_like

@@ -2,15 +2,15 @@ using System.Buffers.Binary;
 using System.Security.Cryptography;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
 
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// Keeps a model's <see cref="ElevationSummary"/> beside it, since making one reads the whole model. A file that is damaged, or of
-/// another model or an older one, counts as missing. Layout: a magic number, the source's fingerprint (32 bytes), SHA-256 of the rest,
-/// then little-endian 32-bit floats.
+/// Stores a model's <see cref="ElevationSummary"/> beside it, since making one reads the whole model. A file that is damaged or of another
+/// model counts as missing. Layout: a magic number, the source's fingerprint (32 bytes), SHA-256 of the rest, then little-endian 32-bit
+/// floats.
 /// </summary>
 public static class ElevationSummaryFile
 {
@@ -87,7 +87,7 @@ public static class ElevationSummaryFile
         {
             return File.Exists(path) ? Read(File.ReadAllBytes(path), source) : null;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or BadInputException)
+        catch (Exception exception) when (exception.IsFileError() || exception is BadInputException)
         {
             return null; // an unreadable file is as good as none: the summary is made again
         }

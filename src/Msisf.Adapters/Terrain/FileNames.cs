@@ -2,12 +2,15 @@ using System.Globalization;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>Archives write names in capitals, downloads often don't keep them.</summary>
+/// <summary>
+/// Finds files whose names differ in upper and lower case: archives write names in capitals, downloads often do not keep them.
+/// </summary>
 internal static class FileNames
 {
-    private static readonly EnumerationOptions IgnoringCase = new() { MatchCasing = MatchCasing.CaseInsensitive, MatchType = MatchType.Simple };
+    private static readonly EnumerationOptions IgnoringCase =
+        new() { MatchCasing = MatchCasing.CaseInsensitive, MatchType = MatchType.Simple };
 
-    /// <summary>The file of this path, or the first one whose name differs in capitals only; null if there is none.</summary>
+    /// <summary>The file of this path, or the first one whose name differs in case only; null if there is none.</summary>
     public static string? FindIgnoringCase(string path)
     {
         if (File.Exists(path))

@@ -49,7 +49,7 @@ internal sealed unsafe class Float32SampleCodec : SampleCodec
         return (minimum, maximum);
     }
 
-    /// <summary>The minimum float that is not below a number: floats can be compared with it instead of the number.</summary>
+    /// <summary>The smallest float that is not below a number: floats can be compared with it instead.</summary>
     private static float MinFrom(double limit) => (float)limit < limit ? MathF.BitIncrement((float)limit) : (float)limit;
 
     private bool TryReadOnes(byte* samples, Span<double> radii)
@@ -116,7 +116,8 @@ internal sealed unsafe class Float32SampleCodec : SampleCodec
             ? Vector256.Shuffle(
                 values.AsByte(),
                 Vector256.Create(
-                    (byte)3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12, 19, 18, 17, 16, 23, 22, 21, 20, 27, 26, 25, 24, 31, 30, 29, 28)).AsSingle()
+                    (byte)3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12, 19, 18, 17, 16, 23, 22, 21, 20, 27, 26, 25, 24, 31, 30, 29,
+                    28)).AsSingle()
             : values;
     }
 

@@ -9,14 +9,15 @@ public static class LdemCatalog
     private static readonly EnumerationOptions Labels = new() { MatchCasing = MatchCasing.CaseInsensitive, IgnoreInaccessible = true };
 
     /// <summary>
-    /// The model to use. With an explicit path: that of this label or image, or what that folder has; else the first
-    /// of the folders that has one. In a folder LDEM_[res].LBL comes first, then any whole-Moon label of that resolution, by name,
-    /// then the first complete set of a split product.
+    /// Finds a model. An explicit path is a label, an image or a folder; otherwise the first folder that has a model counts. In a folder
+    /// LDEM_[res].LBL comes first, then any whole-Moon label of that resolution, by name, then the first complete set of a split product.
     /// </summary>
     /// <param name="pixelsPerDegree">The resolution.</param>
     /// <param name="explicitPath">A label, an image, or a folder (--ldem); null to search the folders.</param>
     /// <param name="folders">Where to look otherwise, first choice first; they need not exist.</param>
-    /// <exception cref="BadInputException">There is none (the message says where it looked), its parts don't make up a whole Moon, or the explicit one has another resolution.</exception>
+    /// <exception cref="BadInputException">
+    /// There is none (the message says where it looked), its parts don't make up a whole Moon, or the explicit one has another resolution.
+    /// </exception>
     public static LdemSet Find(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
     {
         if (explicitPath is not null && !Directory.Exists(explicitPath))
@@ -24,7 +25,8 @@ public static class LdemCatalog
             LdemLabel label = LdemLabelReader.ReadFile(LabelOf(explicitPath));
             return label.PixelsPerDegree == pixelsPerDegree ? WithSiblings(label) : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{label.LabelPath}: an elevation model of {label.PixelsPerDegree} px/deg, but {pixelsPerDegree} px/deg are asked for. Give --res {label.PixelsPerDegree}, or another model."));
+                $"{label.LabelPath}: an elevation model of {label.PixelsPerDegree} px/deg, but {pixelsPerDegree} px/deg are asked for. "
+                    + $"Give --res {label.PixelsPerDegree}, or another model."));
         }
 
         IReadOnlyList<string> places = explicitPath is null ? folders : [explicitPath];
@@ -39,12 +41,18 @@ public static class LdemCatalog
 
         throw incomplete ?? new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", places)}: put LDEM_{pixelsPerDegree}.LBL and .IMG there, name them with --ldem, or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree} --seed 1'."));
+            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", places)}: "
+                + $"put LDEM_{pixelsPerDegree}.LBL and .IMG there, name them with --ldem, "
+                + $"or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree} --seed 1'."));
     }
 
     /// <summary>A named model.</summary>
-    /// <param name="labelOrImage">Path of the label, or of the image beside it; of a split product that of any part, the others lie beside it.</param>
-    /// <exception cref="BadInputException">It is missing, no label of a cylindrical lunar model, or its parts don't make up a whole Moon.</exception>
+    /// <param name="labelOrImage">
+    /// Path of the label, or of the image beside it; of a split product that of any part, the others lie beside it.
+    /// </param>
+    /// <exception cref="BadInputException">
+    /// It is missing, no label of a cylindrical lunar model, or its parts don't make up a whole Moon.
+    /// </exception>
     public static LdemSet Read(string labelOrImage) => WithSiblings(LdemLabelReader.ReadFile(LabelOf(labelOrImage)));
 
     private static LdemSet? FindIn(string folder, int pixelsPerDegree, ref BadInputException? incomplete)
@@ -54,7 +62,8 @@ public static class LdemCatalog
         {
             LdemLabel found = LdemLabelReader.ReadFile(label);
             return found.PixelsPerDegree == pixelsPerDegree ? WithSiblings(found) : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"{label}: by its name a model of {pixelsPerDegree} px/deg, but MAP_RESOLUTION is {found.PixelsPerDegree}. Rename it."));
+                CultureInfo.InvariantCulture,
+                $"{label}: by its name a model of {pixelsPerDegree} px/deg, but MAP_RESOLUTION is {found.PixelsPerDegree}. Rename it."));
         }
 
         LdemLabel[] others = [.. LabelsIn(folder, ".LBL").Where(other => other.PixelsPerDegree == pixelsPerDegree)];
@@ -94,10 +103,11 @@ public static class LdemCatalog
         return LdemSet.Join([label, .. siblings]);
     }
 
-    /// <summary>What the parts of one model have in common; parts whose names have no borders are taken for those of one model.</summary>
-    private static string ModelOf(LdemLabel label) => LdemPartName.Of(label) is { HasBorders: true } name ? name.Model.ToUpperInvariant() : string.Empty;
+    /// <summary>The name that the parts of one model share. Parts whose names have no borders count as parts of one model.</summary>
+    private static string ModelOf(LdemLabel label) =>
+        LdemPartName.Of(label) is { HasBorders: true } name ? name.Model.ToUpperInvariant() : string.Empty;
 
-    /// <summary>A folder may hold labels of anything: one that is no cylindrical lunar model is no candidate.</summary>
+    /// <summary>The labels of cylindrical lunar models in a folder, which may hold other labels too.</summary>
     private static IEnumerable<LdemLabel> LabelsIn(string folder, string extension) =>
         Directory.EnumerateFiles(folder, "*" + extension, Labels)
             .Order(StringComparer.Ordinal)

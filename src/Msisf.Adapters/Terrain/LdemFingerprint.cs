@@ -4,8 +4,8 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// Tells elevation models apart, the same on every computer: hashes of the labels, lengths of the images, and hashes of samples spread over
-/// them. Reading a model of 34 GB whole would take longer than any image.
+/// Tells elevation models apart, in the same way on every computer: hashes of the labels, the lengths of the images, and hashes of samples
+/// spread over them. To read a model of 34 GB completely would take longer than to render an image.
 /// </summary>
 /// <param name="ProductId">From the label.</param>
 /// <param name="ImageBytes">Length of the image; of a split product all of them.</param>
@@ -25,7 +25,7 @@ public sealed record LdemFingerprint(string ProductId, long ImageBytes, string S
         long bytes = 0;
         foreach (LdemLabel label in set.Parts)
         {
-            try
+            FileErrors.ToExternalPart($"{label.LabelPath}: can't be read", () =>
             {
                 using FileStream text = File.OpenRead(label.LabelPath);
                 Append(hash, text, 0, Math.Min(text.Length, SummarySource.LongestLabel));
@@ -38,11 +38,7 @@ public sealed record LdemFingerprint(string ProductId, long ImageBytes, string S
                 }
 
                 bytes += image.Length;
-            }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-            {
-                throw new ExternalPartException($"{label.LabelPath}: can't be read: {exception.Message}", exception);
-            }
+            });
         }
 
         return new LdemFingerprint(set.ProductId, bytes, Convert.ToHexStringLower(hash.GetHashAndReset()));

@@ -4,8 +4,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// A LDEM model of the whole Moon, in one file or in the parts of a split product, mapped into memory: it opens at once whatever its
-/// size, and only what is asked for is read. The radius of a sample is OFFSET + SCALING_FACTOR * value in doubles, in m.
+/// An LDEM model of the whole Moon, in one file or in the parts of a split product, mapped into memory: opening takes no time whatever its
+/// size, and only the samples that are asked for are read. The radius of a sample is OFFSET + SCALING_FACTOR * value in doubles, in m.
 /// </summary>
 /// <remarks>Don't use it after or while it is disposed. A file that is made shorter while it is open ends the process.</remarks>
 public sealed class LdemImage : IElevationGrid, IDisposable
@@ -45,11 +45,15 @@ public sealed class LdemImage : IElevationGrid, IDisposable
 
     /// <summary>Opens the image of a label.</summary>
     /// <param name="label">A label that covers the whole Moon.</param>
-    /// <exception cref="BadInputException">The label covers a part of the Moon; the image is missing, unreadable, or not as long as the label says.</exception>
+    /// <exception cref="BadInputException">
+    /// The label covers a part of the Moon; the image is missing, unreadable, or not as long as the label says.
+    /// </exception>
     public static LdemImage Open(LdemLabel label) => Open(LdemSet.Join([label]));
 
     /// <summary>Opens all images of a model.</summary>
-    /// <exception cref="BadInputException">An image is missing (all that miss are named), unreadable, or not as long as its label says.</exception>
+    /// <exception cref="BadInputException">
+    /// An image is missing (all that miss are named), unreadable, or not as long as its label says.
+    /// </exception>
     public static LdemImage Open(LdemSet set)
     {
         RequireImages(set);
@@ -134,7 +138,8 @@ public sealed class LdemImage : IElevationGrid, IDisposable
         if (missing.Length > 1)
         {
             throw new BadInputException(
-                $"{set.Location}: {missing.Length} images are missing: {FileNames.Listed(missing.Select(Path.GetFileName))}. Put them beside their labels.");
+                $"{set.Location}: {missing.Length} images are missing: {FileNames.Listed(missing.Select(Path.GetFileName))}. "
+                    + $"Put them beside their labels.");
         }
     }
 
@@ -145,7 +150,8 @@ public sealed class LdemImage : IElevationGrid, IDisposable
 
     private void CheckBlock(int firstLine, int lines, int firstSample, int samples)
     {
-        if (_isDisposed || firstLine < 0 || lines < 1 || lines > _lines - firstLine || (uint)firstSample >= (uint)_samples || (uint)(samples - 1) >= (uint)_samples)
+        if (_isDisposed || firstLine < 0 || lines < 1 || lines > _lines - firstLine || (uint)firstSample >= (uint)_samples
+            || (uint)(samples - 1) >= (uint)_samples)
         {
             RefuseBlock(firstLine, lines, firstSample, samples);
         }
@@ -155,6 +161,7 @@ public sealed class LdemImage : IElevationGrid, IDisposable
     {
         ObjectDisposedException.ThrowIf(_isDisposed, this);
         throw new ArgumentOutOfRangeException(
-            nameof(firstLine), $"No block of {_lines} x {_samples} samples: {lines} lines from {firstLine}, {samples} samples from {firstSample}.");
+            nameof(firstLine),
+            $"No block of {_lines} x {_samples} samples: {lines} lines from {firstLine}, {samples} samples from {firstSample}.");
     }
 }

@@ -2,9 +2,14 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>What the label of a cylindrical lunar elevation model says, checked for consistency. It may cover a part of the Moon only.</summary>
+/// <summary>
+/// The values of a cylindrical lunar elevation model's label, checked for consistency. The model may cover a part of the Moon only.
+/// </summary>
 public sealed record LdemLabel
 {
+    /// <summary>Stands in every name and label of a synthetic product.</summary>
+    public const string SyntheticMark = "SYNTHETIC";
+
     /// <summary>Path of the label.</summary>
     public required string LabelPath { get; init; }
 
@@ -59,13 +64,13 @@ public sealed record LdemLabel
     /// <summary>COORDINATE_SYSTEM_NAME.</summary>
     public required string CoordinateSystem { get; init; }
 
-    /// <summary>The product says of itself that it is synthetic (docs/synthetic-ldem.md).</summary>
-    public bool IsSynthetic => ProductId.Contains(SyntheticLdemProduct.Mark, StringComparison.Ordinal);
+    /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
+    public bool IsSynthetic => ProductId.Contains(SyntheticMark, StringComparison.Ordinal);
 
     /// <summary>The samples are 16-bit integers.</summary>
     public bool HasIntegers => SampleType is LdemSampleType.Int16LittleEndian or LdemSampleType.Int16BigEndian;
 
-    /// <summary>m: no sample is outside. Floats may pass the printed MINIMUM and MAXIMUM a little.</summary>
+    /// <summary>m: the limits of all radii. Floats may exceed the printed MINIMUM and MAXIMUM a little.</summary>
     public (double Min, double Max) RadiusLimits
     {
         get
@@ -81,9 +86,9 @@ public sealed record LdemLabel
     /// <summary>Bytes of a line.</summary>
     public long LineBytes => (long)LineSamples * SampleBytes;
 
-    /// <summary>Bytes of the samples, without what stands before them.</summary>
+    /// <summary>Bytes of all samples.</summary>
     public long ImageBytes => LineBytes * Lines;
 
-    /// <summary>It covers latitudes -90 to 90 and longitudes 0 to 360 degrees.</summary>
+    /// <summary>Whether it covers latitudes -90 to 90 and longitudes 0 to 360 degrees.</summary>
     public bool CoversWholeMoon => (NorthDegrees, SouthDegrees, WestDegrees, EastDegrees) == (90.0, -90.0, 0.0, 360.0);
 }

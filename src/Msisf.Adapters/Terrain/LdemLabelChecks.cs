@@ -6,10 +6,10 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>Whether a label describes a cylindrical elevation model of the Moon, and agrees with itself.</summary>
+/// <summary>Checks that a label describes a cylindrical elevation model of the Moon and does not contradict itself.</summary>
 internal static class LdemLabelChecks
 {
-    /// <summary>The product is of the Moon, in simple cylindrical projection and the ME/PA frame.</summary>
+    /// <summary>Checks that the product is of the Moon, in simple cylindrical projection and the ME/PA frame.</summary>
     /// <exception cref="BadInputException">It is another product.</exception>
     public static void CheckKind(PdsObject root, PdsObject map)
     {
@@ -22,11 +22,12 @@ internal static class LdemLabelChecks
         CheckNumber(map, "MAP_PROJECTION_ROTATION", 0.0, []);
         if (!map.RequiredText("COORDINATE_SYSTEM_NAME").Contains("MEAN EARTH", StringComparison.Ordinal))
         {
-            throw map.Unfit("COORDINATE_SYSTEM_NAME", map.Required("COORDINATE_SYSTEM_NAME"), "the MEAN EARTH/POLAR AXIS frame is needed");
+            throw map.WrongValue(
+                "COORDINATE_SYSTEM_NAME", map.Required("COORDINATE_SYSTEM_NAME"), "the MEAN EARTH/POLAR AXIS frame is needed");
         }
     }
 
-    /// <summary>Lines and samples fill the borders at the resolution, and the projection's offsets say the same.</summary>
+    /// <summary>Checks that lines and samples fill the borders at the resolution, and that the projection's offsets agree.</summary>
     /// <exception cref="BadInputException">They don't.</exception>
     public static void CheckCover(LdemLabel label, PdsObject image, PdsObject map)
     {
@@ -44,7 +45,10 @@ internal static class LdemLabelChecks
         CheckNumber(map, "SAMPLE_PROJECTION_OFFSET", sampleOffset, PdsUnits.Pixels);
     }
 
-    /// <summary>Every sample value that the label allows gives a radius, over a sphere that the map has too; no other bytes lie between the samples.</summary>
+    /// <summary>
+    /// Checks that every allowed sample value gives a radius, that samples and map have the same sphere, and that no other bytes lie
+    /// between the samples.
+    /// </summary>
     /// <exception cref="BadInputException">It is not so.</exception>
     public static void CheckSamples(LdemLabel label, PdsObject image, PdsObject map)
     {
@@ -54,49 +58,57 @@ internal static class LdemLabelChecks
         CheckText(image, "ENCODING_TYPE", "N/A", "an image without compression is needed");
         if (label.ScalingFactor <= 0.0)
         {
-            throw image.Unfit("SCALING_FACTOR", image.Required("SCALING_FACTOR"), "a number above 0 is needed");
+            throw image.WrongValue("SCALING_FACTOR", image.Required("SCALING_FACTOR"), "a number above 0 is needed");
         }
 
         bool fitsType = !label.HasIntegers || (label.Minimum >= short.MinValue && label.Maximum <= short.MaxValue);
         if (!fitsType || label.Minimum > label.Maximum)
         {
-            throw image.Unfit("MINIMUM", image.Required("MINIMUM"), $"with MAXIMUM = {image.Required("MAXIMUM")} no {label.SampleBytes * 8}-bit sample can be right");
+            throw image.WrongValue(
+                "MINIMUM",
+                image.Required("MINIMUM"),
+                $"with MAXIMUM = {image.Required("MAXIMUM")} no {label.SampleBytes * 8}-bit sample can be right");
         }
 
         double lowest = label.Offset + (label.ScalingFactor * label.Minimum);
         double highest = label.Offset + (label.ScalingFactor * label.Maximum);
         if (!(lowest > 0.0 && highest < LatticePoint.RadiusLimit))
         {
-            throw image.Unfit("OFFSET", image.Required("OFFSET"), "with MINIMUM, MAXIMUM and SCALING_FACTOR this gives no radius of the Moon");
+            throw image.WrongValue(
+                "OFFSET", image.Required("OFFSET"), "with MINIMUM, MAXIMUM and SCALING_FACTOR this gives no radius of the Moon");
         }
 
         foreach (string axis in new[] { "A_AXIS_RADIUS", "B_AXIS_RADIUS", "C_AXIS_RADIUS" })
         {
-            if (map.OptionalNumber(axis, PdsUnits.Kilometres) is { } radius && Math.Abs((1000.0 * radius) - label.Offset) > Tolerances.LabelRadius)
+            if (map.OptionalNumber(axis, PdsUnits.Kilometres) is { } radius
+                && Math.Abs((1000.0 * radius) - label.Offset) > Tolerances.LabelRadius)
             {
-                throw map.Unfit(axis, map.Required(axis), Invariant($"the heights are over a sphere of {label.Offset:R} m (OFFSET)"));
+                throw map.WrongValue(axis, map.Required(axis), Invariant($"the heights are over a sphere of {label.Offset:R} m (OFFSET)"));
             }
         }
     }
 
-    /// <summary>The file's records hold the image: exactly, if there is nothing else in the file.</summary>
+    /// <summary>Checks that the file's records hold the image, exactly if there is nothing else in the file.</summary>
     /// <exception cref="BadInputException">They hold more or less.</exception>
     public static void CheckRecords(LdemLabel label, PdsObject file, bool isDetached)
     {
         long needed = label.ImageOffset + label.ImageBytes;
         if (label.FileBytes is { } found && (found < needed || (isDetached && label.ImageOffset == 0 && found != needed)))
         {
-            throw file.Unfit("FILE_RECORDS", file.Required("FILE_RECORDS"), Invariant(
-                $"with RECORD_BYTES = {file.Required("RECORD_BYTES")} these are {found} bytes, but the image needs {needed} (LINES x LINE_SAMPLES x SAMPLE_BITS / 8)"));
+            throw file.WrongValue("FILE_RECORDS", file.Required("FILE_RECORDS"), string.Create(
+                CultureInfo.InvariantCulture,
+                $"with RECORD_BYTES = {file.Required("RECORD_BYTES")} these are {found} bytes, "
+                    + $"but the image needs {needed} (LINES x LINE_SAMPLES x SAMPLE_BITS / 8)"));
         }
     }
 
     private static void CheckCount(PdsObject image, string keyword, int count, double degrees, int pixelsPerDegree)
     {
-        if (count != degrees * pixelsPerDegree)
+        double needed = degrees * pixelsPerDegree;
+        if (count != needed)
         {
-            throw image.Unfit(keyword, image.Required(keyword), Invariant(
-                $"the map's borders and MAP_RESOLUTION ({degrees:R} degrees, {pixelsPerDegree} px/deg) need {degrees * pixelsPerDegree:R}"));
+            throw image.WrongValue(keyword, image.Required(keyword), Invariant(
+                $"the map's borders and MAP_RESOLUTION ({degrees:R} degrees, {pixelsPerDegree} px/deg) need {needed:R}"));
         }
     }
 
@@ -104,7 +116,7 @@ internal static class LdemLabelChecks
     {
         if (holder.Find(keyword) is { } value && value.ToString() != expected)
         {
-            throw holder.Unfit(keyword, value, need);
+            throw holder.WrongValue(keyword, value, need);
         }
     }
 
@@ -112,7 +124,7 @@ internal static class LdemLabelChecks
     {
         if (holder.OptionalNumber(keyword, units) is { } number && number != expected)
         {
-            throw holder.Unfit(keyword, holder.Required(keyword), Invariant($"the rest of the label needs {expected:R}"));
+            throw holder.WrongValue(keyword, holder.Required(keyword), Invariant($"the rest of the label needs {expected:R}"));
         }
     }
 

@@ -4,30 +4,27 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>Reads the PDS3 label of a lunar elevation model (LDEM) in simple cylindrical projection, and checks it against itself.</summary>
+/// <summary>
+/// Reads the PDS3 label of a lunar elevation model (LDEM) in simple cylindrical projection, and checks it against itself.
+/// </summary>
 public static class LdemLabelReader
 {
-    /// <summary>Bytes: labels have a few kilobytes; of an attached label's file no more than this is looked at.</summary>
+    /// <summary>Bytes. A label has a few kilobytes; of a file with an attached label no more than this is read.</summary>
     private const int LabelLimit = 1 << 20;
 
-    /// <summary>180 degrees at 23 000 px/deg: no product is near.</summary>
+    /// <summary>180 degrees at 23 000 px/deg, far more than any product has.</summary>
     private const int LineLimit = 1 << 22;
 
     /// <summary>Reads a label's file.</summary>
     /// <param name="labelPath">The .LBL file, or an image with its label attached.</param>
-    /// <exception cref="BadInputException">The label is missing, unreadable, incomplete, contradicts itself, or describes no cylindrical lunar elevation model.</exception>
-    public static LdemLabel ReadFile(string labelPath)
+    /// <exception cref="BadInputException">
+    /// The label is missing, unreadable, incomplete, contradicts itself, or describes no cylindrical lunar elevation model.
+    /// </exception>
+    public static LdemLabel ReadFile(string labelPath) => FileErrors.ToBadInput($"{labelPath}: can't be read", () =>
     {
-        try
-        {
-            using FileStream stream = File.OpenRead(labelPath);
-            return Read(stream, labelPath);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new BadInputException($"{labelPath}: can't be read: {exception.Message}", exception);
-        }
-    }
+        using FileStream stream = File.OpenRead(labelPath);
+        return Read(stream, labelPath);
+    });
 
     /// <summary>Reads a label.</summary>
     /// <param name="stream">Begins with the label.</param>
@@ -48,7 +45,9 @@ public static class LdemLabelReader
         LdemLabel label = new()
         {
             LabelPath = labelPath,
-            ImagePath = pointer.FileName is null ? labelPath : Path.Combine(Path.GetDirectoryName(labelPath) ?? string.Empty, pointer.FileName),
+            ImagePath = pointer.FileName is null
+                ? labelPath
+                : Path.Combine(Path.GetDirectoryName(labelPath) ?? string.Empty, pointer.FileName),
             ImageOffset = pointer.Offset,
             FileBytes = (long?)recordBytes * file.OptionalInteger("FILE_RECORDS", 1, int.MaxValue),
             ProductId = ProductIdOf(root),
@@ -72,7 +71,7 @@ public static class LdemLabelReader
         return label;
     }
 
-    /// <summary>The object that describes the image's file: labels of products that exist as .JP2 too have one for each.</summary>
+    /// <summary>The object that describes the image's file. Labels of products that exist as .JP2, too, have one for each file.</summary>
     private static PdsObject FileHolder(PdsObject root) =>
         new[] { root.FindObject("UNCOMPRESSED_FILE"), root.FindObject("FILE") }
             .FirstOrDefault(candidate => candidate?.Find("^IMAGE") is not null) ?? root;
@@ -81,7 +80,7 @@ public static class LdemLabelReader
     {
         "METER" or "METERS" or "M" => 1.0,
         "KILOMETER" or "KILOMETERS" or "KM" => 1000.0,
-        _ => throw image.Unfit("UNIT", image.Required("UNIT"), "METER or KILOMETER is needed"),
+        _ => throw image.WrongValue("UNIT", image.Required("UNIT"), "METER or KILOMETER is needed"),
     };
 
     private static LdemSampleType SampleTypeOf(PdsObject image)
@@ -93,7 +92,11 @@ public static class LdemLabelReader
             ("MSB_INTEGER", 16) => LdemSampleType.Int16BigEndian,
             ("PC_REAL", 32) => LdemSampleType.Float32LittleEndian,
             ("IEEE_REAL", 32) => LdemSampleType.Float32BigEndian,
-            _ => throw image.Unfit("SAMPLE_TYPE", image.Required("SAMPLE_TYPE"), $"with SAMPLE_BITS = {image.Required("SAMPLE_BITS")} it is not known; 16-bit LSB_INTEGER or MSB_INTEGER, or 32-bit PC_REAL or IEEE_REAL are needed"),
+            _ => throw image.WrongValue(
+                "SAMPLE_TYPE",
+                image.Required("SAMPLE_TYPE"),
+                $"with SAMPLE_BITS = {image.Required("SAMPLE_BITS")} it is not known; "
+                    + $"16-bit LSB_INTEGER or MSB_INTEGER, or 32-bit PC_REAL or IEEE_REAL are needed"),
         };
     }
 
@@ -108,7 +111,7 @@ public static class LdemLabelReader
         string productId = root.RequiredText("PRODUCT_ID");
         return IsProductId(productId)
             ? productId
-            : throw root.Unfit("PRODUCT_ID", root.Required("PRODUCT_ID"), "1 to 40 letters, digits, '_', '-' or '.' are needed");
+            : throw root.WrongValue("PRODUCT_ID", root.Required("PRODUCT_ID"), "1 to 40 letters, digits, '_', '-' or '.' are needed");
     }
 
     private static bool IsProductId(string text) =>

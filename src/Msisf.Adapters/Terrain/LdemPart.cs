@@ -6,8 +6,8 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// One image of an elevation model, mapped into memory: the whole Moon or a part of it. Lines and samples are those of the whole Moon's
-/// grid. The caller keeps to the part's borders. Safe for several threads, but not while it is disposed.
+/// One image of an elevation model, of the whole Moon or a part of it, mapped into memory. Lines and samples count in the whole Moon's
+/// grid; those asked for must lie in the part. Safe for several threads, but not while it is disposed.
 /// </summary>
 internal sealed unsafe class LdemPart : IDisposable
 {
@@ -28,7 +28,8 @@ internal sealed unsafe class LdemPart : IDisposable
         _codec = SampleCodec.For(label);
         _lineBytes = label.LineBytes;
         _sampleBytes = label.SampleBytes;
-        _file = MemoryMappedFile.CreateFromFile(stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
+        _file = MemoryMappedFile.CreateFromFile(
+            stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
         _view = _file.CreateViewAccessor(0, 0, MemoryMappedFileAccess.Read);
         byte* start = null;
         _view.SafeMemoryMappedViewHandle.AcquirePointer(ref start);
@@ -56,8 +57,9 @@ internal sealed unsafe class LdemPart : IDisposable
     public static LdemPart Open(LdemLabel label)
     {
         string path = FileNames.FindIgnoringCase(label.ImagePath)
-            ?? throw new BadInputException($"{label.ImagePath}: missing; {label.LabelPath} says that the samples are there. Put the file beside its label.");
-        try
+            ?? throw new BadInputException(
+                $"{label.ImagePath}: missing; {label.LabelPath} says that the samples are there. Put the file beside its label.");
+        return FileErrors.ToBadInput($"{path}: can't be read", () =>
         {
             FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read);
             try
@@ -70,11 +72,7 @@ internal sealed unsafe class LdemPart : IDisposable
                 stream.Dispose();
                 throw;
             }
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new BadInputException($"{path}: can't be read: {exception.Message}", exception);
-        }
+        });
     }
 
     /// <summary>Radii of consecutive samples, m.</summary>
@@ -100,7 +98,7 @@ internal sealed unsafe class LdemPart : IDisposable
     /// <summary>The bytes of a line, as they are in the file.</summary>
     public ReadOnlySpan<byte> LineBytes(int line) => new(Address(line, FirstSample), checked((int)_lineBytes));
 
-    /// <summary>Gives the pages that were read back to the operating system; what is read again is mapped again.</summary>
+    /// <summary>Releases the pages that were read; they are mapped again when they are read again.</summary>
     public void ReleasePages() => MemoryAdvice.ReleasePages(_start, _view.SafeMemoryMappedViewHandle.ByteLength);
 
     /// <summary>Unmaps the file.</summary>
@@ -122,13 +120,16 @@ internal sealed unsafe class LdemPart : IDisposable
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{path}: {found} bytes, {expected} expected ({label.Lines} lines of {label.LineBytes} bytes by {label.LabelPath}). Get the file again."));
+                $"{path}: {found} bytes, {expected} expected ({label.Lines} lines of {label.LineBytes} bytes by {label.LabelPath}). "
+                    + $"Get the file again."));
         }
     }
 
     private byte* Address(int line, int sample) => _moonOrigin + (line * _lineBytes) + ((long)sample * _sampleBytes);
 
-    /// <summary>The error for the first bad sample of a block that has one; it counts in the file, from 1.</summary>
+    /// <summary>
+    /// The error for the first bad sample of a block that has one. Lines and samples in the message count in the file, from 1.
+    /// </summary>
     private BadInputException NotAllowed(int firstLine, int lines, int firstSample, int samples)
     {
         for (int line = firstLine; line < firstLine + lines; line++)
@@ -140,7 +141,9 @@ internal sealed unsafe class LdemPart : IDisposable
                 {
                     return new BadInputException(string.Create(
                         CultureInfo.InvariantCulture,
-                        $"{Label.ImagePath}, line {line - FirstLine + 1}, sample {sample - FirstSample + 1}: the value {value:R} is outside the label's MINIMUM and MAXIMUM ({Label.Minimum:R} to {Label.Maximum:R}). The file is damaged, or the label belongs to another one: get both again."));
+                        $"{Label.ImagePath}, line {line - FirstLine + 1}, sample {sample - FirstSample + 1}: "
+                            + $"the value {value:R} is outside the label's MINIMUM and MAXIMUM ({Label.Minimum:R} to {Label.Maximum:R}). "
+                            + $"The file is damaged, or the label belongs to another one: get both again."));
                 }
             }
         }

@@ -1,10 +1,12 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
-using Msisf.Core.Terrain.Synthesis;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>The name of a part of a split product: the archive puts the part's borders into it, e.g. "LDEM_512_00N_45N_000_090_FLOAT".</summary>
+/// <summary>
+/// The name of a part of a split product: the archive puts the part's borders into it, e.g. "LDEM_512_00N_45N_000_090_FLOAT".
+/// </summary>
 /// <param name="Before">What stands before the borders, e.g. "LDEM_512"; the whole name if it has none.</param>
 /// <param name="After">What stands behind them, e.g. "_FLOAT".</param>
 /// <param name="HasBorders">The name has borders.</param>
@@ -25,12 +27,15 @@ internal sealed partial record LdemPartName(string Before, string After, bool Ha
     /// <summary>The name of another part of the same model.</summary>
     public string ForRegion(MoonRegion region) => HasBorders
         ? $"{Before}_{BordersOf(region)}{After}"
-        : string.Create(CultureInfo.InvariantCulture, $"latitudes {region.SouthDegrees} to {region.NorthDegrees}, longitudes {region.WestDegrees} to {region.EastDegrees}");
+        : string.Create(
+            CultureInfo.InvariantCulture,
+            $"latitudes {region.SouthDegrees} to {region.NorthDegrees}, longitudes {region.WestDegrees} to {region.EastDegrees}");
 
     /// <summary>Borders as the archive writes them: "00N_45N_000_090".</summary>
     public static string BordersOf(MoonRegion region) => string.Create(
         CultureInfo.InvariantCulture,
-        $"{Latitude(region.SouthDegrees, region)}_{Latitude(region.NorthDegrees, region)}_{region.WestDegrees:000}_{region.EastDegrees:000}");
+        $"{Latitude(region.SouthDegrees, region)}_{Latitude(region.NorthDegrees, region)}_"
+            + $"{region.WestDegrees:000}_{region.EastDegrees:000}");
 
     // The equator is 00N, except as the northern border of a southern region.
     private static string Latitude(int degrees, MoonRegion region)

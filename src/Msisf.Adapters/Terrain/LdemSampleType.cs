@@ -1,6 +1,6 @@
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>How an elevation model keeps a sample (SAMPLE_TYPE and SAMPLE_BITS of its label).</summary>
+/// <summary>The format of a sample (SAMPLE_TYPE and SAMPLE_BITS of the label).</summary>
 public enum LdemSampleType
 {
     /// <summary>LSB_INTEGER, 16 bits: NASA's IMG products.</summary>

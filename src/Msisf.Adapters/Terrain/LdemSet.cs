@@ -2,7 +2,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>The labels of one elevation model of the whole Moon: one label, or those of the parts that it is split into. Immutable.</summary>
+/// <summary>The labels of one elevation model of the whole Moon: one label, or those of its parts. Immutable.</summary>
 public sealed class LdemSet
 {
     private LdemSet(LdemLabel[] parts, string productId, ushort[] partOfDegree)
@@ -21,13 +21,13 @@ public sealed class LdemSet
     /// <summary>Samples a degree.</summary>
     public int PixelsPerDegree => Parts[0].PixelsPerDegree;
 
-    /// <summary>The product says of itself that it is synthetic (docs/synthetic-ldem.md).</summary>
+    /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
     public bool IsSynthetic => Parts.Any(part => part.IsSynthetic);
 
     /// <summary>The label's path; of a split product the folder of the first label.</summary>
     public string Location => Parts.Count == 1 ? Parts[0].LabelPath : FolderOf(Parts[0]);
 
-    /// <summary>For messages: where it is, and of how many files.</summary>
+    /// <summary>Where the model is, and of how many files, for messages.</summary>
     public string Description => Parts.Count == 1 ? Location : $"{Location}, {Parts.Count} files";
 
     /// <summary>Index of the part that holds each square degree: [90 - northern latitude, western longitude], row by row.</summary>
@@ -35,7 +35,9 @@ public sealed class LdemSet
 
     /// <summary>Takes the labels of one model.</summary>
     /// <param name="labels">At least one, in any order.</param>
-    /// <exception cref="BadInputException">They differ in what must be the same, overlap, or leave a part of the Moon uncovered; the message names the files.</exception>
+    /// <exception cref="BadInputException">
+    /// They differ in what must be the same, overlap, or leave a part of the Moon uncovered; the message names the files.
+    /// </exception>
     public static LdemSet Join(IReadOnlyList<LdemLabel> labels)
     {
         LdemLabel[] parts = [.. labels

@@ -1,10 +1,10 @@
 using System.Globalization;
 using Msisf.Core.Errors;
-using Msisf.Core.Terrain.Synthesis;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>Whether labels make up one model: alike, without overlap, without a gap.</summary>
+/// <summary>Checks that labels make up one model: of the same kind, without overlap and without gap.</summary>
 internal static class LdemSetChecks
 {
     private const ushort Nothing = ushort.MaxValue;
@@ -40,7 +40,9 @@ internal static class LdemSetChecks
                 {
                     throw new BadInputException(string.Create(
                         CultureInfo.InvariantCulture,
-                        $"{parts[degrees[taken]].LabelPath} and {parts[index].LabelPath}: both cover latitude {89 - row} to {90 - row}, longitude {region.WestDegrees + taken} to {region.WestDegrees + taken + 1}. Take one of them away."));
+                        $"{parts[degrees[taken]].LabelPath} and {parts[index].LabelPath}: "
+                            + $"both cover latitude {89 - row} to {90 - row}, "
+                            + $"longitude {region.WestDegrees + taken} to {region.WestDegrees + taken + 1}. Take one of them away."));
                 }
 
                 degrees.Fill((ushort)index);
@@ -57,7 +59,8 @@ internal static class LdemSetChecks
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{other.LabelPath}: {what} is {of(other)}, but {of(first)} in {first.LabelPath}, another part of the same model. Get all parts of one release."));
+                $"{other.LabelPath}: {what} is {of(other)}, but {of(first)} in {first.LabelPath}, another part of the same model. "
+                    + $"Get all parts of one release."));
         }
     }
 
@@ -68,10 +71,11 @@ internal static class LdemSetChecks
             == (label.SouthDegrees, label.NorthDegrees, label.WestDegrees, label.EastDegrees);
         return isWhole && region.IsValid ? region : throw new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"{label.LabelPath}: covers latitudes {label.SouthDegrees:R} to {label.NorthDegrees:R} and longitudes {label.WestDegrees:R} to {label.EastDegrees:R} degrees; parts of a model have borders of whole degrees in -90 to 90 and 0 to 360."));
+            $"{label.LabelPath}: covers latitudes {label.SouthDegrees:R} to {label.NorthDegrees:R} and longitudes {label.WestDegrees:R} "
+                + $"to {label.EastDegrees:R} degrees; parts of a model have borders of whole degrees in -90 to 90 and 0 to 360."));
     }
 
-    /// <summary>Names the parts that miss, on the raster of which the known borders are lines.</summary>
+    /// <summary>The error that names the missing parts, on the raster that the known borders make.</summary>
     private static BadInputException Incomplete(IReadOnlyList<LdemLabel> parts, ushort[] cover)
     {
         int height = 180;
@@ -93,7 +97,8 @@ internal static class LdemSetChecks
         string folder = Path.GetDirectoryName(parts[0].LabelPath) is { Length: > 0 } given ? given : ".";
         return new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"{folder}: of the {name.Before} product in several files {missing.Length} are missing: {FileNames.Listed(missing)}. Put their .LBL and .IMG files beside {Path.GetFileName(parts[0].LabelPath)}; the whole Moon is needed."));
+            $"{folder}: of the {name.Before} product in several files {missing.Length} are missing: {FileNames.Listed(missing)}. "
+                + $"Put their .LBL and .IMG files beside {Path.GetFileName(parts[0].LabelPath)}; the whole Moon is needed."));
     }
 
     private static int MaxDivisor(int a, int b) => b == 0 ? a : MaxDivisor(b, a % b);

@@ -16,7 +16,7 @@ internal abstract unsafe class SampleCodec
     /// <summary>The value of one sample.</summary>
     public abstract double ValueAt(byte* sample);
 
-    /// <summary>A value that the label allows.</summary>
+    /// <summary>Whether the label allows a value.</summary>
     public abstract bool IsAllowed(double value);
 
     /// <summary>offset + scale * value for consecutive samples.</summary>

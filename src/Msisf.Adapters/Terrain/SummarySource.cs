@@ -5,7 +5,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>What tells one elevation model from another and from an older one under the same name.</summary>
+/// <summary>Tells one elevation model from another, and from an older one of the same name.</summary>
 /// <param name="ProductId">From the label.</param>
 /// <param name="PixelsPerDegree">From the label.</param>
 /// <param name="ImageBytes">Size of the image file; of a split product all of them.</param>
@@ -13,7 +13,7 @@ namespace Msisf.Adapters.Terrain;
 /// <param name="LabelText">The whole label; of a split product name, size, time and label of each part.</param>
 public sealed record SummarySource(string ProductId, int PixelsPerDegree, long ImageBytes, DateTimeOffset ImageWritten, string LabelText)
 {
-    /// <summary>A label is a few kB; of an image with an attached one, more need not be read.</summary>
+    /// <summary>Bytes. A label has a few kB; of a file with an attached label no more is read.</summary>
     internal const int LongestLabel = 65536;
 
     /// <summary>The source that a model's labels describe, as its files are now.</summary>
@@ -31,24 +31,17 @@ public sealed record SummarySource(string ProductId, int PixelsPerDegree, long I
 
     /// <summary>The source that a label describes, as its files are now.</summary>
     /// <exception cref="ExternalPartException">They can't be read.</exception>
-    public static SummarySource Of(LdemLabel label)
+    public static SummarySource Of(LdemLabel label) => FileErrors.ToExternalPart($"{label.LabelPath}: can't be read", () =>
     {
-        try
-        {
-            FileInfo image = new(FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath);
-            using FileStream stream = File.OpenRead(label.LabelPath);
-            byte[] text = new byte[Math.Min(LongestLabel, stream.Length)];
-            stream.ReadExactly(text);
-            return new SummarySource(
-                label.ProductId, label.PixelsPerDegree, image.Length, image.LastWriteTimeUtc, Encoding.Latin1.GetString(text));
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"{label.LabelPath}: can't be read: {exception.Message}", exception);
-        }
-    }
+        FileInfo image = new(FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath);
+        using FileStream stream = File.OpenRead(label.LabelPath);
+        byte[] text = new byte[Math.Min(LongestLabel, stream.Length)];
+        stream.ReadExactly(text);
+        return new SummarySource(
+            label.ProductId, label.PixelsPerDegree, image.Length, image.LastWriteTimeUtc, Encoding.Latin1.GetString(text));
+    });
 
-    /// <summary>32 bytes that differ when any of it differs.</summary>
+    /// <summary>A hash of 32 bytes of all of it.</summary>
     internal byte[] Fingerprint() => SHA256.HashData(Encoding.UTF8.GetBytes(Text()));
 
     private string Text() => string.Create(

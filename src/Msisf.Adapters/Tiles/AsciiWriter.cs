@@ -2,7 +2,7 @@ using System.Buffers.Text;
 
 namespace Msisf.Adapters.Tiles;
 
-/// <summary>Writes ASCII text and whole numbers through a buffer to a stream: no string, no culture, no call a number.</summary>
+/// <summary>Writes ASCII text and whole numbers to a stream through a buffer, without strings and cultures.</summary>
 internal sealed class AsciiWriter
 {
     private const int BufferBytes = 65536;
@@ -13,7 +13,7 @@ internal sealed class AsciiWriter
     private int _used;
     private long _flushed;
 
-    /// <summary>Writes from the stream's position on.</summary>
+    /// <summary>Starts at the stream's position.</summary>
     public AsciiWriter(Stream output) => _output = output;
 
     /// <summary>Bytes written so far.</summary>
@@ -61,7 +61,7 @@ internal sealed class AsciiWriter
         Write(">"u8);
     }
 
-    /// <summary>Gives what the buffer holds to the stream.</summary>
+    /// <summary>Writes the buffer's content to the stream.</summary>
     public void Flush()
     {
         _output.Write(_buffer, 0, _used);

@@ -3,26 +3,26 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Tiles;
 
-/// <summary>Judges a file under a pattern's name by its first line and its length.</summary>
+/// <summary>Tells by its first line and its length whether a file is the wanted pattern.</summary>
 internal static class PatternFile
 {
-    /// <summary>What the judgement can be.</summary>
+    /// <summary>What a file can be.</summary>
     public enum State
     {
-        /// <summary>The wanted pattern, whole.</summary>
+        /// <summary>The wanted pattern, complete.</summary>
         Good,
 
         /// <summary>No file.</summary>
         Missing,
 
-        /// <summary>A pattern of this program, but damaged, of another format, or made from other samples: make it again.</summary>
+        /// <summary>A pattern of this program that is damaged, of another format, or made from other samples: it is made again.</summary>
         Outdated,
 
-        /// <summary>Something that this program has not written: leave it alone.</summary>
+        /// <summary>A file that this program has not written: it is left alone.</summary>
         Foreign,
     }
 
-    /// <summary>Looks at a file; one read, whatever its size.</summary>
+    /// <summary>Checks a file by one read, whatever its size.</summary>
     /// <param name="path">The file.</param>
     /// <param name="headerWithoutLength">The header that is wanted (<see cref="PatternHeader.WithoutLength"/>).</param>
     /// <exception cref="ExternalPartException">The file is there but can't be read.</exception>
@@ -46,9 +46,10 @@ internal static class PatternFile
         {
             return State.Missing;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
-            throw new ExternalPartException($"{path}: can't be read: {exception.Message} Move it away, or choose another pattern repository.", exception);
+            throw new ExternalPartException(
+                $"{path}: can't be read: {exception.Message} Move it away, or choose another pattern repository.", exception);
         }
     }
 
@@ -59,7 +60,9 @@ internal static class PatternFile
         && long.TryParse(start[headerWithoutLength.Length..^1], NumberStyles.None, CultureInfo.InvariantCulture, out long expected)
         && expected == length;
 
-    /// <summary>It has our mark, or as much of it as there are bytes; after a power cut a file can also be empty or all zeros.</summary>
+    /// <summary>
+    /// Whether it begins with our mark, or with as much of it as there are bytes. After a power cut a file can also be empty or all zeros.
+    /// </summary>
     private static bool IsOurs(ReadOnlySpan<byte> start)
     {
         ReadOnlySpan<byte> mark = System.Text.Encoding.ASCII.GetBytes(PatternHeader.Mark);

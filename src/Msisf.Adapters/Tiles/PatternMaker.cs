@@ -6,13 +6,16 @@ using Msisf.Adapters.IO;
 namespace Msisf.Adapters.Tiles;
 
 /// <summary>
-/// Makes the patterns of some orders that are not there. Whoever needs one first claims it, and the others, in this process or another, go on with the rest
-/// and look for it at the end. The system frees the claims of a process that dies; no claim is waited for longer than a limit, since two that make the
-/// same pattern make the same bytes.
+/// Makes the patterns that are missing. A thread claims a pattern before it makes it; the others, in this process or another, go on with
+/// the rest and look for that pattern at the end. The system releases the claims of a process that dies. No claim is waited for longer than
+/// a limit, since two that make the same pattern make the same bytes.
 /// </summary>
 internal sealed class PatternMaker
 {
-    /// <summary>Even at 1024 px/deg a part takes far less; over a network file system a lost node's claims can stay for longer.</summary>
+    /// <summary>
+    /// The longest wait for a claim. Even at 1024 px/deg a part takes far less; over a network file system the claims of a lost node can
+    /// stay for longer.
+    /// </summary>
     public static readonly TimeSpan LongestWait = TimeSpan.FromSeconds(60);
 
     private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(20); // a part takes about as long
@@ -32,7 +35,7 @@ internal sealed class PatternMaker
         _longestWait = longestWait;
     }
 
-    /// <summary>Makes sure that all are there.</summary>
+    /// <summary>Makes the patterns that are missing.</summary>
     /// <param name="orders">The patterns.</param>
     /// <param name="progress">Is told, from any thread, how many are ready.</param>
     /// <returns>How many were made here.</returns>

@@ -4,7 +4,7 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.Adapters.Tiles;
 
-/// <summary>A pattern that is wanted.</summary>
+/// <summary>A pattern that a scene needs.</summary>
 /// <param name="Path">Its file.</param>
 /// <param name="Layout">What its mesh joins.</param>
 /// <param name="Builder">Makes the mesh.</param>
@@ -17,20 +17,21 @@ internal sealed record PatternOrder(string Path, TileMeshLayout Layout, TileMesh
     public Content Read()
     {
         double[] radii = Builder.ReadRadii(Layout);
-        return new Content(this, radii, PatternHeader.WithoutLength(Layout, radii, Builder.WallFootRadius, ProductId, Format));
+        return new Content(this, radii, PatternHeader.WithoutLength(Layout, radii, Builder.SkirtFootRadius, ProductId, Format));
     }
 
     /// <summary>What the file of an order must hold.</summary>
     public sealed class Content(PatternOrder order, double[] radii, byte[] header)
     {
-        /// <summary>Whether the file is there and right; one read, whatever its size.</summary>
+        /// <summary>Whether the file is there and complete; one read, whatever its size.</summary>
         /// <exception cref="BadInputException">The file is not of this program.</exception>
         /// <exception cref="ExternalPartException">The file is there but can't be read.</exception>
         public bool IsThere() => PatternFile.Inspect(order.Path, header) switch
         {
             PatternFile.State.Good => true,
             PatternFile.State.Foreign => throw new BadInputException(
-                $"{order.Path}: has a pattern's name, but this program has not made it, so it stays as it is. Move it away, or choose another pattern repository."),
+                $"{order.Path}: has a pattern's name, but this program has not made it, so it stays as it is. "
+                    + $"Move it away, or choose another pattern repository."),
             _ => false,
         };
 
@@ -41,7 +42,8 @@ internal sealed record PatternOrder(string Path, TileMeshLayout Layout, TileMesh
         {
             TileMesh mesh = order.Builder.Build(order.Layout, radii);
             Action<string, Action<Stream>, bool> writeFile = isClaimed ? AtomicFile.WriteClaimed : AtomicFile.Write;
-            writeFile(order.Path, stream => PatternWriter.Write(stream, mesh, header, order.Format), false); // a power cut's short file is found by its header
+            // a power cut's short file is found by its header
+            writeFile(order.Path, stream => PatternWriter.Write(stream, mesh, header, order.Format), false);
         }
     }
 }

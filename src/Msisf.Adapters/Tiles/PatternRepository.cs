@@ -7,14 +7,14 @@ using Msisf.Core.Tiles;
 namespace Msisf.Adapters.Tiles;
 
 /// <summary>
-/// The folder of pattern files: [root]/[res]/pattern_LDEM_[res]_lat_[a]_[b]_lon_[c]_[d].inc (docs/deviations.md, row 13).
-/// Patterns are made when they are first needed and kept. Several threads and processes may use one repository at once: a file appears whole under its
-/// name, and each is made once, by whoever needs it first (docs/pattern-format.md). One object of this class a process and folder: the claims of a second
-/// one would not hold.
+/// The folder of pattern files: [root]/[res]/pattern_LDEM_[res]_lat_[a]_[b]_lon_[c]_[d].inc (docs/deviations.md, row 13). Patterns are made
+/// when they are first needed, and kept. Several threads and processes may use one repository at once: a file appears complete under its
+/// name, and each is made once (docs/pattern-format.md). Make one object per process and folder: a second one would release the claims of
+/// the first.
 /// </summary>
 public sealed class PatternRepository : IDisposable
 {
-    /// <summary>File in the folder of a resolution; it stays empty. There is none in a repository that was always complete.</summary>
+    /// <summary>A file in the folder of a resolution that stays empty. A repository that was always complete has none.</summary>
     private const string ClaimsName = ".msisf-claims";
 
 
@@ -31,7 +31,7 @@ public sealed class PatternRepository : IDisposable
     {
     }
 
-    /// <summary>The same with another limit on waiting for those who make the same patterns.</summary>
+    /// <summary>The same with another limit on waiting for a pattern that others make.</summary>
     internal PatternRepository(string root, TimeSpan longestWait)
     {
         _root = root;
@@ -51,7 +51,7 @@ public sealed class PatternRepository : IDisposable
         FolderOf(pixelsPerDegree),
         string.Create(CultureInfo.InvariantCulture, $"pattern_LDEM_{pixelsPerDegree}_{part.NameText}.inc"));
 
-    /// <summary>Makes sure that the patterns are there, whole, and of these samples; makes those that are not.</summary>
+    /// <summary>Makes the patterns that are missing, damaged, or made of other samples.</summary>
     /// <param name="tiles">The tiles; double ones count once.</param>
     /// <param name="grid">The elevation model.</param>
     /// <param name="options">Margin and form.</param>
@@ -79,14 +79,15 @@ public sealed class PatternRepository : IDisposable
         return Ensure([.. orders], FolderOf(resolution), maxParallelism, progress, cancellation);
     }
 
-    /// <summary>The same for parts of tiles at levels of detail, in the usual form and without margin.</summary>
+    /// <summary>The same for parts of tiles at levels of detail, as mesh2 without margin.</summary>
     /// <param name="parts">The parts; double ones count once.</param>
     /// <param name="builders">Of the model and its levels.</param>
     /// <param name="maxParallelism">How many parts to work on at once, at least 1.</param>
     /// <param name="cancellation">Stops between two parts.</param>
     /// <exception cref="BadInputException">A file that this program has not made has a pattern's name, or the model is damaged.</exception>
     /// <exception cref="ExternalPartException">The repository can't be read or written.</exception>
-    public PatternSet EnsureParts(IEnumerable<SurfacePart> parts, LevelMeshBuilders builders, int maxParallelism, CancellationToken cancellation)
+    public PatternSet EnsureParts(
+        IEnumerable<SurfacePart> parts, LevelMeshBuilders builders, int maxParallelism, CancellationToken cancellation)
     {
         IEnumerable<PatternOrder> orders = parts.Distinct().Order().Select(part => new PatternOrder(
             PathOf(part, builders.PixelsPerDegree),
@@ -97,7 +98,7 @@ public sealed class PatternRepository : IDisposable
         return Ensure([.. orders], FolderOf(builders.PixelsPerDegree), maxParallelism, progress: null, cancellation);
     }
 
-    /// <summary>Gives all claims back.</summary>
+    /// <summary>Releases all claims.</summary>
     public void Dispose()
     {
         foreach (ClaimFile claims in _claims.Values)
@@ -106,7 +107,8 @@ public sealed class PatternRepository : IDisposable
         }
     }
 
-    private PatternSet Ensure(PatternOrder[] orders, string folder, int maxParallelism, IProgress<int>? progress, CancellationToken cancellation)
+    private PatternSet Ensure(
+        PatternOrder[] orders, string folder, int maxParallelism, IProgress<int>? progress, CancellationToken cancellation)
     {
         int written = new PatternMaker(() => ClaimsIn(folder), maxParallelism, _longestWait, cancellation).Ensure(orders, progress);
         if (written > 0)
@@ -117,14 +119,15 @@ public sealed class PatternRepository : IDisposable
         return new PatternSet([.. orders.Select(order => order.Path)], written);
     }
 
-    /// <summary>Stays open: to close such a file gives back every claim of the process on it.</summary>
+    /// <summary>The claims of a folder. Their file stays open: closing it would release every claim of the process on it.</summary>
     private ClaimFile ClaimsIn(string folder)
     {
         lock (_claims)
         {
             if (!_claims.TryGetValue(folder, out ClaimFile? claims))
             {
-                MakeFolder(folder);
+                FileErrors.ToExternalPart(
+                    $"{folder}: can't be made; choose another pattern repository", () => Directory.CreateDirectory(folder));
                 claims = ClaimFile.Open(Path.Combine(folder, ClaimsName));
                 _claims.Add(folder, claims);
             }
@@ -133,21 +136,9 @@ public sealed class PatternRepository : IDisposable
         }
     }
 
-    private static void MakeFolder(string folder)
-    {
-        try
-        {
-            Directory.CreateDirectory(folder);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"{folder}: can't be made: {exception.Message} Choose another pattern repository.", exception);
-        }
-    }
-
     /// <summary>
-    /// Removes what killed runs left. The age is taken by the file system's own clock, from the newest file of the folder,
-    /// so it holds for shared folders too, where neither our clock nor our process numbers mean anything.
+    /// Removes the partial files of killed runs. Their age is measured by the file system's own clock, from the newest file of the folder,
+    /// so it holds for shared folders, where neither our clock nor our process numbers mean anything.
     /// </summary>
     private static void RemoveStaleFiles(string folder)
     {
@@ -169,7 +160,7 @@ public sealed class PatternRepository : IDisposable
         {
             file.Delete();
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             // Another user's leftover is theirs to remove; the patterns themselves are all there.
             return;

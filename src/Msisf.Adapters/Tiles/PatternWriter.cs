@@ -3,7 +3,9 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.Adapters.Tiles;
 
-/// <summary>Writes a tile's mesh as a pattern file for POV-Ray: the same mesh always gives the same bytes (docs/pattern-format.md).</summary>
+/// <summary>
+/// Writes a tile's mesh as a pattern file for POV-Ray: the same mesh always gives the same bytes (docs/pattern-format.md).
+/// </summary>
 public static class PatternWriter
 {
     /// <summary>1e10 / 128 000: a lattice step in units of 1e-10 km, exactly.</summary>
@@ -17,7 +19,7 @@ public static class PatternWriter
     /// <param name="productId">PRODUCT_ID of the elevation model.</param>
     /// <param name="format">The form of the mesh.</param>
     public static void Write(Stream output, TileMesh mesh, string productId, PatternFormat format) =>
-        Write(output, mesh, PatternHeader.WithoutLength(mesh.Layout, mesh.Radii, mesh.WallFootRadius, productId, format), format);
+        Write(output, mesh, PatternHeader.WithoutLength(mesh.Layout, mesh.Radii, mesh.SkirtFootRadius, productId, format), format);
 
     /// <summary>Writes a pattern whose header is known.</summary>
     internal static void Write(Stream output, TileMesh mesh, byte[] headerWithoutLength, PatternFormat format)
@@ -41,8 +43,8 @@ public static class PatternWriter
     }
 
     /// <summary>
-    /// Whole steps times the local k = 2^-17: exact as 32-bit floats, and of the size of kilometres. Without the factor
-    /// POV-Ray 3.7 would see nothing from more than 10^7 steps = 78 km away (its MAX_DISTANCE counts in the mesh's own units).
+    /// Writes whole steps, scaled by the local k = 2^-17: exact as 32-bit floats, and of the size of kilometres. Without the factor POV-Ray
+    /// 3.7 would see nothing from more than 10^7 steps = 78 km away (its MAX_DISTANCE counts in the mesh's own units).
     /// </summary>
     private static void WriteMesh2(AsciiWriter writer, TileMesh mesh)
     {

@@ -3,7 +3,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Cluster;
 
-/// <summary>Words of a Windows batch file. Two readers take them apart: cmd, and the rules by which a program finds its arguments.</summary>
+/// <summary>
+/// Words of a Windows batch file. Two readers take them apart: cmd, and the rules by which a program finds its arguments.
+/// </summary>
 internal static class CmdWord
 {
     private static readonly SearchValues<char> Plain =
@@ -21,6 +23,8 @@ internal static class CmdWord
     /// <summary>The text for a place between quotes that only cmd itself reads.</summary>
     /// <exception cref="BadInputException">cmd has no way to hold the text.</exception>
     public static string Inner(string text) => text.Contains('"') || text.Any(char.IsControl)
-        ? throw new BadInputException($"--format bat: {text.ReplaceLineEndings(" ")} has a quotation mark or a control character in it, which a batch file can't pass on. Choose another name, or another --format.")
+        ? throw new BadInputException(
+            $"--format bat: {text.ReplaceLineEndings(" ")} has a quotation mark or a control character in it, "
+                + $"which a batch file can't pass on. Choose another name, or another --format.")
         : text.Replace("%", "%%", StringComparison.Ordinal);
 }

@@ -8,7 +8,9 @@ namespace Msisf.App.Cluster;
 /// <summary>The text of a script that runs the pieces.</summary>
 internal static class ScriptText
 {
-    /// <summary>Pieces of an array: a cluster's MaxArraySize is 1001 unless its administrator chose otherwise, which makes 1000 the maximum index.</summary>
+    /// <summary>
+    /// Pieces of an array: a cluster's MaxArraySize is 1001 unless its administrator chose otherwise, which makes 1000 the maximum index.
+    /// </summary>
     private const int MaxSlurmPieces = 1000;
 
     /// <summary>The whole script.</summary>
@@ -18,7 +20,8 @@ internal static class ScriptText
     public static string Of(ScriptFormat format, PieceScript script) => format switch
     {
         ScriptFormat.Bat => Bat(script),
-        ScriptFormat.Parallel => ScriptTemplate.Fill("parallel.sh", new Dictionary<string, string>(CommonValues(script), StringComparer.Ordinal)
+        ScriptFormat.Parallel =>
+            ScriptTemplate.Fill("parallel.sh", new Dictionary<string, string>(CommonValues(script), StringComparer.Ordinal)
         {
             ["JOBS"] = script.HasJobs ? string.Empty : "--jobs \"$MSISF_JOBS\"",
         }),
@@ -35,12 +38,15 @@ internal static class ScriptText
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{script.Pieces.Count} pieces; a Slurm array has {MaxSlurmPieces} at most on a cluster with the usual MaxArraySize. Use --pieces {MaxSlurmPieces}: a piece may have any number of frames."));
+                $"{script.Pieces.Count} pieces; a Slurm array has {MaxSlurmPieces} at most on a cluster with the usual MaxArraySize. "
+                    + $"Use --pieces {MaxSlurmPieces}: a piece may have any number of frames."));
         }
 
         if (script.Path.Contains('\\') || script.Path.Any(char.IsControl))
         {
-            throw new BadInputException($"--script {script.Path.ReplaceLineEndings(" ")}: sbatch can't keep its logs in a folder with a backslash or a control character in its path. Choose another one.");
+            throw new BadInputException(
+                $"--script {script.Path.ReplaceLineEndings(" ")}: sbatch can't keep its logs in a folder with a backslash or a control "
+                    + $"character in its path. Choose another one.");
         }
 
         string logs = $"{script.Path}.logs".Replace("%", "%%", StringComparison.Ordinal);

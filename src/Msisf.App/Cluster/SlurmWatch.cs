@@ -1,14 +1,15 @@
 using System.Globalization;
 using Msisf.Adapters.Cluster;
 using Msisf.Adapters.Manifest;
+using Msisf.Adapters.Programs;
 using Msisf.App.Host;
 using Msisf.Core.Errors;
 
 namespace Msisf.App.Cluster;
 
 /// <summary>
-/// Follows submitted jobs to their end. What is done stands in the manifest, and how it ended in the script's result file; Slurm is only asked
-/// whether there are jobs at all, and may be away.
+/// Follows submitted jobs to their end. What is done stands in the manifest, and how it ended in the script's result file; Slurm is only
+/// asked whether there are jobs at all, and may be away.
 /// </summary>
 internal sealed class SlurmWatch
 {
@@ -40,7 +41,8 @@ internal sealed class SlurmWatch
         catch (OperationCanceledException)
         {
             _host.Log.Note(
-                $"no longer followed; the jobs go on. msis status {PosixWord.Of(_run.OutputFolder)} says how far they are, scancel --name={SlurmJobName.Of(_run.Script)} ends them.");
+                $"no longer followed; the jobs go on. msis status {PosixWord.Of(_run.OutputFolder)} says how far they are, "
+                    + $"scancel --name={SlurmJobName.Of(_run.Script)} ends them.");
             throw;
         }
     }
@@ -50,7 +52,8 @@ internal sealed class SlurmWatch
         manifest.Refresh();
         ManifestContent content = manifest.Content;
         return content.Expected.Values.Count(expected =>
-            expected.Run == content.LastRun && content.Frames.TryGetValue(expected.Name, out FrameRecord? made) && made.Frame == expected.Frame);
+            expected.Run == content.LastRun && content.Frames.TryGetValue(expected.Name, out FrameRecord? made)
+                && made.Frame == expected.Frame);
     }
 
     private async Task<int> FollowToTheEndAsync(CancellationToken cancellation)
@@ -67,14 +70,17 @@ internal sealed class SlurmWatch
             }
 
             Tell(CountDone(manifest), before, _host.Clock.GetElapsedTime(start));
-            ProcessResult jobs = await _slurm.CallAsync("squeue", ["--noheader", $"--name={SlurmJobName.Of(_run.Script)}", "--format=%i"], cancellation).ConfigureAwait(false);
+            ProcessResult jobs = await _slurm.CallAsync(
+                "squeue", ["--noheader", $"--name={SlurmJobName.Of(_run.Script)}", "--format=%i"], cancellation).ConfigureAwait(false);
             if (jobs.ExitCode != 0 || !string.IsNullOrWhiteSpace(jobs.Output))
             {
                 lastSeen = _host.Clock.GetTimestamp();
             }
             else if (_host.Clock.GetElapsedTime(lastSeen) > _patience && Result() is null)
             {
-                throw new ExternalPartException($"all jobs are gone, and none said how it ended; their logs are in {_run.Script}.logs. Run the same call again: it makes what is missing.");
+                throw new ExternalPartException(
+                    $"all jobs are gone, and none said how it ended; their logs are in {_run.Script}.logs. Run the same call again: "
+                        + $"it makes what is missing.");
             }
 
             await Task.Delay(_pause, _host.Clock, cancellation).ConfigureAwait(false);
@@ -91,7 +97,9 @@ internal sealed class SlurmWatch
         _lastDone = done;
         double rate = (done - before) / time.TotalSeconds;
         string left = rate > 0.0
-            ? string.Create(CultureInfo.InvariantCulture, $", {rate:0.##} a second, {TimeSpan.FromSeconds(Math.Round((_run.FrameCount - done) / rate)):c} left")
+            ? string.Create(
+                CultureInfo.InvariantCulture,
+                $", {rate:0.##} a second, {TimeSpan.FromSeconds(Math.Round((_run.FrameCount - done) / rate)):c} left")
             : string.Empty;
         _host.Log.Note(string.Create(CultureInfo.InvariantCulture, $"{done} of {_run.FrameCount} frames{left}"));
     }
@@ -100,9 +108,13 @@ internal sealed class SlurmWatch
     {
         try
         {
-            return int.TryParse(File.ReadAllText($"{_run.Script}.result").Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out int code) ? code : null;
+            return int.TryParse(
+                File.ReadAllText($"{_run.Script}.result").Trim(),
+                NumberStyles.None,
+                CultureInfo.InvariantCulture,
+                out int code) ? code : null;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return null; // not there yet
         }

@@ -3,7 +3,10 @@ using Msisf.Adapters.IO;
 
 namespace Msisf.App.Host;
 
-/// <summary>What the application needs of the world: where results and messages go, clock, environment, the program's own files. Tests bring their own.</summary>
+/// <summary>
+/// What the application needs of the world: where results and messages go, clock, environment, the program's own files. Tests bring their
+/// own.
+/// </summary>
 internal sealed class ProgramHost
 {
     private readonly Lazy<Installation> _installation = new(() => Installation.Above(AppContext.BaseDirectory));

@@ -2,10 +2,11 @@ using System.Collections.Concurrent;
 using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
@@ -16,7 +17,9 @@ namespace Msisf.App.Preparation;
 /// <summary>The elevation model of a run, with what is derived from it once. Safe for several threads.</summary>
 internal sealed class ElevationModel : IDisposable
 {
-    /// <summary>px/deg: up to here reading the whole model for its summary takes less time than an image; a finer one keeps it in a file.</summary>
+    /// <summary>
+    /// px/deg: up to here reading the whole model for its summary takes less time than an image; a finer one keeps it in a file.
+    /// </summary>
     private const int FinestSummarisedEachRun = 16;
 
     private readonly LdemImage _image;
@@ -51,7 +54,8 @@ internal sealed class ElevationModel : IDisposable
     /// <param name="host">Where the installation is, and where notes go.</param>
     public static ElevationModel Open(string? explicitPath, int pixelsPerDegree, bool isSparing, ProgramHost host)
     {
-        LdemImage image = LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)));
+        LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
+            () => LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)))));
         host.Log.Note(image.Set.IsSynthetic
             ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
             : $"Elevation: {image.ProductId} ({image.Set.Description}).");

@@ -1,6 +1,7 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Host;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 
 namespace Msisf.App.Preparation;
@@ -23,8 +24,8 @@ internal sealed class EphemerisSource : IDisposable
     {
         if (Opened is null)
         {
-            Opened = EphemerisFactory.Open(new EphemerisRequest(
-                _settings.Ephemeris, KernelNames, _host.Installation.Root, _host.Environment("MSISF_CSPICE")));
+            Opened = LightOptions.Kernels.Concerned(() => EphemerisFactory.Open(new EphemerisRequest(
+                _settings.Ephemeris, KernelNames, _host.Installation.Root, _host.Environment("MSISF_CSPICE"))));
             _host.Log.Note(Opened.Notice);
         }
 
@@ -32,7 +33,7 @@ internal sealed class EphemerisSource : IDisposable
     }
 
     /// <summary>The kernels that the engine reads, in load order; nothing is opened for it.</summary>
-    public IReadOnlyList<string> KernelFiles() => KernelList.Expand(KernelNames);
+    public IReadOnlyList<string> KernelFiles() => LightOptions.Kernels.Concerned(() => KernelList.Expand(KernelNames));
 
     public void Dispose() => Opened?.Dispose();
 }

@@ -1,6 +1,8 @@
 using System.Globalization;
 using System.Text;
 using System.Text.RegularExpressions;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Time;
 
@@ -12,7 +14,9 @@ internal sealed partial class FrameNaming
     /// <summary>The thesis's names.</summary>
     public const string DefaultPattern = "MoonSurfIllumSim_step_{step:00000}";
 
-    /// <summary>The longest file name that common file systems hold is 255 bytes; this leaves room for ".annotated.png" and temporary names.</summary>
+    /// <summary>
+    /// The longest file name that common file systems hold is 255 bytes; this leaves room for ".annotated.png" and temporary names.
+    /// </summary>
     private const int LongestName = 180;
 
     private readonly string _pattern;
@@ -25,12 +29,15 @@ internal sealed partial class FrameNaming
         string literal = Field().Replace(pattern, string.Empty);
         if (literal.Contains('{') || literal.Contains('}'))
         {
-            throw new BadInputException($"--output-name {pattern}: a field is {{step}} or {{mjd}}, if need be with a number format, e.g. {{step:00000}}.");
+            throw new BadInputException($"--output-name {pattern}: a field is {{step}} or {{mjd}}, if need be with a number format, e.g. "
+                + $"{{step:00000}}.").About(OutputOptions.Name);
         }
 
-        if (pattern.Contains('/') || pattern.Contains('\\') || pattern.Any(char.IsControl) || pattern.Trim().Length == 0 || pattern[0] == '.')
+        if (pattern.Contains('/') || pattern.Contains('\\') || pattern.Any(char.IsControl) || pattern.Trim().Length == 0
+            || pattern[0] == '.')
         {
-            throw new BadInputException($"--output-name '{pattern}': a file name is needed, without folders; the folder is given by --output-dir.");
+            throw new BadInputException($"--output-name '{pattern}': a file name is needed, without folders; "
+                + $"the folder is given by --output-dir.").About(OutputOptions.Name);
         }
 
         NameOf(1, default);
@@ -51,7 +58,8 @@ internal sealed partial class FrameNaming
         int bytes = Encoding.UTF8.GetByteCount(name);
         return bytes <= LongestName
             ? name
-            : throw new BadInputException($"--output-name: the name {name[..Math.Min(40, name.Length)]}... has {bytes} bytes; at most {LongestName} are possible.");
+            : throw new BadInputException($"--output-name: the name {name[..Math.Min(40, name.Length)]}... has {bytes} bytes; "
+                + $"at most {LongestName} are possible.").About(OutputOptions.Name);
     }
 
     /// <summary>The names of all frames.</summary>
@@ -66,7 +74,9 @@ internal sealed partial class FrameNaming
             if (!stepOfName.TryAdd(names[index], index + 1))
             {
                 throw new BadInputException(
-                    $"--output-name {_pattern}: steps {stepOfName[names[index]]} and {index + 1} would both be written to {names[index]}. Add {{step:00000}} to the pattern.");
+                    $"--output-name {_pattern}: steps {stepOfName[names[index]]} and {index + 1} would both be written to {names[index]}. "
+                        + $"Add {{step:00000}} to the pattern.")
+                    .About(OutputOptions.Name);
             }
         }
 

@@ -10,13 +10,17 @@ namespace Msisf.App.Preparation;
 /// <summary>Refuses images that this computer can't hold, and runs that its disk can't, before any work is done.</summary>
 internal static class ResourceCheck
 {
-    /// <summary>POV-Ray 3.7 keeps an image of up to this size in memory and the rest of a larger one in a file (Max_Image_Buffer_Memory).</summary>
+    /// <summary>
+    /// POV-Ray 3.7 keeps an image of up to this size in memory and the rest of a larger one in a file (Max_Image_Buffer_Memory).
+    /// </summary>
     private const long PovRayImageBuffer = 128L << 20;
 
     /// <summary>Bytes that POV-Ray 3.7 keeps for a pixel: five floats.</summary>
     private const long PovRayBytesPerPixel = 20;
 
-    /// <summary>Bytes that the native renderer keeps for a pixel: what it shows, its light and radiance, receivers of shadows, facets at worst.</summary>
+    /// <summary>
+    /// Bytes that the native renderer keeps for a pixel: what it shows, its light and radiance, receivers of shadows, facets at worst.
+    /// </summary>
     private const long NativeBytesPerPixel = 200;
 
     /// <summary>Bytes of a pixel that a layer's planes hold while it is written: three numbers.</summary>
@@ -37,7 +41,9 @@ internal static class ResourceCheck
     /// <summary>The same on the terrain.</summary>
     private const long TerrainMetaBytesPerPoint = 1000;
 
-    /// <summary>Bytes of a pixel that an image of the Moon has in its PNG: 0.12 to 0.31 in the README's, twice that with the annotated one.</summary>
+    /// <summary>
+    /// Bytes of a pixel that an image of the Moon has in its PNG: 0.12 to 0.31 in the README's, twice that with the annotated one.
+    /// </summary>
     private const double DefaultPngBytesPerPixel = 0.3;
 
     /// <summary>How many frames to draw at once: as many as cores and memory allow, unless the user says otherwise.</summary>
@@ -51,7 +57,10 @@ internal static class ResourceCheck
         return (int)Math.Clamp(settings.Jobs ?? Math.Min(cores, fitting), 1, Math.Max(1, frames));
     }
 
-    /// <summary>Checks the images that are made at once, and what the whole run leaves on disk. The meta file is streamed: it needs disk, but no memory.</summary>
+    /// <summary>
+    /// Checks the images that are made at once, and what the whole run leaves on disk. The meta file is streamed: it needs disk, but no
+    /// memory.
+    /// </summary>
     /// <param name="settings">Size, grid and annotation of the images.</param>
     /// <param name="frames">Frames to make.</param>
     /// <param name="atOnce">Images made side by side.</param>
@@ -76,7 +85,8 @@ internal static class ResourceCheck
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{frames} frames will take about {Size(series)} in {settings.OutputFolder}, {Size(diskThere)} are free. Make room, use another --output-dir, or make a part with --frames."));
+                $"{frames} frames will take about {Size(series)} in {settings.OutputFolder}, {Size(diskThere)} are free. "
+                    + $"Make room, use another --output-dir, or make a part with --frames."));
         }
     }
 
@@ -103,7 +113,8 @@ internal static class ResourceCheck
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"an image of {settings.Width} x {settings.Height} px with its meta file needs {Size(needed)} of {what}, {Size(there)} are there. {remedy}"));
+                $"an image of {settings.Width} x {settings.Height} px with its meta file needs {Size(needed)} of {what}, "
+                    + $"{Size(there)} are there. {remedy}"));
         }
     }
 

@@ -14,7 +14,10 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Writes a frame's files for any renderer. They appear when all are complete and the manifest knows them, the image last. Safe for several threads.</summary>
+/// <summary>
+/// Writes a frame's files for any renderer. They appear when all are complete and the manifest knows them, the image last. Safe for several
+/// threads.
+/// </summary>
 internal sealed class FrameFiles
 {
     private readonly RenderSettings _settings;
@@ -51,7 +54,8 @@ internal sealed class FrameFiles
             paths.Add($"{stem}.pov");
         }
 
-        _times.Measure(Phase.Xml, () => files.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation)));
+        _times.Measure(
+            Phase.Xml, () => files.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation)));
         paths.Add($"{stem}.xml");
         if (_settings.Native.Layers is LayerSet layers)
         {

@@ -37,11 +37,13 @@ internal sealed class FrameLoop
 
     /// <summary>Makes all frames; the paths of a frame's files are printed as soon as those of all frames before it are.</summary>
     /// <param name="frames">The frames.</param>
-    /// <param name="known">The outputs of each that is there and right; null for each that is to be made.</param>
+    /// <param name="known">The outputs of each that is there and complete; null for each that is to be made.</param>
     /// <param name="atOnce">So many are drawn at once.</param>
     /// <param name="cores">Shared by them.</param>
     /// <param name="cancellation">Leaves finished frames and no other files.</param>
-    /// <exception cref="MsisfException">The only frame of the run failed: its own error. Several frames: an <see cref="ExternalPartException"/> that names them.</exception>
+    /// <exception cref="MsisfException">
+    /// The only frame of the run failed: its own error. Several frames: an <see cref="ExternalPartException"/> that names them.
+    /// </exception>
     public async Task<IReadOnlyList<FrameOutputs>> RunAsync(
         IReadOnlyList<Frame> frames, IReadOnlyList<FrameOutputs?> known, int atOnce, int cores, CancellationToken cancellation)
     {
@@ -69,7 +71,8 @@ internal sealed class FrameLoop
                 string message = $"step {frame.Step} ({frame.Name}): {exception.Message}";
                 if (_failFast)
                 {
-                    throw new ExternalPartException($"{message} Stopped there, as --fail-fast asks; finished frames are complete.", exception);
+                    throw new ExternalPartException(
+                        $"{message} Stopped there, as --fail-fast asks; finished frames are complete.", exception);
                 }
 
                 _log.Error(message);
@@ -79,7 +82,8 @@ internal sealed class FrameLoop
             _progress.Advance(frame.Name);
         }
 
-        ParallelOptions options = new() { MaxDegreeOfParallelism = Math.Min(atOnce + _ahead, Math.Max(1, frames.Count)), CancellationToken = cancellation };
+        ParallelOptions options = new() { MaxDegreeOfParallelism = Math.Min(
+            atOnce + _ahead, Math.Max(1, frames.Count)), CancellationToken = cancellation };
         int[] missing = [.. Enumerable.Range(0, frames.Count).Where(index => known[index] is null)];
         foreach (int index in Enumerable.Range(0, frames.Count).Except(missing))
         {
@@ -90,9 +94,13 @@ internal sealed class FrameLoop
         await Parallel.ForEachAsync(
             elsewhere.Order().ToArray(),
             options,
-            (index, stop) => Make(index, async (frame, share, end) => await _maker.MakeAsync(frame, share, end).ConfigureAwait(false), stop)).ConfigureAwait(false);
+            (index, stop) => Make(
+                index,
+                async (frame, share, end) => await _maker.MakeAsync(frame, share, end).ConfigureAwait(false),
+                stop)).ConfigureAwait(false);
         return failed.IsEmpty
             ? [.. outputs.OfType<FrameOutputs>()]
-            : throw new ExternalPartException($"{failed.Count} of {frames.Count} frames failed: steps {StepRanges.Of(failed)}. The others are complete.");
+            : throw new ExternalPartException(
+                $"{failed.Count} of {frames.Count} frames failed: steps {StepRanges.Of(failed)}. The others are complete.");
     }
 }

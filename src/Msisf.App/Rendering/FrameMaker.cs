@@ -6,12 +6,15 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Makes a frame if it is not there and right, and no other process is making it. Safe for several threads.</summary>
+/// <summary>Makes a frame if it is not there and complete, and no other process is making it. Safe for several threads.</summary>
 internal sealed class FrameMaker
 {
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(50);
 
-    /// <summary>A process that dies gives its claims back at once; one that is stopped or hangs is not waited for: the frame is made twice then, the same bytes.</summary>
+    /// <summary>
+    /// A process that dies gives its claims back at once; one that is stopped or hangs is not waited for: the frame is made twice then, the
+    /// same bytes.
+    /// </summary>
     private static readonly TimeSpan LongestWait = TimeSpan.FromMinutes(10);
 
     private readonly Func<Frame, int, CancellationToken, Task<FrameOutputs>> _render;
@@ -59,7 +62,7 @@ internal sealed class FrameMaker
 
     private async Task<FrameOutputs> MakeIfNeededAsync(Frame frame, int threads, CancellationToken cancellation)
     {
-        if (_ledger.Judge(frame).State == FrameState.Complete)
+        if (_ledger.Check(frame).State == FrameState.Complete)
         {
             return new FrameOutputs(_ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true);
         }
@@ -74,7 +77,8 @@ internal sealed class FrameMaker
         catch (Exception exception) when (exception is MsisfException or OutOfMemoryException)
         {
             MsisfException cause = exception as MsisfException
-                ?? new ExternalPartException("the memory does not suffice. Use a smaller --width and --height, or fewer --jobs.", exception);
+                ?? new ExternalPartException(
+                    "the memory does not suffice. Use a smaller --width and --height, or fewer --jobs.", exception);
             _ledger.Failed(frame, cause.Message);
             if (cause == exception)
             {

@@ -35,15 +35,5 @@ internal sealed class FrameTimes : IDisposable
 
     public void Dispose() => _file?.Dispose();
 
-    private T Checked<T>(Func<T> work)
-    {
-        try
-        {
-            return work();
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"--frame-times {_path}: can't be written: {exception.Message}", exception);
-        }
-    }
+    private T Checked<T>(Func<T> work) => FileErrors.ToExternalPart($"--frame-times {_path}: can't be written", work);
 }

@@ -11,7 +11,9 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>The program's own way: draws from the elevation model, writes the files. Frames side by side write while others are drawn.</summary>
+/// <summary>
+/// The program's own way: draws from the elevation model, writes the files. Frames side by side write while others are drawn.
+/// </summary>
 internal sealed class NativeFrameRenderer : IFrameRenderer
 {
     /// <summary>Mapping again what the next frames read takes some ms, a small part of so many frames' time.</summary>
@@ -57,7 +59,9 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         image.SetLength(0);
         _times.Measure(Phase.Output, () => Encode(drawn, image));
         RenderedFrame rendered = new(
-            RendererKind.Native, image, "the image", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepGroundTruth ? drawn : null);
+            RendererKind.Native, image, "the image", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepGroundTruth
+                ? drawn
+                : null);
         FrameOutputs outputs = new(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
         _idleImages.Add(image);
         if (Interlocked.Increment(ref _frames) % FramesBetweenReleases == 0)

@@ -6,7 +6,9 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>The renderers of a run: one for the model, and one for each coarser level that a frame is drawn with. Safe for several threads.</summary>
+/// <summary>
+/// The renderers of a run: one for the model, and one for each coarser level that a frame is drawn with. Safe for several threads.
+/// </summary>
 internal sealed class NativeLevels
 {
     private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();

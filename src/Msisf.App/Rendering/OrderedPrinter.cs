@@ -1,6 +1,8 @@
 namespace Msisf.App.Rendering;
 
-/// <summary>Prints the results of steps that end in any order in the order of the steps, each as early as possible. Safe for several threads.</summary>
+/// <summary>
+/// Prints the results of steps that end in any order in the order of the steps, each as early as possible. Safe for several threads.
+/// </summary>
 internal sealed class OrderedPrinter
 {
     private readonly Lock _gate = new();

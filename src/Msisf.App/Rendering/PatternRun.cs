@@ -2,52 +2,66 @@ using Msisf.Adapters.Tiles;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
-using Msisf.Core.Scene;
+using Msisf.Core.Errors;
 using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Makes ahead of time what POV-Ray's frames of a run need: exactly the meshes that they include, and the summary of the model.</summary>
-internal sealed class PatternRun
+/// <summary>Makes patterns ahead of time; those that are there and complete are kept.</summary>
+internal static class PatternRun
 {
-    private readonly RenderSettings _settings;
-    private readonly EphemerisSource _ephemeris;
-    private readonly ProgramHost _host;
-
-    /// <param name="settings">Of the run.</param>
-    /// <param name="ephemeris">Its ephemeris; stays open.</param>
+    /// <summary>Makes what POV-Ray's frames of a run need: exactly the meshes that they include, and the summary of the model.</summary>
+    /// <param name="camera">Where the camera is.</param>
+    /// <param name="settings">The run's other settings.</param>
     /// <param name="host">The world.</param>
-    public PatternRun(RenderSettings settings, EphemerisSource ephemeris, ProgramHost host)
-    {
-        _settings = settings;
-        _ephemeris = ephemeris;
-        _host = host;
-    }
-
-    /// <summary>Makes them, for those of the frames that the settings choose.</summary>
-    /// <param name="states">Of all frames.</param>
     /// <param name="cancellation">Stops between two patterns.</param>
     /// <returns>Their folder.</returns>
-    public async Task<string> RunAsync(IReadOnlyList<SpacecraftState> states, CancellationToken cancellation)
+    /// <exception cref="MsisfException">The run could not be made, or a pattern can't be written.</exception>
+    public static async Task<string> MakeForFramesAsync(
+        CameraSettings camera, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
     {
-        IReadOnlyList<string> names = new FrameNaming(_settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
-        Frame[] frames = FramePlanner.Plan(states, names, _settings, _ephemeris.Engine, cancellation);
-        using ElevationModel model = ElevationModel.Open(_settings.Ldem, _settings.PixelsPerDegree, isSparing: true, _host);
-        FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
-        using ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
+        using EphemerisSource ephemeris = new(settings, host);
+        using PreparedRun run = PreparedRun.Of(camera, settings, ephemeris, host, cancellation);
+        ElevationModel model = run.Model;
+        using ScenePatterns patterns = new(
+            new PatternRepository(settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
         int made = 0;
-        using (IRunProgress progress = _host.Progress.Start("Patterns of frames", frames.Length, _settings.Unattended))
+        using (IRunProgress progress = host.Progress.Start("Patterns of frames", run.Frames.Count, settings.Unattended))
         {
-            ParallelOptions parallel = new() { MaxDegreeOfParallelism = _settings.Jobs ?? Environment.ProcessorCount, CancellationToken = cancellation };
-            await Parallel.ForEachAsync(frames, parallel, (frame, stop) =>
+            ParallelOptions parallel =
+                new() { MaxDegreeOfParallelism = settings.Jobs ?? Environment.ProcessorCount, CancellationToken = cancellation };
+            await Parallel.ForEachAsync(run.Frames, parallel, (frame, stop) =>
             {
-                Interlocked.Add(ref made, patterns.Ensure(model.SelectParts(frame, _settings.LevelOfDetailError), stop));
+                Interlocked.Add(ref made, patterns.Ensure(model.SelectParts(frame, settings.LevelOfDetailError), stop));
                 progress.Advance(frame.Name);
                 return ValueTask.CompletedTask;
             }).ConfigureAwait(false);
         }
 
-        _host.Log.Note($"{made} of {patterns.Count} patterns made, the others were there.");
+        host.Log.Note($"{made} of {patterns.Count} patterns made, the others were there.");
         return patterns.Folder;
+    }
+
+    /// <summary>Makes those of a whole Moon.</summary>
+    /// <param name="settings">Which.</param>
+    /// <param name="host">The world.</param>
+    /// <param name="cancellation">Stops between two patterns.</param>
+    /// <returns>Their folder.</returns>
+    /// <exception cref="MsisfException">There is no such model, or a pattern can't be written.</exception>
+    public static string MakeForWholeMoon(WholeMoonSettings settings, ProgramHost host, CancellationToken cancellation)
+    {
+        using GridSource source = GridSource.Open(settings, host, cancellation);
+        using PatternRepository repository = new(settings.PatternRepository);
+        using IRunProgress progress = host.Progress.Start("Patterns", TileId.Count, settings.Unattended);
+        PatternSet set = repository.EnsurePatterns(
+            TileId.All, source.Grid, settings.Patterns, Environment.ProcessorCount, new TileProgress(progress), cancellation);
+        host.Log.Note($"{set.Written} of {set.Paths.Count} patterns made, the others were there.");
+        return repository.FolderOf(source.Grid.PixelsPerDegree);
+    }
+
+    /// <summary>Passes each tile on at once, on the thread that made it.</summary>
+    private sealed class TileProgress(IRunProgress progress) : IProgress<int>
+    {
+        public void Report(int value) => progress.Advance("tiles");
     }
 }

@@ -14,7 +14,10 @@ namespace Msisf.App.Rendering;
 /// <summary>POV-Ray's way: selection, patterns, scene, POV-Ray itself, files.</summary>
 internal sealed class PovRayFrameRenderer : IFrameRenderer
 {
-    /// <summary>Below this a second process would cost more (0.65 s of sleeping, and what both parse) than it saves: a triangle takes some 2 microseconds.</summary>
+    /// <summary>
+    /// Below this a second process would cost more (0.65 s of sleeping, and what both parse) than it saves: a triangle takes some 2
+    /// microseconds.
+    /// </summary>
     private const long MinFacesOfStrip = 250_000;
 
     private readonly RenderSettings _settings;
@@ -59,7 +62,8 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         double? error = _settings.LevelOfDetailError;
         IReadOnlyList<SurfacePart> parts = _times.Measure(Phase.Selection, () => _model.SelectParts(frame, error));
         int made = _times.Measure(Phase.Patterns, () => _patterns.Ensure(parts, cancellation));
-        IReadOnlyList<PixelRows> strips = PixelRows.Strips(frame.Camera.Height, error is null ? 1 : StripsFor(parts, threads), PovRayProcess.BlockRows);
+        IReadOnlyList<PixelRows> strips = PixelRows.Strips(
+            frame.Camera.Height, error is null ? 1 : StripsFor(parts, threads), PovRayProcess.BlockRows);
         PovRayJob[] jobs = strips.Count == 1
             ? [JobOf(frame, parts, null, threads)]
             : Jobs(frame, parts, strips, threads / strips.Count, cancellation);
@@ -68,7 +72,8 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         {
             using Stream image = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);
             void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, parts), _patterns.FileNameOf);
-            RenderedFrame rendered = new(RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.Grid.PixelsPerDegree, TruthOf(frame));
+            RenderedFrame rendered = new(
+                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.Grid.PixelsPerDegree, TruthOf(frame));
             return new FrameOutputs(_files.Write(frame, rendered, cancellation), parts.Count, made);
         }
         finally
@@ -84,15 +89,18 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _processes.Dispose();
     }
 
-    /// <summary>POV-Ray parses with one thread: a scene that takes long is drawn in strips, one a core, each with the parts that it needs.</summary>
+    /// <summary>
+    /// POV-Ray parses with one thread: a scene that takes long is drawn in strips, one a core, each with the parts that it needs.
+    /// </summary>
     private int StripsFor(IReadOnlyList<SurfacePart> parts, int threads) =>
         (int)Math.Clamp(_patterns.CountFaces(parts) / MinFacesOfStrip, 1, threads);
 
     /// <summary>
-    /// Each strip takes its parts from those of the whole image: by itself it could do with coarser levels where shadows fall beyond its rows, and the
-    /// pixels would depend on how many strips there are.
+    /// Each strip takes its parts from those of the whole image: by itself it could do with coarser levels where shadows fall beyond its
+    /// rows, and the pixels would depend on how many strips there are.
     /// </summary>
-    private PovRayJob[] Jobs(Frame frame, IReadOnlyList<SurfacePart> parts, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
+    private PovRayJob[] Jobs(
+        Frame frame, IReadOnlyList<SurfacePart> parts, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
     {
         IReadOnlyList<SurfacePart>[] ofStrips = _times.Measure(
             Phase.Selection,

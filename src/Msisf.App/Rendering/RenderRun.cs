@@ -10,66 +10,57 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Series;
 using Msisf.App.Settings;
-using Msisf.Core.Ephemeris;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
-using Msisf.Core.Scene;
 using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>A whole run: states, Sun, frames, and what is printed about them.</summary>
-internal sealed class RenderRun : IDisposable
+/// <summary>Renders the frames of a run that are not there and complete, by one of the two renderers.</summary>
+internal sealed class RenderRun
 {
     private readonly RenderSettings _settings;
     private readonly ProgramHost _host;
     private readonly RunTimes _times;
-    private readonly EphemerisSource _ephemeris;
 
-    public RenderRun(RenderSettings settings, ProgramHost host)
-    {
-        _settings = settings;
-        _host = host;
-        _times = host.Times;
-        _ephemeris = new EphemerisSource(settings, host);
-    }
+    private RenderRun(RenderSettings settings, ProgramHost host) => (_settings, _host, _times) = (settings, host, host.Times);
 
-    /// <summary>The ephemeris engine, opened when it is first needed.</summary>
-    public IEphemeris Ephemeris() => _ephemeris.Engine();
-
-    /// <summary>Does the run.</summary>
-    /// <param name="readStates">Reads all states.</param>
+    /// <summary>Renders them; the paths of their files are written to the host's results.</summary>
+    /// <param name="camera">Where the camera is.</param>
+    /// <param name="settings">The other settings.</param>
+    /// <param name="host">The world.</param>
     /// <param name="cancellation">Ends POV-Ray and leaves no half file.</param>
-    public async Task RunAsync(Func<IReadOnlyList<SpacecraftState>> readStates, CancellationToken cancellation)
+    /// <returns>The files of all frames, also of those that were there.</returns>
+    /// <exception cref="MsisfException">The run could not be made, or a frame failed; then the others are complete.</exception>
+    public static Task<IReadOnlyList<FrameOutputs>> RunAsync(
+        CameraSettings camera, RenderSettings settings, ProgramHost host, CancellationToken cancellation) =>
+        new RenderRun(settings, host).RunAsync(camera, cancellation);
+
+    private async Task<IReadOnlyList<FrameOutputs>> RunAsync(CameraSettings camera, CancellationToken cancellation)
     {
+        using EphemerisSource ephemeris = new(_settings, _host);
+
         // What takes long and is needed late begins first.
         Task<IReadOnlyList<(string Name, string Sha256)>> kernels = Task.Run(
-            () => RunIdentity.ChecksumsOf(_settings.IgnoreSun || _settings.ListPatterns ? [] : _ephemeris.KernelFiles()), cancellation);
-        Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay && !_settings.ListPatterns ? Task.Run(AskPovRayVersion, cancellation) : null;
-        IReadOnlyList<SpacecraftState> states = _times.Measure(Phase.States, readStates);
-        IReadOnlyList<string> names = new FrameNaming(_settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
-        Frame[] frames = _times.Measure(Phase.Sun, () => FramePlanner.Plan(states, names, _settings, Ephemeris, cancellation));
-        using ElevationModel model = _times.Measure(Phase.Model, () => ElevationModel.Open(
-            _settings.Ldem, _settings.PixelsPerDegree, isSparing: _settings.Renderer == RendererKind.PovRay, _host));
-        FramePlanner.RefuseCamerasInTheGround(frames, model, cancellation);
-        if (_settings.ListPatterns)
-        {
-            PatternList.Print(frames, model, _host.Results, cancellation);
-            return;
-        }
-
+            () => RunIdentity.ChecksumsOf(_settings.IgnoreSun ? [] : ephemeris.KernelFiles()), cancellation);
+        Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay
+            ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
+            : null;
+        using PreparedRun run = PreparedRun.Of(camera, _settings, ephemeris, _host, cancellation);
         RequireParts();
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
         IReadOnlyList<(string Name, string Sha256)> checksums = await kernels.ConfigureAwait(false);
-        RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(states, names, Identify(model, checksums, version)));
-        IReadOnlyList<FrameOutputs> outputs = await RenderAsync(frames, plan, model, cancellation).ConfigureAwait(false);
-        if (_settings.Timing)
-        {
-            _host.Log.Raw(TimingReport.Of(_times, outputs));
-        }
+        OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;
+        RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(run.States, run.Names, RunIdentity.Of(
+            _host.Version,
+            FrameArguments.OfSettings(_settings, sun?.Choice),
+            run.Model.Fingerprint(),
+            sun?.Engine.EngineName,
+            checksums,
+            version)));
+        return await RenderAsync(run.Frames, plan, run.Model, cancellation).ConfigureAwait(false);
     }
-
-    public void Dispose() => _ephemeris.Dispose();
 
     /// <summary>What some options need is looked for before any work is done.</summary>
     private void RequireParts()
@@ -85,25 +76,15 @@ internal sealed class RenderRun : IDisposable
         }
     }
 
-    private Task<string> AskPovRayVersion() =>
-        PovRayVersion.AskAsync(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+    private string FindPovRay() =>
+        PovOptions.Program.Concerned(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
-    private RunIdentity Identify(ElevationModel model, IReadOnlyList<(string Name, string Sha256)> kernels, string? povRayVersion)
-    {
-        OpenedEphemeris? sun = _settings.IgnoreSun ? null : _ephemeris.Opened;
-        return RunIdentity.Of(
-            _host.Version,
-            FrameArguments.OfSettings(_settings, sun?.Choice),
-            model.Fingerprint(),
-            sun?.Engine.EngineName,
-            kernels,
-            povRayVersion);
-    }
-
-    private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(Frame[] frames, RunPlan plan, ElevationModel model, CancellationToken cancellation)
+    private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
+        IReadOnlyList<Frame> frames, RunPlan plan, ElevationModel model, CancellationToken cancellation)
     {
         CreateFolder(_settings.OutputFolder);
-        using FrameLedger ledger = _times.Measure(Phase.Manifest, () => new FrameLedger(_settings.OutputFolder, plan, _settings.Overwrite, _host.Log));
+        using FrameLedger ledger = _times.Measure(
+            Phase.Manifest, () => new FrameLedger(_settings.OutputFolder, plan, _settings.Overwrite, _host.Log));
         FrameOutputs?[] known = _times.Measure(Phase.Manifest, () => Known(frames, ledger));
         int missing = known.Count(outputs => outputs is null);
         int cores = Environment.ProcessorCount;
@@ -120,18 +101,20 @@ internal sealed class RenderRun : IDisposable
         return await loop.RunAsync(frames, known, atOnce, cores, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>The outputs of the frames that are there and right; says how many of each there are if there is one.</summary>
-    private FrameOutputs?[] Known(Frame[] frames, FrameLedger ledger)
+    /// <summary>The outputs of the frames that are there and complete; says how many of each there are if there is one.</summary>
+    private FrameOutputs?[] Known(IReadOnlyList<Frame> frames, FrameLedger ledger)
     {
-        FrameState[] states = new FrameState[frames.Length];
-        Parallel.For(0, frames.Length, index => states[index] = ledger.Judge(frames[index]).State);
+        FrameState[] states = new FrameState[frames.Count];
+        Parallel.For(0, frames.Count, index => states[index] = ledger.Check(frames[index]).State);
         int Count(FrameState state) => states.Count(found => found == state);
-        int right = Count(FrameState.Complete);
-        if (right + Count(FrameState.Damaged) + Count(FrameState.OtherSettings) > 0)
+        int complete = Count(FrameState.Complete);
+        if (complete + Count(FrameState.Damaged) + Count(FrameState.OtherSettings) > 0)
         {
             _host.Log.Note(string.Create(
                 CultureInfo.InvariantCulture,
-                $"Frames: {frames.Length}, of which {right} there and right (--overwrite makes them again); to make: {Count(FrameState.Missing) + Count(FrameState.Failed)} missing, {Count(FrameState.Damaged)} damaged, {Count(FrameState.OtherSettings)} of other settings."));
+                $"Frames: {frames.Count}, of which {complete} there and complete (--overwrite makes them again); to make: "
+                    + $"{Count(FrameState.Missing) + Count(FrameState.Failed)} missing, {Count(FrameState.Damaged)} damaged, "
+                    + $"{Count(FrameState.OtherSettings)} of other settings."));
         }
 
         return [.. frames.Zip(states, (frame, state) =>
@@ -140,8 +123,9 @@ internal sealed class RenderRun : IDisposable
 
     private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files, int processes)
     {
-        PovRayProcess povRay = new(PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
-        ScenePatterns patterns = new(new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
+        PovRayProcess povRay = new(FindPovRay());
+        ScenePatterns patterns = new(
+            new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
         return new PovRayFrameRenderer(_settings, model, patterns, povRay, processes, files, _times);
     }
 
@@ -151,16 +135,10 @@ internal sealed class RenderRun : IDisposable
         return new NativeFrameRenderer(_settings.Native, model.Grid, levels, files, _times);
     }
 
-    private static void CreateFolder(string folder)
-    {
-        try
+    private static void CreateFolder(string folder) => OutputOptions.Folder.Concerned(
+        () => FileErrors.ToExternalPart($"--output-dir {folder}: the folder can't be made", () =>
         {
             Directory.CreateDirectory(folder);
             WorkFolder.RemoveStale(folder);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"--output-dir {folder}: the folder can't be made: {exception.Message}", exception);
-        }
-    }
+        }));
 }

@@ -4,7 +4,9 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>The patterns of a run's scenes: each is checked, or made, once a run, however many frames show it. Safe for several threads.</summary>
+/// <summary>
+/// The patterns of a run's scenes: each is checked, or made, once a run, however many frames show it. Safe for several threads.
+/// </summary>
 internal sealed class ScenePatterns : IDisposable
 {
     private readonly ConcurrentDictionary<SurfacePart, bool> _ready = new();

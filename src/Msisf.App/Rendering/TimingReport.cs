@@ -23,7 +23,8 @@ internal static class TimingReport
             json.WriteNumber("patterns_made", outputs.Sum(frame => frame.PatternsMade));
             foreach (Phase phase in Enum.GetValues<Phase>())
             {
-                json.WriteNumber($"{JsonNamingPolicy.SnakeCaseLower.ConvertName(phase.ToString())}_s", Math.Round(times.SecondsOf(phase), 4));
+                json.WriteNumber(
+                    $"{JsonNamingPolicy.SnakeCaseLower.ConvertName(phase.ToString())}_s", Math.Round(times.SecondsOf(phase), 4));
             }
 
             json.WriteNumber("total_s", Math.Round(times.TotalSeconds, 4));

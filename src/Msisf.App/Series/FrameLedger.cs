@@ -7,7 +7,7 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Series;
 
 /// <summary>
-/// What a run knows of its frames: which are there and right, which one another process is making, and what the manifest is told.
+/// What a run knows of its frames: which are there and complete, which one another process is making, and what the manifest is told.
 /// Safe for several threads.
 /// </summary>
 internal sealed class FrameLedger : IDisposable
@@ -19,7 +19,7 @@ internal sealed class FrameLedger : IDisposable
     private readonly RunPlan _plan;
     private readonly ManifestFile _manifest;
     private readonly ManifestReader _reader;
-    private readonly FrameChecker _judge;
+    private readonly FrameChecker _checker;
     private readonly ClaimFile _claims;
     private readonly WorkFolder _staging;
 
@@ -33,7 +33,7 @@ internal sealed class FrameLedger : IDisposable
         _folder = folder;
         _plan = plan;
         _manifest = new ManifestFile(folder);
-        _judge = new FrameChecker(folder, CheckDepth.Checksums);
+        _checker = new FrameChecker(folder, CheckDepth.Checksums);
         _reader = new ManifestReader(_manifest);
         Register(log);
         if (overwrite)
@@ -52,8 +52,8 @@ internal sealed class FrameLedger : IDisposable
     /// <summary>The run.</summary>
     public RunPlan Plan => _plan;
 
-    /// <summary>How a frame stands by now; also what another process made since the last call counts.</summary>
-    public FrameCheck Judge(Frame frame)
+    /// <summary>The state of a frame by now; also what another process made since the last call counts.</summary>
+    public FrameCheck Check(Frame frame)
     {
         FrameRecord? made;
         FailedRecord? failed;
@@ -64,10 +64,10 @@ internal sealed class FrameLedger : IDisposable
             failed = _reader.Content.Failed.GetValueOrDefault(frame.Name);
         }
 
-        return _judge.Judge(_plan.Expected(frame.Step), made, failed);
+        return _checker.Check(_plan.Expected(frame.Step), made, failed);
     }
 
-    /// <summary>The files of a frame that is right, in the order in which they are named to the user.</summary>
+    /// <summary>The files of a frame that is complete, in the order in which they are named to the user.</summary>
     public IReadOnlyList<string> PathsOf(Frame frame)
     {
         lock (_gate)
@@ -105,24 +105,17 @@ internal sealed class FrameLedger : IDisposable
         _reader.Dispose();
     }
 
-    private static WorkFolder Stage(string folder)
-    {
-        try
-        {
-            return WorkFolder.In(folder);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"--output-dir {folder}: can't be written: {exception.Message}", exception);
-        }
-    }
+    private static WorkFolder Stage(string folder) =>
+        FileErrors.ToExternalPart($"--output-dir {folder}: can't be written", () => WorkFolder.In(folder));
 
     private void Register(ILog log)
     {
         _reader.Refresh();
         if (_reader.Content.DamagedLines > 0)
         {
-            log.Warning($"{_manifest.FilePath}: {_reader.Content.DamagedLines} lines can't be read and are left out; frames whose lines they were are made again.");
+            log.Warning(
+                $"{_manifest.FilePath}: {_reader.Content.DamagedLines} lines can't be read and are left out; "
+                    + $"frames whose lines they were are made again.");
         }
 
         if (_plan.Registration(_reader.Content).Count > 0)

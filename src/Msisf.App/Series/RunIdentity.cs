@@ -26,7 +26,8 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
     /// <param name="kernels">See <see cref="ChecksumsOf"/>.</param>
     /// <param name="povRay">Version of POV-Ray; null if it draws nothing.</param>
     public static RunIdentity Of(
-        string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<(string Name, string Sha256)> kernels, string? povRay)
+        string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<(string Name, string Sha256)> kernels,
+        string? povRay)
     {
         using MemoryStream stream = new();
         using (Utf8JsonWriter json = new(stream))
@@ -62,15 +63,7 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
 
     /// <summary>Names and checksums of kernels; reads some 20 MB, so it is begun early.</summary>
     /// <param name="kernels">Their paths, in load order.</param>
-    public static IReadOnlyList<(string Name, string Sha256)> ChecksumsOf(IReadOnlyList<string> kernels)
-    {
-        try
-        {
-            return [.. kernels.Select(path => (Path.GetFileName(path), FileHash.Sha256Of(path)))];
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"a kernel can't be read: {exception.Message}", exception);
-        }
-    }
+    public static IReadOnlyList<(string Name, string Sha256)> ChecksumsOf(IReadOnlyList<string> kernels) => FileErrors.ToExternalPart(
+        "a kernel can't be read",
+        () => kernels.Select(path => (Path.GetFileName(path), FileHash.Sha256Of(path))).ToArray());
 }

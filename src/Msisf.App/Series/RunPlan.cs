@@ -29,7 +29,8 @@ internal sealed class RunPlan
     /// <summary>Names a frame with its settings in the manifest.</summary>
     /// <param name="step">From 1.</param>
     public string FrameKey(int step) =>
-        RunIdentity.KeyOf([.. Encoding.ASCII.GetBytes(Identity.Record.Key), .. MemoryMarshal.AsBytes<double>(_states[step - 1].ToNumbers())]);
+        RunIdentity.KeyOf(
+            [.. Encoding.ASCII.GetBytes(Identity.Record.Key), .. MemoryMarshal.AsBytes<double>(_states[step - 1].ToNumbers())]);
 
     /// <summary>What the manifest is to know of a frame.</summary>
     /// <param name="step">From 1.</param>
@@ -39,7 +40,9 @@ internal sealed class RunPlan
     /// <param name="step">From 1.</param>
     public string ArgumentsOf(int step) => FrameArguments.Of(_states[step - 1], Identity.Arguments);
 
-    /// <summary>The lines that tell a manifest of the run; none if it knows it, and no run that wants other frames of the same names since.</summary>
+    /// <summary>
+    /// The lines that tell a manifest of the run; none if it knows it, and no run that wants other frames of the same names since.
+    /// </summary>
     /// <param name="known">What the manifest says.</param>
     public IReadOnlyList<ManifestRecord> Registration(ManifestContent known)
     {
@@ -49,7 +52,8 @@ internal sealed class RunPlan
         }
 
         ManifestRecord[] settings = known.Settings.ContainsKey(Identity.Record.Key) ? [] : [Identity.Record];
-        return [.. settings, new RunRecord(Key, Identity.Record.Key, _states.Count), .. Enumerable.Range(1, _states.Count).Select(Expected)];
+        return [.. settings, new RunRecord(
+            Key, Identity.Record.Key, _states.Count), .. Enumerable.Range(1, _states.Count).Select(Expected)];
     }
 
     private string KeyOfAll()

@@ -1,9 +1,7 @@
 using System.Globalization;
 using Msisf.Adapters.Ephemeris;
-using Msisf.Core.Ephemeris;
-using Msisf.Core.Metadata;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Render;
-using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Settings;
@@ -19,24 +17,36 @@ internal static class FrameArguments
     /// <param name="engine">The ephemeris engine that gives the Sun; null if none is asked.</param>
     public static string OfSettings(RenderSettings settings, EphemerisChoice? engine)
     {
-        List<string> words = ["--fov", Text(settings.FieldOfViewDegrees), "--width", Text(settings.Width), "--height", Text(settings.Height)];
-        words.AddRange(["--gridH", Text(settings.GridHorizontal), "--gridV", Text(settings.GridVertical)]);
-        words.AddRange(["--surface", settings.Surface == PixelSurface.Terrain ? "terrain" : "sphere", "--res", Text(settings.PixelsPerDegree)]);
-        words.AddRange(settings.LevelOfDetailError is double error ? ["--lod-error", Text(error)] : ["--lod", "off"]);
-        words.AddRange(settings.IgnoreSun ? ["--ignore-sun"] : ["--ephemeris", TextOf(engine), "--aberration", TextOf(settings.Aberration)]);
+        List<string> words =
+        [
+            ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),
+            ImageOptions.Width.Name, Text(settings.Width),
+            ImageOptions.Height.Name, Text(settings.Height),
+            OutputOptions.GridHorizontal.Name, Text(settings.GridHorizontal),
+            OutputOptions.GridVertical.Name, Text(settings.GridVertical),
+            .. OutputOptions.Surface.Words(settings.Surface),
+            SurfaceOptions.Resolution.Name, Text(settings.PixelsPerDegree),
+            .. settings.LevelOfDetailError is double error
+                ? [SurfaceOptions.LevelOfDetailError.Name, NumberSpec.TextOf(error)]
+                : SurfaceOptions.LevelOfDetail.Words(true),
+            .. settings.IgnoreSun
+                ? [LightOptions.IgnoreSun.Name]
+                : (string[])[.. LightOptions.Ephemeris.Words(
+                    engine ?? EphemerisChoice.BuiltIn), .. LightOptions.Aberration.Words(settings.Aberration)],
+        ];
         if (settings.Annotate)
         {
-            words.Add("--rendering-annotation");
+            words.Add(OutputOptions.Annotation.Name);
         }
 
+        words.AddRange(RendererOptions.Renderer.Words(settings.Renderer));
         if (settings.Renderer == RendererKind.Native)
         {
-            AddNative(words, settings.Native);
+            words.AddRange(OfNative(settings.Native));
         }
-        else
+        else if (settings.PovOptions.Count > 0)
         {
-            words.AddRange(["--renderer", "povray"]);
-            words.AddRange(settings.PovOptions.Count > 0 ? ["--pov-options", $"'{string.Join(' ', settings.PovOptions)}'"] : []);
+            words.AddRange([PovOptions.MoreOptions.Name, $"'{string.Join(' ', settings.PovOptions)}'"]);
         }
 
         return string.Join(' ', words);
@@ -46,34 +56,26 @@ internal static class FrameArguments
     /// <param name="state">Its state.</param>
     /// <param name="settings">What <see cref="OfSettings"/> gives.</param>
     public static string Of(SpacecraftState state, string settings) =>
-        $"--fixed-state '{{{string.Join(',', state.ToNumbers().Select(Text))}}}' {settings}";
+        $"{CameraOptions.FixedState.Name} '{{{string.Join(',', state.ToNumbers().Select(NumberSpec.TextOf))}}}' {settings}";
 
-    private static void AddNative(List<string> words, NativeSettings native)
-    {
-        words.AddRange(["--renderer", "native", "--reflectance", native.ReflectanceText]);
-        words.AddRange(native.Albedo is double albedo ? ["--albedo", Text(albedo)] : []);
-        words.AddRange(["--sun", native.Render.Sun == SunModel.Disc ? "disc" : "point"]);
-        words.AddRange(["--samples", Text(native.Render.SubsamplesPerAxis * native.Render.SubsamplesPerAxis)]);
-        words.AddRange(["--shading", native.Render.Normals == NormalModel.Smooth ? "smooth" : "facet"]);
-        words.AddRange(["--exposure", Text(native.Grey.Exposure), "--transfer", native.Grey.Transfer == GreyTransfer.Linear ? "linear" : "srgb"]);
-        words.AddRange(["--bit-depth", Text(native.BitDepth)]);
-        if (native.Layers is not null)
-        {
-            words.AddRange(["--layers", string.Join(',', native.Layers.Layers.Select(layer => layer.Name))]);
-            words.AddRange(["--layers-format", native.LayersFormat == LayersFormat.Npy ? "npy" : "fits"]);
-        }
-    }
-
-    private static string TextOf(EphemerisChoice? engine) => engine == EphemerisChoice.CSpice ? "cspice" : "builtin";
-
-    private static string TextOf(Aberration aberration) => aberration switch
-    {
-        Aberration.LightTime => "lt",
-        Aberration.LightTimeAndStellar => "lt+s",
-        _ => "none",
-    };
-
-    private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+    private static IEnumerable<string> OfNative(NativeSettings native) =>
+    [
+        NativeOptions.Reflectance.Name, native.ReflectanceText,
+        .. native.Albedo is double albedo ? (string[])[NativeOptions.Albedo.Name, NumberSpec.TextOf(albedo)] : [],
+        .. NativeOptions.Sun.Words(native.Render.Sun),
+        NativeOptions.Samples.Name, Text(native.Render.SubsamplesPerAxis * native.Render.SubsamplesPerAxis),
+        .. NativeOptions.Shading.Words(native.Render.Normals),
+        NativeOptions.Exposure.Name, NumberSpec.TextOf(native.Grey.Exposure),
+        .. NativeOptions.Transfer.Words(native.Grey.Transfer),
+        .. NativeOptions.BitDepth.Words(native.BitDepth),
+        .. native.Layers is null
+            ? []
+            : (string[])
+            [
+                NativeOptions.Layers.Name, string.Join(',', native.Layers.Layers.Select(layer => layer.Name)),
+                .. NativeOptions.LayersFormat.Words(native.LayersFormat),
+            ],
+    ];
 
     private static string Text(int value) => value.ToString(CultureInfo.InvariantCulture);
 }

@@ -1,58 +1,58 @@
-using System.CommandLine;
+using System.Globalization;
 using Msisf.Adapters.Manifest;
-using Msisf.App.Host;
 using Msisf.App.Series;
-using Msisf.Cli.Options;
+using Msisf.App.Settings;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary><c>msis status</c> and <c>msis verify</c>: whether a folder holds all frames of its runs, quickly or by reading every file.</summary>
+/// <summary>
+/// <c>msis status</c> and <c>msis verify</c>: whether a folder holds all frames of its runs, quickly or by reading every file.
+/// </summary>
 internal static class CheckCommand
 {
     /// <summary>Frames are missing, damaged, failed or of other settings.</summary>
     public const int ExitNotComplete = 5;
 
-    /// <summary>Declares the quick one.</summary>
-    public static Command CreateStatus(ProgramHost host) => Create(
-        "status",
-        "Says which frames of the runs in a folder are there, missing, damaged or of other settings, by their lengths; exit code 0 if all are well.",
-        (folder, cancellation) => FrameSet.Read(folder, CheckDepth.Lengths, structure: null, host.Log, cancellation),
-        host);
+    /// <summary>The quick one.</summary>
+    public static int Status(CommandCall call, CancellationToken cancellation) =>
+        Report(call, SeriesStatus.Read(call.Values.Argument!, call.Host, cancellation));
 
-    /// <summary>Declares the thorough one.</summary>
-    public static Command CreateVerify(ProgramHost host) => Create(
-        "verify",
-        "The same by reading every file: checksums, images whole, meta files valid.",
-        (folder, cancellation) => FrameSet.Read(
-            folder, CheckDepth.Checksums, new FileStructure(host.Installation.MetaFileDtd), host.Log, cancellation),
-        host);
+    /// <summary>The thorough one.</summary>
+    public static int Verify(CommandCall call, CancellationToken cancellation) =>
+        Report(call, SeriesStatus.Verify(call.Values.Argument!, call.Host, cancellation));
 
-    private static Command Create(string name, string description, Func<string, CancellationToken, FrameSet> read, ProgramHost host)
+    private static int Report(CommandCall call, SeriesStatus status)
     {
-        Argument<string> folder = FolderArgument();
-        Option<bool> printFrames = OptionFactory.Flag(
-            "--print-frames", [], "Print only the steps that have to be made again, as --frames takes them; an empty line if none");
-        Command command = new(name, description) { folder, printFrames };
-        command.SetAction((line, cancellation) => Task.Run(
-            () =>
-            {
-                StrayOptions.Refuse(line);
-                FrameSet frames = read(line.GetRequiredValue(folder), cancellation);
-                if (line.GetValue(printFrames))
-                {
-                    host.Results.WriteLine(frames.StepsToMake().ToString());
-                }
-                else
-                {
-                    frames.Print(host.Results);
-                }
+        if (FolderOptions.PrintFrames.Read(call.Values))
+        {
+            call.Host.Results.WriteLine(status.StepsToMake().ToString());
+        }
+        else
+        {
+            Print(status, call.Host.Results);
+        }
 
-                return frames.CountOf(FrameState.Complete) == frames.Count ? 0 : ExitNotComplete;
-            },
-            cancellation));
-        return command;
+        return status.IsComplete ? 0 : ExitNotComplete;
     }
 
-    /// <summary>The folder of outputs that a command looks at.</summary>
-    public static Argument<string> FolderArgument() => new("folder") { HelpName = "DIR", Description = "The --output-dir of the runs" };
+    /// <summary>A line for each frame that is not complete (step, name, state, reason; separated by tabs), and a summary.</summary>
+    private static void Print(SeriesStatus status, TextWriter results)
+    {
+        foreach (FrameCheck frame in status.Incomplete)
+        {
+            results.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{frame.Expected.Step}\t{frame.Expected.Name}\t{Word(frame.State)}\t{frame.Reason.ReplaceLineEndings(" ")}"));
+        }
+
+        int count = status.Frames.Count;
+        IEnumerable<string> others = Enum.GetValues<FrameState>().Where(state => state != FrameState.Complete && status.CountOf(state) > 0)
+            .Select(state => string.Create(CultureInfo.InvariantCulture, $", {status.CountOf(state)} {Word(state)}"));
+        results.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{count} frame{(count == 1 ? string.Empty : "s")}: {status.CountOf(FrameState.Complete)} complete{string.Concat(others)}."));
+    }
+
+    private static string Word(FrameState state) =>
+        state == FrameState.OtherSettings ? "of other settings" : state.ToString().ToLowerInvariant();
 }

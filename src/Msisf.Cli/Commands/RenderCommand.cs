@@ -1,52 +1,28 @@
-using System.CommandLine;
-using System.CommandLine.Help;
-using Msisf.App.Host;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
-using Msisf.Cli.Options;
-using Msisf.Cli.Pieces;
-using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary>The program's main job, and the root of the command line.</summary>
+/// <summary>The program's main job: <c>msis</c> without a command.</summary>
 internal static class RenderCommand
 {
-    private const string About =
-        "Draws synthetic images of the Moon from LOLA elevation data, with the surface point and the direction of the light of their pixels.";
-
-    /// <summary>Declares the command and its options.</summary>
-    public static RootCommand Create(ProgramHost host)
+    /// <summary>Does it.</summary>
+    public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
-        RenderOptions options = new();
-        RootCommand command = new(About);
-        foreach (Option option in options.All)
+        CameraSettings camera = CameraSettingsReader.Read(call.Values);
+        RenderSettings settings = RenderSettingsReader.Read(call.Values);
+        if (settings.ListPatterns)
         {
-            command.Options.Add(option);
+            PatternList.Print(camera, settings, call.Host, cancellation);
+            return 0;
         }
 
-        // -h is the image's height (thesis appendix A).
-        HelpOption help = command.Options.OfType<HelpOption>().Single();
-        help.Aliases.Remove("-h");
-        help.Aliases.Remove("/h");
-        command.SetAction((line, cancellation) => RunAsync(line, options, host, cancellation));
-        return command;
-    }
-
-    private static async Task<int> RunAsync(ParseResult line, RenderOptions options, ProgramHost host, CancellationToken cancellation)
-    {
-        (Mode? mode, RenderSettings settings) = options.Read(line);
-        if (mode is null)
+        IReadOnlyList<FrameOutputs> outputs = await RenderRun.RunAsync(camera, settings, call.Host, cancellation).ConfigureAwait(false);
+        if (settings.Timing)
         {
-            new HelpAction().Invoke(line);
-            return line.Tokens.Count == 0
-                ? 0
-                : throw new UsageException($"nothing says where the camera is. Give exactly one of {ModeRules.ModeNames(options.Mode)}.");
+            call.Host.Log.Raw(TimingReport.Of(call.Host.Times, outputs));
         }
 
-        using RenderRun rendering = new(settings, host);
-        StateSource states = new(options.Mode, line, rendering.Ephemeris, host.StandardInput, host.Log);
-        await rendering.RunAsync(() => states.Read(mode.Value, cancellation), cancellation).ConfigureAwait(false);
         return 0;
     }
 }

@@ -18,7 +18,8 @@ internal sealed class BarProgress : IRunProgress
         _drawing = Task.Run(() => console
             .Progress()
             .Columns(
-                new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn(), new SpinnerColumn())
+                new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn(),
+                new SpinnerColumn())
             .Start(context =>
             {
                 started.SetResult(context.AddTask(Markup.Escape(title), maxValue: total));

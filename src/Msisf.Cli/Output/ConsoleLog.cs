@@ -1,4 +1,5 @@
 using Msisf.App.Host;
+using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Output;
 
@@ -17,7 +18,9 @@ internal sealed class ConsoleLog(TextWriter error) : ILog
     /// <inheritdoc/>
     public void Error(string text) => Raw($"msis: error: {text.ReplaceLineEndings(" ")}");
 
-    /// <summary>A line as it is. One that can't be written is lost: there is no other place to tell, and the run and its exit code are worth more.</summary>
+    /// <summary>
+    /// A line as it is. One that can't be written is lost: there is no other place to tell, and the run and its exit code are worth more.
+    /// </summary>
     public void Raw(string line)
     {
         lock (_gate)
@@ -32,7 +35,7 @@ internal sealed class ConsoleLog(TextWriter error) : ILog
             {
                 error.WriteLine(line);
             }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            catch (Exception exception) when (exception.IsFileError())
             {
                 return;
             }

@@ -3,7 +3,9 @@ using Spectre.Console;
 
 namespace Msisf.Cli.Output;
 
-/// <summary>Chooses how progress is shown: a bar on a terminal, lines elsewhere and with <c>--batch</c>, nothing for a single step.</summary>
+/// <summary>
+/// Chooses how progress is shown: a bar on a terminal, lines elsewhere and with <c>--batch</c>, nothing for a single step.
+/// </summary>
 internal sealed class ProgressDisplay(ResultsWriter results, ConsoleLog log, TimeProvider clock) : IProgressDisplay
 {
     /// <inheritdoc/>
@@ -17,7 +19,8 @@ internal sealed class ProgressDisplay(ResultsWriter results, ConsoleLog log, Tim
         return unattended || Console.IsErrorRedirected ? new PlainProgress(log, clock, total) : StartBar(title, total);
     }
 
-    // Apart, so that Spectre.Console is only loaded when a bar is drawn. A bar overwrites what is printed on its terminal: that follows when it is done.
+    // Apart, so that Spectre.Console is only loaded when a bar is drawn. A bar overwrites what is printed on its terminal: that follows
+    // when it is done.
     private BarProgress StartBar(string title, int total)
     {
         log.Hold();

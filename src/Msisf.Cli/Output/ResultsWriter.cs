@@ -52,15 +52,5 @@ internal sealed class ResultsWriter : TextWriter
         Write(held);
     }
 
-    private static void Checked(Action write)
-    {
-        try
-        {
-            write();
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            throw new ExternalPartException($"standard output can't be written: {exception.Message}", exception);
-        }
-    }
+    private static void Checked(Action write) => FileErrors.ToExternalPart("standard output can't be written", write);
 }

@@ -17,7 +17,9 @@ public sealed class AttitudeTransition
 
     /// <summary>Takes attitude and rate.</summary>
     /// <param name="moonFromCameraAtEpoch">Attitude at the epoch.</param>
-    /// <param name="angularVelocityCamera">rad/s about the camera's axes (looks along -x, y right, z up), right-handed; zero holds the attitude.</param>
+    /// <param name="angularVelocityCamera">
+    /// rad/s about the camera's axes (looks along -x, y right, z up), right-handed; zero holds the attitude.
+    /// </param>
     /// <exception cref="BadInputException">The angular velocity is not finite.</exception>
     /// <exception cref="ArgumentException">The attitude is <c>default</c>.</exception>
     public AttitudeTransition(UnitQuaternion moonFromCameraAtEpoch, Vector3D angularVelocityCamera)
@@ -48,7 +50,8 @@ public sealed class AttitudeTransition
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"The attitude can't be followed for {secondsSinceEpoch:R} s at {_rate:R} rad/s; check the angular velocity and the epoch."));
+                $"The attitude can't be followed for {secondsSinceEpoch:R} s at {_rate:R} rad/s; "
+                    + $"check the angular velocity and the epoch."));
         }
 
         // The digits that length and product lose are turns after some years.

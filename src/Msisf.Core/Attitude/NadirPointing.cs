@@ -24,7 +24,8 @@ public static class NadirPointing
         double horizontal = double.Hypot(positionMoonMe.X, positionMoonMe.Y);
         if (horizontal == 0.0 && positionMoonMe.Z == 0.0)
         {
-            throw new BadInputException("The spacecraft is in the Moon's centre, where no direction is nadir; give an attitude or another position.");
+            throw new BadInputException(
+                "The spacecraft is in the Moon's centre, where no direction is nadir; give an attitude or another position.");
         }
 
         // Without the test, atan2 of two zeros with signs may be pi.

@@ -18,25 +18,25 @@ public sealed class PinholeCamera
     /// <param name="fieldOfView">Horizontal field of view, rad, from <see cref="Tolerances.MinFieldOfView"/> to below pi.</param>
     /// <param name="width">Image width, px, at least 1.</param>
     /// <param name="height">Image height, px, at least 1.</param>
-    /// <exception cref="BadInputException">The field of view is out of range, a size is below 1, or the position is not finite.</exception>
+    /// <exception cref="BadInputException">The field of view is out of range, or the position's length is not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A size is below 1.</exception>
     /// <exception cref="ArgumentException">The orientation is <c>default</c>, which is no rotation.</exception>
     public PinholeCamera(Vector3D positionMoonMe, UnitQuaternion moonFromCamera, double fieldOfView, int width, int height)
     {
         if (!(fieldOfView >= Tolerances.MinFieldOfView && fieldOfView < Math.PI))
         {
             throw new BadInputException(
-                $"The field of view is {Degrees(fieldOfView)} degrees; it must lie between {Degrees(Tolerances.MinFieldOfView)} and 180 degrees.");
+                $"The field of view is {Degrees(fieldOfView)} degrees; it must lie between {Degrees(Tolerances.MinFieldOfView)} and 180 "
+                    + $"degrees.");
         }
 
-        if (width < 1 || height < 1)
+        if (!double.IsFinite(positionMoonMe.Length))
         {
-            throw new BadInputException($"The image is {width} x {height} px; each side needs at least 1 px.");
+            throw new BadInputException($"The camera position {positionMoonMe} m is not finite, or farther away than numbers reach.");
         }
 
-        if (!positionMoonMe.IsFinite)
-        {
-            throw new BadInputException($"The camera position {positionMoonMe} is not finite.");
-        }
+        ArgumentOutOfRangeException.ThrowIfLessThan(width, 1);
+        ArgumentOutOfRangeException.ThrowIfLessThan(height, 1);
 
         if (moonFromCamera == default)
         {
@@ -95,7 +95,9 @@ public sealed class PinholeCamera
     /// <summary>How much the pixels cover.</summary>
     public PixelFootprint Footprint { get; }
 
-    /// <summary>The ray through a point of the image plane in rendering coordinates: pixel (x, y) from 1, x right, y down (thesis eq. 8.15).</summary>
+    /// <summary>
+    /// The ray through a point of the image plane in rendering coordinates: pixel (x, y) from 1, x right, y down (thesis eq. 8.15).
+    /// </summary>
     /// <param name="x">Rendering coordinate; whole numbers are pixel centres.</param>
     /// <param name="y">Rendering coordinate.</param>
     public Ray RayThrough(double x, double y)

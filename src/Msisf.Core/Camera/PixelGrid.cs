@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Camera;
 
 /// <summary>
@@ -17,16 +15,13 @@ public sealed class PixelGrid
     /// <param name="height">Image height, px, at least 1.</param>
     /// <param name="spacingH">From column to column, px, at least 1.</param>
     /// <param name="spacingV">From row to row, px, at least 1.</param>
-    /// <exception cref="BadInputException">A spacing is below 1.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A size or a spacing is below 1.</exception>
     public PixelGrid(int width, int height, int spacingH, int spacingV)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(width, 1);
         ArgumentOutOfRangeException.ThrowIfLessThan(height, 1);
-        if (spacingH < 1 || spacingV < 1)
-        {
-            throw new BadInputException($"The grid spacing is {spacingH} x {spacingV} px; each needs at least 1 px.");
-        }
-
+        ArgumentOutOfRangeException.ThrowIfLessThan(spacingH, 1);
+        ArgumentOutOfRangeException.ThrowIfLessThan(spacingV, 1);
         SpacingH = spacingH;
         SpacingV = spacingV;
         Columns = width / spacingH;

@@ -4,7 +4,9 @@ using Msisf.Core.Time;
 
 namespace Msisf.Core.Ephemeris;
 
-/// <summary>The engine that needs no CSPICE: it chains the segments of the kernels itself. Safe for several threads, without locks.</summary>
+/// <summary>
+/// The engine that needs no CSPICE: it chains the segments of the kernels itself. Safe for several threads, without locks.
+/// </summary>
 public sealed class BuiltInEphemeris : IEphemeris
 {
     private const int Sun = 10;
@@ -54,6 +56,12 @@ public sealed class BuiltInEphemeris : IEphemeris
             sunFromMoonKm = (PositionKm(Sun, tdbSeconds - lightSeconds) ?? throw Cover.LightFromOutside(time)) - moonKm;
         }
 
+        if (!(sunFromMoonKm.Length is > 0.0 and < double.PositiveInfinity))
+        {
+            throw new BadInputException(
+                $"The kernels put the Sun at {sunFromMoonKm} km from the Moon: they are damaged. Use other kernels.");
+        }
+
         if (aberration == Aberration.LightTimeAndStellar)
         {
             sunFromMoonKm = LightSpeed.SeenFromMoving(sunFromMoonKm, MoonVelocity(tdbSeconds, time));
@@ -80,7 +88,9 @@ public sealed class BuiltInEphemeris : IEphemeris
         {
             if (count == MaximumLinks)
             {
-                throw new SpiceException($"The kernels' centres lead from body {body} nowhere: {MaximumLinks} links did not reach the solar system's barycentre. Use other kernels.");
+                throw new SpiceException(
+                    $"The kernels' centres lead from body {body} nowhere: "
+                        + $"{MaximumLinks} links did not reach the solar system's barycentre. Use other kernels.");
             }
 
             if (_positions.Find(link, tdbSeconds) is not IEphemerisSegment segment)

@@ -4,7 +4,9 @@ using Msisf.Core.Time;
 
 namespace Msisf.Core.Ephemeris;
 
-/// <summary>Where the Sun is and how the Moon's ME/PA frame is turned; the port that the ephemeris engines fill. Safe for several threads.</summary>
+/// <summary>
+/// Where the Sun is and how the Moon's ME/PA frame is turned; the port that the ephemeris engines fill. Safe for several threads.
+/// </summary>
 public interface IEphemeris
 {
     /// <summary>Name and version of the engine for the run's log, e.g. "CSPICE N0067".</summary>
@@ -14,7 +16,9 @@ public interface IEphemeris
     /// <param name="time">UTC, when the light arrives at the Moon.</param>
     /// <param name="aberration">What of light's finite speed is taken in.</param>
     /// <returns>m, in the axes that MOON_ME has at the time, whatever the light time.</returns>
-    /// <exception cref="SpiceException">The time, or with light time that of the light's start, is outside the kernels' cover, which the message names.</exception>
+    /// <exception cref="SpiceException">
+    /// The time, or with light time that of the light's start, is outside the kernels' cover, which the message names.
+    /// </exception>
     Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None);
 
     /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>

@@ -15,7 +15,10 @@ public interface IEphemerisSegment
     /// <summary>When the data hold.</summary>
     TdbInterval Interval { get; }
 
-    /// <summary>The position relative to <see cref="Center"/> in km, J2000; or the three angles in rad that turn J2000 into the body-fixed frame (axes 3, 1, 3).</summary>
+    /// <summary>
+    /// The position relative to <see cref="Center"/> in km, J2000; or the three angles in rad that turn J2000 into the body-fixed frame
+    /// (axes 3, 1, 3).
+    /// </summary>
     /// <param name="tdbSeconds">TDB seconds past J2000, inside <see cref="Interval"/>.</param>
     /// <exception cref="SpiceException">The kernel is damaged, or holds the data in a form that can't be read.</exception>
     Vector3D ValueAt(double tdbSeconds);

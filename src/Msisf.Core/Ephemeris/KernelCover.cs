@@ -19,7 +19,8 @@ public sealed record KernelCover(TdbScale Scale, TdbCover Times)
     /// <param name="time">UTC, when the light arrives.</param>
     public SpiceException LightFromOutside(ModifiedJulianDate time) => new(string.Create(
         CultureInfo.InvariantCulture,
-        $"The sunlight of {time.ToIsoUtc()} (MJD {time.Days:R}) left the Sun some 500 s earlier, outside the kernels' cover: the kernels cover {Describe()}. Choose a later time, other kernels, or --aberration none."));
+        $"The sunlight of {time.ToIsoUtc()} (MJD {time.Days:R}) left the Sun some 500 s earlier, outside the kernels' cover: "
+            + $"the kernels cover {Describe()}. Choose a later time, other kernels, or --aberration none."));
 
     /// <summary>The failure for a time outside.</summary>
     /// <param name="time">UTC.</param>
@@ -27,7 +28,8 @@ public sealed record KernelCover(TdbScale Scale, TdbCover Times)
     public SpiceException Outside(ModifiedJulianDate time, Exception? inner = null) => new(
         string.Create(
             CultureInfo.InvariantCulture,
-            $"{time.ToIsoUtc()} (MJD {time.Days:R}) is outside the kernels' cover: the kernels cover {Describe()}. Choose a time inside, or other kernels."),
+            $"{time.ToIsoUtc()} (MJD {time.Days:R}) is outside the kernels' cover: the kernels cover {Describe()}. "
+                + $"Choose a time inside, or other kernels."),
         inner);
 
     /// <summary>The cover in UTC to the second, rounded inwards: "1899-12-31T23:59:19Z to 2050-12-31T23:58:50Z".</summary>
@@ -41,6 +43,7 @@ public sealed record KernelCover(TdbScale Scale, TdbCover Times)
         // Long-term kernels go past the years that a calendar date can name.
         double earliest = (DateTime.MinValue - J2000Utc).TotalSeconds;
         double latest = (new DateTime(9999, 12, 31, 23, 59, 59, DateTimeKind.Utc) - J2000Utc).TotalSeconds;
-        return J2000Utc.AddSeconds(Math.Clamp(utcSeconds, earliest, latest)).ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture);
+        return J2000Utc.AddSeconds(Math.Clamp(utcSeconds, earliest, latest)).ToString(
+            "yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture);
     }
 }

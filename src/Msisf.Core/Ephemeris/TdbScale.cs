@@ -28,14 +28,18 @@ public sealed class TdbScale
         _leapSeconds = [.. leapSeconds];
     }
 
-    /// <summary>Seconds past 2000-01-01T12:00:00 UTC, each day counted with 86 400 s; one rounding (at most 0.24 microseconds from 1900 to 2050).</summary>
+    /// <summary>
+    /// Seconds past 2000-01-01T12:00:00 UTC, each day counted with 86 400 s; one rounding (at most 0.24 microseconds from 1900 to 2050).
+    /// </summary>
     /// <param name="time">UTC.</param>
     public static double UtcSeconds(ModifiedJulianDate time) =>
         ((86400.0 * ((double)time.DayNumber - DayOfJ2000)) - 43200.0) + time.SecondsOfDay;
 
     /// <summary>TDB seconds past J2000.</summary>
     /// <param name="time">UTC.</param>
-    /// <remarks>The sums are in the order of CSPICE's DELTET, so that both engines round to the same TDB (one ulp in 1900 turns the Sun by 1.3e-12).</remarks>
+    /// <remarks>
+    /// The sums are in the order of CSPICE's DELTET, so that both engines round to the same TDB (one ulp in 1900 turns the Sun by 1.3e-12).
+    /// </remarks>
     public double FromUtc(ModifiedJulianDate time)
     {
         double utcSeconds = UtcSeconds(time);

@@ -1,6 +1,8 @@
 namespace Msisf.Core.Ephemeris;
 
-/// <summary>The constants of TDB - TAI = TtMinusTai + Amplitude sin E, E = M + Eccentricity sin M (leap seconds kernel, DELTET/...).</summary>
+/// <summary>
+/// The constants of TDB - TAI = TtMinusTai + Amplitude sin E, E = M + Eccentricity sin M (leap seconds kernel, DELTET/...).
+/// </summary>
 /// <param name="TtMinusTai">s: DELTA_T_A.</param>
 /// <param name="Amplitude">s: K.</param>
 /// <param name="Eccentricity">1: EB, of the Earth's orbit.</param>

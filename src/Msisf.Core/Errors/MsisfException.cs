@@ -12,4 +12,9 @@ public abstract class MsisfException : Exception
 
     /// <summary>Exit code of the program when this failure ends it.</summary>
     public int ExitCode { get; }
+
+    /// <summary>
+    /// Long names of the options that the failure is about, e.g. "--fov"; empty if none is, or if whoever knows has not said so yet.
+    /// </summary>
+    public IReadOnlyList<string> Options { get; set; } = [];
 }

@@ -3,7 +3,9 @@ namespace Msisf.Core.Layers;
 /// <summary>One kind of ground truth, an image of numbers. Immutable; docs/formats.md has the definitions.</summary>
 public sealed class Layer
 {
-    /// <summary>Stands for "undefined" in layers of whole numbers that have such pixels; -1 will not do, as it is a line of cells.</summary>
+    /// <summary>
+    /// Stands for "undefined" in layers of whole numbers that have such pixels; -1 will not do, as it is a line of cells.
+    /// </summary>
     public const int UndefinedNumber = int.MinValue;
 
     internal Layer(string name, LayerType type, string unit, string description, LayerValue value, params string[] planeNames)

@@ -8,16 +8,12 @@ public static class LayerCatalogue
     [
         new(
             "depth", LayerType.Real64, "m",
-            "Distance from the camera's focal point to the surface point along the pixel's ray. NOT the depth along the optical axis: that is Z_DEPTH.",
-            SurfaceValues.Range),
+            "Distance of the surface point from the camera's focal point along the optical axis: the depth map of computer vision.",
+            SurfaceValues.Depth),
         new(
             "range", LayerType.Real64, "m",
-            "Slant range from the camera's focal point to the surface point: the same number as DEPTH, under the name that remote sensing has for it.",
+            "Distance of the surface point from the camera's focal point along the pixel's ray: the slant range of remote sensing.",
             SurfaceValues.Range),
-        new(
-            "z-depth", LayerType.Real64, "m",
-            "Depth along the optical axis: the part of DEPTH along the viewing direction. What computer vision calls a depth map.",
-            SurfaceValues.AxialDepth),
         new(
             "position", LayerType.Real64, "m",
             "Surface point from the Moon's centre, in MOON_ME.",
@@ -31,16 +27,23 @@ public static class LayerCatalogue
             "Outward surface normal that shades the point, length 1, in MOON_ME.",
             SurfaceValues.Normal,
             "x", "y", "z"),
-        new("incidence", LayerType.Real64, "deg", "Angle between NORMAL and the direction to the Sun's centre, 0 to 180.", LightValues.Incidence),
+        new(
+            "incidence",
+            LayerType.Real64,
+            "deg",
+            "Angle between NORMAL and the direction to the Sun's centre, 0 to 180.",
+            LightValues.Incidence),
         new("emission", LayerType.Real64, "deg", "Angle between NORMAL and the direction to the camera, 0 to 180.", LightValues.Emission),
         new("phase", LayerType.Real64, "deg", "Angle at the surface point between Sun and camera, 0 to 180.", LightValues.Phase),
         new(
             "illumination-direction", LayerType.Real64, "deg",
-            "Direction in the image in which the Sun lies along the ground: 0 down, 90 right, 180 up, 270 left. Undefined where the Sun is in the zenith.",
+            "Direction in the image in which the Sun lies along the ground: 0 down, 90 right, 180 up, 270 left. "
+                + "Undefined where the Sun is in the zenith.",
             LightValues.Direction),
         new(
             "mask", LayerType.Unsigned8, string.Empty,
-            "0 no surface, 1 lit, 2 penumbra, 3 shadow (Sun's centre above the point's horizontal plane, but hidden or behind the facet), 4 night.",
+            "0 no surface, 1 lit, 2 penumbra, 3 shadow (Sun's centre above the point's horizontal plane, but hidden or behind the facet), "
+                + "4 night.",
             LightValues.State),
         new(
             "sun-visibility", LayerType.Real64, string.Empty,
@@ -52,7 +55,8 @@ public static class LayerCatalogue
             SurfaceValues.Tile),
         new(
             "cell", LayerType.Signed32, string.Empty,
-            "Cell of the mesh of MESHRES px/deg: line (0 northernmost) and sample of its north-western vertex; line -1 is the fan round the north pole.",
+            "Cell of the mesh of MESHRES px/deg: line (0 northernmost) and sample of its north-western vertex; "
+                + "line -1 is the fan round the north pole.",
             SurfaceValues.Cell,
             "line", "sample"),
         new(

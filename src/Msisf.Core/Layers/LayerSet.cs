@@ -5,7 +5,8 @@ namespace Msisf.Core.Layers;
 /// <summary>The layers that a user wants. Immutable.</summary>
 public sealed class LayerSet
 {
-    private const string AllText = "all";
+    /// <summary>The word for every layer.</summary>
+    public const string AllText = "all";
 
     private LayerSet(IReadOnlyList<Layer> layers) => Layers = layers;
 

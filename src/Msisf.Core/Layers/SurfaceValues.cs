@@ -11,12 +11,12 @@ internal static class SurfaceValues
     public static double? Range(in PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.LineOfSightMoonMe.Length;
 
     /// <summary>m, along the optical axis: the ray's direction is one image plane distance long on it.</summary>
-    public static double? AxialDepth(in PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.Camera.Direction.Length;
+    public static double? Depth(in PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.Camera.Direction.Length;
 
     /// <summary>
     /// m: side of the square that has the area of the pixel's beam across the line of sight. A pixel is a square of side 1 / height
     /// in the image plane at distance f; seen from the focal point, at an angle a off the axis, it covers (1 / (height f))^2 cos^3 a
-    /// steradians, to first order in its size; and cos a is axial depth over range.
+    /// steradians, to first order in its size; and cos a is depth over range.
     /// </summary>
     public static double? PixelScale(in PixelTruth pixel, int plane)
     {

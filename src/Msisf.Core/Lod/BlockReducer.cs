@@ -8,9 +8,9 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Lod;
 
 /// <summary>
-/// Halves the resolution of a model any number of times: a sample is the mean of the two by two samples that it covers, ((NW + SW) + (NE + SE)) / 4,
-/// and its height over the reference radius is rounded to a 32-bit float. The steps are the same for any number of halvings at once,
-/// so a level has the same bits by whatever way it is computed. Safe for several threads.
+/// Halves the resolution of a model any number of times: a sample is the mean of the two by two samples that it covers, ((NW + SW) + (NE +
+/// SE)) / 4, and its height over the reference radius is rounded to a 32-bit float. The steps are the same for any number of halvings at
+/// once, so a level has the same bits by whatever way it is computed. Safe for several threads.
 /// </summary>
 /// <remarks>
 /// Rounding: a height below 16 km is off by at most 2^-11 m a level, after ten levels by less than 2^-7 m, the step of the vertices.
@@ -37,7 +37,9 @@ public sealed class BlockReducer
     /// <summary>Computes a block.</summary>
     /// <param name="blockRow">From the north.</param>
     /// <param name="blockColumn">From the west.</param>
-    /// <param name="heights">Filled with m over the reference radius, <see cref="LodLayout.Side"/> a line; what a smaller block lacks stays as it is.</param>
+    /// <param name="heights">
+    /// Filled with m over the reference radius, <see cref="LodLayout.Side"/> a line; what a smaller block lacks stays as it is.
+    /// </param>
     /// <exception cref="BadInputException">A sample of the model can't be right.</exception>
     public void Reduce(int blockRow, int blockColumn, Span<float> heights)
     {
@@ -92,8 +94,10 @@ public sealed class BlockReducer
             Vector256<double> reference = Vector256.Create(MoonConstants.ReferenceRadius);
             for (; i <= radii.Length - Vector256<double>.Count; i += Vector256<double>.Count)
             {
-                Vector256<double> west = Vector256.LoadUnsafe(ref northStart, (nuint)(2 * i)) + Vector256.LoadUnsafe(ref southStart, (nuint)(2 * i));
-                Vector256<double> east = Vector256.LoadUnsafe(ref northStart, (nuint)((2 * i) + 4)) + Vector256.LoadUnsafe(ref southStart, (nuint)((2 * i) + 4));
+                Vector256<double> west = Vector256.LoadUnsafe(ref northStart, (nuint)(2 * i))
+                    + Vector256.LoadUnsafe(ref southStart, (nuint)(2 * i));
+                Vector256<double> east = Vector256.LoadUnsafe(ref northStart, (nuint)((2 * i) + 4))
+                    + Vector256.LoadUnsafe(ref southStart, (nuint)((2 * i) + 4));
 
                 // Neighbours are added within 128-bit lanes, which leaves the order 0, 2, 1, 3.
                 Vector256<double> sums = Avx2.Permute4x64(Avx.HorizontalAdd(west, east), 0b11_01_10_00);

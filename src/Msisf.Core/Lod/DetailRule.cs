@@ -4,14 +4,15 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Lod;
 
 /// <summary>
-/// Chooses levels of detail, for both renderers: a cell is at most twice as wide as what may move in the image. It is a mean over its width,
-/// so nothing moves by more than half of that.
+/// Chooses levels of detail, for both renderers: a cell is at most twice as wide as what may move in the image. It is a mean over its
+/// width, so nothing moves by more than half of that.
 /// </summary>
 public sealed class DetailRule
 {
     /// <summary>
     /// px: the default error where a whole image is drawn with one level, beside a sample of the nearest ground. Measured
-    /// (docs/native-renderer.md): the image is as near to the mean of many samples of the full model as one of the full model with as many samples is.
+    /// (docs/native-renderer.md): the image is as near to the mean of many samples of the full model as one of the full model with as many
+    /// samples is.
     /// </summary>
     public const double DefaultErrorOfImage = 0.35;
 
@@ -21,8 +22,8 @@ public sealed class DetailRule
     private const double ErrorsPerCell = 2.0;
 
     /// <summary>
-    /// A coarser ridge lies somewhat lower than the true one, and what is behind it somewhat higher. Differences in height are mostly below half a
-    /// cell, the error; the rest is reserve.
+    /// A coarser ridge lies somewhat lower than the true one, and what is behind it somewhat higher. Differences in height are mostly below
+    /// half a cell, the error; the rest is reserve.
     /// </summary>
     private const double ErrorsOfSlack = 8.0;
 
@@ -46,7 +47,9 @@ public sealed class DetailRule
     /// <summary>px: ground that is hidden by less than this may be seen with a coarser level.</summary>
     public double SlackPixels => ErrorsOfSlack * _errorPixels;
 
-    /// <summary>The level of a whole image, by the height over the reference sphere: no ground in the image is nearer but for mountains.</summary>
+    /// <summary>
+    /// The level of a whole image, by the height over the reference sphere: no ground in the image is nearer but for mountains.
+    /// </summary>
     /// <param name="footprint">Of the image's pixels.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
     /// <returns>0 for the model itself; each further level has half the resolution.</returns>

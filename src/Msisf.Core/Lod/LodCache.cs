@@ -1,8 +1,8 @@
 namespace Msisf.Core.Lod;
 
 /// <summary>
-/// Bounds the memory of the computed blocks of all levels of a model: those used longest ago go first. Time counts the blocks that were added,
-/// so a look-up writes nothing that threads share except a block's own time. Safe for several threads.
+/// Bounds the memory of the computed blocks of all levels of a model: those used longest ago go first. Time counts the blocks that were
+/// added, so a look-up writes nothing that threads share except a block's own time. Safe for several threads.
 /// </summary>
 internal sealed class LodCache
 {

@@ -41,10 +41,12 @@ public readonly record struct LodLayout(int PixelsPerDegree)
     /// <exception cref="ArgumentOutOfRangeException">It is not.</exception>
     public void CheckRange(int firstLine, int lines, int firstSample, int samples)
     {
-        if (firstLine < 0 || lines < 1 || lines > Lines - firstLine || (uint)firstSample >= (uint)Samples || (uint)(samples - 1) >= (uint)Samples)
+        if (firstLine < 0 || lines < 1 || lines > Lines - firstLine || (uint)firstSample >= (uint)Samples
+            || (uint)(samples - 1) >= (uint)Samples)
         {
             throw new ArgumentOutOfRangeException(
-                nameof(firstLine), $"No block of {Lines} x {Samples} samples: {lines} lines from {firstLine}, {samples} samples from {firstSample}.");
+                nameof(firstLine),
+                $"No block of {Lines} x {Samples} samples: {lines} lines from {firstLine}, {samples} samples from {firstSample}.");
         }
     }
 }

@@ -12,7 +12,9 @@ public sealed class LodLevels
     /// <summary>Bytes of computed blocks that are kept if nothing else is asked for.</summary>
     public const long DefaultCacheBytes = 256L << 20;
 
-    /// <summary>128 MB of 16-bit samples: reading goes on at full speed. The system maps several times that, as it reads around what is asked for.</summary>
+    /// <summary>
+    /// 128 MB of 16-bit samples: reading goes on at full speed. The system maps several times that, as it reads around what is asked for.
+    /// </summary>
     public const int DefaultSamplesBetweenReleases = 1 << 26;
 
     /// <summary>8 MB of 16-bit samples: the levels take little memory, and more time to compute.</summary>
@@ -27,7 +29,9 @@ public sealed class LodLevels
 
     /// <summary>Takes a model; nothing is read or computed yet.</summary>
     /// <param name="source">The model.</param>
-    /// <param name="stored">Levels that were made before, in any order (their resolutions say which); those without one are computed when they are read.</param>
+    /// <param name="stored">
+    /// Levels that were made before, in any order (their resolutions say which); those without one are computed when they are read.
+    /// </param>
     /// <param name="cacheBytes">Memory for computed blocks, all levels together.</param>
     /// <param name="samplesBetweenReleases">Samples of the model that are read before their memory is given back.</param>
     public static LodLevels Open(

@@ -4,8 +4,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Lod;
 
 /// <summary>
-/// A model at a resolution halved one or more times (<see cref="BlockReducer"/>), computed block by block when it is first read. Several threads
-/// that ask for the same block wait for the first one. Safe for several threads.
+/// A model at a resolution halved one or more times (<see cref="BlockReducer"/>), computed block by block when it is first read. Several
+/// threads that ask for the same block wait for the first one. Safe for several threads.
 /// </summary>
 public sealed class ReducedGrid : BlockedGrid
 {
@@ -22,7 +22,9 @@ public sealed class ReducedGrid : BlockedGrid
     /// <summary>Takes the model.</summary>
     /// <param name="source">The model that is reduced.</param>
     /// <param name="halvings">At least 1.</param>
-    /// <param name="below">The level of one halving less, if it is computed from the same source; its blocks are used if they are there.</param>
+    /// <param name="below">
+    /// The level of one halving less, if it is computed from the same source; its blocks are used if they are there.
+    /// </param>
     /// <param name="cache">Bounds the memory.</param>
     /// <param name="samplesBetweenReleases">Samples of the model after which it may give their memory back.</param>
     internal ReducedGrid(IElevationGrid source, int halvings, ReducedGrid? below, LodCache cache, int samplesBetweenReleases)
@@ -79,7 +81,9 @@ public sealed class ReducedGrid : BlockedGrid
         return block;
     }
 
-    /// <summary>All blocks of the level below that the block covers are there; if one goes before it is read, it is computed again.</summary>
+    /// <summary>
+    /// All blocks of the level below that the block covers are there; if one goes before it is read, it is computed again.
+    /// </summary>
     private bool IsKnownBelow(int row, int column)
     {
         LodLayout below = _below!.Layout;

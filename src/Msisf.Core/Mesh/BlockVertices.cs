@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -7,9 +8,14 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// The vertices of one block of cells, one array for each coordinate; one object is loaded again and again. The positions are those of
+/// The vertices of one cell block, one array for each coordinate; one object is loaded again and again. The positions are those of
 /// <see cref="LatticePoint.Nearest"/>, the scalar reference, bit for bit: the same products in the same order, none of them fused.
 /// </summary>
+/// <remarks>
+/// Why reading without range checks is safe: a line has up to 33 vertices in <see cref="Stride"/> = 40 elements, so vectors of eight from
+/// its vertices 0, 8, ... 32 end within it; and from the last of the 32 x 32 north-western corners (31 * 40 + 31) the vector from the
+/// south-eastern one (41 further) ends with element 1319, the last of the array. <see cref="CornersFrom"/> asserts this for the kernels.
+/// </remarks>
 internal sealed class BlockVertices
 {
     /// <summary>Elements from one line of vertices to the next: 33, rounded up to whole vectors.</summary>
@@ -47,6 +53,18 @@ internal sealed class BlockVertices
         }
     }
 
+    /// <summary>
+    /// The place of a cell's north-western corner in an array as long as <see cref="X"/>: the corners of the cell and of the seven after it
+    /// may be read from there.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static ref double CornersFrom(double[] values, int northWest)
+    {
+        Debug.Assert(northWest >= 0
+            && northWest + Stride + 1 + Vector512<double>.Count <= values.Length, "A cell reaches beyond its block.");
+        return ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(values), northWest);
+    }
+
     /// <summary>Reads the vertices of a block.</summary>
     /// <param name="surface">The model.</param>
     /// <param name="block">Which.</param>
@@ -67,6 +85,8 @@ internal sealed class BlockVertices
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
     private void PlaceLine(SurfaceModel surface, SineCosine latitude, int start, Vector3D origin)
     {
+        Debug.Assert(start + Samples <= X.Length && Samples <= Stride, "A line reaches beyond its block.");
+        Debug.Assert(Cells.FirstSample + Stride <= surface.LongitudeSines.Length, "A line reaches beyond the table of longitudes.");
         ref double sines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(surface.LongitudeSines), Cells.FirstSample);
         ref double cosines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(surface.LongitudeCosines), Cells.FirstSample);
         Vector512<double> stepsPerMetre = Vector512.Create((double)LatticePoint.StepsPerMetre);

@@ -1,7 +1,9 @@
 namespace Msisf.Core.Mesh;
 
 /// <summary>One facet of the closed surface that the pattern files draw (docs/pattern-format.md).</summary>
-/// <param name="Line">Line of the cell's northern samples, 0 northernmost; -1 is the fan around the north pole, 180 res - 1 that around the south pole.</param>
+/// <param name="Line">
+/// Line of the cell's northern samples, 0 northernmost; -1 is the fan around the north pole, 180 res - 1 that around the south pole.
+/// </param>
 /// <param name="Sample">Column of the cell's western samples, 0 to 360 res - 1.</param>
 /// <param name="Half">Which of the cell's two facets.</param>
 public readonly record struct FacetId(int Line, int Sample, FacetHalf Half);

@@ -5,22 +5,25 @@ namespace Msisf.Core.Mesh;
 /// <summary>
 /// The closed surface that the pattern files draw (docs/pattern-format.md): a vertex on every sample and one on each pole. Cell (i, j)
 /// joins the samples (i, j) and (i + 1, j + 1) by the facets (NW, SW, SE) and (NW, SE, NE); line -1 is the north pole and line
-/// 180 res the south pole, so the fans that close the poles are cells too. A cell belongs to the tile that holds sample (i, j), the
-/// northern fan to that of line 0.
+/// 180 res the south pole, so the fans that close the poles are cells too. Safe for several threads.
 /// </summary>
 internal sealed class FacetMesh
 {
-    private readonly IElevationGrid _grid;
+    private readonly Lazy<double> _northPoleRadius;
+    private readonly Lazy<double> _southPoleRadius;
 
-    /// <summary>Takes the model; reads its first and last line for the poles.</summary>
+    /// <summary>Takes the model; reads nothing of it.</summary>
     public FacetMesh(IElevationGrid grid)
     {
-        _grid = grid;
+        Grid = grid;
         Lines = 180 * grid.PixelsPerDegree;
         Samples = 360 * grid.PixelsPerDegree;
-        NorthPoleRadius = MeanRadius(grid, 0);
-        SouthPoleRadius = MeanRadius(grid, Lines - 1);
+        _northPoleRadius = new Lazy<double>(() => MeanRadius(grid, 0));
+        _southPoleRadius = new Lazy<double>(() => MeanRadius(grid, Lines - 1));
     }
+
+    /// <summary>The model.</summary>
+    public IElevationGrid Grid { get; }
 
     /// <summary>Lines of samples; vertex lines go from -1 to this number.</summary>
     public int Lines { get; }
@@ -28,11 +31,11 @@ internal sealed class FacetMesh
     /// <summary>Samples a line.</summary>
     public int Samples { get; }
 
-    /// <summary>m: mean of the first line.</summary>
-    public double NorthPoleRadius { get; }
+    /// <summary>m: mean of the first line, which is read when this is first asked for.</summary>
+    public double NorthPoleRadius => _northPoleRadius.Value;
 
-    /// <summary>m: mean of the last line.</summary>
-    public double SouthPoleRadius { get; }
+    /// <summary>m: mean of the last line, which is read when this is first asked for.</summary>
+    public double SouthPoleRadius => _southPoleRadius.Value;
 
     /// <summary>Latitude of a vertex line, rad; the poles for -1 and <paramref name="lines"/>.</summary>
     public static double Latitude(int line, int lines) =>
@@ -55,17 +58,19 @@ internal sealed class FacetMesh
 
         int first = ((firstSample % Samples) + Samples) % Samples;
         int most = Math.Min(radii.Length, Samples);
-        _grid.ReadRadii(line, first, radii[..most]);
+        Grid.ReadRadii(line, first, radii[..most]);
         if (radii.Length > most)
         {
             radii[..(radii.Length - most)].CopyTo(radii[most..]); // a closed ring: its first vertices come again
         }
     }
 
-    /// <summary>Radius of the pole vertex, m: the sum of its line from west to east, one rounding an addition, divided by the count.</summary>
+    /// <summary>
+    /// Radius of the pole vertex, m: the sum of its line from west to east, one rounding an addition, divided by the count.
+    /// </summary>
     /// <param name="grid">The model.</param>
     /// <param name="line">The first or the last line.</param>
-    public static double MeanRadius(IElevationGrid grid, int line)
+    private static double MeanRadius(IElevationGrid grid, int line)
     {
         double[] radii = new double[360 * grid.PixelsPerDegree];
         grid.ReadRadii(line, 0, radii);

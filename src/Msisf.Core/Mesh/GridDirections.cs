@@ -20,10 +20,17 @@ public sealed class GridDirections
         }
     }
 
-    /// <summary>The latitude of a line: 90 - (2 line + 1) / (2 res) degrees.</summary>
+    /// <summary>
+    /// The latitude of a line of vertices: 90 - (2 line + 1) / (2 res) degrees; -1 is the north pole, 180 res the south pole.
+    /// </summary>
     public SineCosine Latitude(int line)
     {
         int lines = 2 * _sines.Length;
+        if (line < 0 || line >= lines)
+        {
+            return new SineCosine(line < 0 ? 1.0 : -1.0, 0.0);
+        }
+
         return line < _sines.Length
             ? new SineCosine(_sines[_sines.Length - 1 - line], _sines[line])
             : new SineCosine(-_sines[line - _sines.Length], _sines[lines - 1 - line]);

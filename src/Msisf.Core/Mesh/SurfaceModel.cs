@@ -5,27 +5,27 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// An elevation model as the renderer reads it: the mesh of the pattern files, with tables of the directions of its vertices and of
-/// the bounds of its blocks. Nothing of the model but the two lines at the poles is read before it is needed. Safe for several threads.
+/// An elevation model as the surface that is drawn and traced: the mesh of the pattern files, each vertex on their lattice, with tables of
+/// the directions of its vertices and of its bounds. Nothing of the model is read before it is needed. Safe for several threads.
 /// </summary>
 internal sealed class SurfaceModel
 {
     private readonly SineCosine[] _latitudes;
 
+    /// <summary>Takes the model; reads nothing of it yet.</summary>
+    /// <param name="grid">The whole Moon.</param>
     public SurfaceModel(IElevationGrid grid)
     {
         Grid = grid;
         Mesh = new FacetMesh(grid);
         GridDirections directions = new(grid.PixelsPerDegree);
         _latitudes = new SineCosine[Mesh.Lines + 2];
-        _latitudes[0] = SineCosine.OfDegrees(90, 1);
-        _latitudes[^1] = SineCosine.OfDegrees(-90, 1);
-        for (int line = 0; line < Mesh.Lines; line++)
+        for (int line = -1; line <= Mesh.Lines; line++)
         {
             _latitudes[line + 1] = directions.Latitude(line);
         }
 
-        // The last block reads on over the prime meridian, in whole vectors.
+        // The last cell block reads on over the prime meridian, in whole vectors.
         LongitudeSines = new double[Mesh.Samples + BlockVertices.Stride];
         LongitudeCosines = new double[LongitudeSines.Length];
         for (int sample = 0; sample < LongitudeSines.Length; sample++)
@@ -33,7 +33,7 @@ internal sealed class SurfaceModel
             (LongitudeSines[sample], LongitudeCosines[sample]) = directions.Longitude(sample % Mesh.Samples);
         }
 
-        Bounds = new BlockBoundsTable(this);
+        Bounds = new BoundsTree(new SquareLayout(Mesh), Mesh);
     }
 
     /// <summary>The model.</summary>
@@ -42,16 +42,48 @@ internal sealed class SurfaceModel
     /// <summary>Its facets.</summary>
     public FacetMesh Mesh { get; }
 
-    /// <summary>Bounds of blocks, found when they are first asked for.</summary>
-    public BlockBoundsTable Bounds { get; }
+    /// <summary>Its bounds in the nodes of <see cref="SquareLayout"/>, found when they are first asked for.</summary>
+    public BoundsTree Bounds { get; }
 
-    /// <summary>Sine of the longitude of each sample, and of some more beyond the prime meridian.</summary>
+    /// <summary>Sine of the longitude of each sample, and of <see cref="BlockVertices.Stride"/> more beyond the prime meridian.</summary>
     public double[] LongitudeSines { get; }
 
     /// <summary>The cosines.</summary>
     public double[] LongitudeCosines { get; }
 
-    /// <summary>Sine and cosine of the latitude of a vertex line.</summary>
+    /// <summary>Latitude of a vertex line.</summary>
     /// <param name="line">-1 (north pole) to the mesh's lines (south pole).</param>
     public SineCosine Latitude(int line) => _latitudes[line + 1];
+
+    /// <summary>Longitude of a sample, 0 to the mesh's samples, which is 0 again.</summary>
+    public SineCosine Longitude(int sample) => new(LongitudeSines[sample], LongitudeCosines[sample]);
+
+    /// <summary>Position of a vertex whose radius is known, m, MOON_ME, on the lattice.</summary>
+    /// <param name="line">-1 (north pole) to the mesh's lines (south pole).</param>
+    /// <param name="sample">0 to the mesh's samples, which is 0 again.</param>
+    /// <param name="radius">m.</param>
+    public Vector3D Vertex(int line, int sample, double radius) =>
+        LatticePoint.Nearest(radius, Latitude(line), Longitude(sample)).PositionMoonMe;
+
+    /// <summary>The corners of a cell; line from -1 on.</summary>
+    public CellCorners Corners(int line, int sample)
+    {
+        Span<double> radii = stackalloc double[4];
+        ReadCorners(line, sample, radii);
+        return Corners(line, sample, radii);
+    }
+
+    /// <summary>The corners of a cell whose radii are known in the order NW, NE, SW, SE.</summary>
+    public CellCorners Corners(int line, int sample, ReadOnlySpan<double> radii) => new(
+        Vertex(line, sample, radii[0]),
+        Vertex(line, sample + 1, radii[1]),
+        Vertex(line + 1, sample, radii[2]),
+        Vertex(line + 1, sample + 1, radii[3]));
+
+    /// <summary>The radii of a cell's corners, m, in the order NW, NE, SW, SE.</summary>
+    public void ReadCorners(int line, int sample, Span<double> radii)
+    {
+        Mesh.ReadRadii(line, sample, radii[..2]);
+        Mesh.ReadRadii(line + 1, sample, radii[2..]);
+    }
 }

@@ -61,7 +61,8 @@ public static class TerrainHeight
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"The camera is inside the Moon: {distance:R} m from its centre, where the surface of {grid.ProductId} is at {surface:R} m. Move it up."));
+                $"The camera is inside the Moon: {distance:R} m from its centre, "
+                    + $"where the surface of {grid.ProductId} is at {surface:R} m. Move it up."));
         }
     }
 

@@ -14,7 +14,9 @@ public static class IlluminationDirection
     /// <param name="lineOfSightMoonMe">From the camera to the ground point, any length; in the image's half space.</param>
     /// <param name="pointMoonMe">The ground point, m, on that line; the tangent plane is that of the sphere through it.</param>
     /// <param name="sunPositionMoonMe">The Sun, or the light that stands for it, m.</param>
-    /// <returns>rad, [0, 2 pi); null where there is none: the Sun in the zenith or nadir of the point, or its ground line seen end on.</returns>
+    /// <returns>
+    /// rad, [0, 2 pi); null where there is none: the Sun in the zenith or nadir of the point, or its ground line seen end on.
+    /// </returns>
     /// <remarks>
     /// The thesis goes 1000 m along the ground towards the Sun and projects that point. A straight line's image is straight, so
     /// the direction at the point itself is the same, has a meaning when that second point lies behind the camera, and

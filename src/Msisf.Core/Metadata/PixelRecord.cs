@@ -6,7 +6,9 @@ namespace Msisf.Core.Metadata;
 /// <param name="H">The pixel's x, from 1, to the right.</param>
 /// <param name="V">The pixel's y, from 1, down.</param>
 /// <param name="Point">The ground point on the pixel's ray: of the reference sphere, or below the terrain point.</param>
-/// <param name="IlluminationDirection">rad, [0, 2 pi), see <see cref="Metadata.IlluminationDirection"/>; null where it is undefined.</param>
+/// <param name="IlluminationDirection">
+/// rad, [0, 2 pi), see <see cref="Metadata.IlluminationDirection"/>; null where it is undefined.
+/// </param>
 /// <param name="Terrain">The terrain point; null on the reference sphere.</param>
 public readonly record struct PixelRecord(
     int H, int V, SelenographicPoint Point, double? IlluminationDirection, TerrainRecord? Terrain = null);

@@ -6,7 +6,9 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Metadata;
 
-/// <summary>Computes the records of a frame's grid, row by row; nothing is kept, so any image size streams. Safe for several threads.</summary>
+/// <summary>
+/// Computes the records of a frame's grid, row by row; nothing is kept, so any image size streams. Safe for several threads.
+/// </summary>
 public sealed class PixelSampler
 {
     private readonly IPixelView _view;

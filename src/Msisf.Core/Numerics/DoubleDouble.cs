@@ -6,7 +6,10 @@ namespace Msisf.Core.Numerics;
 /// </summary>
 /// <param name="High">The sum, rounded to a double.</param>
 /// <param name="Low">What the rounding lost.</param>
-/// <remarks>M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017), algorithms 6 and 11.</remarks>
+/// <remarks>
+/// M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44
+/// (2017), algorithms 6 and 11.
+/// </remarks>
 internal readonly record struct DoubleDouble(double High, double Low)
 {
     /// <summary>2^27 + 1: cuts a double into two halves of 26 bits.</summary>

@@ -1,6 +1,9 @@
 namespace Msisf.Core.Numerics;
 
-/// <summary>A rotation as three rows; a variable that holds one is named result-from-source. <c>default</c> is no rotation: use <see cref="Identity"/>.</summary>
+/// <summary>
+/// A rotation as three rows; a variable that holds one is named result-from-source. <c>default</c> is no rotation: use
+/// <see cref="Identity"/>.
+/// </summary>
 /// <param name="Row0">First row: the first target axis, in source components.</param>
 /// <param name="Row1">Second row.</param>
 /// <param name="Row2">Third row.</param>

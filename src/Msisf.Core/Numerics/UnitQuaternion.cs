@@ -43,7 +43,9 @@ public readonly record struct UnitQuaternion
     /// <param name="qy">Coefficient of j.</param>
     /// <param name="qz">Coefficient of k.</param>
     /// <param name="q0">Real part.</param>
-    /// <exception cref="BadInputException">Not finite, or the length is further than <see cref="Tolerances.UnitQuaternionLength"/> from 1.</exception>
+    /// <exception cref="BadInputException">
+    /// Not finite, or the length is further than <see cref="Tolerances.UnitQuaternionLength"/> from 1.
+    /// </exception>
     public static UnitQuaternion FromComponents(double qx, double qy, double qz, double q0)
     {
         double length = double.Hypot(double.Hypot(qx, qy), double.Hypot(qz, q0));
@@ -51,7 +53,8 @@ public readonly record struct UnitQuaternion
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"The quaternion {{{qx:R},{qy:R},{qz:R},{q0:R}}} has length {length:R}; a rotation needs length 1 within {Tolerances.UnitQuaternionLength:R}."));
+                $"The quaternion {{{qx:R},{qy:R},{qz:R},{q0:R}}} has length {length:R}; "
+                    + $"a rotation needs length 1 within {Tolerances.UnitQuaternionLength:R}."));
         }
 
         // What was normalised once stays as it is, to the last bit: a state that is written out and read back is the same.

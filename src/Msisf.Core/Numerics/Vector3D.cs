@@ -1,9 +1,10 @@
 using System.Globalization;
-using Msisf.Core.Errors;
 
 namespace Msisf.Core.Numerics;
 
-/// <summary>A vector of three doubles; <c>default</c> is the zero vector. Unit and frame are in the name of the variable that holds it.</summary>
+/// <summary>
+/// A vector of three doubles; <c>default</c> is the zero vector. Unit and frame are in the name of the variable that holds it.
+/// </summary>
 /// <param name="X">First component.</param>
 /// <param name="Y">Second component.</param>
 /// <param name="Z">Third component.</param>
@@ -67,12 +68,12 @@ public readonly record struct Vector3D(double X, double Y, double Z)
     public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"({X:R}, {Y:R}, {Z:R})");
 
     /// <summary>The vector of length 1 in the same direction.</summary>
-    /// <exception cref="BadInputException">The vector is zero or not finite.</exception>
+    /// <exception cref="InvalidOperationException">The vector is zero, or its length is not finite.</exception>
     public Vector3D Normalized()
     {
         double length = Length;
         return length > 0.0 && double.IsFinite(length)
             ? this / length
-            : throw new BadInputException($"The vector {this} has no direction.");
+            : throw new InvalidOperationException($"The vector {this} has no direction.");
     }
 }

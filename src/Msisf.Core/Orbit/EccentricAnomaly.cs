@@ -49,7 +49,9 @@ public readonly record struct EccentricAnomaly(double Angle, double Eccentricity
     /// <summary>Minor over major axis: sqrt(1 - e^2).</summary>
     private double MinorAxis => Math.Sqrt((1.0 - Eccentricity) * (1.0 + Eccentricity));
 
-    /// <summary>E - e sin E - <paramref name="meanAnomaly"/>, wrong by less than a unit in the last place of a mean anomaly near E - e sin E.</summary>
+    /// <summary>
+    /// E - e sin E - <paramref name="meanAnomaly"/>, wrong by less than a unit in the last place of a mean anomaly near E - e sin E.
+    /// </summary>
     internal double MeanAnomalyMinus(double meanAnomaly)
     {
         // e < 1/2: 1 - e would be rounded and E - e sin E does not cancel; e >= 1/2: 1 - e is exact.
@@ -64,7 +66,10 @@ public readonly record struct EccentricAnomaly(double Angle, double Eccentricity
         return (linear + curved + new DoubleDouble(-meanAnomaly, 0.0)).High;
     }
 
-    /// <summary>x - sin x for |x| up to <see cref="SeriesLimit"/>, by the Taylor series: its first term to twice the digits of a double, the rest, an eighth of it at most, in doubles.</summary>
+    /// <summary>
+    /// x - sin x for |x| up to <see cref="SeriesLimit"/>, by the Taylor series: its first term to twice the digits of a double, the rest,
+    /// an eighth of it at most, in doubles.
+    /// </summary>
     private static DoubleDouble AngleMinusSine(double x)
     {
         // The last factor, 23 * 22, leaves out terms below 1e-17 of the sum at the limit.

@@ -10,7 +10,9 @@ namespace Msisf.Core.Orbit;
 /// </remarks>
 public readonly record struct KeplerElements
 {
-    /// <summary>Checks the elements. Angles may have any finite value: full turns, and an inclination outside [0, pi], mean what the rotations do.</summary>
+    /// <summary>
+    /// Checks the elements. Angles may have any finite value: full turns, and an inclination outside [0, pi], mean what the rotations do.
+    /// </summary>
     /// <param name="semiMajorAxis">a, m, above 0.</param>
     /// <param name="eccentricity">e, 0 &lt;= e &lt; 1.</param>
     /// <param name="argumentOfPeriapsis">omega, rad.</param>
@@ -45,7 +47,8 @@ public readonly record struct KeplerElements
 
         if (eccentricity >= 1.0)
         {
-            throw Refused($"The eccentricity e is {eccentricity:R}, a parabola or hyperbola; only elliptic orbits, 0 <= e < 1, can be followed.");
+            throw Refused(
+                $"The eccentricity e is {eccentricity:R}, a parabola or hyperbola; only elliptic orbits, 0 <= e < 1, can be followed.");
         }
     }
 

@@ -16,7 +16,9 @@ public static class KeplerSolver
     /// <param name="meanAnomaly">M, rad, any finite number; full turns are taken off without loss.</param>
     /// <param name="eccentricity">e, 0 &lt;= e &lt; 1.</param>
     /// <returns>E in [-pi, pi], with position and velocity in units of the semi-major axis.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">Not finite, or not an ellipse: <see cref="KeplerElements"/> lets neither through.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// Not finite, or not an ellipse: <see cref="KeplerElements"/> lets neither through.
+    /// </exception>
     /// <remarks>
     /// Newton's method (thesis eq. 6.2), but not from E = M, which diverges for e near 1: f is convex on [0, pi], so
     /// from an upper bound of the root every step stays above it. The bounds are M + e, pi, M / (1 - e), and the

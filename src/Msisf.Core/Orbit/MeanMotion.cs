@@ -43,7 +43,8 @@ public readonly record struct MeanMotion
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"The orbit can't be followed for {secondsSinceEpoch:R} s at {RadiansPerSecond:R} rad/s; check the semi-major axis and the epoch."));
+                $"The orbit can't be followed for {secondsSinceEpoch:R} s at {RadiansPerSecond:R} rad/s; "
+                    + $"check the semi-major axis and the epoch."));
         }
 
         double sweptError = Math.FusedMultiplyAdd(RadiansPerSecond, secondsSinceEpoch, -swept);

@@ -37,7 +37,10 @@ public sealed class OrbitPropagator
             : RotationMatrix.Identity;
     }
 
-    /// <summary>Minimum distance from the Moon's centre on the whole orbit, m. Whether the spacecraft is in the ground is a matter of the terrain below it.</summary>
+    /// <summary>
+    /// Minimum distance from the Moon's centre on the whole orbit, m. Whether the spacecraft is in the ground is a matter of the terrain
+    /// below it.
+    /// </summary>
     public double PeriapsisRadius => _orbit.Elements.PeriapsisRadius;
 
     /// <summary>Position in m, MOON_ME of the time.</summary>

@@ -16,7 +16,9 @@ public static class StateConversion
     /// <summary>The orbit through a state, in the same frame and at the same epoch.</summary>
     /// <param name="state">m and m/s, relative to the Moon's centre.</param>
     /// <returns>i in [0, pi]; omega, Omega and M0 in [-pi, pi], where a double has more digits than in [0, 2 pi).</returns>
-    /// <exception cref="BadInputException">A component is not finite, position or velocity is zero, they are parallel, or the orbit is a parabola or hyperbola.</exception>
+    /// <exception cref="BadInputException">
+    /// A component is not finite, position or velocity is zero, they are parallel, or the orbit is a parabola or hyperbola.
+    /// </exception>
     public static KeplerElements ToElements(StateVector state)
     {
         double distance = LengthOf(state.Position, "position", "m");
@@ -29,7 +31,8 @@ public static class StateConversion
             double escapeSpeed = Math.Sqrt(2.0 * MoonConstants.GravitationalParameter / distance);
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"The speed {speed:R} m/s is not below the escape speed, {escapeSpeed:R} m/s at {distance:R} m from the centre: the orbit is a parabola or hyperbola; only ellipses can be followed."));
+                $"The speed {speed:R} m/s is not below the escape speed, {escapeSpeed:R} m/s at {distance:R} m from the centre: "
+                    + $"the orbit is a parabola or hyperbola; only ellipses can be followed."));
         }
 
         double semiMajorAxis = distance / distanceOverAxis;
@@ -37,7 +40,8 @@ public static class StateConversion
         if (momentum.Length <= Tolerances.ParallelSine * distance * speed)
         {
             throw new BadInputException(
-                "Position and velocity are parallel: the orbit is a straight line through the Moon's centre, not an ellipse; check their components.");
+                "Position and velocity are parallel: the orbit is a straight line through the Moon's centre, not an ellipse; "
+                    + "check their components.");
         }
 
         double axisSpeed = Math.Sqrt(MoonConstants.GravitationalParameter) / Math.Sqrt(semiMajorAxis);
@@ -46,7 +50,8 @@ public static class StateConversion
         if (eccentricity >= 1.0)
         {
             throw new BadInputException(
-                "The eccentricity is 1 to the last digit: the orbit is a parabola or a straight line through the Moon's centre, not an ellipse; check position (m) and velocity (m/s).");
+                "The eccentricity is 1 to the last digit: the orbit is a parabola or a straight line through the Moon's centre, "
+                    + "not an ellipse; check position (m) and velocity (m/s).");
         }
 
         EccentricAnomaly anomaly = new(Math.Atan2(radial, kineticRatio - 1.0), eccentricity);

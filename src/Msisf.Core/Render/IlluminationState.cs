@@ -12,7 +12,9 @@ public enum IlluminationState : byte
     /// <summary>A part of the Sun's disc shines on it.</summary>
     Penumbra = 2,
 
-    /// <summary>The Sun's centre is above the point's horizontal plane, but its facet turns away from it or other terrain hides it.</summary>
+    /// <summary>
+    /// The Sun's centre is above the point's horizontal plane, but its facet turns away from it or other terrain hides it.
+    /// </summary>
     Shadow = 3,
 
     /// <summary>No part of the Sun shines on the point, and its centre is below the point's horizontal plane.</summary>

@@ -22,13 +22,17 @@ public sealed class NativeFrame : IGroundTruth, IDisposable
     /// <inheritdoc/>
     public Vector3D LightPositionMoonMe => Pass.Light.PositionMoonMe;
 
-    /// <summary>Radiance factor I/F of each pixel, by rows from the top, each from left to right; 0 where there is no surface or no light.</summary>
+    /// <summary>
+    /// Radiance factor I/F of each pixel, by rows from the top, each from left to right; 0 where there is no surface or no light.
+    /// </summary>
     public ReadOnlySpan<double> RadianceFactors => Pass.RadianceFactors;
 
     private FramePass Pass => _pass ?? throw new ObjectDisposedException(nameof(NativeFrame));
 
     /// <inheritdoc/>
-    /// <exception cref="InvalidOperationException">The frame was drawn without <see cref="NativeRenderOptions.KeepGroundTruth"/>.</exception>
+    /// <exception cref="InvalidOperationException">
+    /// The frame was drawn without <see cref="NativeRenderOptions.KeepGroundTruth"/>.
+    /// </exception>
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light) => Pass.TryGet(x, y, out hit, out light);
 
     /// <summary>Gives the frame's memory back.</summary>

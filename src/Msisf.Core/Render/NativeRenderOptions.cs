@@ -19,7 +19,10 @@ public sealed record NativeRenderOptions
     /// <summary>Facet or smooth.</summary>
     public NormalModel Normals { get; init; } = NormalModel.Facet;
 
-    /// <summary>Samples along a pixel's edge, 1 to <see cref="MaxSubsamplesPerAxis"/>; their squares lie regularly in the pixel, and their mean is the pixel.</summary>
+    /// <summary>
+    /// Samples along a pixel's edge, 1 to <see cref="MaxSubsamplesPerAxis"/>; their squares lie regularly in the pixel, and their mean is
+    /// the pixel.
+    /// </summary>
     public int SubsamplesPerAxis
     {
         get => _subsamplesPerAxis;
@@ -31,6 +34,8 @@ public sealed record NativeRenderOptions
         }
     }
 
-    /// <summary>Whether the frame shall know what its pixels' centres show; an image of an even number of samples has to look again for it.</summary>
+    /// <summary>
+    /// Whether the frame shall know what its pixels' centres show; an image of an even number of samples has to look again for it.
+    /// </summary>
     public bool KeepGroundTruth { get; init; }
 }

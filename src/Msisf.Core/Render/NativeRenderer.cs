@@ -15,7 +15,7 @@ public sealed class NativeRenderer
     private readonly SurfaceModel _surface;
     private readonly ConcurrentBag<FramePass> _idle = [];
 
-    /// <summary>Takes the model; reads its first and last line for the poles.</summary>
+    /// <summary>Takes the model; reads nothing of it yet.</summary>
     /// <param name="grid">The whole Moon.</param>
     public NativeRenderer(IElevationGrid grid) => _surface = new SurfaceModel(grid);
 

@@ -10,7 +10,9 @@ public readonly record struct PixelIllumination(IlluminationState State, double 
 {
     /// <summary>The light at a point of the surface that a camera sees.</summary>
     /// <param name="pointMoonMe">m, MOON_ME.</param>
-    /// <param name="visibleFraction">Of the Sun, 0 to 1; a Sun that is a point is seen wholly or not at all. Means nothing with a lamp.</param>
+    /// <param name="visibleFraction">
+    /// Of the Sun, 0 to 1; a Sun that is a point is seen wholly or not at all. Means nothing with a lamp.
+    /// </param>
     /// <param name="light">The Sun, or the lamp at the camera, which lights all that the camera sees.</param>
     public static PixelIllumination At(Vector3D pointMoonMe, double visibleFraction, SceneLight light)
     {

@@ -5,7 +5,10 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render;
 
-/// <summary>The truth of a frame that another renderer draws: each pixel is traced when it is asked for. The light is a point. Safe for several threads.</summary>
+/// <summary>
+/// The truth of a frame that another renderer draws: each pixel is traced when it is asked for. The light is a point. Safe for several
+/// threads.
+/// </summary>
 public sealed class TracedFrameTruth : IGroundTruth
 {
     private readonly SceneLight _light;

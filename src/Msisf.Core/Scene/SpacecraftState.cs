@@ -4,19 +4,27 @@ using Msisf.Core.Time;
 
 namespace Msisf.Core.Scene;
 
-/// <summary>All that one frame needs to know of the spacecraft: the thesis's fixed state. <c>default</c> has no attitude and is none.</summary>
+/// <summary>
+/// All that one frame needs to know of the spacecraft: the thesis's fixed state. <c>default</c> has no attitude and is none.
+/// </summary>
 /// <param name="Time">UTC.</param>
 /// <param name="PositionMoonMe">m, MOON_ME.</param>
 /// <param name="MoonFromCamera">Turns camera axes (looks along -x, y right, z up) into Moon axes.</param>
 public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D PositionMoonMe, UnitQuaternion MoonFromCamera)
 {
-    /// <summary>The eight numbers of a fixed state in the thesis's order (section 6.3.2): MJD (days, UTC), position (m), quaternion.</summary>
+    /// <summary>
+    /// The eight numbers of a fixed state in the thesis's order (section 6.3.2): MJD (days, UTC), position (m), quaternion.
+    /// </summary>
     public static IReadOnlyList<string> NumberNames { get; } = ["MJD", "rx", "ry", "rz", "qx", "qy", "qz", "q0"];
 
-    /// <summary>The eight numbers in the order of <see cref="NumberNames"/>; <see cref="FromNumbers"/> makes the same state of them, to the last bit.</summary>
+    /// <summary>
+    /// The eight numbers in the order of <see cref="NumberNames"/>; <see cref="FromNumbers"/> makes the same state of them, to the last
+    /// bit.
+    /// </summary>
     public double[] ToNumbers() =>
     [
-        Time.Days, PositionMoonMe.X, PositionMoonMe.Y, PositionMoonMe.Z, MoonFromCamera.X, MoonFromCamera.Y, MoonFromCamera.Z, MoonFromCamera.W,
+        Time.Days, PositionMoonMe.X, PositionMoonMe.Y, PositionMoonMe.Z, MoonFromCamera.X, MoonFromCamera.Y, MoonFromCamera.Z,
+        MoonFromCamera.W,
     ];
 
     /// <summary>Checks and takes the eight numbers.</summary>

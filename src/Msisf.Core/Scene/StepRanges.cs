@@ -42,7 +42,8 @@ public sealed class StepRanges
     /// <summary>Reads the text form.</summary>
     /// <param name="text">E.g. "1001:2000" or "3:5,17".</param>
     /// <exception cref="BadInputException">It is none.</exception>
-    public static StepRanges Parse(string text) => new(text.Split(',', StringSplitOptions.TrimEntries).Select(word => ParseRange(word, text)));
+    public static StepRanges Parse(string text) =>
+        new(text.Split(',', StringSplitOptions.TrimEntries).Select(word => ParseRange(word, text)));
 
     /// <summary>Whether a step is among them.</summary>
     public bool Contains(int step) => Array.Exists(_ranges, range => range.First <= step && step <= range.Last);
@@ -57,7 +58,8 @@ public sealed class StepRanges
         string[] ends = word.Split(':', StringSplitOptions.TrimEntries);
         if (ends.Length > 2 || !TryStep(ends[0], out int first) || !TryStep(ends[^1], out int last))
         {
-            throw new BadInputException($"'{text}' names no steps; steps and ranges of them are needed, from 1, as in 1001:2000 or 3:5,17.");
+            throw new BadInputException(
+                $"'{text}' names no steps; steps and ranges of them are needed, from 1, as in 1001:2000 or 3:5,17.");
         }
 
         return first <= last

@@ -14,7 +14,9 @@ public interface IElevationGrid
     /// <summary>Samples a degree.</summary>
     int PixelsPerDegree { get; }
 
-    /// <summary>No sample is outside, m; known without reading one. A model that knows nothing better may use all the relief there is.</summary>
+    /// <summary>
+    /// No sample is outside, m; known without reading one. A model that knows nothing better may use all the relief there is.
+    /// </summary>
     (double Min, double Max) RadiusLimits =>
         (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief, MoonConstants.ReferenceRadius + MoonConstants.MaxRelief);
 
@@ -33,7 +35,9 @@ public interface IElevationGrid
     /// <exception cref="BadInputException">A sample of the block can't be right: the file is damaged.</exception>
     (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples);
 
-    /// <summary>Tells that most of what was read is not needed again soon, so that its memory may be given back. Reading goes on as before.</summary>
+    /// <summary>
+    /// Tells that most of what was read is not needed again soon, so that its memory may be given back. Reading goes on as before.
+    /// </summary>
     void ReleasePages()
     {
     }

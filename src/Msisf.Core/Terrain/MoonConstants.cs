@@ -3,10 +3,16 @@ namespace Msisf.Core.Terrain;
 /// <summary>Constants of the Moon, each with its source.</summary>
 public static class MoonConstants
 {
-    /// <summary>m: LOLA's reference radius; heights are over it and the pixels' rays meet it (D. E. Smith et al., LRO-L-LOLA-4-GDR-V1.0; docs/deviations.md, row 8).</summary>
+    /// <summary>
+    /// m: LOLA's reference radius; heights are over it and the pixels' rays meet it (D. E. Smith et al., LRO-L-LOLA-4-GDR-V1.0;
+    /// docs/deviations.md, row 8).
+    /// </summary>
     public const double ReferenceRadius = 1_737_400.0;
 
-    /// <summary>m: how far the surface may be from the reference radius. The Moon keeps within -9.2 and +10.8 km; the pattern files hold no more than this either (docs/pattern-format.md, section 4).</summary>
+    /// <summary>
+    /// m: how far the surface may be from the reference radius. The Moon keeps within -9.2 and +10.8 km; the pattern files hold no more
+    /// than this either (docs/pattern-format.md, section 4).
+    /// </summary>
     public const double MaxRelief = 20_000.0;
 
     /// <summary>m: mean radius MMR, for the flight altitude only (thesis, list of constants).</summary>

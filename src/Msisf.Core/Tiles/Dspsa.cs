@@ -1,7 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles.Selection;
@@ -22,7 +21,9 @@ public static class Dspsa
     /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it throws no shadow that is seen.</param>
     /// <param name="grid">The model.</param>
     /// <param name="summary">Of the same model.</param>
-    /// <exception cref="BadInputException">The camera is inside the Moon, the Sun is no higher than the terrain, or the summary is of another model.</exception>
+    /// <exception cref="BadInputException">
+    /// The camera is inside the Moon, the Sun is no higher than the terrain, or the summary is of another model.
+    /// </exception>
     public static TileSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, IElevationGrid grid, ElevationSummary summary)
     {
         Check(camera, sunPositionMoonMe, grid, summary);

@@ -42,7 +42,9 @@ public static class LevelDeviation
         return worst + Sagitta(layout.PixelsPerDegree);
     }
 
-    /// <summary>The samples of a line that lie in one row of coarse cells; sample i lies (i + 0.5) / 2^level cells from the first coarse one.</summary>
+    /// <summary>
+    /// The samples of a line that lie in one row of coarse cells; sample i lies (i + 0.5) / 2^level cells from the first coarse one.
+    /// </summary>
     private static double WorstOfLine(double[] north, double[] south, double[] fine, int level, int line)
     {
         int side = 1 << level;

@@ -4,7 +4,9 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles;
 
-/// <summary>Makes the meshes of a model and of its levels of detail; each level is prepared when it is first needed. Safe for several threads.</summary>
+/// <summary>
+/// Makes the meshes of a model and of its levels of detail; each level is prepared when it is first needed. Safe for several threads.
+/// </summary>
 public sealed class LevelMeshBuilders
 {
     private readonly ConcurrentDictionary<int, Lazy<TileMeshBuilder>> _builders = new();
@@ -29,5 +31,6 @@ public sealed class LevelMeshBuilders
     /// <summary>The builder of a level.</summary>
     /// <param name="level">0 for the model itself.</param>
     public TileMeshBuilder Of(int level) =>
-        _builders.GetOrAdd(level, known => new Lazy<TileMeshBuilder>(() => new TileMeshBuilder(known == 0 ? _grid : _levels().Level(known)))).Value;
+        _builders.GetOrAdd(
+            level, known => new Lazy<TileMeshBuilder>(() => new TileMeshBuilder(known == 0 ? _grid : _levels().Level(known)))).Value;
 }

@@ -2,7 +2,6 @@ using System.Collections.Concurrent;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles.Selection;
@@ -10,8 +9,8 @@ using Msisf.Core.Tiles.Selection;
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// Chooses what of the surface an image needs, and how fine: parts of the tiles that <see cref="Dspsa"/> keeps, each at the coarsest level of detail that
-/// the image does not show (docs/levels-of-detail.md). Safe for several threads.
+/// Chooses what of the surface an image needs, and how fine: parts of the tiles that <see cref="Dspsa"/> keeps, each at the coarsest level
+/// of detail that the image does not show (docs/levels-of-detail.md). Safe for several threads.
 /// </summary>
 public sealed class PartSelector
 {
@@ -25,15 +24,20 @@ public sealed class PartSelector
     /// <summary>Takes the model.</summary>
     /// <param name="levels">The model and its levels of detail.</param>
     /// <param name="summary">Of the same model.</param>
-    /// <param name="errorPixels">So far, in pixels, a coarser level may move what is seen, or the edge of a shadow that falls on it; 0 for the model itself everywhere.</param>
+    /// <param name="errorPixels">
+    /// So far, in pixels, a coarser level may move what is seen, or the edge of a shadow that falls on it; 0 for the model itself
+    /// everywhere.
+    /// </param>
     /// <param name="cells">Cells to a part's edge.</param>
-    /// <exception cref="BadInputException">The summary is of another model, or the error is none.</exception>
+    /// <exception cref="BadInputException">The summary is of another model.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The error is negative or not finite, or there are no cells.</exception>
     public PartSelector(LodLevels levels, ElevationSummary summary, double errorPixels, int cells = SurfacePart.DefaultCells)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(cells, 1);
         if (!(errorPixels >= 0.0 && double.IsFinite(errorPixels)))
         {
-            throw new BadInputException($"The error of levels of detail is {errorPixels} px; 0 or more is needed.");
+            throw new ArgumentOutOfRangeException(
+                nameof(errorPixels), errorPixels, "The error of levels of detail is finite and not below 0 px.");
         }
 
         summary.CheckFits(levels.Level(0));
@@ -58,7 +62,13 @@ public sealed class PartSelector
         ViewFrustum frame = new(camera, Dspsa.AntialiasingPixels + (isExact ? 0.0 : _rule.MarginPixels), rows);
         DspsaRun run = new(frame, sunPositionMoonMe, _grid, _summary, isExact ? 0.0 : _rule.SlackPixels * camera.Footprint.Tangent);
         TileSelection tiles = run.Select();
-        PartDivision division = new(run, _rule, camera.Footprint, _summary, level => SurfacePart.SubdivisionsAt(_grid.PixelsPerDegree >> level, _cells), DeviationOf);
+        PartDivision division = new(
+            run,
+            _rule,
+            camera.Footprint,
+            _summary,
+            level => SurfacePart.SubdivisionsAt(_grid.PixelsPerDegree >> level, _cells),
+            DeviationOf);
         return new PartSelection(tiles, division.Divide(tiles));
     }
 

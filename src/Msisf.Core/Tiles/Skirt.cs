@@ -1,12 +1,18 @@
 namespace Msisf.Core.Tiles;
 
-/// <summary>The wall around a part of a coarser level: two triangles under each of its border's edges.</summary>
+/// <summary>
+/// The skirt of a part: a strip of triangles from its border straight down, which closes the gaps between parts of different levels.
+/// </summary>
 internal static class Skirt
 {
-    /// <summary>m: so far below the lowest sample of the model the wall ends; a facet's middle lies at most 140 m below its corners (1 px/deg).</summary>
+    /// <summary>
+    /// m: depth of the skirt's foot below the lowest sample of the model; a facet's middle lies at most 140 m below its corners (1 px/deg).
+    /// </summary>
     public const double DepthBelowLowest = 1000.0;
 
-    /// <summary>Edges of the border, and vertices on it; a pole is one vertex where its line would be <see cref="TileMeshLayout.Samples"/>.</summary>
+    /// <summary>
+    /// Edges of the border, and vertices on it; a pole is one vertex where its line would be <see cref="TileMeshLayout.Samples"/>.
+    /// </summary>
     public static int Edges(TileMeshLayout layout)
     {
         int across = layout.Samples - 2; // between the corners

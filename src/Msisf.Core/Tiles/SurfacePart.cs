@@ -1,20 +1,22 @@
 using System.Globalization;
+using Msisf.Core.Lod;
 
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// A piece of the surface that a scene includes as one mesh: a tile, or a square part of it, at one level of detail. <c>default</c> is none.
+/// A piece of the surface that a scene includes as one mesh: a tile, or a square part of it, at one level of detail. <c>default</c> is
+/// none.
 /// </summary>
 /// <param name="Tile">The tile.</param>
-/// <param name="Level">0: the model itself; each further level has half the resolution (<see cref="Lod.LodLevels"/>).</param>
+/// <param name="Level">0: the model itself; each further level has half the resolution (<see cref="LodLevels"/>).</param>
 /// <param name="Subdivisions">Parts to the tile's edge, a power of two; 1: the whole tile.</param>
 /// <param name="Row">Row of the part in its tile, 0 northernmost.</param>
 /// <param name="Column">Column of the part in its tile, 0 westernmost.</param>
 public readonly record struct SurfacePart(TileId Tile, int Level, int Subdivisions, int Row, int Column) : IComparable<SurfacePart>
 {
     /// <summary>
-    /// Cells to a part's edge: a tile of 16 px/deg has as many. Smaller parts follow the image's borders better, but each costs a file and, where
-    /// levels meet, a wall around it.
+    /// Cells to a part's edge: a tile of 16 px/deg has as many. Smaller parts follow the image's borders better, but each costs a file and,
+    /// where levels meet, a skirt.
     /// </summary>
     public const int DefaultCells = 40;
 
@@ -42,7 +44,9 @@ public readonly record struct SurfacePart(TileId Tile, int Level, int Subdivisio
     /// <summary>The part of twice the edge that holds this one, at the same level; a whole tile has none.</summary>
     public SurfacePart Around() => new(Tile, Level, Subdivisions / 2, Row / 2, Column / 2);
 
-    /// <summary>The part of a file's name that says which part it is: "lat_0_5_lon_15_20", "lat_0_5_lon_15_20_level_1_part_0_1_of_2".</summary>
+    /// <summary>
+    /// The part of a file's name that says which part it is: "lat_0_5_lon_15_20", "lat_0_5_lon_15_20_level_1_part_0_1_of_2".
+    /// </summary>
     public string NameText => Level == 0 && Subdivisions == 1
         ? Tile.RangeText
         : string.Create(CultureInfo.InvariantCulture, $"{Tile.RangeText}_level_{Level}_part_{Row}_{Column}_of_{Subdivisions}");

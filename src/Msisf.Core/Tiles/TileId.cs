@@ -43,7 +43,10 @@ public readonly record struct TileId(int SouthDegrees, int WestDegrees) : ICompa
     /// <summary>The tile with an index in <see cref="All"/>.</summary>
     public static TileId FromNumber(int number) => new((number / Columns * SizeDegrees) - 90, number % Columns * SizeDegrees);
 
-    /// <summary>The tile whose pattern draws a facet: the one that holds the cell's north-west sample; the northern fan belongs to the tiles of line 0.</summary>
+    /// <summary>
+    /// The tile whose pattern draws a facet: the one that holds the cell's north-west sample; the northern fan belongs to the tiles of line
+    /// 0.
+    /// </summary>
     /// <param name="facet">A facet of the surface.</param>
     /// <param name="pixelsPerDegree">Resolution of the grid, px/deg, at least 1.</param>
     public static TileId Holding(FacetId facet, int pixelsPerDegree)

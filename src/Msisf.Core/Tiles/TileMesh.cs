@@ -4,13 +4,18 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles;
 
-/// <summary>The surface of one tile or part as triangles on the lattice of <see cref="LatticePoint"/>. Treat the arrays as read-only.</summary>
+/// <summary>
+/// The surface of one tile or part as triangles on the lattice of <see cref="LatticePoint"/>. Treat the arrays as read-only.
+/// </summary>
 /// <param name="Layout">Which samples are joined, and the order of the vertices.</param>
 /// <param name="Radii">m, one a vertex; a pole's is the mean of the line beside it.</param>
-/// <param name="Offsets">x, y, z of each vertex in lattice steps from <see cref="Origin"/>, MOON_ME axes, each below 2^24 in size; those of the wall's foot last.</param>
-/// <param name="Faces">Three vertex numbers a triangle (<see cref="TileMeshLayout.CreateFaces"/>); those of the wall last.</param>
-/// <param name="WallFootRadius">m: where its wall ends, if it has one.</param>
-public sealed record TileMesh(TileMeshLayout Layout, double[] Radii, int[] Offsets, int[] Faces, double WallFootRadius)
+/// <param name="Offsets">
+/// x, y, z of each vertex in lattice steps from <see cref="Origin"/>, MOON_ME axes, each below 2^24 in size; those of the skirt's foot
+/// last.
+/// </param>
+/// <param name="Faces">Three vertex numbers a triangle (<see cref="TileMeshLayout.CreateFaces"/>); those of the skirt last.</param>
+/// <param name="SkirtFootRadius">m: the radius at which its skirt ends, if it has one.</param>
+public sealed record TileMesh(TileMeshLayout Layout, double[] Radii, int[] Offsets, int[] Faces, double SkirtFootRadius)
 {
     /// <summary>From this size on an offset would not be exact as a 32-bit float, which is how POV-Ray keeps vertices.</summary>
     public const int OffsetLimit = 1 << 24;
@@ -18,20 +23,22 @@ public sealed record TileMesh(TileMeshLayout Layout, double[] Radii, int[] Offse
     /// <summary>The point from which the offsets count.</summary>
     public LatticePoint Origin { get; } = OriginOf(Layout.Part);
 
-    /// <summary>Vertices, the wall's included.</summary>
+    /// <summary>Vertices, the skirt's included.</summary>
     public int VertexCount => Offsets.Length / 3;
 
-    /// <summary>Triangles, the wall's included.</summary>
+    /// <summary>Triangles, the skirt's included.</summary>
     public int FaceCount => Faces.Length / 3;
 
-    /// <summary>Vertices and triangles of the mesh of a layout, the wall's included.</summary>
+    /// <summary>Vertices and triangles of the mesh of a layout, the skirt's included.</summary>
     public static (int Vertices, int Faces) CountsOf(TileMeshLayout layout)
     {
-        int edges = layout.HasWall ? Skirt.Edges(layout) : 0;
+        int edges = layout.HasSkirt ? Skirt.Edges(layout) : 0;
         return (layout.VertexCount + edges, layout.FaceCount + (2 * edges));
     }
 
-    /// <summary>The lattice point nearest to the part's middle on the sphere of the reference radius; the heights play no part in it.</summary>
+    /// <summary>
+    /// The lattice point nearest to the part's middle on the sphere of the reference radius; the heights play no part in it.
+    /// </summary>
     public static LatticePoint OriginOf(SurfacePart part)
     {
         int halves = 2 * part.Subdivisions; // the middles of parts are odd multiples of half a part

@@ -10,29 +10,21 @@ namespace Msisf.Core.Tiles;
 /// <remarks>Each vertex depends on its sample alone, so tiles meet bit for bit. All steps are in docs/pattern-format.md.</remarks>
 public sealed class TileMeshBuilder
 {
-    private static readonly SineCosine NorthPole = SineCosine.OfDegrees(90, 1);
-    private static readonly SineCosine SouthPole = SineCosine.OfDegrees(-90, 1);
-    private static readonly SineCosine ZeroDegrees = SineCosine.OfDegrees(0, 1);
-
-    private readonly IElevationGrid _grid;
+    private readonly FacetMesh _mesh;
     private readonly GridDirections _directions;
-    private readonly Lazy<double> _northPoleRadius;
-    private readonly Lazy<double> _southPoleRadius;
 
     /// <summary>Prepares the directions of the grid's samples.</summary>
     /// <param name="grid">The whole Moon.</param>
     public TileMeshBuilder(IElevationGrid grid)
     {
-        _grid = grid;
+        _mesh = new FacetMesh(grid);
         _directions = new GridDirections(grid.PixelsPerDegree);
-        _northPoleRadius = new Lazy<double>(() => FacetMesh.MeanRadius(grid, 0));
-        _southPoleRadius = new Lazy<double>(() => FacetMesh.MeanRadius(grid, (180 * grid.PixelsPerDegree) - 1));
     }
 
-    /// <summary>m: where the walls of parts end (<see cref="TileMeshLayout.HasWall"/>), below all ground.</summary>
-    public double WallFootRadius => _grid.RadiusLimits.Min - Skirt.DepthBelowLowest;
+    /// <summary>m: where the skirts of parts end (<see cref="TileMeshLayout.HasSkirt"/>), below all ground.</summary>
+    public double SkirtFootRadius => _mesh.Grid.RadiusLimits.Min - Skirt.DepthBelowLowest;
 
-    /// <summary>The radius of each vertex, in vertex order, without those of a wall's foot.</summary>
+    /// <summary>The radius of each vertex, in vertex order, without those of the skirt's foot.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
     /// <returns>m.</returns>
     /// <exception cref="BadInputException">The grid can't give a sample, or gives one that is no radius of the Moon.</exception>
@@ -43,17 +35,17 @@ public sealed class TileMeshBuilder
         for (int row = 0; row < layout.Lines; row++)
         {
             Span<double> line = radii.AsSpan(firstRow + (row * layout.Samples), layout.Samples);
-            _grid.ReadRadii(layout.FirstLine + row, layout.FirstSample, line);
+            _mesh.ReadRadii(layout.FirstLine + row, layout.FirstSample, line);
         }
 
         if (layout.HasNorthPole)
         {
-            radii[0] = _northPoleRadius.Value;
+            radii[0] = _mesh.NorthPoleRadius;
         }
 
         if (layout.HasSouthPole)
         {
-            radii[^1] = _southPoleRadius.Value;
+            radii[^1] = _mesh.SouthPoleRadius;
         }
 
         return radii;
@@ -62,10 +54,12 @@ public sealed class TileMeshBuilder
     /// <summary>The mesh of a tile or part.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
     /// <param name="radii">What <see cref="ReadRadii"/> gave for it.</param>
-    /// <exception cref="BadInputException">A radius is too far from the reference radius for the mesh's lattice (more than about 20 km).</exception>
+    /// <exception cref="BadInputException">
+    /// A radius is too far from the reference radius for the mesh's lattice (more than about 20 km).
+    /// </exception>
     public TileMesh Build(TileMeshLayout layout, double[] radii)
     {
-        int[] border = layout.HasWall ? Skirt.Border(layout) : [];
+        int[] border = layout.HasSkirt ? Skirt.Border(layout) : [];
         int[] offsets = new int[3 * (radii.Length + border.Length)];
         LatticePoint origin = TileMesh.OriginOf(layout.Part);
         SineCosine[] longitudes = new SineCosine[layout.Samples];
@@ -74,59 +68,36 @@ public sealed class TileMeshBuilder
             longitudes[column] = _directions.Longitude(SampleOf(layout, column));
         }
 
-        int vertex = 0;
-        if (layout.HasNorthPole)
+        for (int vertex = 0; vertex < radii.Length; vertex++)
         {
-            Place(offsets, vertex, layout, radii[vertex], origin, NorthPole, ZeroDegrees);
-            vertex++;
+            Place(offsets, vertex, layout, radii[vertex], origin, DirectionOf(layout, vertex, longitudes));
         }
 
-        for (int row = 0; row < layout.Lines; row++)
+        for (int foot = 0; foot < border.Length; foot++)
         {
-            SineCosine latitude = _directions.Latitude(layout.FirstLine + row);
-            for (int column = 0; column < layout.Samples; column++)
-            {
-                Place(offsets, vertex, layout, radii[vertex], origin, latitude, longitudes[column]);
-                vertex++;
-            }
+            Place(offsets, radii.Length + foot, layout, SkirtFootRadius, origin, DirectionOf(layout, border[foot], longitudes));
         }
 
-        if (layout.HasSouthPole)
-        {
-            Place(offsets, vertex, layout, radii[vertex], origin, SouthPole, ZeroDegrees);
-            vertex++;
-        }
-
-        foreach (int top in border)
-        {
-            (SineCosine latitude, SineCosine longitude) = DirectionOf(layout, top, longitudes);
-            Place(offsets, vertex++, layout, WallFootRadius, origin, latitude, longitude);
-        }
-
-        return new TileMesh(layout, radii, offsets, [.. layout.CreateFaces(), .. Skirt.Faces(border, radii.Length)], WallFootRadius);
+        return new TileMesh(layout, radii, offsets, [.. layout.CreateFaces(), .. Skirt.Faces(border, radii.Length)], SkirtFootRadius);
     }
 
     private (SineCosine Latitude, SineCosine Longitude) DirectionOf(TileMeshLayout layout, int vertex, SineCosine[] longitudes)
     {
         int firstRow = layout.HasNorthPole ? 1 : 0;
-        if (vertex < firstRow)
-        {
-            return (NorthPole, ZeroDegrees);
-        }
-
-        (int row, int column) = int.DivRem(vertex - firstRow, layout.Samples);
-        return row == layout.Lines ? (SouthPole, ZeroDegrees) : (_directions.Latitude(layout.FirstLine + row), longitudes[column]);
+        (int row, int column) = vertex < firstRow ? (-1, 0) : int.DivRem(vertex - firstRow, layout.Samples);
+        return (_directions.Latitude(layout.FirstLine + row), longitudes[column]);
     }
 
     private static void Place(
-        int[] offsets, int vertex, TileMeshLayout layout, double radius, LatticePoint origin, SineCosine latitude, SineCosine longitude)
+        int[] offsets, int vertex, TileMeshLayout layout, double radius, LatticePoint origin,
+        (SineCosine Latitude, SineCosine Longitude) direction)
     {
         if (!(radius > 0.0 && radius < LatticePoint.RadiusLimit))
         {
             throw OutOfReach(layout, vertex, radius);
         }
 
-        LatticePoint point = LatticePoint.Nearest(radius, latitude, longitude);
+        LatticePoint point = LatticePoint.Nearest(radius, direction.Latitude, direction.Longitude);
         int x = point.X - origin.X;
         int y = point.Y - origin.Y;
         int z = point.Z - origin.Z;
@@ -147,7 +118,8 @@ public sealed class TileMeshBuilder
         int sample = SampleOf(layout, sampleVertex % layout.Samples);
         return new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"The elevation model has the radius {radius:R} m at line {line + 1}, sample {sample + 1}; a surface within about 20 km of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
+            $"The elevation model has the radius {radius:R} m at line {line + 1}, sample {sample + 1}; "
+                + $"a surface within about 20 km of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
     }
 
     private static int SampleOf(TileMeshLayout layout, int column) => (layout.FirstSample + column) % (360 * layout.PixelsPerDegree);

@@ -1,10 +1,10 @@
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// Which samples the mesh of a tile or a part of it joins and in which order; <c>default</c> means nothing: use <see cref="For(TileId, int, int)"/>.
-/// Vertices: the north pole, if the mesh reaches it; then the samples line by line from the north, each from the west; then
-/// the south pole. A cell of four samples belongs to the tile (and the part) that holds its north-west sample, so each cell of the Moon
-/// belongs to exactly one tile.
+/// Which samples the mesh of a tile or a part of it joins and in which order; <c>default</c> means nothing: use
+/// <see cref="For(TileId, int, int)"/>. Vertices: the north pole, if the mesh reaches it; then the samples line by line from the north,
+/// each from the west; then the south pole. A cell of four samples belongs to the tile (and the part) that holds its north-west sample, so
+/// each cell of the Moon belongs to exactly one tile.
 /// </summary>
 /// <param name="Part">The tile or part.</param>
 /// <param name="PixelsPerDegree">Resolution of the grid.</param>
@@ -23,10 +23,10 @@ public readonly record struct TileMeshLayout(
     public bool HasSouthPole => FirstLine + Lines == 180 * PixelsPerDegree;
 
     /// <summary>
-    /// Parts of coarser levels have a wall around them that goes down below the lowest ground of the Moon: where levels meet their surfaces differ, and no
-    /// ray can pass between.
+    /// Parts of coarser levels have a skirt that goes down below the lowest ground of the Moon: where levels meet their surfaces differ,
+    /// and no ray can pass between.
     /// </summary>
-    public bool HasWall => Part.Level > 0;
+    public bool HasSkirt => Part.Level > 0;
 
     /// <summary>Vertices of samples and poles.</summary>
     public int VertexCount => (Lines * Samples) + (HasNorthPole ? 1 : 0) + (HasSouthPole ? 1 : 0);
@@ -47,8 +47,9 @@ public readonly record struct TileMeshLayout(
     }
 
     /// <summary>
-    /// The layout of a part. The cells of a coarser level lie half a cell farther to the south and east than the tile's borders: such a part has a ring of
-    /// cells more in the north and west, so that it covers at least what the parts of any other level in its place cover.
+    /// The layout of a part. The cells of a coarser level lie half a cell farther to the south and east than the tile's borders: such a
+    /// part has a ring of cells more in the north and west, so that it covers at least what the parts of any other level in its place
+    /// cover.
     /// </summary>
     /// <param name="part">The part.</param>
     /// <param name="modelPixelsPerDegree">Samples a degree of the model itself, level 0.</param>
@@ -97,7 +98,9 @@ public readonly record struct TileMeshLayout(
         return faces;
     }
 
-    /// <summary>The part's cells with some rings of cells before them (north and west) and after them; rings beyond a pole are left out.</summary>
+    /// <summary>
+    /// The part's cells with some rings of cells before them (north and west) and after them; rings beyond a pole are left out.
+    /// </summary>
     private static TileMeshLayout Around(SurfacePart part, int pixelsPerDegree, int marginSamples, int ringsBefore, int ringsAfter)
     {
         int cells = TileId.SizeDegrees * pixelsPerDegree / part.Subdivisions;

@@ -21,7 +21,9 @@ public sealed class TimeInterval : IReadOnlyList<ModifiedJulianDate>
     /// <param name="start">First time.</param>
     /// <param name="stepDays">Days from one time to the next; negative counts down.</param>
     /// <param name="end">Bound of the last time.</param>
-    /// <exception cref="BadInputException">The step is zero, not finite, or too small for an MJD, or there are more than <see cref="MaxTimes"/> times.</exception>
+    /// <exception cref="BadInputException">
+    /// The step is zero, not finite, or too small for an MJD, or there are more than <see cref="MaxTimes"/> times.
+    /// </exception>
     public TimeInterval(ModifiedJulianDate start, double stepDays, ModifiedJulianDate end)
     {
         if (Guard.Finite(stepDays, "The step of the time interval (days)") == 0.0)
@@ -83,16 +85,20 @@ public sealed class TimeInterval : IReadOnlyList<ModifiedJulianDate>
 
         if (Math.Abs(step) < spacing)
         {
-            throw Refused($"The step of the time interval, {step:R} days, is below what an MJD of {largest:R} can hold, {spacing:R} days: two times would be the same. Give a larger step.");
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"The step of the time interval, {step:R} days, is below what an MJD of {largest:R} can hold, {spacing:R} days: "
+                    + $"two times would be the same. Give a larger step."));
         }
 
         if (last >= MaxTimes)
         {
-            throw Refused($"The time interval [{start:R}:{step:R}:{end:R}] has {Math.Floor(last) + 1.0:R} times, at most {MaxTimes} can be asked for. Check the step, which is in days.");
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"The time interval [{start:R}:{step:R}:{end:R}] has {Math.Floor(last) + 1.0:R} times, "
+                    + $"at most {MaxTimes} can be asked for. Check the step, which is in days."));
         }
 
         return (int)last + 1;
     }
-
-    private static BadInputException Refused(FormattableString message) => new(message.ToString(CultureInfo.InvariantCulture));
 }

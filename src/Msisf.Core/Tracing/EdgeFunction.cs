@@ -7,8 +7,8 @@ namespace Msisf.Core.Tracing;
 /// around a vertex leave no gap.
 /// </summary>
 /// <remarks>
-/// The volume det(direction, b - origin, a - origin), twice, as direction . ((b - a) x (a + b - 2 origin)): b - a is exact for points of the
-/// lattice, and swapping a and b turns the sign of each step exactly, as in Embree's robust triangle test (see T. Davidovic et al., "3D
+/// The volume det(direction, b - origin, a - origin), twice, as direction . ((b - a) x (a + b - 2 origin)): b - a is exact for points of
+/// the lattice, and swapping a and b turns the sign of each step exactly, as in Embree's robust triangle test (see T. Davidovic et al., "3D
 /// rasterization: a bridge between rasterization and ray casting", Graphics Interface 2012). Where rounding could turn
 /// the sign it is computed again in <see cref="DoubleDouble"/>.
 /// </remarks>

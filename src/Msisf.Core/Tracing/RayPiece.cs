@@ -1,6 +1,8 @@
 namespace Msisf.Core.Tracing;
 
-/// <summary>A part of a ray, in m along it from its nearest approach to the Moon's centre; empty if <see cref="Near"/> is beyond <see cref="Far"/>.</summary>
+/// <summary>
+/// A part of a ray, in m along it from its nearest approach to the Moon's centre; empty if <see cref="Near"/> is beyond <see cref="Far"/>.
+/// </summary>
 /// <param name="Near">m.</param>
 /// <param name="Far">m.</param>
 internal readonly record struct RayPiece(double Near, double Far)

@@ -7,8 +7,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Tracing;
 
 /// <summary>
-/// One ray on its way through the surface: down a tree of blocks of cells, nearest first, to the facets through which it enters the
-/// ground. Pieces of the ray, in m from its nearest approach to the Moon's centre, only say where to look; what is hit is decided on
+/// One ray on its way through the surface: down to ever smaller rectangles of cells, nearest first, to the facets through which it enters
+/// the ground. Pieces of the ray, in m from its nearest approach to the Moon's centre, only say where to look; what is hit is decided on
 /// <see cref="_near"/>.
 /// </summary>
 internal ref struct RayWalk
@@ -16,13 +16,12 @@ internal ref struct RayWalk
     /// <summary>m: all of the surface is nearer to the Moon's centre.</summary>
     private const double Top = MoonConstants.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
 
-    private readonly LatticeMesh _mesh;
-    private readonly SurfaceBounds _bounds;
+    private readonly SurfaceModel _surface;
     private readonly bool _stopsAtAnyHit;
     private readonly Ray _near;
     private readonly double _offset;
     private readonly EdgeFunction _edge;
-    private readonly BlockBorders _borders;
+    private readonly CellWedge _wedge;
     private readonly double _length;
     private readonly double _startParameter;
     private readonly Vector3D _start;
@@ -34,15 +33,13 @@ internal ref struct RayWalk
     private double _farthest;
 
     /// <summary>Prepares a walk.</summary>
-    /// <param name="mesh">The surface.</param>
-    /// <param name="bounds">Its bounds.</param>
+    /// <param name="surface">The surface.</param>
     /// <param name="ray">MOON_ME; finite, and not without direction.</param>
     /// <param name="endParameter">Hits from this parameter on don't count.</param>
     /// <param name="stopsAtAnyHit">Whether any hit will do, or the first is wanted.</param>
-    public RayWalk(LatticeMesh mesh, SurfaceBounds bounds, Ray ray, double endParameter, bool stopsAtAnyHit)
+    public RayWalk(SurfaceModel surface, Ray ray, double endParameter, bool stopsAtAnyHit)
     {
-        _mesh = mesh;
-        _bounds = bounds;
+        _surface = surface;
         _stopsAtAnyHit = stopsAtAnyHit;
         (_near, _offset) = ShiftedRay.From(ray, Top);
         _length = ray.Direction.Length;
@@ -52,8 +49,8 @@ internal ref struct RayWalk
         _startSquared = _start.LengthSquared;
         _startRise = Vector3D.Dot(_start, direction);
         _edge = new EdgeFunction(_near.Origin, ray.Direction);
-        _borders = new BlockBorders(mesh, _start, direction);
-        _sagitta = MeshBounds.SagittaFactor(mesh.PixelsPerDegree);
+        _wedge = new CellWedge(surface, _start, direction);
+        _sagitta = MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree);
         _bottom = _sagitta * (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief - 1.0);
         _parameter = endParameter - _offset;
         _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
@@ -88,7 +85,7 @@ internal ref struct RayWalk
                 piece = piece with { Far = Math.Min(piece.Far, -HalfChord(_bottom, distance)) };
             }
 
-            VisitIfMet(new CellRectangle(0, 0, _mesh.Lines + 1, _mesh.Samples), piece, kind: 0);
+            VisitIfMet(new CellRange(-1, _surface.Mesh.Lines, 0, _surface.Mesh.Samples), piece, level: SquareLayout.GroupLevel);
         }
     }
 
@@ -98,44 +95,48 @@ internal ref struct RayWalk
     /// <summary>Where a parameter of the shifted ray lies on the scale of the pieces.</summary>
     private readonly double PlaceOf(double parameter) => (parameter * _length) - _startParameter;
 
-    private void VisitIfMet(CellRectangle block, RayPiece piece, int kind)
+    private void VisitIfMet(CellRange cells, RayPiece piece, int level)
     {
         if (!piece.IsEmpty && piece.Near <= _farthest && !IsOver)
         {
-            Visit(block, piece with { Far = Math.Min(piece.Far, _farthest) }, kind);
+            Visit(cells, piece with { Far = Math.Min(piece.Far, _farthest) }, level);
         }
     }
 
-    /// <summary>Looks into a block, of which the bounds of the kinds before <paramref name="kind"/> have been looked at.</summary>
-    private void Visit(CellRectangle block, RayPiece piece, int kind)
+    /// <summary>
+    /// Looks into a rectangle of cells, of which the bounds of the levels above <paramref name="level"/> have been looked at.
+    /// </summary>
+    private void Visit(CellRange cells, RayPiece piece, int level)
     {
-        for (; kind < SurfaceBounds.Sides.Length && block.Size <= SurfaceBounds.Sides[kind]; kind++)
+        int size = Math.Max(cells.Lines, cells.Samples);
+        for (; level >= SquareLayout.PatchLevel && size <= SquareLayout.Side(level); level--)
         {
-            RadiusRange range = _bounds.Of(kind, block.Row, block.Column);
-            if (!MayMeet(piece, range.Min, range.Max))
+            int shift = SquareLayout.SideShift(level);
+            NodeBounds bounds = _surface.Bounds.Of(level, (cells.FirstLine + 1) >> shift, cells.FirstSample >> shift);
+            if (!MayMeet(piece, bounds.Min, bounds.Max))
             {
                 return;
             }
         }
 
-        if (block.Size == 1)
+        if (size == 1)
         {
-            VisitCell(block.Row - 1, block.Column, piece);
+            VisitCell(cells.FirstLine, cells.FirstSample, piece);
             return;
         }
 
-        bool cutsAlongMeridian = block.Columns >= block.Rows || block.Columns > BlockBorders.WidestDegrees * _mesh.PixelsPerDegree;
-        (CellRectangle first, CellRectangle second) = cutsAlongMeridian ? block.CutAlongMeridian() : block.CutAlongParallel();
-        RayPiece firstPiece = cutsAlongMeridian ? _borders.CutAtMeridians(first, piece) : _borders.CutAtParallels(first, piece);
-        RayPiece secondPiece = cutsAlongMeridian ? _borders.CutAtMeridians(second, piece) : _borders.CutAtParallels(second, piece);
+        bool cutsAlongMeridian = cells.Samples >= cells.Lines || cells.Samples > CellWedge.WidestDegrees * _surface.Grid.PixelsPerDegree;
+        (CellRange first, CellRange second) = cutsAlongMeridian ? cells.CutAlongMeridian() : cells.CutAlongParallel();
+        RayPiece firstPiece = cutsAlongMeridian ? _wedge.CutAtMeridians(first, piece) : _wedge.CutAtParallels(first, piece);
+        RayPiece secondPiece = cutsAlongMeridian ? _wedge.CutAtMeridians(second, piece) : _wedge.CutAtParallels(second, piece);
         if (secondPiece.Near < firstPiece.Near)
         {
             (first, second) = (second, first);
             (firstPiece, secondPiece) = (secondPiece, firstPiece);
         }
 
-        VisitIfMet(first, firstPiece, kind);
-        VisitIfMet(second, secondPiece, kind);
+        VisitIfMet(first, firstPiece, level);
+        VisitIfMet(second, secondPiece, level);
     }
 
     /// <summary>Whether a piece is anywhere as high as facets whose vertices have such radii.</summary>
@@ -152,8 +153,7 @@ internal ref struct RayWalk
     private void VisitCell(int line, int sample, RayPiece piece)
     {
         Span<double> radii = stackalloc double[4];
-        _mesh.ReadRadii(line, sample, radii[..2]);
-        _mesh.ReadRadii(line + 1, sample, radii[2..]);
+        _surface.ReadCorners(line, sample, radii);
         double min = Math.Min(Math.Min(radii[0], radii[1]), Math.Min(radii[2], radii[3]));
         double max = Math.Max(Math.Max(radii[0], radii[1]), Math.Max(radii[2], radii[3]));
         if (!MayMeet(piece, min, max))
@@ -161,9 +161,9 @@ internal ref struct RayWalk
             return;
         }
 
-        CellCorners corners = _mesh.Corners(line, sample, radii);
+        CellCorners corners = _surface.Corners(line, sample, radii);
         double diagonal = _edge.Of(corners.NorthWest, corners.SouthEast);
-        if (diagonal <= 0.0 && line < _mesh.Lines - 1)
+        if (diagonal <= 0.0 && line < _surface.Mesh.Lines - 1)
         {
             TryFacet(new FacetId(line, sample, FacetHalf.SouthWest), corners, -diagonal);
         }

@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -15,8 +14,16 @@ public sealed class ReferenceSphere : ISurface
 
     /// <summary>Makes a sphere.</summary>
     /// <param name="radius">m, above 0.</param>
-    /// <exception cref="BadInputException">The radius is not finite or not above 0.</exception>
-    public ReferenceSphere(double radius) => _radius = Guard.Positive(radius, "The sphere's radius (m)");
+    /// <exception cref="ArgumentOutOfRangeException">The radius is not finite or not above 0.</exception>
+    public ReferenceSphere(double radius)
+    {
+        if (!(radius > 0.0 && double.IsFinite(radius)))
+        {
+            throw new ArgumentOutOfRangeException(nameof(radius), radius, "A sphere's radius is finite and above 0 m.");
+        }
+
+        _radius = radius;
+    }
 
     /// <summary>The sphere that the heights of the elevation model are over (docs/deviations.md, row 8).</summary>
     public static ReferenceSphere Lola { get; } = new(MoonConstants.ReferenceRadius);

@@ -16,19 +16,15 @@ namespace Msisf.Core.Tracing;
 /// </remarks>
 public sealed class TerrainTracer : ISurface, ITerrainTracer
 {
-    private readonly LatticeMesh _mesh;
-    private readonly SurfaceBounds _bounds;
+    private readonly SurfaceModel _surface;
 
-    /// <summary>Takes the model; reads its first and last line for the poles.</summary>
+    /// <summary>Takes the model; reads nothing of it yet.</summary>
     /// <param name="grid">The whole Moon.</param>
-    public TerrainTracer(IElevationGrid grid)
-    {
-        _mesh = new LatticeMesh(grid);
-        _bounds = new SurfaceBounds(grid, _mesh);
-    }
+    public TerrainTracer(IElevationGrid grid) => _surface = new SurfaceModel(grid);
 
     /// <inheritdoc/>
-    /// <exception cref="BadInputException">The ray is not finite or has no direction; the model has a radius that is none of the Moon.</exception>
+    /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
+    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
     public bool TryFirstHit(Ray ray, out Vector3D pointMoonMe)
     {
         bool isHit = TryTrace(ray, out SurfaceHit hit);
@@ -40,11 +36,12 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     /// <param name="ray">MOON_ME, from a point that is not inside the Moon; on the ground is allowed.</param>
     /// <param name="hit">The point, with the facet's normal; <c>default</c> if there is none.</param>
     /// <returns>Whether there is one.</returns>
-    /// <exception cref="BadInputException">The ray is not finite or has no direction; the model has a radius that is none of the Moon.</exception>
+    /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
+    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
     public bool TryTrace(Ray ray, out SurfaceHit hit)
     {
         RequireRay(ray);
-        RayWalk walk = new(_mesh, _bounds, ray, double.PositiveInfinity, stopsAtAnyHit: false);
+        RayWalk walk = new(_surface, ray, double.PositiveInfinity, stopsAtAnyHit: false);
         walk.Run();
         hit = walk.Facet is FacetId facet
             ? new SurfaceHit(walk.Point, walk.Normal.Normalized(), facet, walk.Parameter)
@@ -56,20 +53,21 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     /// <param name="pointMoonMe">m, MOON_ME, on the facet.</param>
     /// <param name="facet">The facet on which the point lies.</param>
     /// <param name="lightMoonMe">The Sun or another point of light outside the Moon, m, MOON_ME.</param>
-    /// <exception cref="BadInputException">Point or light is not finite, or they are the same; the model has a radius that is none of the Moon.</exception>
+    /// <exception cref="ArgumentException">Point or light is not finite, or they are the same.</exception>
+    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The model has no such facet.</exception>
     public bool IsHidden(Vector3D pointMoonMe, FacetId facet, Vector3D lightMoonMe)
     {
         Ray ray = new(pointMoonMe, lightMoonMe - pointMoonMe);
         RequireRay(ray);
         RequireFacet(facet);
-        Vector3D normal = _mesh.Corners(facet.Line, facet.Sample).NormalOf(facet.Half);
+        Vector3D normal = _surface.Corners(facet.Line, facet.Sample).NormalOf(facet.Half);
         if (!(Vector3D.Dot(normal, ray.Direction) > 0.0))
         {
             return true;
         }
 
-        RayWalk walk = new(_mesh, _bounds, ray, endParameter: 1.0, stopsAtAnyHit: true);
+        RayWalk walk = new(_surface, ray, endParameter: 1.0, stopsAtAnyHit: true);
         walk.Run();
         return walk.Facet is not null;
     }
@@ -78,15 +76,15 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     {
         if (!(ray.Origin.IsFinite && ray.Direction.IsFinite && ray.Direction.LengthSquared > 0.0))
         {
-            throw new BadInputException($"The ray from {ray.Origin} along {ray.Direction} is not finite or has no direction.");
+            throw new ArgumentException($"The ray from {ray.Origin} along {ray.Direction} is not finite or has no direction.", nameof(ray));
         }
     }
 
     private void RequireFacet(FacetId facet)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(facet.Line, -1, nameof(facet));
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Line, _mesh.Lines, nameof(facet));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Line, _surface.Mesh.Lines, nameof(facet));
         ArgumentOutOfRangeException.ThrowIfNegative(facet.Sample, nameof(facet));
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Sample, _mesh.Samples, nameof(facet));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Sample, _surface.Mesh.Samples, nameof(facet));
     }
 }

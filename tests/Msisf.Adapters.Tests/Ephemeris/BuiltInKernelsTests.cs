@@ -19,7 +19,8 @@ public sealed class BuiltInKernelsTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    // tests/reference/ephemeris.py, CSPICE N0067. utc2et_c may round a time to the neighbouring double, which turns the Sun by 1.3e-12 in 1900.
+    // tests/reference/ephemeris.py, CSPICE N0067. utc2et_c may round a time to the neighbouring double, which turns the Sun by 1.3e-12 in
+    // 1900.
     [Theory]
     [InlineData(55289.0, 1.074955473280883E+11, -1.042430734878975E+11, 4.036164305561261E+09)]
     [InlineData(15020.0, -1.465028045921120E+11, -8.047417975708220E+09, 1.317699260302871E+09)]
@@ -34,7 +35,8 @@ public sealed class BuiltInKernelsTests : IDisposable
         Assert.InRange((sun - new Vector3D(x, y, z)).Length / sun.Length, 0.0, mjd == 55289.0 ? 1e-15 : 2e-12);
     }
 
-    // tests/reference/sun_aberration.py: a reader of its own, 40 digits. TDB as a double is rounded by up to 0.24 microseconds in 1900, 0.1 m of the Sun's way.
+    // tests/reference/sun_aberration.py: a reader of its own, 40 digits. TDB as a double is rounded by up to 0.24 microseconds in 1900, 0.1
+    // m of the Sun's way.
     [Theory]
     [InlineData(55289.0, Aberration.None, 107495547328.10955, -104243073487.87562, 4036164305.5612552)]
     [InlineData(55289.0, Aberration.LightTime, 107495552584.33277, -104243072240.34128, 4036164348.1696652)]
@@ -124,7 +126,8 @@ public sealed class BuiltInKernelsTests : IDisposable
     [Fact]
     public void SunPositionMoonMe_EndOfTheLastRecord_IsHeld()
     {
-        byte[] spk = new DafBuilder("DAF/SPK").AddSpk(10, 0, -Day, 2.0 * Day, 2, [100.0, 200.0, 300.0]).AddSpk(301, 0, -Day, 2.0 * Day, 2, [0.0, 0.0, 0.0]).ToArray();
+        byte[] spk = new DafBuilder("DAF/SPK").AddSpk(
+            10, 0, -Day, 2.0 * Day, 2, [100.0, 200.0, 300.0]).AddSpk(301, 0, -Day, 2.0 * Day, 2, [0.0, 0.0, 0.0]).ToArray();
         using BuiltInKernels kernels = Open(spk, bigEndian: false);
 
         Assert.Equal(new Vector3D(100_000.0, 200_000.0, 300_000.0), kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51545.5)));
@@ -133,7 +136,10 @@ public sealed class BuiltInKernelsTests : IDisposable
     [Fact]
     public void SunPositionMoonMe_TwoKernelsHoldTheSun_TheLaterWins()
     {
-        string early = _folder.Write("early.bsp", new DafBuilder("DAF/SPK").AddSpk(10, 0, -Day, 2.0 * Day, 2, [1.0, 1.0, 1.0]).AddSpk(301, 0, -Day, 2.0 * Day, 2, [0.0, 0.0, 0.0]).ToArray());
+        string early = _folder.Write(
+            "early.bsp",
+            new DafBuilder("DAF/SPK").AddSpk(10, 0, -Day, 2.0 * Day, 2, [1.0, 1.0, 1.0]).AddSpk(
+                301, 0, -Day, 2.0 * Day, 2, [0.0, 0.0, 0.0]).ToArray());
         string late = _folder.Write("late.bsp", new DafBuilder("DAF/SPK").AddSpk(10, 0, -Day, 2.0 * Day, 2, [2.0, 2.0, 2.0]).ToArray());
         using BuiltInKernels lateWins = new([.. Frames(bigEndian: false), early, late]);
         using BuiltInKernels earlyWins = new([.. Frames(bigEndian: false), late, early]);
@@ -163,7 +169,8 @@ public sealed class BuiltInKernelsTests : IDisposable
     [InlineData(double.NaN, 8.0, "does not fit its size")]
     public void Open_DirectoryContradictsSize_IsDamaged(double recordSeconds, double size, string expected)
     {
-        byte[] spk = new DafBuilder("DAF/SPK").AddRaw(0.0, 2.0, [10, 0, 1, 2], [1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, recordSeconds, size, 1.0]).ToArray();
+        byte[] spk = new DafBuilder("DAF/SPK").AddRaw(
+            0.0, 2.0, [10, 0, 1, 2], [1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, recordSeconds, size, 1.0]).ToArray();
 
         Assert.Contains(expected, Assert.Throws<BadInputException>(() => Open(spk, bigEndian: false)).Message, StringComparison.Ordinal);
     }
@@ -177,7 +184,8 @@ public sealed class BuiltInKernelsTests : IDisposable
             .AddRaw(-Day, Day, [10, 0, 1, 2], [0.0, halfLength, coefficient, 0.0, 0.0, -Day, 2.0 * Day, 5.0, 1.0]).ToArray();
         using BuiltInKernels kernels = Open(spk, bigEndian: false);
 
-        BadInputException failure = Assert.Throws<BadInputException>(() => kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5)));
+        BadInputException failure = Assert.Throws<BadInputException>(
+            () => kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5)));
 
         Assert.Contains(expected, failure.Message, StringComparison.Ordinal);
         Assert.Contains("body 10", failure.Message, StringComparison.Ordinal);
@@ -234,9 +242,15 @@ public sealed class BuiltInKernelsTests : IDisposable
     /// <summary>A scale without offset, MOON_ME = PA, and a PCK that turns nothing (its angles are 0 at a record's middle).</summary>
     private string[] Frames(bool bigEndian) =>
     [
-        _folder.Write("flat.tls", "KPL/LSK\n\\begindata\nDELTET/DELTA_T_A = 0\nDELTET/K = 0\nDELTET/EB = 0\nDELTET/M = ( 0 0 )\nDELTET/DELTA_AT = ( 0, @1000-JAN-1 )\n"),
+        _folder.Write(
+            "flat.tls",
+            "KPL/LSK\n\\begindata\nDELTET/DELTA_T_A = 0\nDELTET/K = 0\nDELTET/EB = 0\nDELTET/M = ( 0 0 )\nDELTET/DELTA_AT = ( 0, "
+                + "@1000-JAN-1 )\n"),
         _folder.Write("flat.tf", "KPL/FK\n\\begindata\nFRAME_MOON_ME = 7\nFRAME_7_CLASS = 2\nFRAME_7_CLASS_ID = 31006\n"),
-        _folder.Write("flat.bpc", new DafBuilder("DAF/PCK", bigEndian).AddRaw(-9.0 * Day, 9.0 * Day, [31006, 1, 2], [0.0, 9.0 * Day, 0.0, 0.0, 0.0, -9.0 * Day, 18.0 * Day, 5.0, 1.0]).ToArray()),
+        _folder.Write(
+            "flat.bpc",
+            new DafBuilder("DAF/PCK", bigEndian).AddRaw(
+                -9.0 * Day, 9.0 * Day, [31006, 1, 2], [0.0, 9.0 * Day, 0.0, 0.0, 0.0, -9.0 * Day, 18.0 * Day, 5.0, 1.0]).ToArray()),
     ];
 
     private BuiltInKernels Open(byte[] spk, bool bigEndian) => new([.. Frames(bigEndian), _folder.Write("sample.bsp", spk)]);

@@ -15,7 +15,8 @@ public class DafFileTests
     [InlineData(true)]
     public void Open_EitherByteOrder_GivesSummariesAndData(bool bigEndian)
     {
-        byte[] bytes = new DafBuilder("DAF/SPK", bigEndian).AddRaw(-5.0, 7.0, [10, 0, 1, 2], [1.5, -2.5]).AddRaw(0.0, 1.0, [301, 3, 1, 2], [8.0]).ToArray();
+        byte[] bytes = new DafBuilder("DAF/SPK", bigEndian).AddRaw(
+            -5.0, 7.0, [10, 0, 1, 2], [1.5, -2.5]).AddRaw(0.0, 1.0, [301, 3, 1, 2], [8.0]).ToArray();
         using DafFile file = Open(bytes);
         double[] data = new double[2];
 
@@ -31,10 +32,12 @@ public class DafFileTests
     public void Open_TooShort_SaysHowLong() => AssertFails(new byte[100], "100 bytes are too few");
 
     [Fact]
-    public void Open_OtherIdWord_NamesIt() => AssertFails(Change(bytes => Encoding.ASCII.GetBytes("DAF/CK  ").CopyTo(bytes, 0)), "begins with \"DAF/CK\"");
+    public void Open_OtherIdWord_NamesIt() =>
+        AssertFails(Change(bytes => Encoding.ASCII.GetBytes("DAF/CK  ").CopyTo(bytes, 0)), "begins with \"DAF/CK\"");
 
     [Fact]
-    public void Open_OtherNumberFormat_NamesIt() => AssertFails(Change(bytes => Encoding.ASCII.GetBytes("VAX-GFLT").CopyTo(bytes, 88)), "VAX-GFLT");
+    public void Open_OtherNumberFormat_NamesIt() =>
+        AssertFails(Change(bytes => Encoding.ASCII.GetBytes("VAX-GFLT").CopyTo(bytes, 88)), "VAX-GFLT");
 
     [Fact]
     public void Open_OtherSummaryFormat_IsDamaged() => AssertFails(Change(bytes => bytes[12] = 9), "2 doubles and 9 integers");

@@ -16,7 +16,8 @@ public sealed class EphemerisFactoryTests : IDisposable
     [Fact]
     public void Open_BuiltIn_SaysSo()
     {
-        using OpenedEphemeris opened = EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.BuiltIn, Kernels, _folder.Path, CSpicePath: null));
+        using OpenedEphemeris opened = EphemerisFactory.Open(
+            new EphemerisRequest(EphemerisChoice.BuiltIn, Kernels, _folder.Path, CSpicePath: null));
 
         Assert.Equal("Ephemeris: built-in kernel reader, as asked for.", opened.Notice);
         Assert.Equal("built-in kernel reader", opened.Engine.EngineName);
@@ -55,7 +56,8 @@ public sealed class EphemerisFactoryTests : IDisposable
         ExternalPartException failure = Assert.Throws<ExternalPartException>(() =>
             EphemerisFactory.Open(new EphemerisRequest(EphemerisChoice.CSpice, Kernels, _folder.Path, text)));
 
-        Assert.StartsWith($"CSPICE's library could not be loaded; looked at {text} (file too short). ", failure.Message, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"CSPICE's library could not be loaded; looked at {text} (file too short). ", failure.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -87,7 +89,8 @@ public sealed class EphemerisFactoryTests : IDisposable
     [Fact]
     public void Open_KernelMissing_IsAnErrorForEachChoice() => Assert.All(
         Enum.GetValues<EphemerisChoice>(),
-        choice => Assert.Throws<BadInputException>(() => EphemerisFactory.Open(new EphemerisRequest(choice, ["none.tm"], _folder.Path, CSpicePath: null))));
+        choice => Assert.Throws<BadInputException>(
+            () => EphemerisFactory.Open(new EphemerisRequest(choice, ["none.tm"], _folder.Path, CSpicePath: null))));
 
     /// <summary>The C library's mathematics, which every glibc process has loaded from a file.</summary>
     private static string SystemMathLibrary() => File.ReadLines("/proc/self/maps")

@@ -33,21 +33,38 @@ public class FrameKernelTests
     public void ReadBodyFixedFrame_AnglesOfDe421_AreCSpices(string angles, string units)
     {
         BodyFixedFrame frame = FrameKernel.ReadBodyFixedFrame(
-            SamplePool.Of(Pck + Me + $"TKFRAME_8_SPEC = 'ANGLES'\nTKFRAME_8_ANGLES = ( {angles} )\nTKFRAME_8_AXES = ( 3 2 1 )\nTKFRAME_8_UNITS = '{units}'"), "ME");
+            SamplePool.Of(
+                Pck + Me + $"TKFRAME_8_SPEC = 'ANGLES'\nTKFRAME_8_ANGLES = ( {angles} )\nTKFRAME_8_AXES = ( 3 2 1 )\nTKFRAME_8_UNITS = "
+                    + $"'{units}'"), "ME");
 
         // CSPICE N0067, moon_080317.tf: pxform_c("MOON_PA_DE421", "MOON_ME_DE421", 0, rows); tests/reference/ephemeris.py.
-        Assert.Equal(0.0, (frame.FrameFromOrientation.Row0 - new Vector3D(0.999999873254714, -0.00032928542237557117, 0.0003808696186713873)).Length, 1e-15);
-        Assert.Equal(0.0, (frame.FrameFromOrientation.Row1 - new Vector3D(0.000329286000210947, 0.9999999457843058, -1.4544409378362703e-06)).Length, 1e-15);
-        Assert.Equal(0.0, (frame.FrameFromOrientation.Row2 - new Vector3D(-0.000380869119096078, 1.5798557868269077e-06, 0.9999999274681064)).Length, 1e-15);
+        Assert.Equal(
+            0.0,
+            (frame.FrameFromOrientation.Row0 - new Vector3D(0.999999873254714, -0.00032928542237557117, 0.0003808696186713873)).Length,
+            1e-15);
+        Assert.Equal(
+            0.0,
+            (frame.FrameFromOrientation.Row1 - new Vector3D(0.000329286000210947, 0.9999999457843058, -1.4544409378362703e-06)).Length,
+            1e-15);
+        Assert.Equal(
+            0.0,
+            (frame.FrameFromOrientation.Row2 - new Vector3D(-0.000380869119096078, 1.5798557868269077e-06, 0.9999999274681064)).Length,
+            1e-15);
     }
 
     [Fact]
     public void ReadBodyFixedFrame_ItemsByName_AreFoundToo() =>
-        Assert.Equal(9, FrameKernel.ReadBodyFixedFrame(SamplePool.Of("FRAME_PA = 7\nFRAME_PA_CLASS = 2\nFRAME_PA_CLASS_ID = 9"), "PA").OrientationBody);
+        Assert.Equal(
+            9,
+            FrameKernel.ReadBodyFixedFrame(SamplePool.Of("FRAME_PA = 7\nFRAME_PA_CLASS = 2\nFRAME_PA_CLASS_ID = 9"), "PA").OrientationBody);
 
     [Theory]
     [InlineData(Me, "No frame kernel defines the frame PA (ME -> PA)")]
-    [InlineData(Me + "FRAME_PA = 7\nFRAME_7_CLASS = 4\nTKFRAME_7_RELATIVE = 'ME'\nTKFRAME_7_SPEC = 'MATRIX'\nTKFRAME_7_MATRIX = ( 1 0 0 0 1 0 0 0 1 )", "defined by itself: ME -> PA -> ME")]
+    [InlineData(
+        Me
+            + "FRAME_PA = 7\nFRAME_7_CLASS = 4\nTKFRAME_7_RELATIVE = 'ME'\nTKFRAME_7_SPEC = 'MATRIX'\nTKFRAME_7_MATRIX = ( 1 0 0 0 1 0 0 "
+            + "0 1 )",
+        "defined by itself: ME -> PA -> ME")]
     [InlineData(Me + "FRAME_PA = 7\nFRAME_7_CLASS = 5", "frame PA is of class 5")]
     [InlineData(Me + "FRAME_PA = 7", "FRAME_7_CLASS")]
     [InlineData(Me + "FRAME_PA = 7.5", "FRAME_PA is 7.5, a whole number expected")]
@@ -59,7 +76,9 @@ public class FrameKernelTests
     [InlineData("TKFRAME_8_SPEC = 'MATRIX'\nTKFRAME_8_MATRIX = ( 1 0 0 0 1 0 0 0 1.0001 )", "is not a rotation")]
     [InlineData("TKFRAME_8_SPEC = 'MATRIX'\nTKFRAME_8_MATRIX = ( 1 0 0 0 1 0 0 0 -1 )", "is not a rotation")]
     [InlineData("TKFRAME_8_SPEC = 'QUATERNION'", "given as QUATERNION")]
-    [InlineData("TKFRAME_8_SPEC = 'ANGLES'\nTKFRAME_8_ANGLES = ( 1 2 3 )\nTKFRAME_8_AXES = ( 3 2 4 )\nTKFRAME_8_UNITS = 'DEGREES'", "three of the axes 1, 2 and 3")]
+    [InlineData(
+        "TKFRAME_8_SPEC = 'ANGLES'\nTKFRAME_8_ANGLES = ( 1 2 3 )\nTKFRAME_8_AXES = ( 3 2 4 )\nTKFRAME_8_UNITS = 'DEGREES'",
+        "three of the axes 1, 2 and 3")]
     [InlineData("TKFRAME_8_SPEC = 'ANGLES'\nTKFRAME_8_ANGLES = ( 1 2 3 )\nTKFRAME_8_AXES = ( 3 2 1 )\nTKFRAME_8_UNITS = 'GON'", "is GON")]
     [InlineData("TKFRAME_8_SPEC = 3", "must be one text")]
     public void ReadBodyFixedFrame_WrongSpecification_SaysWhere(string specification, string expected) =>

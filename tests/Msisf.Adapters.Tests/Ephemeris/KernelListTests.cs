@@ -79,5 +79,6 @@ public sealed class KernelListTests : IDisposable
 
     [Fact]
     public void Expand_NothingNamed_SaysSo() =>
-        Assert.Contains("No kernel is named", Assert.Throws<BadInputException>(() => KernelList.Expand([])).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "No kernel is named", Assert.Throws<BadInputException>(() => KernelList.Expand([])).Message, StringComparison.Ordinal);
 }

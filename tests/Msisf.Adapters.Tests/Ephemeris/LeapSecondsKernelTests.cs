@@ -7,7 +7,8 @@ namespace Msisf.Adapters.Tests.Ephemeris;
 
 public class LeapSecondsKernelTests
 {
-    private const string Constants = "DELTET/DELTA_T_A = 32.184\nDELTET/K = 1.657D-3\nDELTET/EB = 1.671D-2\nDELTET/M = ( 6.239996D0 1.99096871D-7 )\n";
+    private const string Constants =
+        "DELTET/DELTA_T_A = 32.184\nDELTET/K = 1.657D-3\nDELTET/EB = 1.671D-2\nDELTET/M = ( 6.239996D0 1.99096871D-7 )\n";
 
     [Fact]
     public void ReadScale_TwoEntries_TurnsUtcIntoTdb()

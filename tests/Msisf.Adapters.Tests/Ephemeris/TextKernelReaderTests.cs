@@ -9,7 +9,9 @@ public class TextKernelReaderTests
     [Fact]
     public void Read_NumbersTextsAndLists_AreTaken()
     {
-        KernelPool pool = Read("KPL/FK\nA = 'ignored'\n\\begindata\nA=1.657D-3\nB = ( 1,2\n 3 , -4.5d+1)\nC = 'it''s'\n\n\\begintext\nD = 5\n\\begindata\nE = +7\n");
+        KernelPool pool = Read(
+            "KPL/FK\nA = 'ignored'\n\\begindata\nA=1.657D-3\nB = ( 1,2\n 3 , "
+                + "-4.5d+1)\nC = 'it''s'\n\n\\begintext\nD = 5\n\\begindata\nE = +7\n");
 
         Assert.Equal([1.657e-3], pool.Existing("A").Numbers);
         Assert.Equal([1.0, 2.0, 3.0, -45.0], pool.Existing("B").Numbers);

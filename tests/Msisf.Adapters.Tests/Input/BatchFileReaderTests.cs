@@ -56,7 +56,8 @@ public class BatchFileReaderTests
     [InlineData("\n# x\n" + Good + "\n55289 2E6 2E6 0 abc 0 0 1", "input/run7.tab, line 4, column 17: 'abc' is not a number; ")]
     [InlineData("\uFEFFMJD rx ry rz", "input/run7.tab, line 1, column 1: 'MJD' is not a number; ")]
     [InlineData("55289 2E6\r\n", "input/run7.tab, line 1: 2 numbers, 8 expected (MJD rx ry rz qx qy qz q0). Complete or remove the line.")]
-    [InlineData("55289 2E6 2E6 0 0 0 1", "input/run7.tab, line 1: 7 numbers, 8 expected (MJD rx ry rz qx qy qz q0). Complete or remove the line.")]
+    [InlineData(
+        "55289 2E6 2E6 0 0 0 1", "input/run7.tab, line 1: 7 numbers, 8 expected (MJD rx ry rz qx qy qz q0). Complete or remove the line.")]
     [InlineData(Good + " 5", "input/run7.tab, line 1: 9 numbers, 8 expected (MJD rx ry rz qx qy qz q0). Shorten or remove the line.")]
     [InlineData(Good + " x", "input/run7.tab, line 1, column 25: 'x' is not a number")]
     [InlineData("55289 2E6 NaN 0 0 0 0 1", "input/run7.tab, line 1, column 11: 'NaN' is not finite")]

@@ -10,7 +10,8 @@ public sealed class ConfigFileReaderTests
     [Fact]
     public void Read_Entries_KeepOrderTextAndPlace()
     {
-        IReadOnlyList<ConfigEntry> entries = Read("# settings\nfov: 40\n\noutput-dir: \"a b\" # where\nlayers: [depth, mask]\npov-options:\n  - -A\n  - +Q9\n");
+        IReadOnlyList<ConfigEntry> entries = Read(
+            "# settings\nfov: 40\n\noutput-dir: \"a b\" # where\nlayers: [depth, mask]\npov-options:\n  - -A\n  - +Q9\n");
 
         Assert.Equal(["fov", "output-dir", "layers", "pov-options"], entries.Select(entry => entry.Key));
         Assert.Equal(["40"], entries[0].Values);
@@ -104,7 +105,10 @@ public sealed class ConfigFileReaderTests
     {
         using MemoryStream stream = new([.. "fov: "u8, 0xE4, .. "\n"u8]);
 
-        Assert.Contains("byte 6 is not UTF-8", Assert.Throws<BadInputException>(() => ConfigFileReader.Read(stream, "a.yaml")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "byte 6 is not UTF-8",
+            Assert.Throws<BadInputException>(() => ConfigFileReader.Read(stream, "a.yaml")).Message,
+            StringComparison.Ordinal);
     }
 
     /// <summary>The stream could go on for ever.</summary>
@@ -113,7 +117,10 @@ public sealed class ConfigFileReaderTests
     {
         using MemoryStream stream = new(new byte[3 * ConfigFileReader.LargestSize]);
 
-        Assert.Contains("more than 1000000 bytes", Assert.Throws<BadInputException>(() => ConfigFileReader.Read(stream, "a.yaml")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "more than 1000000 bytes",
+            Assert.Throws<BadInputException>(() => ConfigFileReader.Read(stream, "a.yaml")).Message,
+            StringComparison.Ordinal);
         Assert.Equal(ConfigFileReader.LargestSize + 1, stream.Position);
     }
 

@@ -53,5 +53,6 @@ public class NumberTextTests
 
     [Fact]
     public void ProblemWith_EnormousText_ShowsItsStart() =>
-        Assert.StartsWith($"'{new string('z', 40)}...' is not a number", NumberText.ProblemWith(new string('z', 1_000_000)), StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"'{new string('z', 40)}...' is not a number", NumberText.ProblemWith(new string('z', 1_000_000)), StringComparison.Ordinal);
 }

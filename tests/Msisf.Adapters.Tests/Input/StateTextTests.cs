@@ -32,7 +32,8 @@ public class StateTextTests
     [InlineData("--rate, number 2 (dpy): 'NaN' is not finite", "1", "NaN", "3")]
     [InlineData("--rate, number 2 (dpy): '2;5' is not a number", "{1,2;5,3}")]
     [InlineData("--rate: 2 numbers, 3 expected", "{1 2,3}")]
-    [InlineData("--rate: '{1,2,3' has unbalanced '{' and '}'; {dpx,dpy,dpz} is expected, quoted so that the shell leaves it alone.", "{1,2,3")]
+    [InlineData(
+        "--rate: '{1,2,3' has unbalanced '{' and '}'; {dpx,dpy,dpz} is expected, quoted so that the shell leaves it alone.", "{1,2,3")]
     [InlineData("--rate: '1,2,3}' has unbalanced", "1,2,3}")]
     [InlineData("--rate: '{{1,2,3}}' has unbalanced", "{{1,2,3}}")]
     [InlineData("--rate: '{1},{2},{3}' has unbalanced", "{1},{2},{3}")]
@@ -77,7 +78,8 @@ public class StateTextTests
     }
 
     [Theory]
-    [InlineData("--time-interval: 2 numbers, 3 expected: [start:step:end] in MJD, days, MJD; colons separate the numbers.", "[55289:55290]")]
+    [InlineData(
+        "--time-interval: 2 numbers, 3 expected: [start:step:end] in MJD, days, MJD; colons separate the numbers.", "[55289:55290]")]
     [InlineData("--time-interval: 1 number, 3 expected", "[55289,0.1,55290]")]
     [InlineData("--time-interval, number 2 (step): a number is missing.", "[55289::55290]")]
     [InlineData("--time-interval, number 3 (end): '00;00' is not", "[55289:1:00;00]")]

@@ -29,7 +29,9 @@ public sealed class NpyLayerWriterTests : IDisposable
         byte[] file = File.ReadAllBytes(paths[0]);
 
         Assert.Equal(_folder["frame.mask.npy"], paths[0]);
-        Assert.Equal("\u0093NUMPY\u0001\0\u0076\0{'descr': '|u1', 'fortran_order': False, 'shape': (3, 3,), }", Encoding.Latin1.GetString(file)[..70]);
+        Assert.Equal(
+            "\u0093NUMPY\u0001\0\u0076\0{'descr': '|u1', 'fortran_order': False, 'shape': (3, 3,), }",
+            Encoding.Latin1.GetString(file)[..70]);
         Assert.Equal((byte)'\n', file[127]);
         Assert.Equal([0, 1, 0, 1, 1, 1, 0, 1, 0], file[128..]);
     }
@@ -66,7 +68,8 @@ public sealed class NpyLayerWriterTests : IDisposable
         FrameMetadata frame = new(new ModifiedJulianDate(55289.25), camera, 57.0, Sun, 16, "1.0.0", "--x '\u00e4'");
         using AtomicFileSet files = new();
         IReadOnlyList<string> paths = NpyLayerWriter.Write(
-            files, _folder["frame"], frame, new LayerProvenance("LDEM_16", 4, 2, "native"), new SphereTruth(camera, Sun, 4), LayerSet.Parse(layers));
+            files, _folder["frame"], frame, new LayerProvenance("LDEM_16", 4, 2, "native"), new SphereTruth(camera, Sun, 4),
+            LayerSet.Parse(layers));
         files.Commit();
         return paths;
     }

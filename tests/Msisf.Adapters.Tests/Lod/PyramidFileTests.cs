@@ -1,4 +1,5 @@
 using Msisf.Adapters.Lod;
+using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.Adapters.Tests.Terrain;
 using Msisf.Core.Errors;
@@ -174,7 +175,10 @@ public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTes
         using LdemImage changed = Open();
         using PyramidFile foreign = PyramidFile.TryOpen(Sidecar, changed, out _)!;
 
-        Assert.Contains("made of other samples", Assert.Throws<BadInputException>(() => foreign.Verify(changed, CancellationToken.None)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "made of other samples",
+            Assert.Throws<BadInputException>(() => foreign.Verify(changed, CancellationToken.None)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -200,7 +204,8 @@ public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTes
         File.WriteAllBytes(Path.ChangeExtension(_label, ".IMG"), bytes);
         using LdemImage image = Open();
 
-        Assert.Contains("line 1001, sample 8: the value 32639", Assert.Throws<BadInputException>(() => Make(image)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "line 1001, sample 8: the value 32639", Assert.Throws<BadInputException>(() => Make(image)).Message, StringComparison.Ordinal);
         Assert.Equal(2, Directory.GetFiles(_folder.Path).Length);
     }
 
@@ -220,7 +225,8 @@ public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTes
         LdemSet elsewhere = LdemSet.Join([set.Parts[0] with { ImagePath = "/nowhere/at all/LDEM_8.IMG" }]);
 
         Assert.Equal(Sidecar, PyramidPlaces.Of(set, _folder["cache"]).ForWriting());
-        Assert.StartsWith(_folder["cache"] + "/LDEM_8_SYNTHETIC-", PyramidPlaces.Of(elsewhere, _folder["cache"]).ForWriting(), StringComparison.Ordinal);
+        Assert.StartsWith(
+            _folder["cache"] + "/LDEM_8_SYNTHETIC-", PyramidPlaces.Of(elsewhere, _folder["cache"]).ForWriting(), StringComparison.Ordinal);
         Assert.Equal("/nowhere/at all/LDEM_8.pyramid", PyramidPlaces.Of(elsewhere, null).ForWriting());
     }
 

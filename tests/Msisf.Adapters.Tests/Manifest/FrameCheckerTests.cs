@@ -14,54 +14,57 @@ public sealed class FrameCheckerTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Judge_AllFilesAsWritten_IsRight() => Assert.Equal(FrameState.Complete, Judge(Made(), CheckDepth.Checksums).State);
+    public void Check_AllFilesAsWritten_IsComplete() => Assert.Equal(FrameState.Complete, Check(Made(), CheckDepth.Checksums).State);
 
     [Fact]
-    public void Judge_NothingMade_IsMissing() => Assert.Equal(FrameState.Missing, Judge(null, CheckDepth.Lengths).State);
+    public void Check_NothingMade_IsMissing() => Assert.Equal(FrameState.Missing, Check(null, CheckDepth.Lengths).State);
 
     [Fact]
-    public void Judge_NothingMadeButAFailure_SaysWhy()
+    public void Check_NothingMadeButAFailure_SaysWhy()
     {
-        FrameCheck judgement = new FrameChecker(_folder.Path, CheckDepth.Lengths).Judge(Expected, null, new FailedRecord(1, "m", "f1", "killed"));
+        FrameCheck check = new FrameChecker(_folder.Path, CheckDepth.Lengths).Check(
+            Expected, null, new FailedRecord(1, "m", "f1", "killed"));
 
-        Assert.Equal((FrameState.Failed, "killed"), (judgement.State, judgement.Reason));
+        Assert.Equal((FrameState.Failed, "killed"), (check.State, check.Reason));
     }
 
     [Fact]
-    public void Judge_FailureOfOtherSettings_IsMissing() => Assert.Equal(
-        FrameState.Missing, new FrameChecker(_folder.Path, CheckDepth.Lengths).Judge(Expected, null, new FailedRecord(1, "m", "f0", "killed")).State);
+    public void Check_FailureOfOtherSettings_IsMissing() => Assert.Equal(
+        FrameState.Missing,
+        new FrameChecker(_folder.Path, CheckDepth.Lengths).Check(Expected, null, new FailedRecord(1, "m", "f0", "killed")).State);
 
     [Fact]
-    public void Judge_OtherSettings_IsNoticed() => Assert.Equal(FrameState.OtherSettings, Judge(Made() with { Frame = "f0" }, CheckDepth.Checksums).State);
+    public void Check_OtherSettings_IsNoticed() =>
+        Assert.Equal(FrameState.OtherSettings, Check(Made() with { Frame = "f0" }, CheckDepth.Checksums).State);
 
     [Fact]
-    public void Judge_AllFilesGone_IsMissing()
+    public void Check_AllFilesGone_IsMissing()
     {
         FrameRecord made = Made();
         Array.ForEach(Directory.GetFiles(_folder.Path), File.Delete);
 
-        Assert.Equal(FrameState.Missing, Judge(made, CheckDepth.Lengths).State);
+        Assert.Equal(FrameState.Missing, Check(made, CheckDepth.Lengths).State);
     }
 
     [Fact]
-    public void Judge_LinkToTheFile_IsRight()
+    public void Check_LinkToTheFile_IsComplete()
     {
         FrameRecord made = Made();
         File.Move(_folder["m.pov"], _folder["elsewhere"]);
         File.CreateSymbolicLink(_folder["m.pov"], _folder["elsewhere"]);
-        Assert.Equal(FrameState.Complete, Judge(made, CheckDepth.Checksums).State);
+        Assert.Equal(FrameState.Complete, Check(made, CheckDepth.Checksums).State);
         File.Delete(_folder["elsewhere"]);
-        Assert.Equal(FrameState.Damaged, Judge(made, CheckDepth.Lengths).State);
+        Assert.Equal(FrameState.Damaged, Check(made, CheckDepth.Lengths).State);
     }
 
     [Fact]
-    public void Judge_OneFileGone_IsDamagedByName()
+    public void Check_OneFileGone_IsDamagedByName()
     {
         FrameRecord made = Made();
         File.Delete(_folder["m.pov"]);
-        FrameCheck judgement = Judge(made, CheckDepth.Lengths);
+        FrameCheck check = Check(made, CheckDepth.Lengths);
 
-        Assert.Equal((FrameState.Damaged, "m.pov: missing"), (judgement.State, judgement.Reason));
+        Assert.Equal((FrameState.Damaged, "m.pov: missing"), (check.State, check.Reason));
     }
 
     [Theory]
@@ -69,15 +72,15 @@ public sealed class FrameCheckerTests : IDisposable
     [InlineData("scenf", CheckDepth.Checksums, FrameState.Damaged)]
     [InlineData("scen", CheckDepth.Lengths, FrameState.Damaged)]
     [InlineData("", CheckDepth.Lengths, FrameState.Damaged)]
-    public void Judge_ChangedFile_IsDamaged(string content, CheckDepth depth, FrameState expected)
+    public void Check_ChangedFile_IsDamaged(string content, CheckDepth depth, FrameState expected)
     {
         FrameRecord made = Made();
         File.WriteAllText(_folder["m.pov"], content);
 
-        Assert.Equal(expected, Judge(made, depth).State);
+        Assert.Equal(expected, Check(made, depth).State);
     }
 
-    private FrameCheck Judge(FrameRecord? made, CheckDepth depth) => new FrameChecker(_folder.Path, depth).Judge(Expected, made, null);
+    private FrameCheck Check(FrameRecord? made, CheckDepth depth) => new FrameChecker(_folder.Path, depth).Check(Expected, made, null);
 
     private FrameRecord Made()
     {

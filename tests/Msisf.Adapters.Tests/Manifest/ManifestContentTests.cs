@@ -16,7 +16,8 @@ public sealed class ManifestContentTests
     {
         ManifestContent one = Content([.. Registration, Frame(1, "a"), Frame(2, "b"), Frame(3, "c")]);
         ManifestContent other = Content(
-            [.. Registration, Frame(3, "c"), new FailedRecord(1, "m_1", "f1", "killed"), .. Registration, Frame(2, "x"), Frame(1, "a"), Frame(2, "b"), Frame(3, "c")]);
+            [.. Registration, Frame(3, "c"), new FailedRecord(
+                1, "m_1", "f1", "killed"), .. Registration, Frame(2, "x"), Frame(1, "a"), Frame(2, "b"), Frame(3, "c")]);
 
         Assert.Equal(one.InOrder().SelectMany(ManifestLine.Write), other.InOrder().SelectMany(ManifestLine.Write));
         Assert.Equal(8, one.InOrder().Count());
@@ -26,16 +27,19 @@ public sealed class ManifestContentTests
     public void InOrder_RunWhoseNamesAnotherTook_IsLeftOut()
     {
         ManifestContent content = Content(
-            [.. Registration, Frame(1, "a"), new SettingsRecord("s2", "{}"), new RunRecord("r2", "s2", 3), .. Enumerable.Range(1, 3).Select(step => new ExpectedRecord("r2", step, $"m_{step}", $"g{step}"))]);
+            [.. Registration, Frame(1, "a"), new SettingsRecord("s2", "{}"), new RunRecord("r2", "s2", 3), .. Enumerable.Range(1, 3).Select(
+                step => new ExpectedRecord("r2", step, $"m_{step}", $"g{step}"))]);
 
         Assert.Equal(["r2"], content.InOrder().OfType<RunRecord>().Select(run => run.Run));
-        Assert.Equal(["s1", "s2"], content.InOrder().OfType<SettingsRecord>().Select(settings => settings.Key)); // s1 is that of the frame that is there
+        // s1 is that of the frame that is there
+        Assert.Equal(["s1", "s2"], content.InOrder().OfType<SettingsRecord>().Select(settings => settings.Key));
     }
 
     [Fact]
     public void Failed_FrameThatWasMadeLater_IsForgotten()
     {
-        ManifestContent content = Content([.. Registration, new FailedRecord(1, "m_1", "f1", "killed"), Frame(1, "a"), new FailedRecord(2, "m_2", "f2", "killed")]);
+        ManifestContent content = Content(
+            [.. Registration, new FailedRecord(1, "m_1", "f1", "killed"), Frame(1, "a"), new FailedRecord(2, "m_2", "f2", "killed")]);
 
         Assert.Equal(["m_2"], content.Failed.Keys);
     }

@@ -40,7 +40,8 @@ public sealed class ManifestFileTests : IDisposable
     [Fact]
     public void Append_FolderIsNotThere_SaysWhichFile()
     {
-        ExternalPartException failure = Assert.Throws<ExternalPartException>(() => new ManifestFile(_folder["none"]).Append(new RunRecord("r1", "s", 1)));
+        ExternalPartException failure = Assert.Throws<ExternalPartException>(
+            () => new ManifestFile(_folder["none"]).Append(new RunRecord("r1", "s", 1)));
 
         Assert.Contains("msisf-manifest.jsonl: can't be written", failure.Message, StringComparison.Ordinal);
     }
@@ -85,7 +86,8 @@ public sealed class ManifestFileTests : IDisposable
     public void Refresh_LineOfManyMegabytes_IsOneDamagedLine()
     {
         ManifestFile file = new(_folder.Path);
-        File.WriteAllText(file.FilePath, new string('x', 5_000_000) + "\n" + Encoding.UTF8.GetString(ManifestLine.Write(new RunRecord("r1", "s", 1))));
+        File.WriteAllText(
+            file.FilePath, new string('x', 5_000_000) + "\n" + Encoding.UTF8.GetString(ManifestLine.Write(new RunRecord("r1", "s", 1))));
         ManifestContent content = Read();
 
         Assert.Equal(1, content.DamagedLines);

@@ -28,7 +28,12 @@ public sealed class ManifestLineTests
     [Fact]
     public void TryRead_WrittenFrame_IsTheSame()
     {
-        FrameRecord frame = new(3, "m_3", "f3", "ab12", [new OutputFile("m_3.png", 5_000_000_000, new string('a', 64)), new OutputFile("m_3.xml", 0, new string('0', 64))]);
+        FrameRecord frame = new(
+            3,
+            "m_3",
+            "f3",
+            "ab12",
+            [new OutputFile("m_3.png", 5_000_000_000, new string('a', 64)), new OutputFile("m_3.xml", 0, new string('0', 64))]);
         FrameRecord read = Assert.IsType<FrameRecord>(ManifestLine.TryRead(ManifestLine.Write(frame).AsMemory()[..^1]));
 
         Assert.Equal(frame.Files, read.Files);
@@ -47,7 +52,7 @@ public sealed class ManifestLineTests
     [InlineData("""{"record":"expected","run":"r1","step":1,"name":"../x","frame":"f"}""")]
     [InlineData("""{"record":"expected","run":"r1","step":1,"name":"..","frame":"f"}""")]
     [InlineData("""{"record":"frame","step":1,"name":"m","frame":"f","settings":"s","files":[]}""")]
-    [InlineData("""{"record":"frame","step":1,"name":"m","frame":"f","settings":"s","files":[{"name":"m.png","bytes":1,"sha256":"short"}]}""")]
+    [InlineData("""{"record":"frame","step":1,"name":"m","frame":"f","settings":"s","files":[{"name":"m","bytes":1,"sha256":"short"}]}""")]
     [InlineData("""{"record":"settings","settings":"k","description":[]}""")]
     [InlineData("""{"record":"frame","step":1,"name":"m","fra""")]
     public void TryRead_NoLineOfAManifest_IsNull(string line) => Assert.Null(ManifestLine.TryRead(Encoding.UTF8.GetBytes(line)));

@@ -42,5 +42,6 @@ public class LongETests
         Assert.Throws<ArgumentOutOfRangeException>(() => LongE.ToText(value));
 
     [Fact]
-    public void Write_TooLittleRoom_IsABug() => Assert.Throws<ArgumentOutOfRangeException>(() => LongE.Write(1.0, new byte[LongE.Length - 1]));
+    public void Write_TooLittleRoom_IsABug() =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => LongE.Write(1.0, new byte[LongE.Length - 1]));
 }

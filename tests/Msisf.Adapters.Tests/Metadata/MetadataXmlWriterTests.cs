@@ -16,7 +16,10 @@ namespace Msisf.Adapters.Tests.Metadata;
 
 public class MetadataXmlWriterTests
 {
-    /// <summary>Thesis section 9.2 with the exact angles (docs/deviations.md, row 10); the last digits of the pixels are those of tests/reference/illumination.py, rounded.</summary>
+    /// <summary>
+    /// Thesis section 9.2 with the exact angles (docs/deviations.md, row 10); the last digits of the pixels are those of
+    /// tests/reference/illumination.py, rounded.
+    /// </summary>
     private const string PublishedHead = """
         <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
         <!DOCTYPE MSISRendering SYSTEM "../lib/MSISRendering.dtd">
@@ -81,7 +84,8 @@ public class MetadataXmlWriterTests
         PixelSampler sampler = Sampler(frame, spacing: 14);
 
         (int, int)[] written =
-            [.. Parse(Text(frame, spacing: 14)).Descendants("Pixel").Select(pixel => ((int)pixel.Attribute("h")!, (int)pixel.Attribute("v")!))];
+            [.. Parse(Text(frame, spacing: 14)).Descendants("Pixel").Select(
+                pixel => ((int)pixel.Attribute("h")!, (int)pixel.Attribute("v")!))];
 
         Assert.True(sampler.Grid.Rows * sampler.Grid.Columns > 4096); // else one thread writes all
         Assert.Equal(sampler.Sample().Select(record => (record.H, record.V)), written);
@@ -140,7 +144,11 @@ public class MetadataXmlWriterTests
     {
         // The same points: all that is added is added in lines of its own.
         FrameMetadata frame = Frame() with { Renderer = RendererKind.Native };
-        string[] added = ["PixelSurface", "Height", "Position", "Range", "Normal", "IncidenceAngle", "EmissionAngle", "PhaseAngle", "Illumination ", "Facet"];
+        string[] added =
+        [
+            "PixelSurface", "Height", "Position", "Range", "Normal", "IncidenceAngle", "EmissionAngle", "PhaseAngle", "Illumination ",
+            "Facet"
+        ];
 
         IEnumerable<string> terrain = TerrainText(frame, spacing: 50).Split('\n')
             .Where(line => !added.Any(name => line.TrimStart().StartsWith($"<{name}", StringComparison.Ordinal)));
@@ -156,8 +164,11 @@ public class MetadataXmlWriterTests
 
         PixelRecord[] records = [.. TerrainSampler(frame, spacing: 14).Sample()];
 
-        Assert.Equal(records.Select(record => (record.H, record.V)), pixels.Select(pixel => ((int)pixel.Attribute("h")!, (int)pixel.Attribute("v")!)));
-        Assert.Equal(records.Select(record => LongE.ToText(record.Terrain!.Value.Range)), pixels.Select(pixel => pixel.Element("Range")!.Value));
+        Assert.Equal(
+            records.Select(record => (record.H, record.V)),
+            pixels.Select(pixel => ((int)pixel.Attribute("h")!, (int)pixel.Attribute("v")!)));
+        Assert.Equal(
+            records.Select(record => LongE.ToText(record.Terrain!.Value.Range)), pixels.Select(pixel => pixel.Element("Range")!.Value));
     }
 
     [Theory]
@@ -207,7 +218,11 @@ public class MetadataXmlWriterTests
     }
 
     private static PixelSampler Sampler(FrameMetadata frame, int spacing) =>
-        new(frame.Camera, new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing), ReferenceSphere.Lola, frame.SunPositionMoonMe);
+        new(
+            frame.Camera,
+            new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
+            ReferenceSphere.Lola,
+            frame.SunPositionMoonMe);
 
     private static PixelSampler TerrainSampler(FrameMetadata frame, int spacing) => new(
         new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),

@@ -58,21 +58,21 @@ public class PixelXmlTests
 
         Assert.Equal(
             """
-                <Pixel h="50" v="100">
-                  <SelenographicCoordinates lat="+4.500000000000000E+001" lon="+1.800000000000000E+002" units="deg" />
-                  <IlluminationDirection unit="deg" defined="no" />
-                  <Height unit="m">-1.250000000000000E+000</Height>
-                  <Position unit="m"><Vector3D x="+1.000000000000000E+006" y="-2.000000000000000E+006" z="+3.000000000000000E+006" /></Position>
-                  <Range unit="m">+2.500000000000000E+005</Range>
-                  <Normal><Vector3D x="+0.000000000000000E+000" y="-6.000000000000000E-001" z="+8.000000000000000E-001" /></Normal>
-                  <IncidenceAngle unit="deg">+9.000000000000000E+001</IncidenceAngle>
-                  <EmissionAngle unit="deg">+4.500000000000000E+001</EmissionAngle>
-                  <PhaseAngle unit="deg">+1.350000000000000E+002</PhaseAngle>
-                  <Illumination state="shadow" visibleFraction="+0.000000000000000E+000" />
-                  <Facet tile="lat_85_90_lon_0_5" line="-1" sample="19" half="NE" />
-                </Pixel>
+            <Pixel h="50" v="100">
+              <SelenographicCoordinates lat="+4.500000000000000E+001" lon="+1.800000000000000E+002" units="deg" />
+              <IlluminationDirection unit="deg" defined="no" />
+              <Height unit="m">-1.250000000000000E+000</Height>
+              <Position unit="m"><Vector3D x="+1.000000000000000E+006" y="-2.000000000000000E+006" z="+3.000000000000000E+006" /></Position>
+              <Range unit="m">+2.500000000000000E+005</Range>
+              <Normal><Vector3D x="+0.000000000000000E+000" y="-6.000000000000000E-001" z="+8.000000000000000E-001" /></Normal>
+              <IncidenceAngle unit="deg">+9.000000000000000E+001</IncidenceAngle>
+              <EmissionAngle unit="deg">+4.500000000000000E+001</EmissionAngle>
+              <PhaseAngle unit="deg">+1.350000000000000E+002</PhaseAngle>
+              <Illumination state="shadow" visibleFraction="+0.000000000000000E+000" />
+              <Facet tile="lat_85_90_lon_0_5" line="-1" sample="19" half="NE" />
+            </Pixel>
 
-            """,
+        """,
             Encoding.UTF8.GetString(bytes, 0, length));
     }
 

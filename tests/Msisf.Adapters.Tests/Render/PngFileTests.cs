@@ -15,7 +15,8 @@ public class PngFileTests
         byte[] gamma = PngBytes.Chunk("gAMA", [0, 0, 0xB1, 0x8F]);
         byte[] stamped = PngBytes.File(
             PngBytes.Header(3, 2), gamma, PngBytes.Chunk("tIME", [7, 0xEA, 1, 2, 3, 4, 5]),
-            PngBytes.Chunk("tEXt", "Comment\0Render Date"u8), PngBytes.Chunk("zTXt", [1]), PngBytes.Chunk("iTXt", [2]), PngBytes.Chunk("eXIf", [3]), Pixels(), End);
+            PngBytes.Chunk("tEXt", "Comment\0Render Date"u8), PngBytes.Chunk("zTXt", [1]), PngBytes.Chunk("iTXt", [2]),
+            PngBytes.Chunk("eXIf", [3]), Pixels(), End);
 
         byte[] copy = Copy(stamped);
 
@@ -34,7 +35,8 @@ public class PngFileTests
 
     [Fact]
     public void Check_WholeImage_GivesItsHeader() =>
-        Assert.Equal(new PngHeader(3, 2, 8, 2), PngFile.Check(new MemoryStream(PngBytes.File(PngBytes.Header(3, 2), Pixels(), End)), "a.png"));
+        Assert.Equal(
+            new PngHeader(3, 2, 8, 2), PngFile.Check(new MemoryStream(PngBytes.File(PngBytes.Header(3, 2), Pixels(), End)), "a.png"));
 
     [Fact]
     public void Check_AnyCutFile_IsBadInput()
@@ -73,7 +75,8 @@ public class PngFileTests
     [Fact]
     public void CopyImage_Copy_HasTheSamePixels()
     {
-        PngPixels pixels = PngPixels.Read(new MemoryStream(Copy(PngBytes.File(PngBytes.Header(3, 2), PngBytes.Chunk("tIME", [7, 0xEA, 1, 2, 3, 4, 5]), Pixels(), End))));
+        PngPixels pixels = PngPixels.Read(
+            new MemoryStream(Copy(PngBytes.File(PngBytes.Header(3, 2), PngBytes.Chunk("tIME", [7, 0xEA, 1, 2, 3, 4, 5]), Pixels(), End))));
 
         Assert.Equal((3, 2, 3, 8), (pixels.Width, pixels.Height, pixels.Channels, pixels.BitDepth));
         Assert.Equal([10, 20, 30], new[] { pixels[1, 0, 0], pixels[1, 0, 1], pixels[1, 0, 2] });

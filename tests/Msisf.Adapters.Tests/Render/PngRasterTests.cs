@@ -48,7 +48,8 @@ public sealed class PngRasterTests
         byte[] lower = [.. rows];
         upper.AsSpan(12 * Width * 3).Clear();
         lower.AsSpan(0, 12 * Width * 3).Clear();
-        PngRaster[] strips = [PngRaster.Read(Png(upper, 2, 8, 3, interlace: 0), "upper"), PngRaster.Read(Png(lower, 2, 8, 3, interlace: 0), "lower")];
+        PngRaster[] strips = [PngRaster.Read(
+            Png(upper, 2, 8, 3, interlace: 0), "upper"), PngRaster.Read(Png(lower, 2, 8, 3, interlace: 0), "lower")];
 
         using MemoryStream written = new();
         PngRaster.Join(strips, [0, 12]).Write(written);
@@ -61,7 +62,8 @@ public sealed class PngRasterTests
     {
         using MemoryStream file = Png(RandomRows(3), 2, 8, 3, interlace: 1);
 
-        Assert.Contains("interlaced", Assert.Throws<BadInputException>(() => PngRaster.Read(file, "test")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "interlaced", Assert.Throws<BadInputException>(() => PngRaster.Read(file, "test")).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -69,7 +71,8 @@ public sealed class PngRasterTests
     {
         using MemoryStream file = Png(RandomRows(3)[..(7 * Width * 3)], 2, 8, 3, interlace: 0, height: Height);
 
-        Assert.Contains("can't be unpacked", Assert.Throws<BadInputException>(() => PngRaster.Read(file, "test")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "can't be unpacked", Assert.Throws<BadInputException>(() => PngRaster.Read(file, "test")).Message, StringComparison.Ordinal);
     }
 
     private static byte[] RandomRows(int bytesAPixel)
@@ -92,7 +95,8 @@ public sealed class PngRasterTests
         }
     }
 
-    private static MemoryStream Png(byte[] rows, byte colorType, byte bitDepth, int bytesAPixel, byte interlace, int firstFilter = 0, int? height = null)
+    private static MemoryStream Png(
+        byte[] rows, byte colorType, byte bitDepth, int bytesAPixel, byte interlace, int firstFilter = 0, int? height = null)
     {
         int length = Width * bytesAPixel;
         using MemoryStream compressed = new();
@@ -107,7 +111,9 @@ public sealed class PngRasterTests
 
         MemoryStream file = new();
         file.Write([0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A]);
-        file.Write(PngBytes.Chunk("IHDR", [0, 0, 0, Width, 0, 0, 0, (byte)(height ?? rows.Length / length), bitDepth, colorType, 0, 0, interlace]));
+        file.Write(
+            PngBytes.Chunk(
+                "IHDR", [0, 0, 0, Width, 0, 0, 0, (byte)(height ?? rows.Length / length), bitDepth, colorType, 0, 0, interlace]));
         file.Write(PngBytes.Chunk("IDAT", compressed.ToArray()));
         file.Write(PngBytes.Chunk("IEND", []));
         file.Position = 0;

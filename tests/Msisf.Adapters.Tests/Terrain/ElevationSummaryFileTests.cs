@@ -1,13 +1,14 @@
 using Msisf.Adapters.Terrain;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Terrain;
 
 public sealed class ElevationSummaryFileTests : IDisposable
 {
-    private static readonly SummarySource Source = new("TEST_1", 1, 129_600, new DateTimeOffset(2017, 9, 15, 0, 0, 0, TimeSpan.Zero), "PRODUCT_ID = TEST_1");
+    private static readonly SummarySource Source = new(
+        "TEST_1", 1, 129_600, new DateTimeOffset(2017, 9, 15, 0, 0, 0, TimeSpan.Zero), "PRODUCT_ID = TEST_1");
 
     private readonly string _folder = Directory.CreateTempSubdirectory("msisf-summary-").FullName;
 

@@ -57,7 +57,10 @@ public sealed class LdemCatalogTests : IDisposable
 
         string message = Assert.Throws<BadInputException>(() => LdemCatalog.Find(16, null, ["/nowhere", _folder.Path])).Message;
 
-        Assert.Contains($"No elevation model of 16 px/deg in /nowhere, {_folder.Path}: put LDEM_16.LBL and .IMG there", message, StringComparison.Ordinal);
+        Assert.Contains(
+            $"No elevation model of 16 px/deg in /nowhere, {_folder.Path}: put LDEM_16.LBL and .IMG there",
+            message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -80,7 +83,10 @@ public sealed class LdemCatalogTests : IDisposable
 
     [Fact]
     public void Find_ExplicitPathThatIsMissing_NamesIt() =>
-        Assert.Contains("gone.lbl: can't be read", Assert.Throws<BadInputException>(() => LdemCatalog.Find(1, _folder["gone.lbl"], [])).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "gone.lbl: can't be read",
+            Assert.Throws<BadInputException>(() => LdemCatalog.Find(1, _folder["gone.lbl"], [])).Message,
+            StringComparison.Ordinal);
 
     [Theory]
     [InlineData("LDEM_1_45S_00S_090_180.LBL")]

@@ -98,7 +98,8 @@ public sealed class LdemImageTests : IDisposable
     {
         using LdemImage image = Open(type);
         double[] radii = new double[TestModel.Samples];
-        foreach ((int firstLine, int lines, int firstSample, int samples) in new[] { (0, 180, 0, 360), (3, 5, 355, 5), (10, 1, 359, 1), (20, 9, 350, 29), (179, 1, 0, 17) })
+        foreach ((int firstLine, int lines, int firstSample, int samples) in new[] { (
+            0, 180, 0, 360), (3, 5, 355, 5), (10, 1, 359, 1), (20, 9, 350, 29), (179, 1, 0, 17) })
         {
             double minimum = double.MaxValue;
             double maximum = double.MinValue;
@@ -137,11 +138,13 @@ public sealed class LdemImageTests : IDisposable
         bytes.AsSpan(((41 * 360) + sample) * 2, 2).Fill(0x7f); // 32639
         using LdemImage image = Open(isBigEndian ? LdemSampleType.Int16BigEndian : LdemSampleType.Int16LittleEndian, bytes);
         double[] radii = new double[360];
-        string expected = $"LDEM_1.IMG, line 42, sample {sample + 1}: the value 32639 is outside the label's MINIMUM and MAXIMUM (-17758 to 21008)";
+        string expected =
+            $"LDEM_1.IMG, line 42, sample {sample + 1}: the value 32639 is outside the label's MINIMUM and MAXIMUM (-17758 to 21008)";
 
         image.ReadRadii(40, 0, radii);
         Assert.Contains(expected, Assert.Throws<BadInputException>(() => image.ReadRadii(41, 0, radii)).Message, StringComparison.Ordinal);
-        Assert.Contains(expected, Assert.Throws<BadInputException>(() => image.RadiusBounds(40, 3, 0, 360)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            expected, Assert.Throws<BadInputException>(() => image.RadiusBounds(40, 3, 0, 360)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -151,8 +154,14 @@ public sealed class LdemImageTests : IDisposable
         bytes.AsSpan(360 * 4, 4).Fill(0xff);
         using LdemImage image = Open(LdemSampleType.Float32LittleEndian, bytes);
 
-        Assert.Contains("line 2, sample 1: the value NaN", Assert.Throws<BadInputException>(() => image.ReadRadii(1, 0, new double[3])).Message, StringComparison.Ordinal);
-        Assert.Contains("line 2, sample 1: the value NaN", Assert.Throws<BadInputException>(() => image.RadiusBounds(0, 180, 0, 360)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "line 2, sample 1: the value NaN",
+            Assert.Throws<BadInputException>(() => image.ReadRadii(1, 0, new double[3])).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "line 2, sample 1: the value NaN",
+            Assert.Throws<BadInputException>(() => image.RadiusBounds(0, 180, 0, 360)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -187,7 +196,10 @@ public sealed class LdemImageTests : IDisposable
     {
         File.WriteAllText(_folder["LDEM_1.LBL"], TestModel.Label);
 
-        Assert.Contains("LDEM_1.IMG: missing;", Assert.Throws<BadInputException>(() => LdemImage.Open(LdemLabelReader.ReadFile(_folder["LDEM_1.LBL"]))).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "LDEM_1.IMG: missing;",
+            Assert.Throws<BadInputException>(() => LdemImage.Open(LdemLabelReader.ReadFile(_folder["LDEM_1.LBL"]))).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -196,7 +208,10 @@ public sealed class LdemImageTests : IDisposable
         File.WriteAllText(_folder["LDEM_1.LBL"], TestModel.Label);
         LdemLabel part = LdemLabelReader.ReadFile(_folder["LDEM_1.LBL"]) with { SouthDegrees = 0.0 };
 
-        Assert.Contains("1 are missing: latitudes -90 to 0, longitudes 0 to 360. Put their .LBL and .IMG files beside LDEM_1.LBL", Assert.Throws<BadInputException>(() => LdemImage.Open(part)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "1 are missing: latitudes -90 to 0, longitudes 0 to 360. Put their .LBL and .IMG files beside LDEM_1.LBL",
+            Assert.Throws<BadInputException>(() => LdemImage.Open(part)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -227,7 +242,8 @@ public sealed class LdemImageTests : IDisposable
         (string label, byte[] image) = type switch
         {
             LdemSampleType.Int16LittleEndian => (TestModel.Label, TestModel.IntegerImage(bigEndian: false)),
-            LdemSampleType.Int16BigEndian => (TestModel.Label.Replace("LSB_", "MSB_", StringComparison.Ordinal), TestModel.IntegerImage(bigEndian: true)),
+            LdemSampleType.Int16BigEndian =>
+                (TestModel.Label.Replace("LSB_", "MSB_", StringComparison.Ordinal), TestModel.IntegerImage(bigEndian: true)),
             LdemSampleType.Float32LittleEndian => (TestModel.FloatLabel("PC_REAL"), TestModel.FloatImage(bigEndian: false)),
             _ => (TestModel.FloatLabel("IEEE_REAL"), TestModel.FloatImage(bigEndian: true)),
         };

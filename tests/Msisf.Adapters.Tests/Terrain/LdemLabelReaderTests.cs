@@ -50,7 +50,8 @@ public class LdemLabelReaderTests
     public void Read_ImagePointer_GivesFileAndOffset(string place, string file, long offset)
     {
         string text = TestModel.Label.Replace("^IMAGE                    = \"LDEM_1.IMG\"", "^IMAGE = " + place, StringComparison.Ordinal);
-        LdemLabel label = Read(offset == 0 ? text : text.Replace("FILE_RECORDS              = 180", "FILE_RECORDS = 999", StringComparison.Ordinal));
+        LdemLabel label = Read(
+            offset == 0 ? text : text.Replace("FILE_RECORDS              = 180", "FILE_RECORDS = 999", StringComparison.Ordinal));
 
         Assert.Equal((file, offset), (Path.GetFileName(label.ImagePath), label.ImageOffset));
     }
@@ -74,14 +75,18 @@ public class LdemLabelReaderTests
     }
 
     [Theory]
-    [InlineData("LINES                 = 180", "LINES = 179", "LINES = 179; the map's borders and MAP_RESOLUTION (180 degrees, 1 px/deg) need 180")]
+    [InlineData(
+        "LINES                 = 180", "LINES = 179", "LINES = 179; the map's borders and MAP_RESOLUTION (180 degrees, 1 px/deg) need 180")]
     [InlineData("LINE_SAMPLES          = 360", "LINE_SAMPLES = 361", "LINE_SAMPLES = 361;")]
     [InlineData("LINE_SAMPLES          = 360", "", "IMAGE has no LINE_SAMPLES")]
     [InlineData("LINES                 = 180", "LINES = -180", "LINES = -180; a whole number from 1")]
     [InlineData("LINES                 = 180", "LINES = 180.5", "LINES = 180.5; a whole number from 1")]
     [InlineData("LINES                 = 180", "LINES = \"180\"", "LINES = 180; a finite number is needed")]
     [InlineData("SAMPLE_TYPE           = LSB_INTEGER", "", "IMAGE has no SAMPLE_TYPE")]
-    [InlineData("SAMPLE_TYPE           = LSB_INTEGER", "SAMPLE_TYPE = LSB_UNSIGNED_INTEGER", "SAMPLE_TYPE = LSB_UNSIGNED_INTEGER; with SAMPLE_BITS = 16")]
+    [InlineData(
+        "SAMPLE_TYPE           = LSB_INTEGER",
+        "SAMPLE_TYPE = LSB_UNSIGNED_INTEGER",
+        "SAMPLE_TYPE = LSB_UNSIGNED_INTEGER; with SAMPLE_BITS = 16")]
     [InlineData("SAMPLE_BITS           = 16", "SAMPLE_BITS = 8", "SAMPLE_TYPE = LSB_INTEGER; with SAMPLE_BITS = 8")]
     [InlineData("SAMPLE_BITS           = 16", "SAMPLE_BITS = 16 BANDS = 3", "BANDS = 3; the rest of the label needs 1")]
     [InlineData("SAMPLE_BITS           = 16", "SAMPLE_BITS = 16 LINE_PREFIX_BYTES = 4", "LINE_PREFIX_BYTES = 4;")]
@@ -93,13 +98,17 @@ public class LdemLabelReaderTests
     [InlineData("OFFSET                = 1737400.", "", "IMAGE has no OFFSET")]
     [InlineData("OFFSET                = 1737400.", "OFFSET = 100.", "OFFSET = 100.; with MINIMUM")]
     [InlineData("OFFSET                = 1737400.", "OFFSET = 1e400", "OFFSET = 1e400; a finite number")]
-    [InlineData("OFFSET                = 1737400.", "OFFSET = 1738000.", "A_AXIS_RADIUS = 1737.4 <km>; the heights are over a sphere of 1738000 m")]
+    [InlineData(
+        "OFFSET                = 1737400.", "OFFSET = 1738000.", "A_AXIS_RADIUS = 1737.4 <km>; the heights are over a sphere of 1738000 m")]
     [InlineData("UNIT                  = METER", "UNIT = FOOT", "UNIT = FOOT; METER or KILOMETER")]
     [InlineData("UNIT                  = METER", "", "IMAGE has no UNIT")]
     [InlineData("MAXIMUM               = 21008", "", "IMAGE has no MAXIMUM")]
     [InlineData("MAXIMUM               = 21008", "MAXIMUM = 40000", "MINIMUM = -17758; with MAXIMUM = 40000 no 16-bit sample")]
     [InlineData("MAXIMUM               = 21008", "MAXIMUM = -20000", "MINIMUM = -17758; with MAXIMUM = -20000")]
-    [InlineData("FILE_RECORDS              = 180", "FILE_RECORDS = 181", "FILE_RECORDS = 181; with RECORD_BYTES = 720 these are 130320 bytes, but the image needs 129600")]
+    [InlineData(
+        "FILE_RECORDS              = 180",
+        "FILE_RECORDS = 181",
+        "FILE_RECORDS = 181; with RECORD_BYTES = 720 these are 130320 bytes, but the image needs 129600")]
     [InlineData("RECORD_BYTES              = 720", "RECORD_BYTES = 719", "FILE_RECORDS = 180; with RECORD_BYTES = 719")]
     [InlineData("^IMAGE                    = \"LDEM_1.IMG\"", "", "the label has no ^IMAGE")]
     [InlineData("^IMAGE                    = \"LDEM_1.IMG\"", "^IMAGE = \"../LDEM_1.IMG\"", "^IMAGE = ../LDEM_1.IMG; the plain name")]
@@ -110,15 +119,21 @@ public class LdemLabelReaderTests
     [InlineData("SIMPLE CYLINDRICAL", "SINUSOIDAL", "MAP_PROJECTION_TYPE = SINUSOIDAL; SIMPLE CYLINDRICAL is needed")]
     [InlineData("MAP_RESOLUTION               = 1 <pix/deg>", "", "IMAGE_MAP_PROJECTION has no MAP_RESOLUTION")]
     [InlineData("MAP_RESOLUTION               = 1 <pix/deg>", "MAP_RESOLUTION = 2 <pix/deg>", "LINES = 180;", "2 px/deg) need 360")]
-    [InlineData("MAP_RESOLUTION               = 1 <pix/deg>", "MAP_RESOLUTION = 1 <m/pix>", "MAP_RESOLUTION = 1 <m/pix>; the unit <pix/deg>")]
-    [InlineData("MAP_RESOLUTION               = 1 <pix/deg>", "MAP_RESOLUTION = 1.5 <pix/deg>", "MAP_RESOLUTION = 1.5 <pix/deg>; a whole number")]
-    [InlineData("MAP_RESOLUTION               = 1 <pix/deg>", "MAP_RESOLUTION = 0 <pix/deg>", "MAP_RESOLUTION = 0 <pix/deg>; a whole number")]
+    [InlineData(
+        "MAP_RESOLUTION               = 1 <pix/deg>", "MAP_RESOLUTION = 1 <m/pix>", "MAP_RESOLUTION = 1 <m/pix>; the unit <pix/deg>")]
+    [InlineData(
+        "MAP_RESOLUTION               = 1 <pix/deg>", "MAP_RESOLUTION = 1.5 <pix/deg>", "MAP_RESOLUTION = 1.5 <pix/deg>; a whole number")]
+    [InlineData(
+        "MAP_RESOLUTION               = 1 <pix/deg>", "MAP_RESOLUTION = 0 <pix/deg>", "MAP_RESOLUTION = 0 <pix/deg>; a whole number")]
     [InlineData("89.5 <pix>", "90 <pix>", "LINE_PROJECTION_OFFSET = 90 <pix>; the rest of the label needs 89.5")]
     [InlineData("179.5 <pix>", "180 <pix>", "SAMPLE_PROJECTION_OFFSET = 180 <pix>;")]
     [InlineData("\"EAST\"", "\"WEST\"", "POSITIVE_LONGITUDE_DIRECTION = WEST; EAST is needed")]
     [InlineData("MAP_PROJECTION_ROTATION      = 0.0", "MAP_PROJECTION_ROTATION = 90", "MAP_PROJECTION_ROTATION = 90;")]
     [InlineData("LINE_LAST_PIXEL              = 180", "LINE_LAST_PIXEL = 181", "LINE_LAST_PIXEL = 181;")]
-    [InlineData("MEAN EARTH/POLAR AXIS OF DE421", "PRINCIPAL AXES OF DE421", "COORDINATE_SYSTEM_NAME = PRINCIPAL AXES OF DE421; the MEAN EARTH/POLAR AXIS frame")]
+    [InlineData(
+        "MEAN EARTH/POLAR AXIS OF DE421",
+        "PRINCIPAL AXES OF DE421",
+        "COORDINATE_SYSTEM_NAME = PRINCIPAL AXES OF DE421; the MEAN EARTH/POLAR AXIS frame")]
     [InlineData("TARGET_NAME               = MOON", "TARGET_NAME = MARS", "TARGET_NAME = MARS; an elevation model of the MOON")]
     [InlineData("PRODUCT_ID                = \"LDEM_1\"", "", "the label has no PRODUCT_ID")]
     [InlineData("PRODUCT_ID                = \"LDEM_1\"", "PRODUCT_ID = \"A B\"", "PRODUCT_ID = A B; 1 to 40 letters")]
@@ -126,7 +141,8 @@ public class LdemLabelReaderTests
     {
         Assert.Contains(good, TestModel.Label, StringComparison.Ordinal);
 
-        BadInputException exception = Assert.Throws<BadInputException>(() => Read(TestModel.Label.Replace(good, bad, StringComparison.Ordinal)));
+        BadInputException exception = Assert.Throws<BadInputException>(
+            () => Read(TestModel.Label.Replace(good, bad, StringComparison.Ordinal)));
 
         Assert.StartsWith("/models/LDEM_1.LBL", exception.Message, StringComparison.Ordinal);
         Assert.All(expected, part => Assert.Contains(part, exception.Message, StringComparison.Ordinal));
@@ -137,7 +153,8 @@ public class LdemLabelReaderTests
     {
         string text = TestModel.Label.Replace("IMAGE_MAP_PROJECTION", "SOMETHING", StringComparison.Ordinal);
 
-        Assert.Contains("no OBJECT = IMAGE_MAP_PROJECTION", Assert.Throws<BadInputException>(() => Read(text)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "no OBJECT = IMAGE_MAP_PROJECTION", Assert.Throws<BadInputException>(() => Read(text)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -146,7 +163,11 @@ public class LdemLabelReaderTests
 
     [Fact]
     public void ReadFile_MissingFile_NamesIt() =>
-        Assert.Contains("/nowhere/LDEM_4.LBL: can't be read", Assert.Throws<BadInputException>(() => LdemLabelReader.ReadFile("/nowhere/LDEM_4.LBL")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "/nowhere/LDEM_4.LBL: can't be read",
+            Assert.Throws<BadInputException>(() => LdemLabelReader.ReadFile("/nowhere/LDEM_4.LBL")).Message,
+            StringComparison.Ordinal);
 
-    private static LdemLabel Read(string text) => LdemLabelReader.Read(new MemoryStream(Encoding.Latin1.GetBytes(text)), "/models/LDEM_1.LBL");
+    private static LdemLabel Read(string text) =>
+        LdemLabelReader.Read(new MemoryStream(Encoding.Latin1.GetBytes(text)), "/models/LDEM_1.LBL");
 }

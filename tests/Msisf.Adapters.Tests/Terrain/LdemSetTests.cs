@@ -23,7 +23,8 @@ public sealed class LdemSetTests : IDisposable
         double[] radii = new double[360];
 
         Assert.Equal(("LDEM_1", 1), (image.ProductId, image.PixelsPerDegree));
-        foreach ((int line, int first, int count) in new[] { (0, 0, 360), (44, 351, 360), (45, 80, 33), (89, 100, 7), (90, 359, 2), (179, 200, 360) })
+        foreach ((int line, int first, int count) in new[] { (0, 0, 360), (44, 351, 360), (45, 80, 33), (89, 100, 7), (90, 359, 2), (
+            179, 200, 360) })
         {
             image.ReadRadii(line, first, radii.AsSpan(0, count));
             Assert.Equal(
@@ -73,7 +74,10 @@ public sealed class LdemSetTests : IDisposable
 
         string message = Assert.Throws<BadInputException>(Find).Message;
 
-        Assert.Contains("of the LDEM_1 product in several files 14 are missing: LDEM_1_45N_90N_090_180, LDEM_1_45N_90N_180_270, ", message, StringComparison.Ordinal);
+        Assert.Contains(
+            "of the LDEM_1 product in several files 14 are missing: LDEM_1_45N_90N_090_180, LDEM_1_45N_90N_180_270, ",
+            message,
+            StringComparison.Ordinal);
         Assert.Contains("LDEM_1_45S_00S_000_090", message, StringComparison.Ordinal);
         Assert.DoesNotContain("LDEM_1_45S_00S_270_360", message, StringComparison.Ordinal);
     }
@@ -83,7 +87,8 @@ public sealed class LdemSetTests : IDisposable
     {
         SplitModel.WritePart(_folder.Path, 15, 0, 0, 30);
 
-        Assert.Contains("143 are missing: LDEM_1_75N_90N_000_030, ", Assert.Throws<BadInputException>(Find).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "143 are missing: LDEM_1_75N_90N_000_030, ", Assert.Throws<BadInputException>(Find).Message, StringComparison.Ordinal);
         Assert.Contains(" and 127 more.", Assert.Throws<BadInputException>(Find).Message, StringComparison.Ordinal);
     }
 

@@ -27,7 +27,8 @@ internal static class SplitModel
     /// <returns>Its name.</returns>
     public static string WritePart(string folder, int north, int south, int west, int east)
     {
-        string name = string.Create(CultureInfo.InvariantCulture, $"LDEM_1_{Latitude(south, north)}_{Latitude(north, north)}_{west:000}_{east:000}");
+        string name = string.Create(
+            CultureInfo.InvariantCulture, $"LDEM_1_{Latitude(south, north)}_{Latitude(north, north)}_{west:000}_{east:000}");
         File.WriteAllText(Path.Combine(folder, name + ".LBL"), LabelOf(name, north, south, west, east), Encoding.ASCII);
         byte[] bytes = new byte[(north - south) * (east - west) * sizeof(short)];
         for (int i = 0; i < bytes.Length / sizeof(short); i++)
@@ -42,7 +43,8 @@ internal static class SplitModel
 
     private static string LabelOf(string name, int north, int south, int west, int east)
     {
-        string label = TestModel.Label.Replace("\"LDEM_1\"", $"\"{name}\"", StringComparison.Ordinal).Replace("LDEM_1.IMG", $"{name}.IMG", StringComparison.Ordinal);
+        string label = TestModel.Label.Replace(
+            "\"LDEM_1\"", $"\"{name}\"", StringComparison.Ordinal).Replace("LDEM_1.IMG", $"{name}.IMG", StringComparison.Ordinal);
         foreach ((string keyword, string was, double value) in new[]
         {
             ("FILE_RECORDS              =", "180", north - south),
@@ -59,7 +61,8 @@ internal static class SplitModel
             ("SAMPLE_PROJECTION_OFFSET     =", "179.5", 180 - west - 0.5),
         })
         {
-            label = label.Replace($"{keyword} {was}", string.Create(CultureInfo.InvariantCulture, $"{keyword} {value}"), StringComparison.Ordinal);
+            label = label.Replace(
+                $"{keyword} {was}", string.Create(CultureInfo.InvariantCulture, $"{keyword} {value}"), StringComparison.Ordinal);
         }
 
         return label;

@@ -7,7 +7,9 @@ using Xunit;
 
 namespace Msisf.Adapters.Tests.Tiles;
 
-/// <summary>Several that want the same patterns at once. The other process is a script that claims all of them, as the system has it.</summary>
+/// <summary>
+/// Several that want the same patterns at once. The other process is a script that claims all of them, as the system has it.
+/// </summary>
 public sealed class PatternMakerTests : IDisposable
 {
     private static readonly TileId[] Tiles = [.. TileId.All.Take(80)];
@@ -124,7 +126,8 @@ public sealed class PatternMakerTests : IDisposable
     private async Task<Process> OtherProcess()
     {
         Directory.CreateDirectory(Path.GetDirectoryName(ClaimsFile)!);
-        const string script = "import fcntl,sys; f=open(sys.argv[1],'w'); fcntl.lockf(f,fcntl.LOCK_EX); print('holds',flush=True); sys.stdin.read()";
+        const string script =
+            "import fcntl,sys; f=open(sys.argv[1],'w'); fcntl.lockf(f,fcntl.LOCK_EX); print('holds',flush=True); sys.stdin.read()";
         Process process = Process.Start(new ProcessStartInfo(TestParts.Python!, ["-c", script, ClaimsFile])
         {
             RedirectStandardInput = true,

@@ -20,5 +20,8 @@ public class PatternOptionsTests
     [InlineData(1.01)]
     [InlineData(double.NaN)]
     public void Constructor_ImpossibleMargin_SaysTheRange(double degrees) =>
-        Assert.Contains("to 1 degrees are possible", Assert.Throws<BadInputException>(() => new PatternOptions(degrees, PatternFormat.Mesh2)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "to 1 degrees are possible",
+            Assert.Throws<BadInputException>(() => new PatternOptions(degrees, PatternFormat.Mesh2)).Message,
+            StringComparison.Ordinal);
 }

@@ -107,7 +107,8 @@ public sealed class PatternRepositoryTests : IDisposable
     {
         Ensure(Tiles);
 
-        Assert.Equal(3, _repository.EnsurePatterns(Tiles, FunctionGrid.Rough(1), new PatternOptions(margin, format), maxParallelism: 2).Written);
+        Assert.Equal(
+            3, _repository.EnsurePatterns(Tiles, FunctionGrid.Rough(1), new PatternOptions(margin, format), maxParallelism: 2).Written);
         Assert.Equal(3, Ensure(Tiles).Written);
     }
 
@@ -122,7 +123,8 @@ public sealed class PatternRepositoryTests : IDisposable
 
         BadInputException exception = Assert.Throws<BadInputException>(() => Ensure(Tiles));
 
-        Assert.StartsWith(PathOf(1) + ": has a pattern's name, but this program has not made it", exception.Message, StringComparison.Ordinal);
+        Assert.StartsWith(
+            PathOf(1) + ": has a pattern's name, but this program has not made it", exception.Message, StringComparison.Ordinal);
         Assert.Equal(content, File.ReadAllText(PathOf(1)));
     }
 
@@ -139,7 +141,10 @@ public sealed class PatternRepositoryTests : IDisposable
     {
         File.WriteAllText(_folder["patterns"], "a file where the repository should be");
 
-        Assert.StartsWith(_repository.FolderOf(1) + ": can't be made", Assert.Throws<ExternalPartException>(() => Ensure(Tiles)).Message, StringComparison.Ordinal);
+        Assert.StartsWith(
+            _repository.FolderOf(1) + ": can't be made",
+            Assert.Throws<ExternalPartException>(() => Ensure(Tiles)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -148,7 +153,10 @@ public sealed class PatternRepositoryTests : IDisposable
         // The kernel lets nobody, not even root, make files there; a folder without write permission would not stop root.
         PatternRepository readOnly = new("/proc/self/task");
 
-        Assert.Contains("/proc/self/task", Assert.Throws<ExternalPartException>(() => readOnly.EnsurePatterns(Tiles, FunctionGrid.Rough(1), default, 1)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "/proc/self/task",
+            Assert.Throws<ExternalPartException>(() => readOnly.EnsurePatterns(Tiles, FunctionGrid.Rough(1), default, 1)).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -171,9 +179,11 @@ public sealed class PatternRepositoryTests : IDisposable
     public async Task EnsurePatterns_SeveralWritersAtOnce_NeverShowAHalfFile()
     {
         TileId[] tiles = [.. TileId.All.Take(80)];
-        byte[][] expected = [.. new PatternRepository(_folder["expected"]).EnsurePatterns(tiles, FunctionGrid.Rough(1), default, 2).Paths.Select(File.ReadAllBytes)];
+        byte[][] expected = [.. new PatternRepository(_folder["expected"]).EnsurePatterns(
+            tiles, FunctionGrid.Rough(1), default, 2).Paths.Select(File.ReadAllBytes)];
 
-        // No file can be locked under the name of a folder: these make the same files at the same time, as where the file system knows no locks.
+        // No file can be locked under the name of a folder: these make the same files at the same time, as where the file system knows no
+        // locks.
         Directory.CreateDirectory(Path.Combine(_repository.FolderOf(1), ".msisf-claims"));
         PatternSet[] sets = await Within.Seconds(120, "three writers at once", Task.WhenAll(Enumerable.Range(0, 3).Select(_ => Task.Run(
             () => new PatternRepository(_folder["patterns"]).EnsurePatterns(tiles, FunctionGrid.Rough(1), default, maxParallelism: 2)))));
@@ -188,7 +198,8 @@ public sealed class PatternRepositoryTests : IDisposable
         using CancellationTokenSource source = new();
         Progress progress = new(source.Cancel);
 
-        Assert.Throws<OperationCanceledException>(() => _repository.EnsurePatterns(TileId.All, FunctionGrid.Rough(1), default, 1, progress, source.Token));
+        Assert.Throws<OperationCanceledException>(
+            () => _repository.EnsurePatterns(TileId.All, FunctionGrid.Rough(1), default, 1, progress, source.Token));
 
         string left = Assert.Single(Directory.GetFiles(_repository.FolderOf(1), "pattern_*"));
         Assert.Equal("pattern_LDEM_1_lat_-90_-85_lon_0_5.inc", Path.GetFileName(left));

@@ -21,7 +21,8 @@ public class PatternWriterTests
         using LdemImage image = LdemImage.Open(LdemLabelReader.ReadFile(TestParts.Ldem4Label!));
         TileMeshLayout layout = TileMeshLayout.For(new TileId(south, west), 4);
         TileMeshBuilder builder = new(image);
-        string golden = Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "patterns", $"pattern_LDEM_4_{layout.Part.Tile.RangeText}.inc");
+        string golden = Path.Combine(
+            TestParts.RepositoryRoot, "tests", "golden", "patterns", $"pattern_LDEM_4_{layout.Part.Tile.RangeText}.inc");
 
         string written = Write(builder.Build(layout, builder.ReadRadii(layout)), PatternFormat.Mesh2);
 
@@ -71,7 +72,8 @@ public class PatternWriterTests
 
         // A lattice step is 0.0000078125 km: ten decimals hold every vertex exactly.
         LatticePoint[] points = [.. mesh.Faces[..3].Select(mesh.Vertex)];
-        string expected = string.Join(", ", points.Select(point => $"<{Kilometres(point.X)}, {Kilometres(point.Y)}, {Kilometres(point.Z)}>"));
+        string expected = string.Join(
+            ", ", points.Select(point => $"<{Kilometres(point.X)}, {Kilometres(point.Y)}, {Kilometres(point.Z)}>"));
         Assert.Equal(["mesh {", "triangle {", expected, "texture { moon }", "}", "triangle {"], lines[1..7]);
         Assert.Equal(3 + (4 * mesh.Layout.FaceCount) + 1, lines.Length);
         Assert.Contains("<-", expected, StringComparison.Ordinal);

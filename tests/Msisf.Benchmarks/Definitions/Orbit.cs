@@ -5,7 +5,9 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Benchmarks.Definitions;
 
-/// <summary>Moves a scene's camera on: on a circle about the Moon, towards what is up in the image, as fast as a spacecraft at that distance.</summary>
+/// <summary>
+/// Moves a scene's camera on: on a circle about the Moon, towards what is up in the image, as fast as a spacecraft at that distance.
+/// </summary>
 internal static class Orbit
 {
     /// <summary>Between two frames: half a pixel of the far scene, some 10 pixels from 100 km.</summary>

@@ -7,8 +7,8 @@ using Msisf.Core.Time;
 namespace Msisf.Benchmarks.Definitions;
 
 /// <summary>
-/// Where the scenes' cameras are and how they look. The Sun is the ephemeris's at the time given; the times are those at which it stands as wanted
-/// (tests/reference/benchmark_scenes.py, CSPICE N0067).
+/// Where the scenes' cameras are and how they look. The Sun is the ephemeris's at the time given; the times are those at which it stands as
+/// wanted (tests/reference/benchmark_scenes.py, CSPICE N0067).
 /// </summary>
 internal static class Places
 {
@@ -18,7 +18,9 @@ internal static class Places
     /// <summary>Off nadir, degrees: the horizon is in the image from 500 m as from 100 km.</summary>
     private const double LandingTilt = 75.0;
 
-    /// <summary>The thesis's example place, 1 091 km over 0 N 45 E, straight down: the terminator runs through the image (Sun 0.88 degrees up).</summary>
+    /// <summary>
+    /// The thesis's example place, 1 091 km over 0 N 45 E, straight down: the terminator runs through the image (Sun 0.88 degrees up).
+    /// </summary>
     public static SpacecraftState Far { get; } = Nadir(55289.0, new Vector3D(2e6, 2e6, 0.0));
 
     /// <summary>Twice as far in the same direction: the whole disc, half of it lit.</summary>
@@ -27,7 +29,9 @@ internal static class Places
     /// <summary>100 km over 10 N 20 E, straight down; Sun 9.97 degrees up, in the east.</summary>
     public static SpacecraftState LowNadir { get; } = Nadir(LowSun, Above(10.0, 20.0, 100e3));
 
-    /// <summary>20 km over 10 N 20 E, 60 degrees off nadir to the north; Sun 3.01 degrees up, in the east, where the image's middle is.</summary>
+    /// <summary>
+    /// 20 km over 10 N 20 E, 60 degrees off nadir to the north; Sun 3.01 degrees up, in the east, where the image's middle is.
+    /// </summary>
     public static SpacecraftState Oblique { get; } = Tilted(Nadir(55306.09, Above(10.0, 20.0, 20e3)), 60.0);
 
     /// <summary>100 km over the north pole, straight down; Sun 1.56 degrees up, as high as it comes in 2010.</summary>

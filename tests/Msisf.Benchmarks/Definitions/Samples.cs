@@ -1,6 +1,9 @@
 namespace Msisf.Benchmarks.Definitions;
 
-/// <summary>Repeated measurements of one thing. On a machine that others use too, the minimum is nearest to the truth and the median to what one sees.</summary>
+/// <summary>
+/// Repeated measurements of one thing. On a machine that others use too, the minimum is nearest to the truth and the median to what one
+/// sees.
+/// </summary>
 internal sealed class Samples
 {
     private readonly double[] _sorted;

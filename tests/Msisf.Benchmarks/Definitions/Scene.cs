@@ -32,7 +32,9 @@ internal sealed record Scene
     /// <summary>The ways whose time and error are measured; none if they are not.</summary>
     public IReadOnlyList<Setting> Settings { get; init; } = [];
 
-    /// <summary>Tiles of the image that are measured in the thesis's way; with fewer than it takes its time is scaled, and it has no error.</summary>
+    /// <summary>
+    /// Tiles of the image that are measured in the thesis's way; with fewer than it takes its time is scaled, and it has no error.
+    /// </summary>
     public int MaxThesisTiles { get; init; } = int.MaxValue;
 
     /// <summary>Its truth can be drawn: 64 samples of the full model. At 512 px/deg that would take ten minutes.</summary>

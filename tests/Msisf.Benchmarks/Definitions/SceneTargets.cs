@@ -4,5 +4,7 @@ namespace Msisf.Benchmarks.Definitions;
 /// <param name="FirstSeconds">From the start of the process to its end, all files written.</param>
 /// <param name="FurtherSeconds">Drawing a further frame.</param>
 /// <param name="MemoryBytes">Most memory that the process of one frame held.</param>
-/// <param name="TimesFasterThanPovRay">How many further frames take as long as POV-Ray's way to one image; null where nothing is asked for.</param>
+/// <param name="TimesFasterThanPovRay">
+/// How many further frames take as long as POV-Ray's way to one image; null where nothing is asked for.
+/// </param>
 internal sealed record SceneTargets(double FirstSeconds, double FurtherSeconds, double MemoryBytes, double? TimesFasterThanPovRay = null);

@@ -44,13 +44,21 @@ internal static class Scenes
             Settings = [Settings.PovRayDefault, Settings.NativeDefault],
             Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
         },
-        new() { Name = "disc-16", About = "whole disc, LDEM_16", PixelsPerDegree = 16, State = Places.Disc, Settings = Settings.Few, MaxThesisTiles = CoarseTiles },
+        new()
+        {
+            Name = "disc-16", About = "whole disc, LDEM_16", PixelsPerDegree = 16, State = Places.Disc,
+            Settings = Settings.Few, MaxThesisTiles = CoarseTiles,
+        },
         new()
         {
             Name = "nadir-64", About = "100 km, nadir, LDEM_64", PixelsPerDegree = 64, State = Places.LowNadir, Settings = Settings.All,
             Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
         },
-        new() { Name = "nadir-128", About = "100 km, nadir, LDEM_128", PixelsPerDegree = 128, State = Places.LowNadir, Settings = Settings.Own },
+        new()
+        {
+            Name = "nadir-128", About = "100 km, nadir, LDEM_128", PixelsPerDegree = 128, State = Places.LowNadir,
+            Settings = Settings.Own,
+        },
         new()
         {
             Name = "oblique-64", About = "20 km, oblique, LDEM_64", PixelsPerDegree = 64, State = Places.Oblique,

@@ -9,7 +9,9 @@ internal static class SequenceTargets
     /// <summary>With all layers on top.</summary>
     public const double LayeredFramesPerSecond = 1.0;
 
-    /// <summary>1: of the first frames' rate, what the last frames' must reach to be called flat; a shared machine's noise is about that.</summary>
+    /// <summary>
+    /// 1: of the first frames' rate, what the last frames' must reach to be called flat; a shared machine's noise is about that.
+    /// </summary>
     public const double MinLastToFirst = 0.9;
 
     /// <summary>1: of the first frames' own memory, what the last frames' may be to be called no growth.</summary>

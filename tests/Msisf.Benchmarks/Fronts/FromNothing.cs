@@ -4,7 +4,9 @@ using Msisf.Benchmarks.Programs;
 
 namespace Msisf.Benchmarks.Fronts;
 
-/// <summary>The first image from nothing but a model's image and label: no patterns, no bounds of the terrain and no levels beside it.</summary>
+/// <summary>
+/// The first image from nothing but a model's image and label: no patterns, no bounds of the terrain and no levels beside it.
+/// </summary>
 internal static class FromNothing
 {
     /// <summary>The image.</summary>

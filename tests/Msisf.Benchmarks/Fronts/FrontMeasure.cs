@@ -59,7 +59,9 @@ internal sealed class FrontMeasure
             try
             {
                 SettingResult result = Measure(scene, setting, truth, pixels, model.Levels);
-                _log.WriteLine(FormattableString.Invariant($"          {setting.Name}: {result.Seconds.Median:F2} s{(result.IsScaled ? ", scaled" : string.Empty)}"));
+                _log.WriteLine(
+                    FormattableString.Invariant(
+                        $"          {setting.Name}: {result.Seconds.Median:F2} s{(result.IsScaled ? ", scaled" : string.Empty)}"));
                 results.Add(result);
             }
             catch (BenchmarkException failure)
@@ -112,14 +114,21 @@ internal sealed class FrontMeasure
             Tiles = tiles,
             MeasuredTiles = measuredTiles,
             Error = truth is not null && isWhole ? ImageError.Of(truth, Single(output, "*.png")) : null,
-            Hits = isWhole && setting.HasOwnSurface && timing.SecondsOf("parse") < MaxParseForHits ? Hits(scene, setting, output, pixels, levels) : null,
+            Hits = isWhole && setting.HasOwnSurface && timing.SecondsOf("parse") < MaxParseForHits
+                ? Hits(scene, setting, output, pixels, levels)
+                : null,
         };
     }
 
     private HitDistance Hits(Scene scene, Setting setting, string output, HitPixels pixels, LodLevels levels)
     {
         IReadOnlyList<Vector3D?> points = setting.Kind == SettingKind.Native
-            ? pixels.ByNative(levels.Level(setting.IsFull ? 0 : new DetailRule(levels, DetailRule.DefaultErrorOfImage).LevelOfImage(scene.Camera.Footprint, setting.SubsamplesPerAxis)))
+            ? pixels.ByNative(
+                levels.Level(
+                    setting.IsFull
+                        ? 0
+                        : new DetailRule(levels, DetailRule.DefaultErrorOfImage).LevelOfImage(
+                            scene.Camera.Footprint, setting.SubsamplesPerAxis)))
             : PovRayHits.Trace(Single(output, "*.pov"), _bench.PatternsOf(scene, setting), pixels.Rays, output);
         return HitDistance.Of(pixels.Truth, points);
     }

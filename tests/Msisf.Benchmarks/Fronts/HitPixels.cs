@@ -41,7 +41,8 @@ internal sealed class HitPixels
     {
         NativeRenderOptions options = new() { Reflectance = new EvenReflectance(), KeepGroundTruth = true };
         SceneLight lamp = new(_camera.PositionMoonMe, IsSun: false);
-        using NativeFrame frame = new NativeRenderer(drawn).Render(_camera, lamp, options, Environment.ProcessorCount, CancellationToken.None);
+        using NativeFrame frame = new NativeRenderer(drawn).Render(
+            _camera, lamp, options, Environment.ProcessorCount, CancellationToken.None);
         return [.. _pixels.Select(pixel => frame.TryGet(pixel.X, pixel.Y, out SurfaceHit hit, out _) ? hit.PointMoonMe : (Vector3D?)null)];
     }
 }

@@ -31,7 +31,9 @@ internal sealed class ImageMaker
         }
 
         bool isPovRay = setting.Kind == SettingKind.PovRay;
-        string[] renderer = isPovRay ? ["--renderer", "povray", "--pattern-repos", patterns, "--timeout", Timeout] : ["--renderer", "native"];
+        string[] renderer = isPovRay
+            ? ["--renderer", "povray", "--pattern-repos", patterns, "--timeout", Timeout]
+            : ["--renderer", "native"];
         return _bench.Msis.Run(
             ["--fixed-state", scene.FixedState, .. _bench.ImageOptions(scene.PixelsPerDegree, output), .. renderer, .. setting.Options],
             watch: isPovRay ? MemoryWatch.Children : MemoryWatch.None);

@@ -9,8 +9,8 @@ using Msisf.TestSupport.Images;
 namespace Msisf.Benchmarks.Fronts;
 
 /// <summary>
-/// The truth of an image: the full model, nothing skipped, 64 samples a pixel on a regular grid, Lambert's law as in POV-Ray's scene. Drawn by the
-/// native renderer, which shows the same facets as the exact tracer in every sample (docs/native-renderer.md).
+/// The truth of an image: the full model, nothing skipped, 64 samples a pixel on a regular grid, Lambert's law as in POV-Ray's scene. Drawn
+/// by the native renderer, which shows the same facets as the exact tracer in every sample (docs/native-renderer.md).
 /// </summary>
 internal sealed class ImageTruth
 {

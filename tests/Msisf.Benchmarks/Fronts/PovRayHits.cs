@@ -21,17 +21,24 @@ internal static class PovRayHits
     /// <returns>m, MOON_ME, a point for each ray; null where nothing is met.</returns>
     public static IReadOnlyList<Vector3D?> Trace(string scenePath, string patternRoot, IEnumerable<Ray> rays, string folder)
     {
-        StringBuilder scene = new("#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n#declare moon = texture { pigment { rgb 1 } }\n#declare N = <0, 0, 0>;\n#declare All = union {\n");
-        scene.AppendJoin('\n', File.ReadLines(scenePath).Where(line => line.TrimStart().StartsWith(Include, StringComparison.Ordinal))).Append("\n}\n");
+        StringBuilder scene = new(
+            "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n#declare moon = texture { pigment { rgb 1 } }\n#declare N = <0, 0, "
+                + "0>;\n#declare All = union {\n");
+        scene.AppendJoin(
+            '\n', File.ReadLines(scenePath).Where(line => line.TrimStart().StartsWith(Include, StringComparison.Ordinal))).Append("\n}\n");
         foreach (Ray ray in rays)
         {
-            scene.Append(CultureInfo.InvariantCulture, $"#declare H = trace(All, {Text(ray.Origin / 1000.0)}, {Text(ray.Direction)}, N);\n");
-            scene.Append(CultureInfo.InvariantCulture, $"#debug concat(\"{Mark}\", vstr(3, H, \" \", 0, 12), \" \", str(vlength(N), 0, 3), \"\\n\")\n");
+            scene.Append(
+                CultureInfo.InvariantCulture, $"#declare H = trace(All, {Text(ray.Origin / 1000.0)}, {Text(ray.Direction)}, N);\n");
+            scene.Append(
+                CultureInfo.InvariantCulture,
+                $"#debug concat(\"{Mark}\", vstr(3, H, \" \", 0, 12), \" \", str(vlength(N), 0, 3), \"\\n\")\n");
         }
 
         File.WriteAllText(Path.Combine(folder, SceneName), scene.ToString());
         string[] libraries = [patternRoot, .. Directory.GetDirectories(patternRoot, "*", SearchOption.AllDirectories)];
-        ProgramRun run = new ChildProgram("povray", folder).Run([$"+I{SceneName}", "-D", "-F", "+W1", "+H1", .. libraries.Select(library => $"+L{library}")]);
+        ProgramRun run = new ChildProgram("povray", folder).Run(
+            [$"+I{SceneName}", "-D", "-F", "+W1", "+H1", .. libraries.Select(library => $"+L{library}")]);
         return [.. run.Errors.Where(line => line.StartsWith(Mark, StringComparison.Ordinal)).Select(Point)];
     }
 

@@ -6,7 +6,8 @@ namespace Msisf.Benchmarks.Fronts;
 /// <param name="Scene">The scene.</param>
 /// <param name="Results">The ways that were measured, in their order.</param>
 /// <param name="Failures">Ways that failed, each with what was said.</param>
-internal sealed record SceneFront(Scene Scene, IReadOnlyList<SettingResult> Results, IReadOnlyList<(Setting Setting, string Message)> Failures)
+internal sealed record SceneFront(
+    Scene Scene, IReadOnlyList<SettingResult> Results, IReadOnlyList<(Setting Setting, string Message)> Failures)
 {
     /// <summary>A way's result; null if it was not measured.</summary>
     public SettingResult? Of(Setting setting) => Results.FirstOrDefault(result => result.Setting == setting);

@@ -9,7 +9,9 @@ internal sealed record SettingResult
 {
     public required Setting Setting { get; init; }
 
-    /// <summary>s, from the start of the process to its end, all files written, patterns in place; scaled if <see cref="IsScaled"/>.</summary>
+    /// <summary>
+    /// s, from the start of the process to its end, all files written, patterns in place; scaled if <see cref="IsScaled"/>.
+    /// </summary>
     public required Samples Seconds { get; init; }
 
     /// <summary>Of the last run; not scaled.</summary>

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Globalization;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Fronts;
 using Msisf.Benchmarks.Programs;
@@ -38,8 +39,10 @@ internal sealed class BenchmarkRun
 
         IReadOnlyList<SceneResult> scenes = NativeFrames();
         (SequenceResult? plain, SequenceResult? layered) = _options.HasSequence ? Sequence() : default;
-        string machine = FormattableString.Invariant(
-            $"{Machine.Describe()} Load before and after the run: {loadBefore} and {Machine.Load()}. The run took {Stopwatch.GetElapsedTime(_start).TotalMinutes:F1} minutes.");
+        string machine = string.Create(
+            CultureInfo.InvariantCulture,
+            $"{Machine.Describe()} Load before and after the run: {loadBefore} and {Machine.Load()}. "
+                + $"The run took {Stopwatch.GetElapsedTime(_start).TotalMinutes:F1} minutes.");
         return new BenchmarkResult(machine, scenes, fronts, fromNothing, plain, layered);
     }
 
@@ -82,5 +85,6 @@ internal sealed class BenchmarkRun
         return (plain, sequences.WithLayers());
     }
 
-    private void Say(string what) => _log.WriteLine(FormattableString.Invariant($"{Stopwatch.GetElapsedTime(_start).TotalSeconds,6:F0} s  {what}"));
+    private void Say(string what) =>
+        _log.WriteLine(FormattableString.Invariant($"{Stopwatch.GetElapsedTime(_start).TotalSeconds,6:F0} s  {what}"));
 }

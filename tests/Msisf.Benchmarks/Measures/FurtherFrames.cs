@@ -5,7 +5,8 @@ using Msisf.Benchmarks.Programs;
 namespace Msisf.Benchmarks.Measures;
 
 /// <summary>
-/// Further frames, drawn in one process: a child of this one for each setting, because the width of vectors is chosen when a process starts.
+/// Further frames, drawn in one process: a child of this one for each setting, because the width of vectors is chosen when a process
+/// starts.
 /// </summary>
 internal sealed class FurtherFrames
 {
@@ -42,7 +43,8 @@ internal sealed class FurtherFrames
     private FurtherFramesResult Run(Scene scene, int threads, Dictionary<string, string>? environment)
     {
         FurtherFramesJob job = new(
-            scene.Name, _bench.LabelOf(scene.PixelsPerDegree), threads, _repeats.WarmUpFrames, _repeats.FurtherFrames, _repeats.CheckedPixels);
+            scene.Name, _bench.LabelOf(scene.PixelsPerDegree), threads, _repeats.WarmUpFrames, _repeats.FurtherFrames,
+            _repeats.CheckedPixels);
         ProgramRun run = ChildProgram.Self(_bench.Root).Run([FurtherFramesJob.Command, JsonSerializer.Serialize(job)], environment);
         return JsonSerializer.Deserialize<FurtherFramesResult>(run.Output[^1].Line)!;
     }

@@ -5,13 +5,18 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Benchmarks.Measures;
 
-/// <summary>Many frames in one process: one turn of a polar orbit, with images and meta files; and a few frames of it with all layers.</summary>
+/// <summary>
+/// Many frames in one process: one turn of a polar orbit, with images and meta files; and a few frames of it with all layers.
+/// </summary>
 internal sealed class Sequences
 {
     private const double Altitude = 100e3; // m over the mean radius
     private const double EpochMjd = 55289.0;
 
-    /// <summary>rad, 286.5 degrees: 29 degrees from the sub-solar point (315.9 E), so that the turn begins and ends near noon and half of it is night.</summary>
+    /// <summary>
+    /// rad, 286.5 degrees: 29 degrees from the sub-solar point (315.9 E), so that the turn begins and ends near noon and half of it is
+    /// night.
+    /// </summary>
     private const double AscendingNode = 5.0;
 
     private const double SecondsADay = 86400.0;

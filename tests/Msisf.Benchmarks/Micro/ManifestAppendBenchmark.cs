@@ -28,7 +28,7 @@ public class ManifestAppendBenchmark
     {
         Thread[] writers = [.. Enumerable.Range(0, Writers).Select(_ => new Thread(AppendShare))];
         Array.ForEach(writers, writer => writer.Start());
-        Array.ForEach(writers, writer => writer.Join());
+        Array.ForEach(writers, writer => writer.Join()); // Append waits for the lock for two minutes at most
     }
 
     private void AppendShare()
@@ -36,7 +36,9 @@ public class ManifestAppendBenchmark
         ManifestFile manifest = new(_folder);
         for (int line = 1; line <= Lines / Writers; line++)
         {
-            manifest.Append(new FrameRecord(line, "MoonSurfIllumSim_step_00001", Key, Key, [new OutputFile("MoonSurfIllumSim_step_00001.png", 100_000, Key)]));
+            manifest.Append(
+                new FrameRecord(
+                    line, "MoonSurfIllumSim_step_00001", Key, Key, [new OutputFile("MoonSurfIllumSim_step_00001.png", 100_000, Key)]));
         }
     }
 }

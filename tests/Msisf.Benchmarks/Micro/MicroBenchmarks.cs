@@ -13,7 +13,8 @@ internal static class MicroBenchmarks
     public static void Run(string[] arguments)
     {
         // In this process: a project of BenchmarkDotNet's own would be built by the rules of this repository, and fail.
-        ManualConfig config = ManualConfig.Create(DefaultConfig.Instance).AddJob(Job.Default.WithToolchain(InProcessEmitToolchain.Instance));
+        ManualConfig config = ManualConfig.Create(DefaultConfig.Instance).AddJob(
+            Job.Default.WithToolchain(InProcessEmitToolchain.Instance));
         string[] all = arguments.Contains("--filter") ? [] : ["--filter", "*"];
         BenchmarkSwitcher.FromAssembly(typeof(MicroBenchmarks).Assembly).Run([.. arguments, .. all], config);
     }

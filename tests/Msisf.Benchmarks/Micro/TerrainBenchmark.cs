@@ -5,7 +5,6 @@ using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;
 using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tiles;
 using Msisf.Core.Tracing;

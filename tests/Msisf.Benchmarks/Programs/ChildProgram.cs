@@ -9,6 +9,9 @@ internal sealed class ChildProgram
     private static readonly TimeSpan OwnInterval = TimeSpan.FromMilliseconds(500);
     private static readonly TimeSpan ChildrenInterval = TimeSpan.FromMilliseconds(50);
 
+    /// <summary>Far above what any run here takes.</summary>
+    private static readonly TimeSpan LongestRun = TimeSpan.FromMinutes(30);
+
     private const int ShownErrorLines = 5;
 
     private readonly string _file;
@@ -32,8 +35,9 @@ internal sealed class ChildProgram
     /// <param name="arguments">Its arguments.</param>
     /// <param name="environment">Variables that it gets beside this process's own.</param>
     /// <param name="watch">Whose memory to look at meanwhile.</param>
-    /// <exception cref="BenchmarkException">It can't be started or fails; the message has what it said.</exception>
-    public ProgramRun Run(IReadOnlyList<string> arguments, IReadOnlyDictionary<string, string>? environment = null, MemoryWatch watch = MemoryWatch.None)
+    /// <exception cref="BenchmarkException">It can't be started, fails, or hangs; the message has what it said.</exception>
+    public ProgramRun Run(
+        IReadOnlyList<string> arguments, IReadOnlyDictionary<string, string>? environment = null, MemoryWatch watch = MemoryWatch.None)
     {
         using Process process = new() { StartInfo = StartInfo(arguments, environment) };
         List<(double, string)> output = [];
@@ -54,26 +58,34 @@ internal sealed class ChildProgram
         process.BeginErrorReadLine();
         List<MemorySample> memory = [];
         ChildrenMemory children = new(process.Id);
-        while (watch == MemoryWatch.Children && !process.WaitForExit(ChildrenInterval))
+        TimeSpan interval = watch == MemoryWatch.Children ? ChildrenInterval : watch == MemoryWatch.Own ? OwnInterval : LongestRun;
+        while (!process.WaitForExit(interval))
         {
-            children.Look();
-        }
+            double elapsed = Stopwatch.GetElapsedTime(start).TotalSeconds;
+            if (elapsed > LongestRun.TotalSeconds)
+            {
+                process.Kill(entireProcessTree: true);
+                throw new BenchmarkException($"{_file} {string.Join(' ', arguments)}: did not end within {LongestRun}");
+            }
 
-        while (watch == MemoryWatch.Own && !process.WaitForExit(OwnInterval))
-        {
-            if (MemorySample.Of(process, Stopwatch.GetElapsedTime(start).TotalSeconds) is MemorySample sample)
+            if (watch == MemoryWatch.Children)
+            {
+                children.Look();
+            }
+            else if (watch == MemoryWatch.Own && MemorySample.Of(process, elapsed) is MemorySample sample)
             {
                 memory.Add(sample);
             }
         }
 
-        process.WaitForExit(); // and for the end of both pipes
+        process.WaitForExitAsync().Wait(LongestRun); // for the end of both pipes, too
         double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
         return process.ExitCode == 0
             ? new ProgramRun(seconds, output, errors, memory, children.PeakBytes)
             : throw new BenchmarkException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{_file} {string.Join(' ', arguments)}: exit code {process.ExitCode}: {string.Join(" / ", errors.TakeLast(ShownErrorLines))}"));
+                $"{_file} {string.Join(' ', arguments)}: exit code {process.ExitCode}: "
+                    + $"{string.Join(" / ", errors.TakeLast(ShownErrorLines))}"));
     }
 
     private static void Add<T>(List<T> list, string? line, Func<string, T> item)

@@ -27,7 +27,8 @@ internal sealed class ChildrenMemory
 
         if (_child is null || !TryReadPeak(_child))
         {
-            _child = Directory.EnumerateDirectories(Processes).FirstOrDefault(folder => char.IsAsciiDigit(Path.GetFileName(folder)[0]) && IsChild(folder));
+            _child = Directory.EnumerateDirectories(Processes).FirstOrDefault(
+                folder => char.IsAsciiDigit(Path.GetFileName(folder)[0]) && IsChild(folder));
         }
     }
 

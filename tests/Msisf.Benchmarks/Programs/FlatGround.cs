@@ -1,6 +1,7 @@
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
-using Msisf.Core.Terrain.Synthesis;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Benchmarks.Programs;
 

@@ -25,7 +25,9 @@ internal readonly record struct MemorySample(double Seconds, long OwnBytes, long
             }
 
             string[] lines = File.ReadAllLines(status);
-            return Field(lines, "RssAnon:") is long own && Field(lines, "RssFile:") is long file ? new MemorySample(seconds, own, file) : null;
+            return Field(lines, "RssAnon:") is long own && Field(lines, "RssFile:") is long file
+                ? new MemorySample(seconds, own, file)
+                : null;
         }
         catch (Exception exception) when (exception is IOException or InvalidOperationException)
         {

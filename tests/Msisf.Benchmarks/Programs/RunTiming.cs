@@ -37,6 +37,7 @@ internal sealed class RunTiming
         string line = run.Errors.LastOrDefault(text => text.StartsWith('{'))
             ?? throw new BenchmarkException($"msis --timing has printed no line of JSON, but: {string.Join(" / ", run.Errors)}");
         using JsonDocument document = JsonDocument.Parse(line);
-        return new RunTiming(document.RootElement.EnumerateObject().ToDictionary(property => property.Name, property => property.Value.GetDouble()));
+        return new RunTiming(
+            document.RootElement.EnumerateObject().ToDictionary(property => property.Name, property => property.Value.GetDouble()));
     }
 }

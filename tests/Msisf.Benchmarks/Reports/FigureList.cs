@@ -67,7 +67,8 @@ internal static class FigureList
         yield return Single(name, "files", string.Empty, "bytes", result.Bytes);
         yield return Single(name, "files", "written", "bytes/s", result.BytesPerSecond);
         yield return Single(name, "peak memory", string.Empty, "bytes", result.PeakMemoryBytes);
-        foreach (Figure figure in OfMemory(name, "first frames", result.FirstMemory).Concat(OfMemory(name, "last frames", result.LastMemory)))
+        foreach (Figure figure in OfMemory(name, "first frames", result.FirstMemory).Concat(
+            OfMemory(name, "last frames", result.LastMemory)))
         {
             yield return figure;
         }

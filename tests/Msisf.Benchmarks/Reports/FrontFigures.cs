@@ -3,7 +3,9 @@ using Msisf.Benchmarks.Fronts;
 
 namespace Msisf.Benchmarks.Reports;
 
-/// <summary>Time and error of every way to make every image, for the CSV file and its plots. SI units; an empty field was not measured.</summary>
+/// <summary>
+/// Time and error of every way to make every image, for the CSV file and its plots. SI units; an empty field was not measured.
+/// </summary>
 internal static class FrontFigures
 {
     private static readonly (string Name, Func<SettingResult, double?> Value)[] Columns =

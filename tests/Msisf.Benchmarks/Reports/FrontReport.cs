@@ -17,14 +17,19 @@ internal static class FrontReport
         text.Append(CultureInfo.InvariantCulture, $"### {Capital(front.Scene.About)}\n\n");
         if (front.Results.Any(result => result.Error is not null))
         {
-            text.Append(CultureInfo.InvariantCulture, $"![Time against error: {front.Scene.About}](benchmark/front-{front.Scene.Name}.svg)\n\n");
+            text.Append(
+                CultureInfo.InvariantCulture, $"![Time against error: {front.Scene.About}](benchmark/front-{front.Scene.Name}.svg)\n\n");
         }
 
         text.Append(Costs(front).ToMarkdown()).Append('\n');
         text.Append(Errors(front).ToMarkdown()).Append('\n');
         foreach (SettingResult result in front.Results.Where(result => result.IsScaled))
         {
-            text.Append(CultureInfo.InvariantCulture, $"{Capital(result.Setting.Name)}: scaled. {Seconds(Measured(result))} s for {result.MeasuredTiles} of {result.Tiles} tiles were measured; the time of parsing, the bytes and the triangles are multiplied by {result.Tiles}/{result.MeasuredTiles}, the other times are as measured.\n\n");
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"{Capital(result.Setting.Name)}: scaled. {Seconds(Measured(result))} s for {result.MeasuredTiles} of {result.Tiles} "
+                    + $"tiles were measured; the time of parsing, the bytes and the triangles are multiplied by "
+                    + $"{result.Tiles}/{result.MeasuredTiles}, the other times are as measured.\n\n");
         }
 
         foreach ((Setting setting, string message) in front.Failures)
@@ -35,7 +40,21 @@ internal static class FrontReport
 
     private static Table Costs(SceneFront front)
     {
-        Table table = new("way", "s", "to thesis", "start-up", "selection", "patterns", "parse", "trace or draw", "output", "msis, MB", "POV-Ray, MB", "tiles", "triangles, 1000", "patterns, MB");
+        Table table = new(
+            "way",
+            "s",
+            "to thesis",
+            "start-up",
+            "selection",
+            "patterns",
+            "parse",
+            "trace or draw",
+            "output",
+            "msis, MB",
+            "POV-Ray, MB",
+            "tiles",
+            "triangles, 1000",
+            "patterns, MB");
         foreach (SettingResult result in front.Results)
         {
             bool hasPatterns = result.Patterns is not null;
@@ -61,7 +80,13 @@ internal static class FrontReport
 
     private static Table Errors(SceneFront front)
     {
-        Table table = new("way", "pixels off by more than a level, %", "rms, levels", "light wrong, %", "limb, rms and largest, px", "hits: median, rms, largest, m");
+        Table table = new(
+            "way",
+            "pixels off by more than a level, %",
+            "rms, levels",
+            "light wrong, %",
+            "limb, rms and largest, px",
+            "hits: median, rms, largest, m");
         foreach (SettingResult result in front.Results)
         {
             ImageError? error = result.Error;
@@ -70,7 +95,9 @@ internal static class FrontReport
                 error is null ? NotMeasured : Unit.Percent.Number(error.Grey.DifferingFraction),
                 error is null ? NotMeasured : Unit.Levels.Number(error.Grey.Rms),
                 error is null ? NotMeasured : Unit.Percent.Number(error.Light.Fraction),
-                error is { Limb: { Points: > 0 } limb } ? $"{Unit.Pixels.Number(limb.Rms)}, {Unit.Pixels.Number(limb.Largest)}" : NotMeasured,
+                error is { Limb: { Points: > 0 } limb }
+                    ? $"{Unit.Pixels.Number(limb.Rms)}, {Unit.Pixels.Number(limb.Largest)}"
+                    : NotMeasured,
                 result.Hits is HitDistance hits ? $"{Metres(hits.Median)}, {Metres(hits.Rms)}, {Metres(hits.Largest)}" : NotMeasured);
         }
 

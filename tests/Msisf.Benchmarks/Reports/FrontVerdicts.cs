@@ -5,14 +5,19 @@ using Msisf.Benchmarks.Measures;
 
 namespace Msisf.Benchmarks.Reports;
 
-/// <summary>Compares what POV-Ray's way costs with the targets of the project's plan; ratios are to the thesis's way in the same run.</summary>
+/// <summary>
+/// Compares what POV-Ray's way costs with the targets of the project's plan; ratios are to the thesis's way in the same run.
+/// </summary>
 internal static class FrontVerdicts
 {
     private const double FromNothingSeconds = 60.0;
     private const double MaxOfThesisBytes = 0.2;
     private const double MaxMemory = 500e6; // bytes
 
-    /// <summary>Of the error at full resolution: not above it, but for the jitter of antialiasing, which differs from run to run by a ten-thousandth.</summary>
+    /// <summary>
+    /// Of the error at full resolution: not above it, but for the jitter of antialiasing, which differs from run to run by a
+    /// ten-thousandth.
+    /// </summary>
     private const double MaxOfFullError = 1.001;
 
     /// <summary>How many times as fast as the thesis's way, by the scene's name.</summary>
@@ -35,10 +40,12 @@ internal static class FrontVerdicts
         if (result.FromNothing is FromNothingResult first)
         {
             yield return new Verdict(
-                first.About, "first image from nothing but the model's file", FromNothingSeconds, IsUpperLimit: true, first.Seconds, first.Seconds, Unit.Seconds);
+                first.About, "first image from nothing but the model's file", FromNothingSeconds, IsUpperLimit: true, first.Seconds,
+                first.Seconds, Unit.Seconds);
         }
 
-        foreach (IGrouping<int, SceneFront> fronts in result.Fronts.GroupBy(front => front.Scene.PixelsPerDegree).OrderBy(group => group.Key))
+        foreach (IGrouping<int, SceneFront> fronts in result.Fronts.GroupBy(
+            front => front.Scene.PixelsPerDegree).OrderBy(group => group.Key))
         {
             yield return Memory(fronts.Key, [.. fronts]);
         }
@@ -51,7 +58,8 @@ internal static class FrontVerdicts
         {
             double min = Math.Max(times, 1.0);
             (double median, double best) = Speed(front);
-            yield return new Verdict(scene.About, "POV-Ray's image, to the thesis's way", min, IsUpperLimit: false, median, best, Unit.Times);
+            yield return new Verdict(
+                scene.About, "POV-Ray's image, to the thesis's way", min, IsUpperLimit: false, median, best, Unit.Times);
         }
 
         SettingResult? povRay = front.Of(Settings.PovRayDefault);
@@ -59,14 +67,16 @@ internal static class FrontVerdicts
         {
             double error = povRay?.Error?.Grey.Rms / front.Of(Settings.PovRayFull)?.Error?.Grey.Rms ?? double.NaN;
             yield return new Verdict(
-                scene.About, "rms error of POV-Ray's image, to that at full resolution", MaxOfFullError, IsUpperLimit: true, error, error, Unit.Times);
+                scene.About, "rms error of POV-Ray's image, to that at full resolution", MaxOfFullError, IsUpperLimit: true, error, error,
+                Unit.Times);
         }
 
         if (TimesFaster.ContainsKey(scene.Name))
         {
             double disk = povRay?.PatternBytes / front.Of(Settings.Thesis)?.PatternBytes ?? double.NaN;
             yield return new Verdict(
-                scene.About, "disk for the scene's patterns, to the thesis's", MaxOfThesisBytes, IsUpperLimit: true, disk, disk, Unit.Times);
+                scene.About, "disk for the scene's patterns, to the thesis's", MaxOfThesisBytes, IsUpperLimit: true, disk, disk,
+                Unit.Times);
         }
     }
 

@@ -24,7 +24,11 @@ internal static class MarkdownReport
 
         if (result.Scenes.Count > 0)
         {
-            Append(text, "The native renderer's first frame: a process of its own, all files written; minimum / median. Phases are medians of `--timing`.", FirstFrames(result.Scenes));
+            Append(
+                text,
+                "The native renderer's first frame: a process of its own, all files written; minimum / median. "
+                    + "Phases are medians of `--timing`.",
+                FirstFrames(result.Scenes));
             Append(text, "Its further frames in one process, ms to draw one; minimum / median.", FurtherFrames(result.Scenes));
         }
 
@@ -36,7 +40,8 @@ internal static class MarkdownReport
         return text.ToString().TrimEnd('\n') + "\n";
     }
 
-    private static void Append(StringBuilder text, string title, Table table) => text.Append(title).Append("\n\n").Append(table.ToMarkdown()).Append('\n');
+    private static void Append(StringBuilder text, string title, Table table) =>
+        text.Append(title).Append("\n\n").Append(table.ToMarkdown()).Append('\n');
 
     private static Table Targets(BenchmarkResult result)
     {
@@ -67,7 +72,8 @@ internal static class MarkdownReport
             [
                 scene.Scene.About,
                 Range(Unit.Milliseconds, scene.First.Seconds),
-                .. phases.Select(phase => seconds.TryGetValue(phase, out Samples? values) ? Unit.Milliseconds.Number(values.Median) : NotMeasured),
+                .. phases.Select(
+                    phase => seconds.TryGetValue(phase, out Samples? values) ? Unit.Milliseconds.Number(values.Median) : NotMeasured),
                 Unit.Megabytes.Number(scene.First.PeakMemoryBytes.Maximum),
             ]);
         }
@@ -92,7 +98,8 @@ internal static class MarkdownReport
                 Unit.Megabytes.Number(scene.Further.Max(further => further.PeakMemoryBytes)),
                 string.Create(
                     CultureInfo.InvariantCulture,
-                    $"{scene.Further.Sum(further => further.OtherFacets)}, {scene.Further.Sum(further => further.OtherLight)} of {scene.Further.Sum(further => further.CheckedPixels)}"),
+                    $"{scene.Further.Sum(further => further.OtherFacets)}, "
+                        + $"{scene.Further.Sum(further => further.OtherLight)} of {scene.Further.Sum(further => further.CheckedPixels)}"),
             ]);
         }
 
@@ -102,8 +109,10 @@ internal static class MarkdownReport
     private static Table Sequences(BenchmarkResult result)
     {
         Table table = new(
-            "files", "frames", "frames/s", "first tenth", "last tenth", "slowest tenth", "MB/s", "peak memory, MB", "own memory, first and last tenth, MB");
-        foreach ((string files, SequenceResult? sequence) in ((string, SequenceResult?)[])[("PNG, XML", result.Sequence), ("and all layers, FITS", result.Layers)])
+            "files", "frames", "frames/s", "first tenth", "last tenth", "slowest tenth", "MB/s", "peak memory, MB",
+            "own memory, first and last tenth, MB");
+        foreach ((string files, SequenceResult? sequence) in ((string, SequenceResult?)[])[("PNG, XML", result.Sequence), (
+            "and all layers, FITS", result.Layers)])
         {
             if (sequence is not null)
             {
@@ -123,7 +132,8 @@ internal static class MarkdownReport
         return table;
     }
 
-    private static string OwnMemory(MemorySample? sample) => sample is MemorySample seen ? Unit.Megabytes.Number(seen.OwnBytes) : NotMeasured;
+    private static string OwnMemory(MemorySample? sample) =>
+        sample is MemorySample seen ? Unit.Megabytes.Number(seen.OwnBytes) : NotMeasured;
 
     private static string Range(Unit unit, Samples values) => values.Count == 1
         ? unit.Number(values.Median)

@@ -12,8 +12,12 @@ internal static class StressFiles
     {
         Directory.CreateDirectory(folder);
         AtomicFile.WriteText(Path.Combine(folder, "tables.md"), writer => writer.Write(StressMarkdown.Write(result)));
-        AtomicFile.WriteText(Path.Combine(folder, "stress.csv"), writer => writer.Write(Figures(result.Tests.Where(test => !test.Test.IsOfThisMachine)).ToCsv()));
-        AtomicFile.WriteText(Path.Combine(folder, "stress_machine.csv"), writer => writer.Write(Figures(result.Tests.Where(test => test.Test.IsOfThisMachine)).ToCsv()));
+        AtomicFile.WriteText(
+            Path.Combine(folder, "stress.csv"),
+            writer => writer.Write(Figures(result.Tests.Where(test => !test.Test.IsOfThisMachine)).ToCsv()));
+        AtomicFile.WriteText(
+            Path.Combine(folder, "stress_machine.csv"),
+            writer => writer.Write(Figures(result.Tests.Where(test => test.Test.IsOfThisMachine)).ToCsv()));
         AtomicFile.WriteText(Path.Combine(folder, "stress_series.csv"), writer => writer.Write(Series(result).ToCsv()));
     }
 
@@ -42,7 +46,8 @@ internal static class StressFiles
     /// <summary>A line for each bin; "number" counts the series of a test from 1 and is in the name of its plot.</summary>
     private static Table Series(StressResult result)
     {
-        Table table = new("test", "number", "quantity", "unit", "input", "input_unit", "scale", "limit", "from", "to", "count", "mean", "worst");
+        Table table = new(
+            "test", "number", "quantity", "unit", "input", "input_unit", "scale", "limit", "from", "to", "count", "mean", "worst");
         foreach (StressReport report in result.Tests.Select(test => test.Report).OfType<StressReport>())
         {
             for (int index = 0; index < report.Series.Count; index++)

@@ -55,14 +55,16 @@ internal static class StressMarkdown
         {
             StressFigure figure = verdict.Figure!;
             table.Add(
-                figure.Quantity, StressVerdict.LimitOf(figure), StressVerdict.WorstOf(figure), verdict.Word, $"`{Escaped(figure.WorstInput)}`");
+                figure.Quantity, StressVerdict.LimitOf(figure), StressVerdict.WorstOf(figure), verdict.Word,
+                $"`{Escaped(figure.WorstInput)}`");
         }
 
         text.Append(table.ToMarkdown());
         for (int index = 0; index < report.Series.Count; index++)
         {
             StressSeries series = report.Series[index];
-            text.Append("\n![").Append(report.Name).Append(": ").Append(series.Quantity).Append(" over ").Append(series.Input).Append("](benchmark/")
+            text.Append("\n![").Append(report.Name).Append(": ").Append(
+                series.Quantity).Append(" over ").Append(series.Input).Append("](benchmark/")
                 .Append(PlotOf(report.Name, index + 1)).Append(")\n");
         }
     }

@@ -32,5 +32,6 @@ internal sealed record StressVerdict(StressFigure? Figure, string Word, string L
 
     private static string WithUnit(double value, string unit) => $"{Text(value)} {unit}".TrimEnd();
 
-    private static string Text(double value) => value.ToString("G3", CultureInfo.InvariantCulture).Replace("E", "e", StringComparison.Ordinal);
+    private static string Text(double value) =>
+        value.ToString("G3", CultureInfo.InvariantCulture).Replace("E", "e", StringComparison.Ordinal);
 }

@@ -7,7 +7,8 @@ namespace Msisf.Benchmarks.Reports;
 internal static class Verdicts
 {
     public static IEnumerable<Verdict> Of(BenchmarkResult result) =>
-        [.. FrontVerdicts.Of(result), .. result.Scenes.SelectMany(scene => Of(scene, result)), .. OfSequence(result.Sequence), .. OfLayers(result.Layers)];
+        [.. FrontVerdicts.Of(result), .. result.Scenes.SelectMany(
+            scene => Of(scene, result)), .. OfSequence(result.Sequence), .. OfLayers(result.Layers)];
 
     private static IEnumerable<Verdict> Of(SceneResult result, BenchmarkResult all)
     {
@@ -16,16 +17,19 @@ internal static class Verdicts
         Samples further = result.DefaultFurtherSeconds;
         Samples memory = result.First.PeakMemoryBytes;
         yield return new Verdict(
-            scene.About, "first frame, from process start", result.Targets.FirstSeconds, IsUpperLimit: true, first.Median, first.Minimum, Unit.Milliseconds);
+            scene.About, "first frame, from process start", result.Targets.FirstSeconds, IsUpperLimit: true, first.Median, first.Minimum,
+            Unit.Milliseconds);
         yield return new Verdict(
-            scene.About, "further frames", result.Targets.FurtherSeconds, IsUpperLimit: true, further.Median, further.Minimum, Unit.Milliseconds);
+            scene.About, "further frames", result.Targets.FurtherSeconds, IsUpperLimit: true, further.Median, further.Minimum,
+            Unit.Milliseconds);
         yield return new Verdict(
             scene.About, "memory", result.Targets.MemoryBytes, IsUpperLimit: true, memory.Maximum, memory.Minimum, Unit.Megabytes);
         if (result.Targets.TimesFasterThanPovRay is double times)
         {
             double full = all.Fronts.FirstOrDefault(front => front.Scene == scene)?.Of(Settings.PovRayFull)?.Seconds.Median ?? double.NaN;
             yield return new Verdict(
-                scene.About, "a further frame, to POV-Ray's at full resolution", times, IsUpperLimit: false, full / further.Median, full / further.Minimum, Unit.Times);
+                scene.About, "a further frame, to POV-Ray's at full resolution", times, IsUpperLimit: false, full / further.Median,
+                full / further.Minimum, Unit.Times);
         }
     }
 
@@ -37,7 +41,8 @@ internal static class Verdicts
         }
 
         string about = FormattableString.Invariant($"orbit of {sequence.Frames} frames");
-        yield return AtLeast(about, "images and meta files", SequenceTargets.FramesPerSecond, sequence.FramesPerSecond, Unit.FramesPerSecond);
+        yield return AtLeast(
+            about, "images and meta files", SequenceTargets.FramesPerSecond, sequence.FramesPerSecond, Unit.FramesPerSecond);
         yield return AtLeast(
             about,
             FormattableString.Invariant($"rate of the last {sequence.WindowFrames} to that of the first"),
@@ -48,7 +53,8 @@ internal static class Verdicts
         {
             double growth = (double)late.OwnBytes / early.OwnBytes;
             yield return new Verdict(
-                about, "own memory at the end to that at the start", SequenceTargets.MaxMemoryGrowth, IsUpperLimit: true, growth, growth, Unit.Times);
+                about, "own memory at the end to that at the start", SequenceTargets.MaxMemoryGrowth, IsUpperLimit: true, growth, growth,
+                Unit.Times);
         }
     }
 

@@ -5,8 +5,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Benchmarks.Thesis;
 
 /// <summary>
-/// The scene of thesis section 5.3, as the program of 2012 wrote it; the Sun's looks, which no image of the ground shows, are left out. It is
-/// written here once more so that the base line of all ratios stays what it is, whatever becomes of the program's own scenes.
+/// The scene of thesis section 5.3, as the program of 2012 wrote it; the Sun's looks, which no image of the ground shows, are left out. It
+/// is written here once more so that the base line of all ratios stays what it is, whatever becomes of the program's own scenes.
 /// </summary>
 internal static class ThesisScene
 {
@@ -32,7 +32,8 @@ internal static class ThesisScene
         writer.Write(Surface);
         writer.Write(string.Create(
             CultureInfo.InvariantCulture,
-            $"camera {{ perspective location {Kilometres(camera.PositionMoonMe)} right {Text(camera.Right)} up {Text(camera.Up)} direction {Text(camera.Direction)} }}\n"));
+            $"camera {{ perspective location {Kilometres(camera.PositionMoonMe)} right {Text(camera.Right)} up {Text(camera.Up)} "
+                + $"direction {Text(camera.Direction)} }}\n"));
         writer.Write($"light_source {{ {Kilometres(sunPositionMoonMe)} color rgb<1, 1, 1> }}\n");
         foreach (string pattern in patterns)
         {

@@ -7,8 +7,8 @@ using Msisf.Core.Tracing;
 namespace Msisf.Benchmarks.Thesis;
 
 /// <summary>
-/// The thesis's selection (chapter 8): a ray for each pixel is shot at the sphere, and the tiles of the points that are met are taken, by day and
-/// night alike. The radius is that of its published example (docs/deviations.md, row 8).
+/// The thesis's selection (chapter 8): a ray for each pixel is shot at the sphere, and the tiles of the points that are met are taken, by
+/// day and night alike. The radius is that of its published example (docs/deviations.md, row 8).
 /// </summary>
 internal static class ThesisSelection
 {

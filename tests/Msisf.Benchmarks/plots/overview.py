@@ -20,7 +20,6 @@ WAYS = {
     "native, 1": ("native, 1 sample", "tab:orange", "s"),
     "native, 4": ("native, 4 samples", "tab:red", "D"),
 }
-DEFAULT_THREADS = "2 threads, AVX-512 on"
 SCALING_SCENE = "nadir-64"  # the view of the sequence's orbit
 VIDEO_RATE = 30  # frames a second
 NODES = (1, 16, 1000)
@@ -61,10 +60,11 @@ class Results:
         return self.of(scene, way, "tiles") != self.of(scene, way, "tiles_measured")
 
     def further(self, scene):
-        return self.figures.get((scene, "further frame", DEFAULT_THREADS))
+        """The program's default is the first setting of a scene: all threads, the widest vectors."""
+        return next((value for (name, quantity, _), value in self.figures.items() if (name, quantity) == (scene, "further frame")), None)
 
     def all_further(self):
-        return [value for (_, quantity, setting), value in self.figures.items() if (quantity, setting) == ("further frame", DEFAULT_THREADS)]
+        return [self.further(scene) for scene in dict.fromkeys(name for name, quantity, _ in self.figures if quantity == "further frame")]
 
     def sequence(self, quantity, setting="", scene="sequence"):
         return self.figures.get((scene, quantity, setting))

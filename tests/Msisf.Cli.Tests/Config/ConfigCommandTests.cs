@@ -1,6 +1,3 @@
-using System.CommandLine;
-using Msisf.Cli.Options;
-using Msisf.Cli.Options.Config;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -29,6 +26,8 @@ public sealed class ConfigCommandTests : IDisposable
         Assert.Contains("timing\tfalse\tdefault", lines);
         Assert.Contains("albedo\t0.64\tdefault", lines);
         Assert.Contains("defaults-file\t-\tdefault", lines);
+        Assert.Contains("ephemeris\tauto\tdefault", lines);
+        Assert.Contains("pov-path\tsearched along the PATH\tdefault", lines);
         Assert.Equal(lines.Length, lines.Select(line => line.Split('\t')[0]).Distinct().Count());
         Assert.DoesNotContain(lines, line => line.Split('\t')[0] is "config" or "fixed-state" or "help" or "list-patterns");
     }
@@ -40,35 +39,8 @@ public sealed class ConfigCommandTests : IDisposable
 
         Assert.Equal(0, run.ExitCode);
         Assert.Equal($"msis: {_folder["msisf/config.yaml"]}: not there (the user's file).\n", run.Error);
-        Assert.All(run.Output.Split('\n', StringSplitOptions.RemoveEmptyEntries), line => Assert.EndsWith("\tdefault", line, StringComparison.Ordinal));
+        Assert.All(
+            run.Output.Split('\n', StringSplitOptions.RemoveEmptyEntries),
+            line => Assert.EndsWith("\tdefault", line, StringComparison.Ordinal));
     }
-
-    [Theory]
-    [InlineData("PX", "Image width, 1 to 16384 (default 1024)", "1024")]
-    [InlineData("A", "Albedo (default 0.64, as in POV-Ray's scene)", "0.64")]
-    [InlineData("PX", "How far (default 0.33; native 0.35): a cell", "0.33; native 0.35")]
-    [InlineData("PATTERN", "Names {step} (default M_{step:00000})", "M_{step:00000}")]
-    [InlineData("PATH", "POV-Ray's folder (default: along the PATH)", "along the PATH")]
-    [InlineData("a|b|c", "Engine (default auto: a if it loads, else c)", "auto")]
-    [InlineData("srgb|linear", "Grey levels along sRGB's curve (default, as POV-Ray's), or in proportion", "srgb")]
-    [InlineData("LAW", "Native: lambert (default), lommel-seeliger", "lambert")]
-    [InlineData("N", "Drawn from", "-")]
-    public void DefaultText_HelpText_IsUnderstood(string valueName, string description, string text) =>
-        Assert.Equal(text, DefaultText.Of(OptionFactory.Value("--x", [], valueName, description)));
-
-    [Fact]
-    public void Keys_OptionThatDiffersBetweenCommands_IsRefused()
-    {
-        RootCommand root = new() { new Command("a") { OptionFactory.Value("--form", [], "x|y", "") }, new Command("b") { OptionFactory.Value("--form", [], "z", "") } };
-
-        Assert.Empty(new ConfigKeys(root).Allowed);
-    }
-
-    [Theory]
-    [InlineData("fovv", "fov")]
-    [InlineData("hight", "height")]
-    [InlineData("outputdir", "output-dir")]
-    [InlineData("", "fov")]
-    public void NearestName_MisspeltWord_IsFound(string word, string name) =>
-        Assert.Equal(name, NearestName.To(word, ["height", "output-dir", "fov", "width"]));
 }

@@ -55,7 +55,7 @@ public sealed class ConfigurationTests : IDisposable
     [InlineData("list-patterns: true", "'list-patterns' can't stand in a configuration file: it belongs to one call")]
     [InlineData("verify: true", "it belongs to one call")]
     [InlineData("config: b.yaml", "it belongs to one call")]
-    [InlineData("help: true", "'help' is no option")]
+    [InlineData("help: true", "it belongs to one call")]
     [InlineData("<<: {fov: 4}", "'<<' takes a value")]
     public void Run_WrongFile_IsRefusedWithItsPlace(string settings, string message)
     {
@@ -85,7 +85,10 @@ public sealed class ConfigurationTests : IDisposable
 
     [Fact]
     public void Run_FileTwice_IsRefused() =>
-        Assert.Contains("--config", ErrorOf(Run($"{Fixed} --config {_folder.Write("a.yaml", "")} --config", _folder["a.yaml"])), StringComparison.Ordinal);
+        Assert.Contains(
+            "--config",
+            ErrorOf(Run($"{Fixed} --config {_folder.Write("a.yaml", "")} --config", _folder["a.yaml"])),
+            StringComparison.Ordinal);
 
     /// <summary>Each file has another wrong value, so that the error shows which one is used.</summary>
     [Theory]
@@ -96,7 +99,10 @@ public sealed class ConfigurationTests : IDisposable
         _folder.Write("msisf/config.yaml", "fov: 3000\n");
         string file = _folder.Write("a.yaml", "fov: 2000\n");
 
-        Assert.Contains(message, ErrorOf(Run($"{Fixed} {arguments} --config".Replace("  ", " ", StringComparison.Ordinal), file)), StringComparison.Ordinal);
+        Assert.Contains(
+            message,
+            ErrorOf(Run($"{Fixed} {arguments} --config".Replace("  ", " ", StringComparison.Ordinal), file)),
+            StringComparison.Ordinal);
         Assert.Contains("--fov is 3000", ErrorOf(Run(Fixed)), StringComparison.Ordinal);
     }
 
@@ -141,7 +147,10 @@ public sealed class ConfigurationTests : IDisposable
         CommandLineRun run = Run($"{Fixed} {arguments}");
 
         Assert.Contains(message, ErrorOf(run), StringComparison.Ordinal);
-        Assert.Contains(settings.Contains("hapke", StringComparison.Ordinal) ? "hapke" : $"--renderer comes from {file}, line 1.", ErrorOf(run), StringComparison.Ordinal);
+        Assert.Contains(
+            settings.Contains("hapke", StringComparison.Ordinal) ? "hapke" : $"--renderer comes from {file}, line 1.",
+            ErrorOf(run),
+            StringComparison.Ordinal);
     }
 
     [Theory]
@@ -166,7 +175,8 @@ public sealed class ConfigurationTests : IDisposable
     {
         string file = _folder.Write("folder/a.yaml", settings);
 
-        Assert.Contains($"error: {Path.GetFullPath(path, _folder["folder"])}: ", ErrorOf(Run($"{Fixed} --config", file)), StringComparison.Ordinal);
+        Assert.Contains(
+            $"error: {Path.GetFullPath(path, _folder["folder"])}: ", ErrorOf(Run($"{Fixed} --config", file)), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -175,7 +185,8 @@ public sealed class ConfigurationTests : IDisposable
         string file = _folder.Write("a.yaml", "ldem: ~/missing-model.lbl");
 
         Assert.Contains(
-            $"error: {Path.Combine(Environment.GetEnvironmentVariable("HOME")!, "missing-model.lbl")}: ", ErrorOf(Run($"{Fixed} --config", file)), StringComparison.Ordinal);
+            $"error: {Path.Combine(Environment.GetEnvironmentVariable("HOME")!, "missing-model.lbl")}: ",
+            ErrorOf(Run($"{Fixed} --config", file)), StringComparison.Ordinal);
     }
 
     [Theory]
@@ -210,5 +221,7 @@ public sealed class ConfigurationTests : IDisposable
         CommandLineRun.Of(last is null ? words.Split(' ') : [.. words.Split(' '), last], configHome: _folder.Path);
 
     private static string ErrorOf(CommandLineRun run) =>
-        Assert.Single(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), line => line.StartsWith("msis: error: ", StringComparison.Ordinal));
+        Assert.Single(
+            run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries),
+            line => line.StartsWith("msis: error: ", StringComparison.Ordinal));
 }

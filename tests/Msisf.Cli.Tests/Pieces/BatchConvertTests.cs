@@ -1,10 +1,11 @@
-using System.CommandLine;
 using System.Runtime.Versioning;
 using System.Text;
 using Msisf.Adapters.Input;
-using Msisf.Cli.Options;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Cli.Output;
-using Msisf.Cli.Pieces;
 using Msisf.Core.Scene;
 using Msisf.TestSupport;
 using Xunit;
@@ -31,7 +32,8 @@ public sealed class BatchConvertTests : IDisposable
         string batch = _folder.Write("my run.tab", "55289 2E6 2E6 0 0 0 0 1\n55290 2E6 2E6 0 0 0 0 1\n");
 
         CommandLineRun run = CommandLineRun.Of(
-            ["batchconvert", "--format", "sh", "--script", _folder["b.sh"], "--pieces", "2", "--batch-file", batch, .. ConvertedScript.Common]);
+            ["batchconvert", "--format", "sh", "--script", _folder["b.sh"], "--pieces", "2", "--batch-file", batch,
+             .. ConvertedScript.Common]);
 
         Assert.True(run.ExitCode == 0, run.Error);
         Assert.Equal(_folder["b.sh"], run.Output.TrimEnd());
@@ -41,13 +43,16 @@ public sealed class BatchConvertTests : IDisposable
 
     [RequiresTheory(Part.Ldem4)]
     [InlineData("--kepler-set {2.5E6,0.1,0.3,0.2,1.2,0.5} --epoch 55289 --time-interval [55289:0.00123:55289.9]")]
-    [InlineData("--kepler-set {2.5E6,0.1,0.3,0.2,1.2,0.5} --epoch 55289 --time-interval [55289:0.00123:55289.9] --attitude {0.1,0.2,0.3,0.9273618495495703} --attitude-transition {1E-3,2E-3,3E-4}")]
+    [InlineData(
+        "--kepler-set {2.5E6,0.1,0.3,0.2,1.2,0.5} --epoch 55289 --time-interval [55289:0.00123:55289.9] --attitude "
+            + "{0.1,0.2,0.3,0.9273618495495703} --attitude-transition {1E-3,2E-3,3E-4}")]
     [InlineData("--state-vectors {2E6,3E5,1E5,10,1500,300} --epoch 55289.1 --times {55289.2,55289.30000001,55290}")]
     [InlineData("--fixed-state {55289.123456789,2E6,2E6,0,0.1,0.2,0.3,0.9273618495495703}")]
     public void Convert_Orbit_WritesStatesThatReadBackBitForBit(string mode)
     {
         CommandLineRun run = CommandLineRun.Of(
-            ["batchconvert", "--format", "sh", "--script", _folder["o.sh"], "--pieces", "2", .. mode.Split(' '), "--renderer", "native", .. ConvertedScript.Common]);
+            ["batchconvert", "--format", "sh", "--script", _folder["o.sh"], "--pieces", "2", .. mode.Split(' '), "--renderer",
+             "native", .. ConvertedScript.Common]);
 
         Assert.True(run.ExitCode == 0, run.Error);
         using StreamReader reader = new(_folder["o.sh.states.tab"]);
@@ -104,7 +109,8 @@ public sealed class BatchConvertTests : IDisposable
     [InlineData("--format sh --pieces 2 --batch-file missing.tab", 2, "missing.tab: there is no such file")]
     [InlineData($"--format sh --pieces 2 {Fixed} --overwrite", 1, "--overwrite would make all frames again")]
     [InlineData($"--format sh --pieces 2 {Fixed} --frame-times t.tsv", 1, "--frame-times names one file")]
-    [InlineData("--format sh --pieces 2 --fixed-state {55289,2E6,2E6,0,0,0,0,1} --list-patterns", 1, "--list-patterns prints and makes no frame")]
+    [InlineData(
+        "--format sh --pieces 2 --fixed-state {55289,2E6,2E6,0,0,0,0,1} --list-patterns", 1, "--list-patterns prints and makes no frame")]
     [InlineData($"--format sh --pieces 2 {Fixed} --frames 1:2", 2, "--frames 1:2: step 2 is wanted, but the run has 1 only")]
     [InlineData($"--format slurm --pieces 2 {Fixed} --frames 1", 1, "--frames makes a part of the run, and this script looks at all of it")]
     [InlineData($"--format sh --pieces 2 {Fixed} --width 0", 2, "--width is '0'")]
@@ -123,7 +129,10 @@ public sealed class BatchConvertTests : IDisposable
     [RequiresTheory(Part.Ldem4)]
     [InlineData($"--format slurm --frames-per-piece 1 {Orbit} --renderer native", 2, "2001 pieces; a Slurm array has 1000 at most")]
     [InlineData($"--format slurm --pieces 1 --memory 1M {Fixed}", 2, "of memory, 1 MiB are there")]
-    [InlineData($"--format sh --pieces 1 {Orbit} --renderer native --width 2048 --height 2048 --surface terrain --grid 1", 2, "2001 frames will take about")]
+    [InlineData(
+        $"--format sh --pieces 1 {Orbit} --renderer native --width 2048 --height 2048 --surface terrain --grid 1",
+        2,
+        "2001 frames will take about")]
     [InlineData("--format sh --pieces 2 --fixed-state {55289,1.7E6,0,0,0,0,0,1}", 2, "the camera is inside the Moon")]
     [InlineData($"--format bat --pieces 1 {Fixed} --output-name a\"b", 2, "has a quotation mark")]
     public void Convert_WrongInputThatTheModelShows_EndsWithCodeAndOneLine(string words, int exitCode, string message) =>
@@ -133,7 +142,8 @@ public sealed class BatchConvertTests : IDisposable
     {
         string[] ldem = TestParts.Ldem4Label is string label ? ["--ldem", label] : [];
         CommandLineRun run = CommandLineRun.Of(
-            ["batchconvert", .. words.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--script", _folder["s"], "--ephemeris", "builtin", .. ldem]);
+            ["batchconvert", .. words.Split(
+                ' ', StringSplitOptions.RemoveEmptyEntries), "--script", _folder["s"], "--ephemeris", "builtin", .. ldem]);
 
         Assert.True(exitCode == run.ExitCode, $"exit code {run.ExitCode}, expected {exitCode}: {run.Error}");
         string error = Assert.Single(run.Error.Split('\n'), line => line.StartsWith("msis: error: ", StringComparison.Ordinal));
@@ -144,15 +154,10 @@ public sealed class BatchConvertTests : IDisposable
     /// <summary>The states that the render command takes images of.</summary>
     private static IReadOnlyList<SpacecraftState> StatesOf(string[] mode)
     {
-        ModeOptions options = new();
-        RootCommand command = new();
-        foreach (Option option in options.All)
-        {
-            command.Options.Add(option);
-        }
-
-        ParseResult line = command.Parse(mode);
-        StateSource source = new(options, line, () => throw new InvalidOperationException("no ephemeris is needed"), () => TextReader.Null, new ConsoleLog(TextWriter.Null));
-        return source.Read(ModeRules.Check(options, option => line.GetResult(option) is { Implicit: false })!.Value, CancellationToken.None);
+        OptionValues values = new(mode.Chunk(2).Select(pair => KeyValuePair.Create(pair[0], new OptionValue([pair[1]]))));
+        ProgramHost host = ConsoleHost.Create(TextWriter.Null, TextWriter.Null, () => TextReader.Null, TimeProvider.System, _ => null);
+        return new StateReader(
+            () => throw new InvalidOperationException("no ephemeris is needed"),
+            host).Read(CameraSettingsReader.Read(values), CancellationToken.None);
     }
 }

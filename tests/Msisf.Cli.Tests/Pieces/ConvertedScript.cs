@@ -60,5 +60,6 @@ internal sealed class ConvertedScript : IDisposable
 
     /// <summary>The frames of each call that made some.</summary>
     public string[] PieceCalls() =>
-        [.. File.ReadAllLines(Calls).Where(line => line.Contains("|--frames|", StringComparison.Ordinal)).Select(line => line.Split('|')[^2])];
+        [.. File.ReadAllLines(Calls).Where(
+            line => line.Contains("|--frames|", StringComparison.Ordinal)).Select(line => line.Split('|')[^2])];
 }

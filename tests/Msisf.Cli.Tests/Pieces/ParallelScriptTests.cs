@@ -64,7 +64,9 @@ public sealed class ParallelScriptTests : IDisposable
 
         string cores = ChildRun.Of("nproc", [], "/").Output.Trim();
         Assert.Equal([cores, cores], File.ReadAllLines(threads));
-        Assert.All(File.ReadAllLines(_converted.Calls).Take(2), line => Assert.Contains($"|--jobs|{cores}|--frames|", line, StringComparison.Ordinal));
+        Assert.All(
+            File.ReadAllLines(_converted.Calls).Take(2),
+            line => Assert.Contains($"|--jobs|{cores}|--frames|", line, StringComparison.Ordinal));
     }
 
     [RequiresTheory(Part.Ldem4)]

@@ -84,7 +84,8 @@ public sealed class SlurmScriptTests : IDisposable
 
         string first = File.ReadLines(_converted.Calls).First();
         Assert.Equal(
-            $"patterns|--for-batch|{script}.states.tab|--fov=10|--ldem={TestParts.Ldem4Label}|--pattern-repos=my patterns|--ephemeris=builtin|",
+            $"patterns|--for-batch|{script}.states.tab|--fov=10|--ldem={TestParts.Ldem4Label}|--pattern-repos=my "
+                + $"patterns|--ephemeris=builtin|",
             first);
         Assert.Contains("|--dependency=afterany:101|", File.ReadAllLines(Submitted)[1], StringComparison.Ordinal);
         Assert.Equal(["1:3", "4:6", "7:10"], _converted.PieceCalls());
@@ -94,12 +95,14 @@ public sealed class SlurmScriptTests : IDisposable
     public void Convert_Resources_StandInTheHead()
     {
         string script = Convert(
-            "--cpus-per-task", "4", "--memory", "2G", "--time-limit", "1-02:00:00", "--partition", "long", "--account", "moon", "--sbatch-options", "qos=high exclusive");
+            "--cpus-per-task", "4", "--memory", "2G", "--time-limit", "1-02:00:00", "--partition", "long", "--account", "moon",
+            "--sbatch-options", "qos=high exclusive");
 
         string[] lines = [.. File.ReadLines(script).Where(line => line.StartsWith("#SBATCH", StringComparison.Ordinal))];
         Assert.Equal(
             [
-                "#SBATCH --open-mode=append", "#SBATCH --requeue", "#SBATCH --cpus-per-task=4", "#SBATCH --mem=2G", "#SBATCH --time=1-02:00:00",
+                "#SBATCH --open-mode=append", "#SBATCH --requeue", "#SBATCH --cpus-per-task=4", "#SBATCH --mem=2G",
+                "#SBATCH --time=1-02:00:00",
                 "#SBATCH --partition=long", "#SBATCH --account=moon", "#SBATCH --qos=high", "#SBATCH --exclusive",
             ],
             lines[2..]);
@@ -135,7 +138,8 @@ public sealed class SlurmScriptTests : IDisposable
         string left = _converted.Folder["missing"];
         File.WriteAllLines(left, missing);
         string fake = _converted.FakeMsis(
-            $"[ \"$1\" = verify ] || exit 0\nmissing=$(head -n 1 '{left}')\nsed -i 1d '{left}'\nprintf '%s\\n' \"$missing\"\n[ -z \"$missing\" ] || exit 5");
+            $"[ \"$1\" = verify ] || exit 0\nmissing=$(head -n 1 '{left}')\nsed -i 1d '{left}'\nprintf '%s\\n' \"$missing\"\n[ -z "
+                + $"\"$missing\" ] || exit 5");
         string folder = Path.GetDirectoryName(_converted.WriteProgram("bin/sbatch", $$"""
             line=$(printf '%s|' "$@")
             printf '%s\n' "$line" >>'{{Submitted}}'

@@ -43,7 +43,8 @@ public sealed class SubmitTests : IDisposable
     {
         string bin = WriteCommand("sbatch", "echo 7");
 
-        (int code, string output, string error) = Call([.. Run, "--ldem", TestParts.Ldem4Label!, "--output-dir", Output], $"{bin}:/usr/bin:/bin");
+        (int code, string output, string error) = Call(
+            [.. Run, "--ldem", TestParts.Ldem4Label!, "--output-dir", Output], $"{bin}:/usr/bin:/bin");
 
         Assert.True(code == 0, error);
         Assert.Equal("round 0: 1 pieces, job 7\nround 0: check, job 7\n", output);
@@ -51,14 +52,15 @@ public sealed class SubmitTests : IDisposable
     }
 
     [RequiresTheory(Part.Ldem4)]
-    [InlineData(0, "1 frames are there and right")]
+    [InlineData(0, "1 frames are there and complete")]
     [InlineData(5, "frames are missing after all retries")]
     [InlineData(3, "the last job ended with exit code 3")]
     public void Submit_Wait_EndsWithTheCodeOfTheWhole(int result, string message)
     {
         string bin = WriteCommand("sbatch", $"echo 7\necho {result} >'{Output}/msis-pieces.slurm.sh.result'");
 
-        (int code, _, string error) = Call([.. Run, "--wait", "--ldem", TestParts.Ldem4Label!, "--output-dir", Output], $"{bin}:/usr/bin:/bin");
+        (int code, _, string error) = Call(
+            [.. Run, "--wait", "--ldem", TestParts.Ldem4Label!, "--output-dir", Output], $"{bin}:/usr/bin:/bin");
 
         Assert.Equal(result, code);
         Assert.Contains(message, error, StringComparison.Ordinal);
@@ -82,7 +84,8 @@ public sealed class SubmitTests : IDisposable
         Directory.CreateDirectory(Output);
         string bin = WriteCommand(
             "squeue",
-            $"echo x >>'{_folder["asked"]}'\n[ \"$(wc -l <'{_folder["asked"]}')\" -lt 3 ] || echo 5 >'{_folder["run.sh.result"]}'\necho 'Unable to contact slurm controller' >&2; exit 1");
+            $"echo x >>'{_folder["asked"]}'\n[ \"$(wc -l <'{_folder["asked"]}')\" -lt 3 ] || echo 5 >'{_folder["run.sh.result"]}'\necho "
+                + $"'Unable to contact slurm controller' >&2; exit 1");
 
         Assert.Equal(5, await Follow(bin, TextWriter.Null, CancellationToken.None));
 
@@ -117,7 +120,8 @@ public sealed class SubmitTests : IDisposable
     private Task<int> Follow(string bin, TextWriter log, CancellationToken cancellation)
     {
         ProgramHost host = ConsoleHost.Create(TextWriter.Null, log, () => TextReader.Null, TimeProvider.System, _ => null);
-        SlurmWatch watch = new(Submitted, new SlurmProgram($"{bin}:/usr/bin:/bin"), host, TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(100));
+        SlurmWatch watch = new(
+            Submitted, new SlurmProgram($"{bin}:/usr/bin:/bin"), host, TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(100));
         return watch.FollowAsync(cancellation);
     }
 
@@ -127,7 +131,8 @@ public sealed class SubmitTests : IDisposable
     {
         using StringWriter output = new();
         using StringWriter error = new();
-        ProgramHost host = ConsoleHost.Create(output, error, () => TextReader.Null, TimeProvider.System, name => name == "PATH" ? path : null);
+        ProgramHost host = ConsoleHost.Create(
+            output, error, () => TextReader.Null, TimeProvider.System, name => name == "PATH" ? path : null);
         int code = CommandLineProgram.RunAsync(arguments, host).GetAwaiter().GetResult();
         return (code, output.ToString(), error.ToString());
     }

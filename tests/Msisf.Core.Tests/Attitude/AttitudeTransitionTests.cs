@@ -74,7 +74,8 @@ public class AttitudeTransitionTests
         // mpmath, 60 digits, of q = (sin(|w| t / 2) w / |w|, cos(|w| t / 2)). |w| rounded to a double turns it by up to 6e-8 rad.
         UnitQuaternion found = new AttitudeTransition(UnitQuaternion.Identity, new Vector3D(0.3, 0.4, 0.7)).At(1e9);
         double sign = Math.Sign(found.W) * -1.0;
-        AssertClose(new Vector3D(0.1742946706927612, 0.23239289425701495, 0.4066875649497761), sign * new Vector3D(found.X, found.Y, found.Z));
+        AssertClose(
+            new Vector3D(0.1742946706927612, 0.23239289425701495, 0.4066875649497761), sign * new Vector3D(found.X, found.Y, found.Z));
         Assert.Equal(-0.8661524894510039, sign * found.W, UnitVector);
     }
 

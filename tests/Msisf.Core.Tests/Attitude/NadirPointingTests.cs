@@ -52,7 +52,8 @@ public class NadirPointingTests
 
     [Fact]
     public void MoonFromCamera_MoonsCentre_Refused() =>
-        Assert.Contains("centre", Assert.Throws<BadInputException>(() => NadirPointing.MoonFromCamera(default)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "centre", Assert.Throws<BadInputException>(() => NadirPointing.MoonFromCamera(default)).Message, StringComparison.Ordinal);
 
     [Fact]
     public void MoonFromCamera_NotFinite_Refused() =>
@@ -60,7 +61,8 @@ public class NadirPointingTests
 
     private static Vector3D Parse(string components)
     {
-        double[] numbers = [.. components.Split(',').Select(text => (double)int.Parse(text, System.Globalization.CultureInfo.InvariantCulture))];
+        double[] numbers = [.. components.Split(',').Select(
+            text => (double)int.Parse(text, System.Globalization.CultureInfo.InvariantCulture))];
         return new Vector3D(numbers[0], numbers[1], numbers[2]);
     }
 

@@ -60,20 +60,25 @@ public class PinholeCameraTests
     }
 
     [Theory]
-    [InlineData(0.0, 64, 64)]
-    [InlineData(9e-13, 64, 64)]
-    [InlineData(Math.PI, 64, 64)]
-    [InlineData(-0.7, 64, 64)]
-    [InlineData(double.NaN, 64, 64)]
-    [InlineData(0.7, 0, 64)]
-    [InlineData(0.7, 64, 0)]
-    public void Constructor_OutOfRange_IsBadInput(double fov, int width, int height) =>
-        Assert.Throws<BadInputException>(() => new PinholeCamera(default, UnitQuaternion.Identity, fov, width, height));
+    [InlineData(0.0)]
+    [InlineData(9e-13)]
+    [InlineData(Math.PI)]
+    [InlineData(-0.7)]
+    [InlineData(double.NaN)]
+    public void Constructor_FieldOfViewOutOfRange_IsBadInput(double fov) =>
+        Assert.Throws<BadInputException>(() => new PinholeCamera(default, UnitQuaternion.Identity, fov, 64, 64));
 
-    [Fact]
-    public void Constructor_PositionNotFinite_IsBadInput() =>
-        Assert.Throws<BadInputException>(() =>
-            new PinholeCamera(new Vector3D(0.0, double.PositiveInfinity, 0.0), UnitQuaternion.Identity, 0.7, 64, 64));
+    [Theory]
+    [InlineData(0, 64)]
+    [InlineData(64, 0)]
+    public void Constructor_NoPixels_IsACallersBug(int width, int height) =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => new PinholeCamera(default, UnitQuaternion.Identity, 0.7, width, height));
+
+    [Theory]
+    [InlineData(double.PositiveInfinity)]
+    [InlineData(1.7e308)] // each component is finite, the distance is not
+    public void Constructor_DistanceNotFinite_IsBadInput(double y) =>
+        Assert.Throws<BadInputException>(() => new PinholeCamera(new Vector3D(1.7e308, y, 0.0), UnitQuaternion.Identity, 0.7, 64, 64));
 
     [Fact]
     public void Constructor_DefaultQuaternion_IsABug() =>

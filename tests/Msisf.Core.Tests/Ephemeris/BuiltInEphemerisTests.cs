@@ -24,6 +24,16 @@ public class BuiltInEphemerisTests
         Assert.Equal(new Vector3D(899_500.0, -8_250.0, -2_000.0), ephemeris.SunPositionMoonMe(Time));
     }
 
+    [Theory]
+    [InlineData(0.0, Aberration.LightTimeAndStellar)]
+    [InlineData(double.PositiveInfinity, Aberration.None)]
+    public void SunPositionMoonMe_NoDirectionFromTheMoon_IsBadInput(double sunX, Aberration aberration)
+    {
+        BuiltInEphemeris ephemeris = Make([Position(10, 0, new(sunX, 0.0, 0.0)), Position(301, 0, default)], angles: default);
+
+        Assert.Throws<BadInputException>(() => ephemeris.SunPositionMoonMe(Time, aberration));
+    }
+
     [Fact]
     public void MoonMeFromJ2000_QuarterTurnAboutZ_TakesXToMinusY()
     {
@@ -73,7 +83,9 @@ public class BuiltInEphemerisTests
     {
         // The light from 300 s away; the Sun goes 10 km/s along x, the Moon 5 km/s along y.
         const double Distance = 300.0 * 299_792.458;
-        BuiltInEphemeris ephemeris = Make([new StraightSegment(10, new(Distance, 0.0, 0.0), new(10.0, 0.0, 0.0)), new StraightSegment(301, default, new(0.0, 5.0, 0.0))], angles: default);
+        BuiltInEphemeris ephemeris = Make(
+            [new StraightSegment(10, new(Distance, 0.0, 0.0), new(10.0, 0.0, 0.0)), new StraightSegment(301, default, new(0.0, 5.0, 0.0))],
+            angles: default);
 
         Vector3D sun = ephemeris.SunPositionMoonMe(AtTdbZero, Aberration.LightTime);
 
@@ -118,7 +130,8 @@ public class BuiltInEphemerisTests
     [Fact]
     public void SunPositionMoonMe_CentresInARing_FailsInsteadOfHanging()
     {
-        BuiltInEphemeris ephemeris = Make([Position(10, 0, default), Position(301, 3, default), Position(3, 301, default)], angles: default);
+        BuiltInEphemeris ephemeris = Make(
+            [Position(10, 0, default), Position(301, 3, default), Position(3, 301, default)], angles: default);
 
         SpiceException failure = Assert.Throws<SpiceException>(() => ephemeris.SunPositionMoonMe(Time));
 

@@ -24,7 +24,8 @@ public class KernelCoverTests
         SpiceException failure = cover.Outside(new ModifiedJulianDate(73459.5));
 
         Assert.Equal(
-            "2060-01-01T12:00:00Z (MJD 73459.5) is outside the kernels' cover: the kernels cover 2000-01-01T11:58:56Z to 2000-01-02T11:58:55Z"
+            "2060-01-01T12:00:00Z (MJD 73459.5) is outside the kernels' cover: "
+                + "the kernels cover 2000-01-01T11:58:56Z to 2000-01-02T11:58:55Z"
             + " and 2000-01-11T11:58:56Z to 2000-01-12T11:58:55Z. Choose a time inside, or other kernels.",
             failure.Message);
         Assert.Equal(3, failure.ExitCode);
@@ -36,7 +37,8 @@ public class KernelCoverTests
         KernelCover cover = new(SampleScale.Naif0012, TdbCover.Union([new TdbInterval(0.0, 86400.0)]));
 
         Assert.Equal(
-            "The sunlight of 2000-01-01T12:00:00Z (MJD 51544.5) left the Sun some 500 s earlier, outside the kernels' cover: the kernels cover "
+            "The sunlight of 2000-01-01T12:00:00Z (MJD 51544.5) left the Sun some 500 s earlier, outside the kernels' cover: "
+                + "the kernels cover "
             + "2000-01-01T11:58:56Z to 2000-01-02T11:58:55Z. Choose a later time, other kernels, or --aberration none.",
             cover.LightFromOutside(new ModifiedJulianDate(51544.5)).Message);
     }

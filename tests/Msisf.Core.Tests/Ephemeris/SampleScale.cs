@@ -16,5 +16,13 @@ internal static class SampleScale
         new TdbScaleConstants(32.184, 1.657e-3, 1.671e-2, 6.239996, 1.99096871e-7),
         [.. Steps.Select((step, i) => new LeapSecond(
             10.0 + i,
-            (new DateTime(step.Year, step.Month, 1, 0, 0, 0, DateTimeKind.Utc) - new DateTime(2000, 1, 1, 12, 0, 0, DateTimeKind.Utc)).TotalSeconds))]);
+            (
+                new DateTime(
+                    step.Year,
+                    step.Month,
+                    1,
+                    0,
+                    0,
+                    0,
+                    DateTimeKind.Utc) - new DateTime(2000, 1, 1, 12, 0, 0, DateTimeKind.Utc)).TotalSeconds))]);
 }

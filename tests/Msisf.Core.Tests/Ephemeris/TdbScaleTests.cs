@@ -68,7 +68,8 @@ public class TdbScaleTests
     public void FromUtc_OneMicrosecondLater_IsThatMuchLater(int day)
     {
         // A fraction of a day near zero is exact far below a microsecond, so only the scale's own rounding counts.
-        double tenMicroseconds = Scale.FromUtc(new ModifiedJulianDate(day + 0.25 + (10e-6 / 86400.0))) - Scale.FromUtc(new ModifiedJulianDate(day + 0.25));
+        double tenMicroseconds = Scale.FromUtc(new ModifiedJulianDate(day + 0.25 + (10e-6 / 86400.0)))
+            - Scale.FromUtc(new ModifiedJulianDate(day + 0.25));
 
         Assert.Equal(10e-6, tenMicroseconds, 1e-6);
     }

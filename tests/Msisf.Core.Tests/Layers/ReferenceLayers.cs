@@ -5,11 +5,13 @@ using Msisf.TestSupport;
 
 namespace Msisf.Core.Tests.Layers;
 
-/// <summary>A line of tests/golden/layers.tsv: a scene and what tests/reference/layers.py (mpmath, 50 digits) found on the reference sphere.</summary>
+/// <summary>
+/// A line of tests/golden/layers.tsv: a scene and what tests/reference/layers.py (mpmath, 50 digits) found on the reference sphere.
+/// </summary>
 internal sealed record ReferenceLayers(string Scene, PinholeCamera Camera, int X, int Y, Vector3D Sun, IReadOnlyList<double> Values)
 {
     /// <summary>The layers whose values the line holds, in this order; a vector has three.</summary>
-    public static readonly string[] Names = ["depth", "z-depth", "position", "height", "incidence", "emission", "phase", "pixel-scale"];
+    public static readonly string[] Names = ["depth", "range", "position", "height", "incidence", "emission", "phase", "pixel-scale"];
 
     public static ReferenceLayers[] Read() =>
         [.. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "layers.tsv"))

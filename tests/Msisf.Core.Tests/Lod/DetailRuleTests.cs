@@ -1,7 +1,6 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
@@ -51,7 +50,9 @@ public sealed class DetailRuleTests(RuggedMoon rugged) : IClassFixture<RuggedMoo
     public void Footprint_RightAngleOf1000Pixels_Is2MillimetresPerMetre() =>
         Assert.Equal(0.002, Looking(new Vector3D(2e6, 0.0, 0.0), Math.PI / 2.0, 1000, 1000).Footprint.Tangent, 1e-12);
 
-    /// <summary>A degree of the reference sphere is 30 323.350 m: at 4 px/deg cells are 7580.838 m wide, then 15 161.675 m, then 30 323.350 m.</summary>
+    /// <summary>
+    /// A degree of the reference sphere is 30 323.350 m: at 4 px/deg cells are 7580.838 m wide, then 15 161.675 m, then 30 323.350 m.
+    /// </summary>
     [Theory]
     [InlineData(0.0, 0)]
     [InlineData(15_161.67, 0)]
@@ -65,8 +66,8 @@ public sealed class DetailRuleTests(RuggedMoon rugged) : IClassFixture<RuggedMoo
     }
 
     /// <summary>
-    /// From 0.2 radii over (0, 2.5) the meridian of 5 degrees is seen at tan = 0.2171 beside the nadir. The image ends 2 of its 20 pixels before
-    /// that. Antialiasing reaches 1 pixel beyond, an error of a pixel 2 more.
+    /// From 0.2 radii over (0, 2.5) the meridian of 5 degrees is seen at tan = 0.2171 beside the nadir. The image ends 2 of its 20 pixels
+    /// before that. Antialiasing reaches 1 pixel beyond, an error of a pixel 2 more.
     /// </summary>
     [Fact]
     public void MarginPixels_GroundBesideTheImage_IsThere()

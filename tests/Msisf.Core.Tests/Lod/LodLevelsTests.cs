@@ -72,7 +72,8 @@ public sealed class LodLevelsTests
     [Fact]
     public void ReadRadii_FromSourceOrFromTheLevelBelow_HasTheSameBits()
     {
-        CountingGrid source = new(new FunctionGrid(8, (line, sample) => 1_737_400.0 + (9000.0 / 7.0 / (1 + ((line * 7919) + (sample * 104729)) % 20011))));
+        CountingGrid source = new(
+            new FunctionGrid(8, (line, sample) => 1_737_400.0 + (9000.0 / 7.0 / (1 + ((line * 7919) + (sample * 104729)) % 20011))));
         double[] direct = Everything(LodLevels.Open(source).Level(3));
         LodLevels stepwise = LodLevels.Open(source);
         Everything(stepwise.Level(1));
@@ -196,7 +197,8 @@ public sealed class LodLevelsTests
         double[] radii = new double[layout.Blocks];
         for (int block = 0; block < radii.Length; block++)
         {
-            grid.ReadRadii(block / layout.BlockColumns * LodLayout.Side, block % layout.BlockColumns * LodLayout.Side, radii.AsSpan(block, 1));
+            grid.ReadRadii(
+                block / layout.BlockColumns * LodLayout.Side, block % layout.BlockColumns * LodLayout.Side, radii.AsSpan(block, 1));
         }
 
         return radii;

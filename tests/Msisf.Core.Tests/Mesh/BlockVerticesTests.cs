@@ -39,7 +39,8 @@ public sealed class BlockVerticesTests
                     for (int j = 0; j < vertices.Samples; j++)
                     {
                         int sample = (cells.FirstSample + j) % surface.Mesh.Samples;
-                        SineCosine latitude = line < 0 ? new(1.0, 0.0) : line == surface.Mesh.Lines ? new(-1.0, 0.0) : directions.Latitude(line);
+                        SineCosine latitude =
+                            line < 0 ? new(1.0, 0.0) : line == surface.Mesh.Lines ? new(-1.0, 0.0) : directions.Latitude(line);
                         Vector3D expected = LatticePoint.Nearest(radii[j], latitude, directions.Longitude(sample)).PositionMoonMe - Camera;
                         Assert.Equal(expected, vertices[i, j]);
                     }

@@ -16,7 +16,9 @@ public sealed class TerrainHeightTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4
         Random random = new(20120222);
         for (int number = 0; number < 2000; number++)
         {
-            double z = number < 200 ? (number % 2 == 0 ? 1.0 : -1.0) * (1.0 - (1e-6 * random.NextDouble())) : (2.0 * random.NextDouble()) - 1.0;
+            double z = number < 200
+                ? (number % 2 == 0 ? 1.0 : -1.0) * (1.0 - (1e-6 * random.NextDouble()))
+                : (2.0 * random.NextDouble()) - 1.0;
             double longitude = (random.NextDouble() - (number < 400 ? 0.5 : 0.0)) * (number < 400 ? 1e-3 : 2.0 * Math.PI);
             double across = Math.Sqrt((1.0 - z) * (1.0 + z));
             Vector3D direction = new(across * Math.Cos(longitude), across * Math.Sin(longitude), z);
@@ -80,7 +82,8 @@ public sealed class TerrainHeightTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4
     [RequiresFact(Part.Ldem4)]
     public void RequireAbove_JustOverAndUnderTheGround_TellsThemApart()
     {
-        Vector3D direction = new SelenographicPoint(-1.2282, 3.2747).ToDirectionMoonMe(); // in the deepest crater, 8.9 km under the reference
+        // in the deepest crater, 8.9 km under the reference
+        Vector3D direction = new SelenographicPoint(-1.2282, 3.2747).ToDirectionMoonMe();
         double ground = TerrainHeight.RadiusBelow(ldem4.Grid, direction);
         TerrainHeight.RequireAbove(ldem4.Grid, (ground + 1.0) * direction);
 

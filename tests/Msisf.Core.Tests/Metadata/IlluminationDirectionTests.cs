@@ -87,7 +87,8 @@ public class IlluminationDirectionTests
     [Fact]
     public void At_LampAtACamera1MetreUp_KeepsItsDigits()
     {
-        // tests/reference/illumination.py, pixel(...) with these numbers; 1.6e-7 degrees off if the rounded point gives the way to the lamp.
+        // tests/reference/illumination.py, pixel(...) with these numbers; 1.6e-7 degrees off if the rounded point gives the way to the
+        // lamp.
         PinholeCamera camera = new(
             new Vector3D(-189699.6133239057, 281826.5093496118, 1703863.4395424302),
             UnitQuaternion.FromComponents(0.04287626691315912, 0.1365091846156505, 0.6489259289773556, 0.7472763926098815),

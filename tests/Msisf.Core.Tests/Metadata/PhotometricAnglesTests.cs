@@ -8,7 +8,10 @@ namespace Msisf.Core.Tests.Metadata;
 
 public class PhotometricAnglesTests
 {
-    /// <summary>Degrees: four units in the last place of 180 degrees. The differences to light and camera are rounded once, the angles to a few more such steps.</summary>
+    /// <summary>
+    /// Degrees: four units in the last place of 180 degrees. The differences to light and camera are rounded once, the angles to a few more
+    /// such steps.
+    /// </summary>
     private const double Rounding = 1.2e-13;
 
     [Theory]
@@ -54,7 +57,10 @@ public class PhotometricAnglesTests
 
     private static Vector3D Vector(double[] numbers, int first) => new(numbers[first], numbers[first + 1], numbers[first + 2]);
 
-    /// <summary>Lines of tests/golden/photometric_angles.tsv: point, normal, camera, light; then the angles that tests/reference/photometric_angles.py found.</summary>
+    /// <summary>
+    /// Lines of tests/golden/photometric_angles.tsv: point, normal, camera, light; then the angles that
+    /// tests/reference/photometric_angles.py found.
+    /// </summary>
     private static double[][] Read(string scene) =>
     [
         .. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "photometric_angles.tsv"))

@@ -25,7 +25,9 @@ public class PixelSamplerTests
         }
     }
 
-    /// <summary>The errors grow only as the geometry makes them: towards the limb, longitude at the poles, direction at the sub-solar point.</summary>
+    /// <summary>
+    /// The errors grow only as the geometry makes them: towards the limb, longitude at the poles, direction at the sub-solar point.
+    /// </summary>
     [Theory]
     [InlineData("one_metre_above")]
     [InlineData("limb")]

@@ -48,10 +48,12 @@ public sealed class RotationTests
     public void FromMatrix_OfAnyRotation_TurnsTheSameWay() =>
         Prop.ForAll(Rotations.ToArbitrary(), rotation =>
         {
-            RotationMatrix matrix = new RotationMatrix(rotation * Vector3D.UnitX, rotation * Vector3D.UnitY, rotation * Vector3D.UnitZ).Transposed;
+            RotationMatrix matrix = new RotationMatrix(
+                rotation * Vector3D.UnitX, rotation * Vector3D.UnitY, rotation * Vector3D.UnitZ).Transposed;
             UnitQuaternion again = UnitQuaternion.FromMatrix(matrix);
             Vector3D v = new(0.3, -0.7, 0.2);
-            return again.W >= 0.0 && ((again * v) - (matrix * v)).Length < 4.0 * Rounding && ((again * v) - (rotation * v)).Length < 4.0 * Rounding;
+            return again.W >= 0.0 && ((again * v) - (matrix * v)).Length < 4.0 * Rounding
+                && ((again * v) - (rotation * v)).Length < 4.0 * Rounding;
         }).Check(Seeded);
 
     [Fact]

@@ -1,4 +1,3 @@
-using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Xunit;
 
@@ -40,7 +39,7 @@ public sealed class Vector3DTests
     [InlineData(double.NaN)]
     [InlineData(double.PositiveInfinity)]
     public void Normalized_VectorWithoutDirection_IsRefused(double x) =>
-        Assert.Throws<BadInputException>(() => new Vector3D(x, 0.0, 0.0).Normalized());
+        Assert.Throws<InvalidOperationException>(() => new Vector3D(x, 0.0, 0.0).Normalized());
 
     [Fact]
     public void ToString_AnyCulture_HasDecimalPoints() =>

@@ -10,15 +10,25 @@ public class KeplerElementsTests
     [InlineData(double.NaN, 0.1, 0, 0, 0, 0, "The semi-major axis a (m) is NaN; a finite number is needed.")]
     [InlineData(2e6, double.NaN, 0, 0, 0, 0, "The eccentricity e is NaN; a finite number is needed.")]
     [InlineData(2e6, 0.1, double.NaN, 0, 0, 0, "The argument of periapsis omega (rad) is NaN; a finite number is needed.")]
-    [InlineData(2e6, 0.1, 0, double.NegativeInfinity, 0, 0, "The longitude of the ascending node Omega (rad) is -Infinity; a finite number is needed.")]
+    [InlineData(
+        2e6,
+        0.1,
+        0,
+        double.NegativeInfinity,
+        0,
+        0,
+        "The longitude of the ascending node Omega (rad) is -Infinity; a finite number is needed.")]
     [InlineData(2e6, 0.1, 0, 0, double.PositiveInfinity, 0, "The inclination i (rad) is Infinity; a finite number is needed.")]
     [InlineData(2e6, 0.1, 0, 0, 0, double.NaN, "The mean anomaly at epoch M0 (rad) is NaN; a finite number is needed.")]
     [InlineData(0.0, 0.1, 0, 0, 0, 0, "The semi-major axis a is 0 m; an elliptic orbit needs one above 0 m.")]
     [InlineData(-2000000.5, 0.1, 0, 0, 0, 0, "The semi-major axis a is -2000000.5 m; an elliptic orbit needs one above 0 m.")]
     [InlineData(2e6, -0.1, 0, 0, 0, 0, "The eccentricity e is -0.1; it can't be below 0.")]
-    [InlineData(2e6, 1.0, 0, 0, 0, 0, "The eccentricity e is 1, a parabola or hyperbola; only elliptic orbits, 0 <= e < 1, can be followed.")]
-    [InlineData(2e6, 1.5, 0, 0, 0, 0, "The eccentricity e is 1.5, a parabola or hyperbola; only elliptic orbits, 0 <= e < 1, can be followed.")]
-    public void Constructor_WrongElement_RefusedByName(double a, double e, double omega, double node, double i, double m0, string message) =>
+    [InlineData(
+        2e6, 1.0, 0, 0, 0, 0, "The eccentricity e is 1, a parabola or hyperbola; only elliptic orbits, 0 <= e < 1, can be followed.")]
+    [InlineData(
+        2e6, 1.5, 0, 0, 0, 0, "The eccentricity e is 1.5, a parabola or hyperbola; only elliptic orbits, 0 <= e < 1, can be followed.")]
+    public void Constructor_WrongElement_RefusedByName(
+        double a, double e, double omega, double node, double i, double m0, string message) =>
         Assert.Equal(message, Assert.Throws<BadInputException>(() => new KeplerElements(a, e, omega, node, i, m0)).Message);
 
     [Theory]

@@ -9,7 +9,8 @@ public class KeplerOrbitTests
     [Fact]
     public void PositionAt_ThesisYRow_HasTheSignOfConics()
     {
-        // tests/reference/conics.py, CSPICE N0067 conics_c: y = -1435599.050 m; the printed eq. 6.8 gives -1086210.450 m (deviations row 1).
+        // tests/reference/conics.py, CSPICE N0067 conics_c: y = -1435599.050 m; the printed eq. 6.8 gives -1086210.450 m (deviations row
+        // 1).
         KeplerOrbit orbit = new(new KeplerElements(1.9e6, 0.05, 0.7, 1.1, 0.9, 2.0));
         Vector3D position = orbit.PositionAt(0.0);
 

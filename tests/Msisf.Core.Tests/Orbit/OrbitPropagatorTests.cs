@@ -83,7 +83,8 @@ public class OrbitPropagatorTests
 
         public static double AngleAt(ModifiedJulianDate time) => 0.4 + (13.18 * Math.PI / 180.0 * (time.Days - 55280.0));
 
-        public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) => throw new NotSupportedException();
+        public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+            throw new NotSupportedException();
 
         public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => RotationMatrix.FrameAboutZ(AngleAt(time));
     }

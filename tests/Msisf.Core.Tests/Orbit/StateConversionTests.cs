@@ -163,7 +163,8 @@ public class StateConversionTests
     public void ToElements_NoEllipse_RefusedWithTheReason(double x, double y, double z, double dx, double dy, double dz, string reason)
     {
         StateVector state = new(new Vector3D(x, y, z), new Vector3D(dx, dy, dz));
-        Assert.Contains(reason, Assert.Throws<BadInputException>(() => StateConversion.ToElements(state)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            reason, Assert.Throws<BadInputException>(() => StateConversion.ToElements(state)).Message, StringComparison.Ordinal);
     }
 
     private static StateVector CircularPolar(double angle)

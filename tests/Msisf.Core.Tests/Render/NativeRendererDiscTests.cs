@@ -72,5 +72,6 @@ public sealed class NativeRendererDiscTests
         Assert.InRange(parts, 3, Side * Side / Step / Step / 4);
     }
 
-    private static IlluminationState StateOf(double visible) => visible > 0.99999 ? IlluminationState.Lit : visible > 0.0 ? IlluminationState.Penumbra : IlluminationState.Shadow;
+    private static IlluminationState StateOf(double visible) =>
+        visible > 0.99999 ? IlluminationState.Lit : visible > 0.0 ? IlluminationState.Penumbra : IlluminationState.Shadow;
 }

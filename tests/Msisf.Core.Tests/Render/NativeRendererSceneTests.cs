@@ -23,7 +23,9 @@ public sealed class NativeRendererSceneTests(ITestOutputHelper output)
 
     private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
-    /// <summary>Scenes that see all ground up to a horizon, or a whole pole: of a fine model that computes each sample too much for every day.</summary>
+    /// <summary>
+    /// Scenes that see all ground up to a horizon, or a whole pole: of a fine model that computes each sample too much for every day.
+    /// </summary>
     private static readonly string[] WideScenes =
         ["north-pole", "north-pole-axis", "south-pole", "across-pole", "seam-oblique", "inside-crater", "one-metre", "along-parallel"];
 
@@ -79,20 +81,24 @@ public sealed class NativeRendererSceneTests(ITestOutputHelper output)
         }
 
         int all = pixels * scenes.Count;
-        output.WriteLine($"{grid.ProductId}, {grid.PixelsPerDegree} px/deg: {all} pixels, {hits} of the surface, {lit} lit, {wrong.Count} differ");
+        output.WriteLine(
+            $"{grid.ProductId}, {grid.PixelsPerDegree} px/deg: {all} pixels, {hits} of the surface, {lit} lit, {wrong.Count} differ");
         Assert.True(wrong.Count == 0, $"{wrong.Count} of {all}:{Environment.NewLine}{string.Join(Environment.NewLine, wrong.Take(10))}");
         Assert.InRange(hits, all / 2, all - 1);
         Assert.InRange(lit, hits / 5, 4 * hits / 5);
     }
 
-    /// <summary>The camera with a field of view in which there are not too many cells beside each other where it looks, or at the limb.</summary>
+    /// <summary>
+    /// The camera with a field of view in which there are not too many cells beside each other where it looks, or at the limb.
+    /// </summary>
     private static PinholeCamera Narrowed(PinholeCamera camera, TerrainTracer tracer, int cellsAcross, int pixelsPerDegree)
     {
         double cell = MoonConstants.ReferenceRadius * Math.PI / 180.0 / pixelsPerDegree;
         Ray axis = new(camera.PositionMoonMe, camera.ForwardMoonMe);
         double distance = tracer.TryTrace(axis, out SurfaceHit seen)
             ? seen.RayParameter
-            : Math.Sqrt(Math.Max(0.0, camera.PositionMoonMe.LengthSquared - (MoonConstants.ReferenceRadius * MoonConstants.ReferenceRadius)));
+            : Math.Sqrt(
+                Math.Max(0.0, camera.PositionMoonMe.LengthSquared - (MoonConstants.ReferenceRadius * MoonConstants.ReferenceRadius)));
         double fieldOfView = Math.Min(camera.FieldOfView, 2.0 * Math.Atan(cellsAcross / 2.0 * cell / distance));
         return new PinholeCamera(camera.PositionMoonMe, camera.MoonFromCamera, fieldOfView, camera.Width, camera.Height);
     }

@@ -38,8 +38,11 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
             for (int pixel = 0; pixel < frame.RadianceFactors.Length; pixel++)
             {
                 (int x, int y) = ((pixel % frame.Camera.Width) + 1, (pixel / frame.Camera.Width) + 1);
-                double expected = frame.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light) && light.State == IlluminationState.Lit
-                    ? RadianceFactor(law, PhotometricAngles.At(hit.PointMoonMe, hit.NormalMoonMe, frame.Camera.PositionMoonMe, frame.LightPositionMoonMe))
+                double expected = frame.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light)
+                    && light.State == IlluminationState.Lit
+                    ? RadianceFactor(
+                        law,
+                        PhotometricAngles.At(hit.PointMoonMe, hit.NormalMoonMe, frame.Camera.PositionMoonMe, frame.LightPositionMoonMe))
                     : 0.0;
                 Assert.True(
                     Math.Abs(frame.RadianceFactors[pixel] - expected) <= SameRadiance,
@@ -82,7 +85,9 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
         Assert.True(keptDark > 20 && changed > 500, $"{keptDark} pixels of facets that turn away, {changed} that differ, say little");
     }
 
-    /// <summary>At the limb some normals between samples look away from the camera; a law that asks for the viewer would leave black specks.</summary>
+    /// <summary>
+    /// At the limb some normals between samples look away from the camera; a law that asks for the viewer would leave black specks.
+    /// </summary>
     [Fact]
     public void Render_SmoothNormalLooksAway_IsShadedByItsFacet()
     {
@@ -111,7 +116,9 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
         double cosIncidence = Math.Cos(angles.Incidence);
         double cosEmission = Math.Cos(angles.Emission);
         double sineOfHalf = Math.Sin(angles.Phase / 2.0);
-        return cosIncidence > 0.0 && (cosEmission > 0.0 || !law.DependsOnViewer) ? law.RadianceFactor(cosIncidence, cosEmission, sineOfHalf * sineOfHalf) : 0.0;
+        return cosIncidence > 0.0 && (cosEmission > 0.0 || !law.DependsOnViewer)
+            ? law.RadianceFactor(cosIncidence, cosEmission, sineOfHalf * sineOfHalf)
+            : 0.0;
     }
 
     private NativeFrame Draw(string name, IReflectance law, NormalModel normals)

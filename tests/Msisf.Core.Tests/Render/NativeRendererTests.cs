@@ -53,8 +53,11 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     [Fact]
     public void Render_WhileOtherFramesAreHeldAndDrawn_IsTheSameToTheBit()
     {
-        (PinholeCamera Camera, SceneLight Sun)[] scenes = [.. new[] { "far", "seam", "south-pole", "half-sky" }.Select(name => Scene(name, 80, 80))];
-        FrameValues[] expected = [.. scenes.Select(scene => FrameValues.Of(new NativeRenderer(rugged.Grid), scene.Camera, scene.Sun, Options, threads: 1))];
+        (
+            PinholeCamera Camera,
+            SceneLight Sun)[] scenes = [.. new[] { "far", "seam", "south-pole", "half-sky" }.Select(name => Scene(name, 80, 80))];
+        FrameValues[] expected = [.. scenes.Select(
+            scene => FrameValues.Of(new NativeRenderer(rugged.Grid), scene.Camera, scene.Sun, Options, threads: 1))];
         FrameValues[] together = new FrameValues[scenes.Length];
 
         using NativeFrame held = _renderer.Render(scenes[0].Camera, scenes[0].Sun, Options, threads: 1);
@@ -94,7 +97,8 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     public void Render_ManySamples_IsTheMeanOfSingleImagesWithShiftedCentres(int across)
     {
         (PinholeCamera camera, SceneLight sun) = Scene("grazing-sun", 90, 60);
-        PinholeCamera fine = new(camera.PositionMoonMe, camera.MoonFromCamera, camera.FieldOfView, across * camera.Width, across * camera.Height);
+        PinholeCamera fine = new(
+            camera.PositionMoonMe, camera.MoonFromCamera, camera.FieldOfView, across * camera.Width, across * camera.Height);
         using NativeFrame single = _renderer.Render(fine, sun, Options, threads: 2);
 
         using NativeFrame frame = _renderer.Render(camera, sun, Options with { SubsamplesPerAxis = across }, threads: 2);
@@ -165,7 +169,8 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
         (PinholeCamera camera, SceneLight sun) = Scene("seam", 50, 50);
         FrameValues expected = FrameValues.Of(_renderer, camera, sun, Options, threads: 2);
 
-        Assert.ThrowsAny<OperationCanceledException>(() => _renderer.Render(camera, sun, Options, threads: 2, new CancellationToken(canceled: true)));
+        Assert.ThrowsAny<OperationCanceledException>(
+            () => _renderer.Render(camera, sun, Options, threads: 2, new CancellationToken(canceled: true)));
 
         Assert.Equal(expected, FrameValues.Of(_renderer, camera, sun, Options, threads: 2));
     }

@@ -1,17 +1,19 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 using Msisf.Core.Tests.Support;
+using Msisf.Core.Tiles;
 using Msisf.TestSupport;
 using Xunit;
 using Xunit.Abstractions;
 
 namespace Msisf.Core.Tests.Render;
 
-/// <summary>Small images from random cameras of all kinds: no ray that must meet the ground passes through it, and none that can't meet it does.</summary>
+/// <summary>
+/// Small images from random cameras of all kinds: no ray that must meet the ground passes through it, and none that can't meet it does.
+/// </summary>
 public sealed class NativeRendererWatertightTests(ITestOutputHelper output)
 {
     /// <summary>1: chords of facets lie a little lower than their vertices, 6e-5 of the radius at 1 px/deg.</summary>
@@ -52,13 +54,17 @@ public sealed class NativeRendererWatertightTests(ITestOutputHelper output)
                 outside += canHit ? 0 : 1;
                 if ((mustHit && !isHit) || (isHit && !canHit))
                 {
-                    wrong.Add($"view {number} ({kind}), pixel ({x}, {y}) of {camera.Width} x {camera.Height}: surface {isHit}, {approach} m from the centre");
+                    wrong.Add(
+                        $"view {number} ({kind}), pixel ({x}, {y}) of {camera.Width} x {camera.Height}: "
+                            + $"surface {isHit}, {approach} m from the centre");
                 }
             }
         }
 
         output.WriteLine($"{grid.ProductId}: {views} views, {inside} pixels inside the disc, {outside} beside it, {wrong.Count} wrong");
-        Assert.True(wrong.Count == 0, $"{wrong.Count} of {inside + outside}:{Environment.NewLine}{string.Join(Environment.NewLine, wrong.Take(10))}");
+        Assert.True(
+            wrong.Count == 0,
+            $"{wrong.Count} of {inside + outside}:{Environment.NewLine}{string.Join(Environment.NewLine, wrong.Take(10))}");
         Assert.True(inside > 100 * views && outside > 50 * views, $"{inside} inside, {outside} outside say little");
     }
 

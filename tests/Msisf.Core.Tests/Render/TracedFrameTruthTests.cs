@@ -46,7 +46,8 @@ public class TracedFrameTruthTests
     public void TryGet_LampAtTheCamera_LightsAllThatIsSeen()
     {
         SurfaceHit turnedAway = Slope with { NormalMoonMe = -Slope.NormalMoonMe };
-        TracedFrameTruth truth = new(Camera, new SceneLight(Camera.PositionMoonMe, IsSun: false), new FakeTracer(turnedAway, isHidden: true));
+        TracedFrameTruth truth = new(
+            Camera, new SceneLight(Camera.PositionMoonMe, IsSun: false), new FakeTracer(turnedAway, isHidden: true));
 
         Assert.True(truth.TryGet(2, 2, out _, out PixelIllumination light));
 
@@ -56,7 +57,8 @@ public class TracedFrameTruthTests
     [Fact]
     public void TryGet_Space_HasNeitherHitNorLight()
     {
-        TracedFrameTruth truth = new(Camera, new SceneLight(SunDistance * Vector3D.UnitX, IsSun: true), new FakeTracer(null, isHidden: false));
+        TracedFrameTruth truth = new(
+            Camera, new SceneLight(SunDistance * Vector3D.UnitX, IsSun: true), new FakeTracer(null, isHidden: false));
 
         Assert.False(truth.TryGet(1, 1, out SurfaceHit hit, out PixelIllumination light));
 

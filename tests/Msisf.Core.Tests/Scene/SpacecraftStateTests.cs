@@ -33,7 +33,9 @@ public class SpacecraftStateTests
     public void FromNumbers_SevenNumbers_IsABug() =>
         Assert.Throws<ArgumentException>(() => SpacecraftState.FromNumbers([55289.0, 0.0, 0.0, 2e6, 0.0, 0.0, 1.0]));
 
-    /// <summary>A state that is written out and read back is the same to the last bit, so a run from a batch file is that from the orbit.</summary>
+    /// <summary>
+    /// A state that is written out and read back is the same to the last bit, so a run from a batch file is that from the orbit.
+    /// </summary>
     [Fact]
     public void ToNumbers_ReadBack_IsTheSameState()
     {
@@ -43,7 +45,8 @@ public class SpacecraftStateTests
         {
             double[] q = [Component(), Component(), Component(), Component()];
             double length = Math.Sqrt(q.Sum(c => c * c));
-            SpacecraftState state = SpacecraftState.FromNumbers([55289.0 + Component(), Component(), Component(), Component(), q[0] / length, q[1] / length, q[2] / length, q[3] / length]);
+            SpacecraftState state = SpacecraftState.FromNumbers(
+                [55289.0 + Component(), Component(), Component(), Component(), q[0] / length, q[1] / length, q[2] / length, q[3] / length]);
             UnitQuaternion product = state.MoonFromCamera * UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, Component());
             SpacecraftState turned = state with { MoonFromCamera = product };
 

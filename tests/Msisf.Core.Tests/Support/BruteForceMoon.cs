@@ -158,10 +158,12 @@ internal sealed class BruteForceMoon
     }
 
     private void Descend(
-        int level, int row, int column, Vector3D origin, Vector3D direction, Vector3D inverse, bool[]? isThere, double minT, ref (FacetId Facet, double T)? best)
+        int level, int row, int column, Vector3D origin, Vector3D direction, Vector3D inverse, bool[]? isThere, double minT,
+        ref (FacetId Facet, double T)? best)
     {
         (int rows, int columns) = _sizes[level];
-        if (row >= rows || column >= columns || !_levels[level][(row * columns) + column].MayMeet(origin, inverse, best?.T ?? double.PositiveInfinity))
+        if (row >= rows || column >= columns
+            || !_levels[level][(row * columns) + column].MayMeet(origin, inverse, best?.T ?? double.PositiveInfinity))
         {
             return;
         }
@@ -170,7 +172,8 @@ internal sealed class BruteForceMoon
         {
             for (int child = 0; child < 4; child++)
             {
-                Descend(level - 1, (2 * row) + (child / 2), (2 * column) + (child % 2), origin, direction, inverse, isThere, minT, ref best);
+                Descend(
+                    level - 1, (2 * row) + (child / 2), (2 * column) + (child % 2), origin, direction, inverse, isThere, minT, ref best);
             }
 
             return;

@@ -84,7 +84,8 @@ internal static class CameraCases
 
     public static IReadOnlyList<string> Names { get; } =
     [
-        "far", "disc", "nadir-100km", "oblique-20km", "low-1-5km", "crawling", "any", "on-polar-axis", "over-pole", "prime-meridian", "limb-zoom", "off-pointing",
+        "far", "disc", "nadir-100km", "oblique-20km", "low-1-5km", "crawling", "any", "on-polar-axis", "over-pole", "prime-meridian",
+        "limb-zoom", "off-pointing",
     ];
 
     /// <summary>The attitude that looks along <paramref name="forward"/> with <paramref name="right"/> to the right.</summary>

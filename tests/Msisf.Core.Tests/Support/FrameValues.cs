@@ -25,7 +25,9 @@ internal sealed record FrameValues(IReadOnlyList<long> RadianceFactors, IReadOnl
         (SurfaceHit, PixelIllumination)?[] truth = new (SurfaceHit, PixelIllumination)?[width * frame.Camera.Height];
         for (int pixel = 0; pixel < truth.Length; pixel++)
         {
-            truth[pixel] = frame.TryGet((pixel % width) + 1, (pixel / width) + 1, out SurfaceHit hit, out PixelIllumination light) ? (hit, light) : null;
+            truth[pixel] = frame.TryGet((pixel % width) + 1, (pixel / width) + 1, out SurfaceHit hit, out PixelIllumination light)
+                ? (hit, light)
+                : null;
         }
 
         return new FrameValues(MemoryMarshal.Cast<double, long>(frame.RadianceFactors).ToArray(), truth);

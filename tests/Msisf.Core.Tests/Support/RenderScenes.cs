@@ -5,7 +5,9 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tests.Support;
 
-/// <summary>Cameras and Suns in which a renderer may go wrong, for any model; all angles in degrees, heights in m over the ground.</summary>
+/// <summary>
+/// Cameras and Suns in which a renderer may go wrong, for any model; all angles in degrees, heights in m over the ground.
+/// </summary>
 internal static class RenderScenes
 {
     /// <summary>m: a length on the way to the Sun.</summary>
@@ -53,7 +55,8 @@ internal static class RenderScenes
     /// <param name="SunElevation">Degrees over the horizontal plane.</param>
     /// <param name="SunAzimuth">Degrees from north over east.</param>
     public sealed record RenderSceneCase(
-        string Name, double Latitude, double Longitude, double Height, double Tilt, double Azimuth, double FieldOfView, double SunElevation, double SunAzimuth)
+        string Name, double Latitude, double Longitude, double Height, double Tilt, double Azimuth, double FieldOfView, double SunElevation,
+        double SunAzimuth)
     {
         /// <summary>m, MOON_ME.</summary>
         public Vector3D Sun => SunDistance * Towards(SunElevation, SunAzimuth);

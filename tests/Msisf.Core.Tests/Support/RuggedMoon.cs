@@ -1,5 +1,5 @@
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Tests.Support;
 

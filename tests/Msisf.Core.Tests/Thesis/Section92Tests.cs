@@ -20,7 +20,9 @@ public class Section92Tests
         1024,
         1024);
 
-    /// <summary>Latitude and longitude as printed; the angles are exact (tests/reference/illumination.py), print is off by 5e-5 and 8e-6 degrees.</summary>
+    /// <summary>
+    /// Latitude and longitude as printed; the angles are exact (tests/reference/illumination.py), print is off by 5e-5 and 8e-6 degrees.
+    /// </summary>
     [Theory]
     [InlineData(450, 44.58440049692400, 56.79090635326980, 280.850536814846401)]
     [InlineData(500, 41.65137059729800, 58.68035440967800, 279.032828143072597)]
@@ -38,7 +40,8 @@ public class Section92Tests
     [Fact]
     public void Sample_FirstTwoPixels_AreThePublishedOnes()
     {
-        PixelSampler sampler = new(Camera, new PixelGrid(1024, 1024, PixelGrid.DefaultSpacing, PixelGrid.DefaultSpacing), ReferenceSphere.Lola, Sun);
+        PixelSampler sampler = new(
+            Camera, new PixelGrid(1024, 1024, PixelGrid.DefaultSpacing, PixelGrid.DefaultSpacing), ReferenceSphere.Lola, Sun);
 
         Assert.Equal([(450, 100), (500, 100)], sampler.Sample().Take(2).Select(record => (record.H, record.V)));
     }

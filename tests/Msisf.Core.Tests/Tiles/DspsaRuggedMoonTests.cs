@@ -10,8 +10,8 @@ namespace Msisf.Core.Tests.Tiles;
 public sealed class DspsaRuggedMoonTests(RuggedMoon rugged) : IClassFixture<RuggedMoon>
 {
     /// <summary>
-    /// Among the first, 113, 144 and 187 show something behind a dark tile if that tile is dropped; in 101337 a ray to the Sun passes under a kept ridge, but enters the
-    /// ground before it, through a tile that throws no other shadow.
+    /// Among the first, 113, 144 and 187 show something behind a dark tile if that tile is dropped; in 101337 a ray to the Sun passes under
+    /// a kept ridge, but enters the ground before it, through a tile that throws no other shadow.
     /// </summary>
     [Theory]
     [InlineData(108, 192)]

@@ -48,13 +48,17 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
             (PinholeCamera camera, _, string kind) = CameraCases.Make(number, ldem4.Grid, PixelsEach);
             bool[] isThere = TilesThere.In(Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary));
             bool[] isHit = new BruteForceImage(ldem4.Moon, camera, Sun, isThere: null).HitTiles;
-            missed.AddRange(Enumerable.Range(0, TileId.Count).Where(tile => isHit[tile] && !isThere[tile]).Select(tile => $"camera {number} ({kind}): tile {tile}"));
+            missed.AddRange(
+                Enumerable.Range(0, TileId.Count).Where(tile => isHit[tile] && !isThere[tile]).Select(
+                    tile => $"camera {number} ({kind}): tile {tile}"));
         }
 
         Assert.Empty(missed);
     }
 
-    /// <summary>A tile counts as seen if one of its vertices or facet middles can be: pixels would miss slivers that antialiasing meets.</summary>
+    /// <summary>
+    /// A tile counts as seen if one of its vertices or facet middles can be: pixels would miss slivers that antialiasing meets.
+    /// </summary>
     [RequiresFact(Part.Ldem4)]
     public void Select_ManyCamerasIgnoringSun_KeepsAtMost15PercentMoreThanIsSeen()
     {

@@ -25,8 +25,9 @@ public class LevelDeviationTests
     }
 
     /// <summary>
-    /// One sample of height H makes a coarse sample of H / 4. The north-western of the four lies on the diagonal, a quarter of a cell from the coarse
-    /// sample, where the facet is 3/4 of H / 4 high; the north-eastern at (3/4, 1/4) on the facet (NW, SE, NE) of the next cell, where it is H / 4 * 1/2.
+    /// One sample of height H makes a coarse sample of H / 4. The north-western of the four lies on the diagonal, a quarter of a cell from
+    /// the coarse sample, where the facet is 3/4 of H / 4 high; the north-eastern at (3/4, 1/4) on the facet (NW, SE, NE) of the next cell,
+    /// where it is H / 4 * 1/2.
     /// </summary>
     [Theory]
     [InlineData(0, 0, 1.0 - 0.1875)]

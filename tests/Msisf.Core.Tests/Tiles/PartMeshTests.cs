@@ -1,6 +1,5 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
@@ -50,8 +49,8 @@ public class PartMeshTests
             Assert.InRange(mesh.Offsets.Max(Math.Abs), 0, TileMesh.OffsetLimit - 1);
             Assert.All(
                 Enumerable.Range(mesh.Layout.VertexCount, edges),
-                foot => Assert.InRange(mesh.Vertex(foot).PositionMoonMe.Length, mesh.WallFootRadius - 0.01, mesh.WallFootRadius + 0.01));
-            Assert.True(mesh.WallFootRadius < ((IElevationGrid)grid).RadiusLimits.Min);
+                foot => Assert.InRange(mesh.Vertex(foot).PositionMoonMe.Length, mesh.SkirtFootRadius - 0.01, mesh.SkirtFootRadius + 0.01));
+            Assert.True(mesh.SkirtFootRadius < ((IElevationGrid)grid).RadiusLimits.Min);
         }
     }
 
@@ -68,7 +67,9 @@ public class PartMeshTests
         }
     }
 
-    /// <summary>What stands at one place at two levels meets no gap: a coarser part reaches half a cell of its own beyond the tile's borders.</summary>
+    /// <summary>
+    /// What stands at one place at two levels meets no gap: a coarser part reaches half a cell of its own beyond the tile's borders.
+    /// </summary>
     [Fact]
     public void For_CoarserPart_CoversTheCellsOfFinerOnes()
     {
@@ -104,7 +105,8 @@ public class PartMeshTests
             PartSelection selection = selector.Select(camera, null);
             met.UnionWith(selection.Parts.Select(part => part.Level));
             MeshSoup soup = new([.. selection.Parts.Select(part => Build(builders, part))]);
-            bool[] isGround = [.. Enumerable.Range(0, camera.Width * camera.Height).Select(pixel => tracer.TryTrace(RayOf(camera, pixel), out _))];
+            bool[] isGround = [.. Enumerable.Range(0, camera.Width * camera.Height).Select(
+                pixel => tracer.TryTrace(RayOf(camera, pixel), out _))];
             foreach (int pixel in Enumerable.Range(0, isGround.Length).Where(pixel => IsAmidGround(isGround, camera.Width, pixel)))
             {
                 rays++;

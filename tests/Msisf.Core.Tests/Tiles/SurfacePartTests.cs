@@ -43,7 +43,8 @@ public class SurfacePartTests
     {
         SurfacePart[] ordered =
         [
-            SurfacePart.Whole(new TileId(-5, 0)), new(new TileId(0, 0), 0, 4, 0, 1), new(new TileId(0, 0), 0, 4, 1, 0), new(new TileId(0, 0), 1, 2, 0, 0), SurfacePart.Whole(new TileId(0, 5)),
+            SurfacePart.Whole(new TileId(-5, 0)), new(new TileId(0, 0), 0, 4, 0, 1), new(new TileId(0, 0), 0, 4, 1, 0),
+            new(new TileId(0, 0), 1, 2, 0, 0), SurfacePart.Whole(new TileId(0, 5)),
         ];
 
         Assert.Equal(ordered, ordered.Reverse().Order());

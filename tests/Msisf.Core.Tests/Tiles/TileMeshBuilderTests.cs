@@ -54,7 +54,8 @@ public class TileMeshBuilderTests
             {
                 double latitude = 90.0 - ((layout.FirstLine + (vertex / layout.Samples) + 0.5) / 4.0);
                 double longitude = (layout.FirstSample + (vertex % layout.Samples) + 0.5) / 4.0;
-                Vector3D expected = mesh.Radii[vertex] * new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
+                Vector3D expected = mesh.Radii[vertex]
+                    * new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
                 Vector3D error = mesh.Vertex(vertex).PositionMoonMe - expected;
 
                 // Half a step, and a few ulps of 1.7e6 m for this plain computation.

@@ -20,7 +20,8 @@ public sealed class ModifiedJulianDateTests
 
     [Fact]
     public void ToIsoUtc_LastInstantOfTheCalendar_StaysInIt() =>
-        Assert.StartsWith("9999-12-31T23:59:59.99", new ModifiedJulianDate(Math.BitDecrement(2973484.0)).ToIsoUtc(), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "9999-12-31T23:59:59.99", new ModifiedJulianDate(Math.BitDecrement(2973484.0)).ToIsoUtc(), StringComparison.Ordinal);
 
     [Theory]
     [InlineData(double.NaN)]

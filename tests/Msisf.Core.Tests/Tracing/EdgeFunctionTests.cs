@@ -43,6 +43,7 @@ public sealed class EdgeFunctionTests
         BigInteger[] d = [.. direction.Select(x => (BigInteger)x)];
         BigInteger[] u = [.. b.Zip(origin, (x, y) => (BigInteger)x - y)];
         BigInteger[] v = [.. a.Zip(origin, (x, y) => (BigInteger)x - y)];
-        return (d[0] * ((u[1] * v[2]) - (u[2] * v[1]))) + (d[1] * ((u[2] * v[0]) - (u[0] * v[2]))) + (d[2] * ((u[0] * v[1]) - (u[1] * v[0])));
+        return (d[0] * ((u[1] * v[2]) - (u[2] * v[1]))) + (d[1] * ((u[2] * v[0]) - (u[0] * v[2])))
+            + (d[2] * ((u[0] * v[1]) - (u[1] * v[0])));
     }
 }

@@ -111,6 +111,6 @@ public class ReferenceSphereTests
     [InlineData(0.0)]
     [InlineData(-1.0)]
     [InlineData(double.NaN)]
-    public void Constructor_RadiusNotPositive_IsBadInput(double radius) =>
-        Assert.Throws<BadInputException>(() => new ReferenceSphere(radius));
+    public void Constructor_RadiusNotPositive_IsACallersBug(double radius) =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => new ReferenceSphere(radius));
 }

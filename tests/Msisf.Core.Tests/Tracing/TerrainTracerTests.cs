@@ -50,12 +50,14 @@ public sealed class TerrainTracerTests
         for (int number = 0; number < 6000; number++)
         {
             int line = number % 10 == 0 ? random.Next(2) : number % 10 == 1 ? vertices.Lines - 2 : random.Next(-1, vertices.Lines);
-            (Vector3D a, Vector3D b, Vector3D c) = vertices.CornersOf(new FacetId(line, random.Next(vertices.Samples), (FacetHalf)(number % 2)));
+            (Vector3D a, Vector3D b, Vector3D c) = vertices.CornersOf(
+                new FacetId(line, random.Next(vertices.Samples), (FacetHalf)(number % 2)));
             Vector3D target = (number % 4) switch { 0 => a, 1 => 0.5 * (a + b), 2 => 0.5 * (b + c), _ => 0.5 * (c + a) };
             Vector3D origin = (Math.Pow(10.0, 6.3 + random.NextDouble()) * target.Normalized()) + (2e5 * Direction(random));
             if (number % 3 == 0)
             {
-                origin = new Vector3D(Math.Round(origin.X), Math.Round(origin.Y), Math.Round(origin.Z)); // so that the ray meets the vertex exactly
+                // so that the ray meets the vertex exactly
+                origin = new Vector3D(Math.Round(origin.X), Math.Round(origin.Y), Math.Round(origin.Z));
             }
 
             if (!(tracer.TryTrace(new Ray(origin, target - origin), out SurfaceHit hit) && hit.RayParameter <= 1.0 + 1e-13))
@@ -200,8 +202,8 @@ public sealed class TerrainTracerTests
     {
         TerrainTracer tracer = new(FunctionGrid.OfHeights(1, (_, _) => 0.0));
 
-        Assert.Throws<BadInputException>(() => tracer.TryTrace(new Ray(new Vector3D(3e6, 0.0, 0.0), default), out _));
-        Assert.Throws<BadInputException>(() => tracer.TryTrace(new Ray(new Vector3D(3e6, double.NaN, 0.0), Vector3D.UnitX), out _));
+        Assert.Throws<ArgumentException>(() => tracer.TryTrace(new Ray(new Vector3D(3e6, 0.0, 0.0), default), out _));
+        Assert.Throws<ArgumentException>(() => tracer.TryTrace(new Ray(new Vector3D(3e6, double.NaN, 0.0), Vector3D.UnitX), out _));
         Assert.Throws<ArgumentOutOfRangeException>(
             () => tracer.IsHidden(new Vector3D(Radius, 0.0, 0.0), new FacetId(180, 0, FacetHalf.NorthEast), new Vector3D(1e9, 0.0, 0.0)));
     }

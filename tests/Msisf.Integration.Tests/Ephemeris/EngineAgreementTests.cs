@@ -32,7 +32,9 @@ public sealed class EngineAgreementTests
             .Check(Config.QuickThrowOnFailure.WithMaxTest(1000).WithReplay(20120222UL, 1UL));
     }
 
-    /// <summary>The Sun of the shipped kernels begins half a year before the Moon's orientation, so that the first light is covered too.</summary>
+    /// <summary>
+    /// The Sun of the shipped kernels begins half a year before the Moon's orientation, so that the first light is covered too.
+    /// </summary>
     [RequiresFact(Part.CSpice)]
     public void BothEngines_EndsOfTheCover_Agree()
     {
@@ -60,7 +62,8 @@ public sealed class EngineAgreementTests
             AssertAgree(cspice.Engine, builtIn.Engine, before);
             AssertAgree(cspice.Engine, builtIn.Engine, day);
 
-            // A second and a day's last 0.6 microseconds pass between the two: the Sun turns by 2.66e-6 of its distance (2.4e-6 to 2.7e-6 at its declination).
+            // A second and a day's last 0.6 microseconds pass between the two: the Sun turns by 2.66e-6 of its distance (2.4e-6 to 2.7e-6
+            // at its declination).
             Vector3D sunBefore = cspice.Engine.SunPositionMoonMe(new ModifiedJulianDate(before));
             Vector3D sunAfter = cspice.Engine.SunPositionMoonMe(new ModifiedJulianDate(day));
             double turned = Vector3D.AngleBetween(sunBefore, sunAfter);

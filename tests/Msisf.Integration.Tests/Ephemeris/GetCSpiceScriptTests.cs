@@ -38,7 +38,8 @@ public sealed class GetCSpiceScriptTests : IDisposable
 
         Assert.Equal(1, exitCode);
         Assert.Empty(output);
-        Assert.EndsWith("does not answer (curl: exit code 7); msis will use its built-in kernel reader.\n", errors, StringComparison.Ordinal);
+        Assert.EndsWith(
+            "does not answer (curl: exit code 7); msis will use its built-in kernel reader.\n", errors, StringComparison.Ordinal);
         Assert.False(File.Exists(_library));
         Assert.Empty(Directory.GetFileSystemEntries(Path.GetDirectoryName(_library)!));
     }
@@ -99,7 +100,8 @@ public sealed class GetCSpiceScriptTests : IDisposable
         File.SetUnixFileMode(curl, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
     }
 
-    private ChildRun Run(string namedLibrary) => ChildRun.Of("bash", [_script], _folder.FullName, environment: new Dictionary<string, string>
+    private ChildRun Run(string namedLibrary) =>
+        ChildRun.Of("bash", [_script], _folder.FullName, environment: new Dictionary<string, string>
     {
         ["MSISF_CSPICE"] = namedLibrary,
         ["PATH"] = $"{Path.Combine(_folder.FullName, "bin")}{Path.PathSeparator}{Environment.GetEnvironmentVariable("PATH")}",

@@ -104,7 +104,12 @@ public sealed class SpiceEphemerisTests : IDisposable
 
         Exception? failure = Record.Exception(() => Engines.CSpice(path).Dispose());
 
-        Assert.Equal(works ? null : $"{path}: the path has 256 bytes; CSPICE takes 255 at most. Move the kernels to a shorter path, or use --ephemeris builtin.", failure?.Message);
+        Assert.Equal(
+            works
+                ? null
+                : $"{path}: the path has 256 bytes; CSPICE takes 255 at most. "
+                    + $"Move the kernels to a shorter path, or use --ephemeris builtin.",
+            failure?.Message);
     }
 
     [RequiresFact(Part.CSpice)]

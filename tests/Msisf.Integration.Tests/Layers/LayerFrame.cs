@@ -58,7 +58,8 @@ internal static class LayerFrame
     {
         string script = Path.Combine(TestParts.RepositoryRoot, "tests", "Msisf.Integration.Tests", "Layers", "read_layers.py");
         string output = ChildRun.Of(TestParts.Python!, [script, reader, path, folder], folder).Succeeded().Output;
-        return output.Split('\n', StringSplitOptions.RemoveEmptyEntries).Select(line => line.Split('=', 2)).ToLookup(pair => pair[0], pair => pair[^1])
+        return output.Split(
+            '\n', StringSplitOptions.RemoveEmptyEntries).Select(line => line.Split('=', 2)).ToLookup(pair => pair[0], pair => pair[^1])
             .ToDictionary(group => group.Key, group => group.First());
     }
 }

@@ -25,7 +25,11 @@ internal static class ExampleFrame
     }
 
     public static PixelSampler Sampler(FrameMetadata frame, int spacing) =>
-        new(frame.Camera, new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing), ReferenceSphere.Lola, frame.SunPositionMoonMe);
+        new(
+            frame.Camera,
+            new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
+            ReferenceSphere.Lola,
+            frame.SunPositionMoonMe);
 
     /// <summary>Terrain that happens to be the sphere, with each state of light.</summary>
     public static PixelSampler TerrainSampler(FrameMetadata frame, int spacing) => new(

@@ -91,7 +91,9 @@ public sealed class MetadataXmlTests : IDisposable
         string path = WriteFiles(frame, pixels);
 
         Assert.Equal((0, string.Empty), Xmllint("--valid", path));
-        Assert.Equal((0, string.Empty), Xmllint("--dtdvalid", new Uri(Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd")).AbsoluteUri, path));
+        Assert.Equal(
+            (0, string.Empty),
+            Xmllint("--dtdvalid", new Uri(Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd")).AbsoluteUri, path));
     }
 
     private string WriteFiles(FrameMetadata frame, PixelSampler pixels)

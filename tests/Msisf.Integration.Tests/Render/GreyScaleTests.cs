@@ -52,7 +52,8 @@ public sealed class GreyScaleTests : IDisposable
             double slope = Math.Sqrt(1.0 - (CosIncidence(i) * CosIncidence(i))) / CosIncidence(i);
             scene.Append(
                 CultureInfo.InvariantCulture,
-                $"mesh2 {{ vertex_vectors {{ 4, <{left},-3,{3 * slope:R}>, <{left + 1},-3,{3 * slope:R}>, <{left + 1},3,{-3 * slope:R}>, <{left},3,{-3 * slope:R}> }} ");
+                $"mesh2 {{ vertex_vectors {{ 4, <{left},-3,{3 * slope:R}>, <{left + 1},-3,{3 * slope:R}>, <{left + 1},3,{-3 * slope:R}>, "
+                    + $"<{left},3,{-3 * slope:R}> }} ");
             scene.Append("face_indices { 2, <0,1,2>, <0,2,3> } texture { moon } }\n");
         }
 

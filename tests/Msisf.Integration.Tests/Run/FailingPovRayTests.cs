@@ -10,7 +10,8 @@ namespace Msisf.Integration.Tests.Run;
 /// <summary>What happens when POV-Ray fails: stand-ins for it, written as shell scripts, do what a real one rarely does.</summary>
 public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposable
 {
-    private const string State = "{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}";
+    private const string State =
+        "{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}";
 
     private readonly RenderFixture _fixture;
     private readonly TemporaryFolder _folder = new();
@@ -73,7 +74,10 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
         AssertHoldsTheManifestOnly();
     }
 
-    /// <summary>Half of the Moon has half a million triangles, so where there are two cores it is drawn in strips; the uppermost fails while the others work.</summary>
+    /// <summary>
+    /// Half of the Moon has half a million triangles, so where there are two cores it is drawn in strips; the uppermost fails while the
+    /// others work.
+    /// </summary>
     [RequiresFact(Part.Ldem4)]
     public void Run_PovRayFailsInAStrip_EndsTheOthersAndIsOneError()
     {
@@ -87,12 +91,16 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
             """;
         CommandLineRun run = CommandLineRun.Of(
         [
-            "--state-vectors", "{8.66e6,5e6,0,0,0,100}", "--epoch", "55289", "--time", "55289", "--fov", "22", "--width", "160", "--height", "160",
+            "--state-vectors", "{8.66e6,5e6,0,0,0,100}", "--epoch", "55289", "--time", "55289", "--fov", "22", "--width", "160", "--height",
+            "160",
             "--lod-error", "0", "--pov-path", StandIn(script), .. _fixture.Common(_folder["out"]),
         ]);
 
         Assert.Equal(3, run.ExitCode);
-        Assert.Contains("exit code 4", Assert.Single(run.Error.Split('\n'), line => line.StartsWith("msis: error:", StringComparison.Ordinal)), StringComparison.Ordinal);
+        Assert.Contains(
+            "exit code 4",
+            Assert.Single(run.Error.Split('\n'), line => line.StartsWith("msis: error:", StringComparison.Ordinal)),
+            StringComparison.Ordinal);
         AssertHoldsTheManifestOnly();
         if (Environment.ProcessorCount > 1)
         {
@@ -112,7 +120,8 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
             55289 2E6 2E6 1 0 0 3.826834323650898E-1 9.238795325112867E-1
             """;
         CommandLineRun run = CommandLineRun.Of(
-            ["--batch-file", "-", "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. _fixture.Common(_folder["out"])], states);
+            ["--batch-file", "-", "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. _fixture.Common(_folder["out"])],
+            states);
 
         Assert.Equal(3, run.ExitCode);
         Assert.Contains("step 2 (MoonSurfIllumSim_step_00002)", run.Error, StringComparison.Ordinal);
@@ -125,9 +134,11 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
     [RequiresFact(Part.Ldem4)]
     public void Run_FailFast_StopsAtTheFirstFailure()
     {
-        string states = string.Join('\n', Enumerable.Range(0, 8).Select(step => $"55289 2E6 2E6 {step} 0 0 3.826834323650898E-1 9.238795325112867E-1"));
+        string states = string.Join(
+            '\n', Enumerable.Range(0, 8).Select(step => $"55289 2E6 2E6 {step} 0 0 3.826834323650898E-1 9.238795325112867E-1"));
         CommandLineRun run = CommandLineRun.Of(
-            ["--batch-file", "-", "--fail-fast", "--jobs", "1", "--width", "16", "--height", "16", "--pov-path", StandIn("exit 9"), .. _fixture.Common(_folder["out"])],
+            ["--batch-file", "-", "--fail-fast", "--jobs", "1", "--width", "16", "--height", "16", "--pov-path", StandIn("exit 9"),
+             .. _fixture.Common(_folder["out"])],
             states);
 
         Assert.Equal(3, run.ExitCode);
@@ -146,7 +157,8 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
             "--fixed-state", State, "--width", "16", "--height", "16",
             "--pov-path", StandIn($"echo $$ > '{marker}.new'; mv '{marker}.new' '{marker}'; sleep 600"), .. _fixture.Common(_folder["out"]),
         ];
-        ProgramHost host = ConsoleHost.Create(TextWriter.Null, error, () => TextReader.Null, TimeProvider.System, Environment.GetEnvironmentVariable);
+        ProgramHost host = ConsoleHost.Create(
+            TextWriter.Null, error, () => TextReader.Null, TimeProvider.System, Environment.GetEnvironmentVariable);
 
         Task<int> run = Task.Run(() => Cli.CommandLineProgram.RunAsync(arguments, host, stop.Token));
         await Within.Seconds(120, "the stand-in for POV-Ray", () => File.Exists(marker));
@@ -159,7 +171,8 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
     }
 
     private CommandLineRun RunWith(string script, params string[] more) => CommandLineRun.Of(
-        ["--fixed-state", State, "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. more, .. _fixture.Common(_folder["out"])]);
+        ["--fixed-state", State, "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. more, .. _fixture.Common(
+            _folder["out"])]);
 
     private void AssertHoldsTheManifestOnly() => Assert.Equal(
         [".msisf-claims", ".msisf-manifest.lock", "msisf-manifest.jsonl"],

@@ -54,7 +54,8 @@ internal sealed class ImageDifference
 
     /// <summary>
     /// Pixels that are alone in being black, or alone in not being so, in the reference, and are as those around in the image: a ray, or
-    /// a ray to the Sun, that meets the edge of two triangles to the last bits slips between them in POV-Ray. Seen closer, nothing is there.
+    /// a ray to the Sun, that meets the edge of two triangles to the last bits slips between them in POV-Ray. Seen closer, nothing is
+    /// there.
     /// </summary>
     public int Leaks { get; }
 

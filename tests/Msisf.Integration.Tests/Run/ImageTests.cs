@@ -58,14 +58,16 @@ public sealed class ImageTests : IClassFixture<RenderFixture>, IDisposable
         PngPixels image = Render(position, moonFromCamera);
 
         // The Sun at MJD 55289, CSPICE N0067.
-        AssertSameMask(name, image, position, moonFromCamera, new Vector3D(1.074955473280880E+011, -1.042430734878980E+011, +4.036164305561260E+009));
+        AssertSameMask(
+            name, image, position, moonFromCamera, new Vector3D(1.074955473280880E+011, -1.042430734878980E+011, +4.036164305561260E+009));
     }
 
     private PngPixels Render(Vector3D position, UnitQuaternion moonFromCamera, params string[] more)
     {
         string state = string.Create(
             CultureInfo.InvariantCulture,
-            $"{{55289,{position.X:R},{position.Y:R},{position.Z:R},{moonFromCamera.X:R},{moonFromCamera.Y:R},{moonFromCamera.Z:R},{moonFromCamera.W:R}}}");
+            $"{{55289,{position.X:R},{position.Y:R},{position.Z:R},"
+                + $"{moonFromCamera.X:R},{moonFromCamera.Y:R},{moonFromCamera.Z:R},{moonFromCamera.W:R}}}");
         CommandLineRun run = CommandLineRun.Of(
         [
             "--fixed-state", state, "--width", "128", "--height", "128", "--output-name", "view",

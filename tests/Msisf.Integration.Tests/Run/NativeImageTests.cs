@@ -84,7 +84,8 @@ public sealed class NativeImageTests(RenderFixture fixture, ITestOutputHelper ou
         string side = Side.ToString(CultureInfo.InvariantCulture);
         string[] arguments = ["--fixed-state", state, "--width", side, "--height", side, .. more];
         string[] common = fixture.Common(_folder.Path);
-        CommandLineRun povRay = CommandLineRun.Of([.. arguments, "--output-name", "povray", "--lod", "off", "--pov-options", "Antialias=Off", .. common]);
+        CommandLineRun povRay = CommandLineRun.Of(
+            [.. arguments, "--output-name", "povray", "--lod", "off", "--pov-options", "Antialias=Off", .. common]);
         Assert.True(povRay.ExitCode == 0, povRay.Error);
         string[] withoutPatterns = [.. common.Where((_, index) => index is not (2 or 3))];
         CommandLineRun native = CommandLineRun.Of([.. arguments, "--output-name", "native", "--renderer", "native", .. withoutPatterns]);

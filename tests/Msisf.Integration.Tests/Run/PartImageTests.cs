@@ -8,7 +8,8 @@ public sealed class PartImageTests(RenderFixture fixture) : IClassFixture<Render
 {
     /// <summary>Half of the Moon, 64 px a radius; the terminator runs through it.</summary>
     private static readonly string[] Disc =
-        ["--state-vectors", "{8.66e6,5e6,0,0,0,100}", "--epoch", "55289", "--time", "55289", "--fov", "22", "--width", "160", "--height", "160"];
+        ["--state-vectors", "{8.66e6,5e6,0,0,0,100}", "--epoch", "55289", "--time", "55289", "--fov", "22", "--width", "160",
+         "--height", "160"];
 
     private readonly TemporaryFolder _folder = new();
 
@@ -66,11 +67,13 @@ public sealed class PartImageTests(RenderFixture fixture) : IClassFixture<Render
         return Math.Sqrt(sum / (a.Width * a.Height));
     }
 
-    private int Includes(string name) => File.ReadLines(_folder[$"{name}.pov"]).Count(line => line.StartsWith("#include", StringComparison.Ordinal));
+    private int Includes(string name) =>
+        File.ReadLines(_folder[$"{name}.pov"]).Count(line => line.StartsWith("#include", StringComparison.Ordinal));
 
     private CommandLineRun Render(string name, params string[] more)
     {
-        string[] common = [.. fixture.Common(_folder.Path).Where((_, index) => index is not (2 or 3)), "--pattern-repos", _folder["patterns"]];
+        string[] common = [.. fixture.Common(_folder.Path).Where(
+            (_, index) => index is not (2 or 3)), "--pattern-repos", _folder["patterns"]];
         CommandLineRun run = CommandLineRun.Of([.. Disc, "--output-name", name, .. more, .. common]);
         Assert.True(run.ExitCode == 0, run.Error);
         return run;

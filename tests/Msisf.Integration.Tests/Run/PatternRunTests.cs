@@ -25,7 +25,8 @@ public sealed class PatternRunTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    private string[] Sources => ["--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--ephemeris", "builtin", "--batch"];
+    private string[] Sources =>
+        ["--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--ephemeris", "builtin", "--batch"];
 
     [RequiresTheory(Part.Ldem4, Part.PovRay)]
     [InlineData("auto")]
@@ -68,7 +69,8 @@ public sealed class PatternRunTests : IDisposable
     public async Task Patterns_KilledAtWork_AreFinishedByTheNext()
     {
         string patterns = Directory.CreateDirectory(Path.Combine(_folder["patterns"], "4")).FullName;
-        IEnumerable<string> made = Directory.EnumerateFiles(patterns, "pattern_*").Where(path => !path.Contains(".partial", StringComparison.Ordinal));
+        IEnumerable<string> made = Directory.EnumerateFiles(patterns, "pattern_*").Where(
+            path => !path.Contains(".partial", StringComparison.Ordinal));
         using RunningProgram killed = RunningProgram.Start(Environment.ProcessPath!, PatternsOfTheMoon, _folder.Path);
         await Within.Seconds(120, "the first pattern of the process that is to be killed", made.Any);
         killed.Kill();
@@ -82,7 +84,9 @@ public sealed class PatternRunTests : IDisposable
     }
 
     private string[] PatternsOfTheMoon =>
-        [Path.Combine(AppContext.BaseDirectory, "msis.dll"), "patterns", "--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--batch"];
+        [Path.Combine(
+            AppContext.BaseDirectory,
+            "msis.dll"), "patterns", "--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--batch"];
 
     private string BatchFile()
     {

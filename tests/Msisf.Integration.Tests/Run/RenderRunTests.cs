@@ -31,7 +31,8 @@ public sealed class RenderRunTests : IClassFixture<RenderFixture>, IDisposable
     [RequiresFact(Part.Ldem4, Part.PovRay, Part.Cairo)]
     public void Run_Section92_WritesThePublishedNumbers()
     {
-        CommandLineRun run = Run("--fixed-state", Section92, "--width", "1024", "--height", "1024", "--pov-options", "Antialias=Off", "--rendering-annotation");
+        CommandLineRun run = Run(
+            "--fixed-state", Section92, "--width", "1024", "--height", "1024", "--pov-options", "Antialias=Off", "--rendering-annotation");
 
         Assert.True(run.ExitCode == 0, run.Error);
         string stem = _folder["MoonSurfIllumSim_step_00001"];
@@ -145,7 +146,8 @@ public sealed class RenderRunTests : IClassFixture<RenderFixture>, IDisposable
     [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void Run_MoonOutOfView_IsAValidBlackFrame()
     {
-        CommandLineRun run = Run("--fixed-state", "{55289,2E6,2E6,0,0,0,0.9238795325112867,-0.3826834323650898}", "--width", "32", "--height", "32");
+        CommandLineRun run = Run(
+            "--fixed-state", "{55289,2E6,2E6,0,0,0,0.9238795325112867,-0.3826834323650898}", "--width", "32", "--height", "32");
 
         Assert.True(run.ExitCode == 0, run.Error);
         Assert.DoesNotContain("#include", File.ReadAllText(_folder["MoonSurfIllumSim_step_00001.pov"]), StringComparison.Ordinal);

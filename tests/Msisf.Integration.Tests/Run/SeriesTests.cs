@@ -46,7 +46,10 @@ public sealed class SeriesTests : IDisposable
 
         Assert.Equal(0, again.ExitCode);
         Assert.Equal(all, again.Output);
-        Assert.Contains("Frames: 6, of which 4 there and right (--overwrite makes them again); to make: 0 missing, 2 damaged, 0 of other settings.", again.Error, StringComparison.Ordinal);
+        Assert.Contains(
+            "Frames: 6, of which 4 there and complete (--overwrite makes them again); to make: 0 missing, 2 damaged, 0 of other settings.",
+            again.Error,
+            StringComparison.Ordinal);
         Assert.Equal(written, File.GetLastWriteTimeUtc(Image("out", 1)));
         Assert.Equal(right, File.ReadAllBytes(Image("out", 1)));
         Assert.Equal(damaged, File.ReadAllBytes(Image("out", 3)));
@@ -61,7 +64,9 @@ public sealed class SeriesTests : IDisposable
         CommandLineRun again = Run("out", "--overwrite", "--frame-times", _folder["times"]);
 
         Assert.Equal(0, again.ExitCode);
-        Assert.Equal(Enumerable.Range(1, Frames), File.ReadAllLines(_folder["times"]).Select(line => int.Parse(line.Split('\t')[0], CultureInfo.InvariantCulture)).Order());
+        Assert.Equal(
+            Enumerable.Range(1, Frames),
+            File.ReadAllLines(_folder["times"]).Select(line => int.Parse(line.Split('\t')[0], CultureInfo.InvariantCulture)).Order());
         Assert.Equal(0, Look("verify", "out").ExitCode);
     }
 
@@ -77,7 +82,7 @@ public sealed class SeriesTests : IDisposable
         Assert.NotEqual(narrow, File.ReadAllBytes(Image("out", 1)));
         CommandLineRun status = Look("status", "out");
         Assert.Equal(5, status.ExitCode);
-        Assert.EndsWith("6 frames: 1 right, 5 of other settings.", status.Output.Trim(), StringComparison.Ordinal);
+        Assert.EndsWith("6 frames: 1 complete, 5 of other settings.", status.Output.Trim(), StringComparison.Ordinal);
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -143,24 +148,36 @@ public sealed class SeriesTests : IDisposable
         Assert.Equal(0, merge.ExitCode);
         PngPixels sheet = PngPixels.Read(_folder["out/contact-sheet.png"]);
         Assert.Equal((Frames * 176, 192), (sheet.Width, sheet.Height));
-        Assert.Equal([".msisf-claims", ".msisf-manifest.lock"], Directory.EnumerateFileSystemEntries(_folder["out"], ".*").Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            [".msisf-claims", ".msisf-manifest.lock"],
+            Directory.EnumerateFileSystemEntries(_folder["out"], ".*").Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
 
     private string Image(string folder, int step) => Path.Combine(_folder[folder], $"MoonSurfIllumSim_step_{step:00000}.png");
 
     private CommandLineRun Run(string folder, params string[] more) => CommandLineRun.Of(
     [
-        "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.005]", "--renderer", "native",
-        "--width", "24", "--height", "16", "--grid", "8", "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder], "--batch", .. more,
+        "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.005]", "--renderer",
+        "native",
+        "--width", "24", "--height", "16", "--grid", "8", "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir",
+        _folder[folder], "--batch", .. more,
     ]);
 
-    private CommandLineRun Look(string command, string folder, params string[] more) => CommandLineRun.Of([command, _folder[folder], .. more]);
+    private CommandLineRun Look(string command, string folder, params string[] more) =>
+        CommandLineRun.Of([command, _folder[folder], .. more]);
 
     private void AssertSameBytes(string folder, string other, int files)
     {
-        string[] names = [.. Directory.EnumerateFiles(_folder[folder]).Select(Path.GetFileName).OfType<string>().Where(name => name[0] != '.').Order(StringComparer.Ordinal)];
+        string[] names = [.. Directory.EnumerateFiles(_folder[folder]).Select(Path.GetFileName).OfType<string>().Where(
+            name => name[0] != '.').Order(StringComparer.Ordinal)];
         Assert.Equal(files, names.Length);
-        Assert.Equal(names, Directory.EnumerateFiles(_folder[other]).Select(Path.GetFileName).OfType<string>().Where(name => name[0] != '.').Order(StringComparer.Ordinal));
-        Assert.All(names, name => Assert.Equal(File.ReadAllBytes(Path.Combine(_folder[folder], name)), File.ReadAllBytes(Path.Combine(_folder[other], name))));
+        Assert.Equal(
+            names,
+            Directory.EnumerateFiles(_folder[other]).Select(Path.GetFileName).OfType<string>().Where(
+                name => name[0] != '.').Order(StringComparer.Ordinal));
+        Assert.All(
+            names,
+            name => Assert.Equal(
+                File.ReadAllBytes(Path.Combine(_folder[folder], name)), File.ReadAllBytes(Path.Combine(_folder[other], name))));
     }
 }

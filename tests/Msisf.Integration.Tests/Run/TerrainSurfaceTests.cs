@@ -156,7 +156,8 @@ public sealed class TerrainSurfaceTests : IClassFixture<RenderFixture>, IDisposa
         }
     }
 
-    private static PinholeCamera Small(PinholeCamera camera) => new(camera.PositionMoonMe, camera.MoonFromCamera, camera.FieldOfView, 64, 64);
+    private static PinholeCamera Small(PinholeCamera camera) =>
+        new(camera.PositionMoonMe, camera.MoonFromCamera, camera.FieldOfView, 64, 64);
 
     private static int H(XElement pixel) => (int)pixel.Attribute("h")!;
 
@@ -167,7 +168,8 @@ public sealed class TerrainSurfaceTests : IClassFixture<RenderFixture>, IDisposa
     private static Vector3D VectorIn(XElement parent, string name)
     {
         XElement vector = parent.Element(name)!.Element("Vector3D")!;
-        return new Vector3D(Number(vector.Attribute("x")!.Value), Number(vector.Attribute("y")!.Value), Number(vector.Attribute("z")!.Value));
+        return new Vector3D(
+            Number(vector.Attribute("x")!.Value), Number(vector.Attribute("y")!.Value), Number(vector.Attribute("z")!.Value));
     }
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);

@@ -6,7 +6,9 @@ using Xunit;
 
 namespace Msisf.Integration.Tests.Run;
 
-/// <summary>The program in processes of its own, with the vectors that the machine has and with narrower ones: the files are the same to the byte.</summary>
+/// <summary>
+/// The program in processes of its own, with the vectors that the machine has and with narrower ones: the files are the same to the byte.
+/// </summary>
 public sealed class VectorWidthTests : IDisposable
 {
     /// <summary>m: over the north pole, with day, night and long shadows in the image.</summary>
@@ -39,8 +41,10 @@ public sealed class VectorWidthTests : IDisposable
             $"{{55289,{Position.X:R},{Position.Y:R},{Position.Z:R},{attitude.X:R},{attitude.Y:R},{attitude.Z:R},{attitude.W:R}}}");
         string[] arguments =
         [
-            Path.Combine(AppContext.BaseDirectory, "msis.dll"), "--renderer", "native", "--fixed-state", state, "--width", "150", "--height", "120",
-            "--samples", "4", "--shading", "smooth", "--reflectance", "hapke", "--layers", "all", "--surface", "terrain", "--bit-depth", "16",
+            Path.Combine(AppContext.BaseDirectory, "msis.dll"), "--renderer", "native", "--fixed-state", state, "--width", "150",
+            "--height", "120",
+            "--samples", "4", "--shading", "smooth", "--reflectance", "hapke", "--layers", "all", "--surface", "terrain", "--bit-depth",
+            "16",
             "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder], "--output-name", "view", "--batch",
         ];
         ChildRun.Of(Environment.ProcessPath!, arguments, _folder.Path, environment: environment).Succeeded();

@@ -22,8 +22,8 @@ public sealed class PatternPovRayTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    // Rays from 10 m to 4e5 km away (the Earth), on slopes of 15 degrees: with lattice steps as the mesh's own units nothing beyond 78 km is hit.
-    // A ray at the very corner may pass between the edges of triangles, so it aims some parts of the edges beside it.
+    // Rays from 10 m to 4e5 km away (the Earth), on slopes of 15 degrees: with lattice steps as the mesh's own units nothing beyond 78 km
+    // is hit. A ray at the very corner may pass between the edges of triangles, so it aims some parts of the edges beside it.
     [RequiresTheory(Part.PovRay)]
     [InlineData(PatternFormat.Mesh2, 0.01, 1e-3, PlaneError)]
     [InlineData(PatternFormat.Mesh2, 100.0, 1e-3, PlaneError)]
@@ -33,7 +33,8 @@ public sealed class PatternPovRayTests : IDisposable
     {
         TileId[] tiles = [new(0, 0), new(40, 130), new(-35, 355), new(85, 40), new(-90, 200)];
         TileMeshBuilder builder = new(Hills);
-        PatternSet patterns = new PatternRepository(_folder["p"]).EnsurePatterns(tiles, Hills, new PatternOptions(0.0, format), maxParallelism: 2);
+        PatternSet patterns = new PatternRepository(_folder["p"]).EnsurePatterns(
+            tiles, Hills, new PatternOptions(0.0, format), maxParallelism: 2);
         PovRayTrace trace = new(_folder.Path);
         trace.Declare("All", patterns.Paths);
         List<Vector3D> expectedKm = [];

@@ -9,7 +9,8 @@ using Xunit;
 namespace Msisf.Stress.Tests.Camera;
 
 /// <summary>
-/// A camera 1.55 m over the ground whose ray grazes a vertex of LDEM_4. To 30 digits it enters two of the vertex's facets, 3e-12 m after each other.
+/// A camera 1.55 m over the ground whose ray grazes a vertex of LDEM_4. To 30 digits it enters two of the vertex's facets, 3e-12 m after
+/// each other.
 /// </summary>
 public sealed class FacetJudgeTests
 {

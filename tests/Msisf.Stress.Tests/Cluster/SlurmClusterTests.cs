@@ -15,7 +15,13 @@ public sealed class SlurmClusterTests
         using TemporaryFolder folder = new();
         using SlurmCluster cluster = new();
 
-        cluster.Call("sbatch", "--nodes=1", "--array=0-1", "--exclusive", $"--output={folder["node %a.txt"]}", "--wrap=echo $SLURMD_NODENAME; sleep 1");
+        cluster.Call(
+            "sbatch",
+            "--nodes=1",
+            "--array=0-1",
+            "--exclusive",
+            $"--output={folder["node %a.txt"]}",
+            "--wrap=echo $SLURMD_NODENAME; sleep 1");
         cluster.WaitForJobs(Limit);
 
         Assert.Equal(["n1", "n2"], Enumerable.Range(0, 2).Select(task => File.ReadAllText(folder[$"node {task}.txt"]).Trim()).Order());
@@ -27,7 +33,13 @@ public sealed class SlurmClusterTests
         using TemporaryFolder folder = new();
         using SlurmCluster cluster = new();
         string report = folder["report.txt"];
-        cluster.Call("sbatch", "--requeue", "--nodelist=n1", "--open-mode=append", $"--output={report}", "--wrap=echo $SLURMD_NODENAME; [ -n \"$SLURM_RESTART_COUNT\" ] || sleep 600");
+        cluster.Call(
+            "sbatch",
+            "--requeue",
+            "--nodelist=n1",
+            "--open-mode=append",
+            $"--output={report}",
+            "--wrap=echo $SLURMD_NODENAME; [ -n \"$SLURM_RESTART_COUNT\" ] || sleep 600");
         cluster.WaitForTask(Limit);
         cluster.KillNode("n1");
         cluster.WaitForLoss("n1", Limit);
@@ -49,7 +61,9 @@ public sealed class SlurmClusterTests
         }
 
         Assert.False(Directory.Exists(Path.GetDirectoryName(configuration)));
-        Assert.DoesNotContain(Process.GetProcesses(), process => CommandOf(process).Contains(Path.GetDirectoryName(configuration)!, StringComparison.Ordinal));
+        Assert.DoesNotContain(
+            Process.GetProcesses(),
+            process => CommandOf(process).Contains(Path.GetDirectoryName(configuration)!, StringComparison.Ordinal));
     }
 
     private static string CommandOf(Process process)

@@ -6,10 +6,15 @@ using Xunit;
 
 namespace Msisf.Stress.Tests.Reference;
 
-/// <summary>The reference of the stress tests against tests/golden/stress_pixels.tsv (tests/reference/stress_pixels.py, mpmath, 50 digits).</summary>
+/// <summary>
+/// The reference of the stress tests against tests/golden/stress_pixels.tsv (tests/reference/stress_pixels.py, mpmath, 50 digits).
+/// </summary>
 public sealed class PrecisePixelTests
 {
-    /// <summary>degrees: the stress tests measure errors from 1e-15 degrees up; what cancels at the limb and from 1e12 m costs some of the 32 digits.</summary>
+    /// <summary>
+    /// degrees: the stress tests measure errors from 1e-15 degrees up; what cancels at the limb and from 1e12 m costs some of the 32
+    /// digits.
+    /// </summary>
     private const double Agreement = 1e-19;
 
     [Fact]

@@ -6,13 +6,21 @@ namespace Msisf.Stress.Attitude;
 /// <summary>Attitudes that turn at a constant rate, over many steps.</summary>
 public sealed class AttitudeStress : IStressTest
 {
-    /// <summary>1: the four components of a product that was divided by its length are rounded three times, by half a unit of 1 at most in all.</summary>
+    /// <summary>
+    /// 1: the four components of a product that was divided by its length are rounded three times, by half a unit of 1 at most in all.
+    /// </summary>
     private const double Norm = 1e-15;
 
-    /// <summary>1, length of the difference of two unit quaternions: about ten roundings of axis, sine, product and length, of 1.1e-16 times numbers below 1, which rarely add up.</summary>
+    /// <summary>
+    /// 1, length of the difference of two unit quaternions: about ten roundings of axis, sine, product and length, of 1.1e-16 times numbers
+    /// below 1, which rarely add up.
+    /// </summary>
     private const double ClosedForm = 1e-15;
 
-    /// <summary>1, of a step: what is lost when attitudes are multiplied step by step instead. The step's own rounding comes back in each, so the loss grows with their number.</summary>
+    /// <summary>
+    /// 1, of a step: what is lost when attitudes are multiplied step by step instead. The step's own rounding comes back in each, so the
+    /// loss grows with their number.
+    /// </summary>
     private const double ProductPerStep = 2.5e-16;
 
     private const double StepSeconds = 1.0;
@@ -23,7 +31,8 @@ public sealed class AttitudeStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "The attitude transition at each of many steps of 1 s, at random attitudes and rates of 1e-9 to 10 rad/s, and the product of as many single steps; against q0 exp(w t / 2) in double-double.";
+        "The attitude transition at each of many steps of 1 s, at random attitudes and rates of 1e-9 to 10 rad/s, "
+            + "and the product of as many single steps; against q0 exp(w t / 2) in double-double.";
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -38,7 +47,8 @@ public sealed class AttitudeStress : IStressTest
                 all.Transition.ToFigure("transition, difference from the closed form", "", ClosedForm),
                 all.Norm.ToFigure("length of the quaternion, difference from 1", "", Norm),
                 all.ProductNorm.ToFigure("length of the product of single steps, difference from 1", "", Norm),
-                all.Product.ToFigure("product of single steps, difference from the closed form over the number of steps", "", ProductPerStep),
+                all.Product.ToFigure(
+                    "product of single steps, difference from the closed form over the number of steps", "", ProductPerStep),
             ],
             [
                 all.OverSteps.ToSeries("transition", "of the quaternion", "steps of 1 s since the epoch", "", ClosedForm),

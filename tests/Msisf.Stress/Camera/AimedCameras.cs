@@ -45,9 +45,11 @@ internal sealed class AimedCameras(CaseRandom random)
     /// <summary>A camera whose pixel looks along a direction, the image turned at random about it.</summary>
     public CameraInput Towards(Vector3D position, Vector3D direction)
     {
-        double fov = double.DegreesToRadians(random.Below(2) == 0 ? random.Logarithmic(MinFovDegrees, MaxFovDegrees) : random.Between(1.0, MaxFovDegrees));
+        double fov = double.DegreesToRadians(
+            random.Below(2) == 0 ? random.Logarithmic(MinFovDegrees, MaxFovDegrees) : random.Between(1.0, MaxFovDegrees));
         int width = (int)random.Logarithmic(1.0, LongestSide + 1);
-        int height = (int)random.Logarithmic(Math.Max(1.0, (double)width / MaxAspect), Math.Min(LongestSide, (double)width * MaxAspect) + 1.0);
+        int height = (int)random.Logarithmic(
+            Math.Max(1.0, (double)width / MaxAspect), Math.Min(LongestSide, (double)width * MaxAspect) + 1.0);
         PixelFrame frame = new(width, height, random.Below(width) + 1, random.Below(height) + 1);
         return new CameraInput(position, Aimed(frame, fov, direction), fov, frame);
     }

@@ -21,7 +21,8 @@ internal sealed class BorderCases(TerrainUnderTest terrain)
         Math.BitIncrement(MoonConstants.ReferenceRadius), 2e6, 1e12, 1e15, 1e30, 1e100, 1e153, 1e160, 1e200, 1e290, 1e300,
     ];
 
-    private static readonly (int Width, int Height)[] Sizes = [(1, 1), (1, 16384), (16384, 1), (16384, 16384), (int.MaxValue, 1), (1, int.MaxValue)];
+    private static readonly (
+        int Width, int Height)[] Sizes = [(1, 1), (1, 16384), (16384, 1), (16384, 16384), (int.MaxValue, 1), (1, int.MaxValue)];
 
     /// <summary>How many there are.</summary>
     public int Count => Allowed().Count() + Refused().Count();
@@ -33,7 +34,9 @@ internal sealed class BorderCases(TerrainUnderTest terrain)
         foreach (PinholeCamera camera in Allowed())
         {
             string? failure = FailureOf(camera);
-            allowed.Note(failure is not null, () => $"camera {camera.PositionMoonMe} FOV {camera.FieldOfView:R} rad {camera.Width} x {camera.Height} px: {failure}");
+            allowed.Note(
+                failure is not null,
+                () => $"camera {camera.PositionMoonMe} FOV {camera.FieldOfView:R} rad {camera.Width} x {camera.Height} px: {failure}");
         }
 
         CaseCount refused = new();
@@ -80,7 +83,8 @@ internal sealed class BorderCases(TerrainUnderTest terrain)
             Ray ray = camera.RayThrough(1, camera.Height);
             bool isOnSphere = ReferenceSphere.Lola.TryFirstHit(ray, out Vector3D onSphere);
             bool isOnTerrain = terrain.Tracer.TryTrace(ray, out SurfaceHit hit);
-            bool isRecord = new SpherePixels(camera, ReferenceSphere.Lola, new Vector3D(1e11, 2e10, 3e9)).TryGet(1, camera.Height, out PixelRecord record);
+            bool isRecord = new SpherePixels(
+                camera, ReferenceSphere.Lola, new Vector3D(1e11, 2e10, 3e9)).TryGet(1, camera.Height, out PixelRecord record);
             bool isFinite = ray.Direction.IsFinite
                 && (!isOnSphere || onSphere.IsFinite)
                 && (!isOnTerrain || (hit.PointMoonMe.IsFinite && hit.NormalMoonMe.IsFinite && double.IsFinite(hit.RayParameter)))

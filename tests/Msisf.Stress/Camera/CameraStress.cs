@@ -8,8 +8,10 @@ public sealed class CameraStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "Single pixels of cameras from 1 m above the ground to 1e12 m, fields of view from 1e-4 to 179.9 degrees, 1 x 1 to 16384 x 16384 px, "
-        + "aspect up to 1:1000; on the polar axis and beside it, on tile corners, in valleys under the reference sphere, rays that graze the limb: "
+        "Single pixels of cameras from 1 m above the ground to 1e12 m, fields of view from 1e-4 to 179.9 degrees, "
+            + "1 x 1 to 16384 x 16384 px, "
+        + "aspect up to 1:1000; on the polar axis and beside it, on tile corners, in valleys under the reference sphere, "
+        + "rays that graze the limb: "
         + "ray, hit point on the reference sphere and on the terrain, against some 30 digits.";
 
     /// <inheritdoc/>

@@ -8,19 +8,22 @@ using Msisf.Stress.Reference;
 namespace Msisf.Stress.Camera;
 
 /// <summary>
-/// Judges whether the facet that the tracer names is the first that a ray enters: by rays against every facet, and to 30 digits where those doubt.
+/// Judges whether the facet that the tracer names is the first that a ray enters: by rays against every facet, and to 30 digits where those
+/// doubt.
 /// </summary>
 public sealed class FacetJudge
 {
     /// <summary>m: the tracer moves an origin that is farther from the Moon's centre along its ray.</summary>
     private const double FarOrigin = MoonConstants.ReferenceRadius + MoonConstants.MaxRelief;
 
-    /// <summary>m: rounding the moved origin to doubles moves the ray by up to 2e-10 m; so near to an edge either neighbour is right.</summary>
+    /// <summary>
+    /// m: rounding the moved origin to doubles moves the ray by up to 2e-10 m; so near to an edge either neighbour is right.
+    /// </summary>
     private const double MovedOrigin = 1e-9;
 
     /// <summary>
-    /// m along the ray: points nearer to each other than this are one point in doubles, whose coordinates are rounded by up to 1.2e-10 m. Of two facets
-    /// that a ray enters there, at a vertex that both have, either is right.
+    /// m along the ray: points nearer to each other than this are one point in doubles, whose coordinates are rounded by up to 1.2e-10 m.
+    /// Of two facets that a ray enters there, at a vertex that both have, either is right.
     /// </summary>
     private const double OnePoint = 1e-9;
 

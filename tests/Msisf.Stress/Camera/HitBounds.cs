@@ -30,7 +30,9 @@ internal static class HitBounds
     /// <param name="camera">m, MOON_ME.</param>
     public static double Carried(Vector3D camera) => RayMeasure.Rounding * (camera.Length + MoonConstants.ReferenceRadius);
 
-    /// <summary>m: on the reference sphere. Along the ray from half chord h to sqrt(h^2 + 2 R d) when it comes d nearer to the centre.</summary>
+    /// <summary>
+    /// m: on the reference sphere. Along the ray from half chord h to sqrt(h^2 + 2 R d) when it comes d nearer to the centre.
+    /// </summary>
     /// <param name="camera">m, MOON_ME.</param>
     /// <param name="cosEmission">Of the angle between line of sight and zenith.</param>
     public static double OnSphere(Vector3D camera, double cosEmission)

@@ -82,7 +82,9 @@ internal sealed class RayMeasure : IMeasure<RayMeasure>
         _pixelsByFov.Add(other._pixelsByFov);
     }
 
-    /// <summary>rad: what a pixel spans where it is, the shorter way: a step on the image plane, tilted against the line of sight.</summary>
+    /// <summary>
+    /// rad: what a pixel spans where it is, the shorter way: a step on the image plane, tilted against the line of sight.
+    /// </summary>
     private static double MinPixelAngle(PinholeCamera camera, double rayLength) =>
         camera.Direction.Length / camera.Height / (rayLength * rayLength);
 }

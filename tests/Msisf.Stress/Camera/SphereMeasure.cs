@@ -22,7 +22,8 @@ internal sealed class SphereMeasure : IMeasure<SphereMeasure>
     [
         _ratio.ToFigure("hit point on the reference sphere, to what its bound allows", "1", 1.0),
         _metres.ToFigure("hit point on the reference sphere, camera within 1e7 m, emission below 84 degrees", "m", HitBounds.PlainLimit),
-        _decision.ToFigure("distance from the tangent of a ray that is taken for a hit or a miss wrongly", "roundings of the inputs", HitBounds.Roundings),
+        _decision.ToFigure(
+            "distance from the tangent of a ray that is taken for a hit or a miss wrongly", "roundings of the inputs", HitBounds.Roundings),
         _decisionMetres.ToFigure("the same, camera within 1e7 m", "m", null),
         _wrong.ToFigure("hits that are not finite", string.Empty, 0.0),
     ];

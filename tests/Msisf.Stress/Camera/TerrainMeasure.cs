@@ -36,7 +36,8 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
 
     /// <summary>Errors over the range of an input.</summary>
     public IEnumerable<StressSeries> Series =>
-        [_byAltitude.ToSeries("hit point on the terrain, facet seen below 84 degrees", "m", "height of the camera over the ground", "m", null)];
+        [_byAltitude.ToSeries(
+            "hit point on the terrain, facet seen below 84 degrees", "m", "height of the camera over the ground", "m", null)];
 
     /// <inheritdoc/>
     public void Try(int number, CaseRandom random)
@@ -82,7 +83,9 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
         distance,
         MoonConstants.ReferenceRadius * (number / 8 % 2 == 0 ? Math.Sqrt(random.Between(0.0, 1.0)) : random.Between(0.994, 1.006)));
 
-    /// <summary>m, MOON_ME: where six facets meet, within sight if nothing is in between. Rays to it pass its edges by less than a rounding.</summary>
+    /// <summary>
+    /// m, MOON_ME: where six facets meet, within sight if nothing is in between. Rays to it pass its edges by less than a rounding.
+    /// </summary>
     private Vector3D VertexNear(CaseRandom random, Vector3D zenith, double height)
     {
         double reach = Math.Min(0.5, height / MoonConstants.ReferenceRadius);

@@ -19,7 +19,9 @@ internal sealed class ConvertedSet
     {
         _folder = folder;
         _script = folder["pieces.sh"];
-        Msis.Run(folder.Path, ["batchconvert", "--format", format, "--pieces", $"{pieces}", "--script", _script, .. series.Arguments(Output)]).Succeeded();
+        Msis.Run(
+            folder.Path,
+            ["batchconvert", "--format", format, "--pieces", $"{pieces}", "--script", _script, .. series.Arguments(Output)]).Succeeded();
     }
 
     /// <summary>The frames.</summary>
@@ -37,6 +39,9 @@ internal sealed class ConvertedSet
 
     /// <summary>What Slurm's jobs have said, for a report.</summary>
     public string Logs() => Directory.Exists($"{_script}.logs")
-        ? string.Join(" / ", Directory.EnumerateFiles($"{_script}.logs").Order(StringComparer.Ordinal).Select(log => $"{Path.GetFileName(log)}: {SetJudge.OneLine(File.ReadAllText(log))}").TakeLast(5))
+        ? string.Join(
+            " / ",
+            Directory.EnumerateFiles($"{_script}.logs").Order(StringComparer.Ordinal).Select(
+                log => $"{Path.GetFileName(log)}: {SetJudge.OneLine(File.ReadAllText(log))}").TakeLast(5))
         : "no logs";
 }

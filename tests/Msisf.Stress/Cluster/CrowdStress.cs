@@ -15,7 +15,8 @@ public sealed class CrowdStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "16 processes started at once, each for all frames, into one empty folder: by the native renderer, and by POV-Ray with one empty pattern repository.";
+        "16 processes started at once, each for all frames, into one empty folder: "
+            + "by the native renderer, and by POV-Ray with one empty pattern repository.";
 
     /// <inheritdoc/>
     public string? MissingPart => Msis.MissingPart ?? (TestParts.Program("povray") is null ? "POV-Ray" : null);
@@ -50,7 +51,8 @@ public sealed class CrowdStress : IStressTest
             judge.Judge(new FrameFolder(folder[Output]), new FrameFolder(alone[Output]), runs[^1], inFlight: 0, what);
             if (series.Patterns is not null)
             {
-                judge.NoteDifferences(new FrameFolder(folder[Path.Combine(Patterns, "4")]), new FrameFolder(alone[Path.Combine(Patterns, "4")]), what);
+                judge.NoteDifferences(
+                    new FrameFolder(folder[Path.Combine(Patterns, "4")]), new FrameFolder(alone[Path.Combine(Patterns, "4")]), what);
                 judge.NoteLeftovers(new FrameFolder(folder[Path.Combine(Patterns, "4")]).Leftovers, what);
                 int all = runs.Sum(PatternsMade);
                 patterns.Note(Math.Max(0, all - made), made, () => $"{all} made by {Processes} processes, {made} by one");

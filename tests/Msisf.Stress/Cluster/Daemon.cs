@@ -9,7 +9,8 @@ namespace Msisf.Stress.Cluster;
 /// </summary>
 internal sealed class Daemon : IDisposable
 {
-    private const string Guardian = """log=$1; shift; exec 2>>"$log"; "$@" </dev/null >>"$log" & echo $!; cat >/dev/null; kill $!; wait $!""";
+    private const string Guardian =
+        """log=$1; shift; exec 2>>"$log"; "$@" </dev/null >>"$log" & echo $!; cat >/dev/null; kill $!; wait $!""";
 
     private static readonly TimeSpan EndLimit = TimeSpan.FromSeconds(10);
 
@@ -33,7 +34,8 @@ internal sealed class Daemon : IDisposable
         }
 
         _guardian = System.Diagnostics.Process.Start(start)!;
-        string? id = Within.Seconds(EndLimit.TotalSeconds, $"the start of {command[0]}", _guardian.StandardOutput.ReadLineAsync()).GetAwaiter().GetResult();
+        string? id = Within.Seconds(
+            EndLimit.TotalSeconds, $"the start of {command[0]}", _guardian.StandardOutput.ReadLineAsync()).GetAwaiter().GetResult();
         Id = int.Parse(id!, CultureInfo.InvariantCulture);
     }
 

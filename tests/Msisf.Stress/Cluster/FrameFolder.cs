@@ -28,7 +28,8 @@ internal sealed class FrameFolder
     public int Files => Entries().Count(IsOutput);
 
     /// <summary>What a killed run may leave but a finished one may not.</summary>
-    public IReadOnlyList<string> Leftovers => [.. Entries().Where(entry => IsHidden(entry) && !Stays.Contains(entry) || entry.Contains(".partial", StringComparison.Ordinal))];
+    public IReadOnlyList<string> Leftovers =>
+        [.. Entries().Where(entry => IsHidden(entry) && !Stays.Contains(entry) || entry.Contains(".partial", StringComparison.Ordinal))];
 
     /// <summary>Frames of the same files, and the same bytes, as another folder's, its manifest aside.</summary>
     /// <returns>Names of files that only one has or that differ.</returns>
@@ -36,14 +37,16 @@ internal sealed class FrameFolder
     {
         Dictionary<string, string> own = Sums();
         Dictionary<string, string> others = other.Sums();
-        return [.. own.Keys.Union(others.Keys).Where(name => own.GetValueOrDefault(name) != others.GetValueOrDefault(name)).Order(StringComparer.Ordinal)];
+        return [.. own.Keys.Union(others.Keys).Where(
+            name => own.GetValueOrDefault(name) != others.GetValueOrDefault(name)).Order(StringComparer.Ordinal)];
     }
 
     private string ManifestPath => System.IO.Path.Combine(Path, ManifestName);
 
     private Dictionary<string, string> Sums() => Entries()
         .Where(IsOutput)
-        .ToDictionary(entry => entry, entry => Convert.ToHexString(SHA256.HashData(File.ReadAllBytes(System.IO.Path.Combine(Path, entry)))));
+        .ToDictionary(
+            entry => entry, entry => Convert.ToHexString(SHA256.HashData(File.ReadAllBytes(System.IO.Path.Combine(Path, entry)))));
 
     private IEnumerable<string> Entries() => Directory.EnumerateFileSystemEntries(Path).Select(entry => System.IO.Path.GetFileName(entry));
 

@@ -13,7 +13,10 @@ public sealed class KillStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "kill -9 at random moments of runs that make 300 frames by the native renderer or 4 by POV-Ray from an empty pattern repository: of the program (a node that vanishes) or of POV-Ray. Up to six kills a folder, each of a run that goes on where the one before was killed; then a run that may end, msis verify, and a comparison with a set and patterns that one undisturbed process made.";
+        "kill -9 at random moments of runs that make 300 frames by the native renderer or 4 by POV-Ray from an empty pattern repository: "
+            + "of the program (a node that vanishes) or of POV-Ray. Up to six kills a folder, "
+            + "each of a run that goes on where the one before was killed; "
+            + "then a run that may end, msis verify, and a comparison with a set and patterns that one undisturbed process made.";
 
     /// <inheritdoc/>
     public string? MissingPart => Msis.MissingPart ?? (TestParts.Program("povray") is null ? "POV-Ray" : null);
@@ -33,7 +36,8 @@ public sealed class KillStress : IStressTest
         kills += Kill(povRay, "POV-Ray itself", new CaseRandom(seed, part: 2), (most, random, what) =>
             povRaySet.Run(most, isPovRayKilled: true, random, judge, unnoticed, what));
         return new StressReport(
-            Name, kills, [.. judge.Figures(), unnoticed.ToFigure("runs that lost a POV-Ray and did not end with exit code 3", string.Empty, 0.0)], []);
+            Name, kills,
+            [.. judge.Figures(), unnoticed.ToFigure("runs that lost a POV-Ray and did not end with exit code 3", string.Empty, 0.0)], []);
     }
 
     private static int Kill(int kills, string kind, CaseRandom random, Func<int, CaseRandom, string, int> run)
@@ -41,7 +45,8 @@ public sealed class KillStress : IStressTest
         int done = 0;
         for (int folder = 1; done < kills; folder++)
         {
-            done += run(Math.Min(KillsOfFolder, kills - done), random, string.Create(CultureInfo.InvariantCulture, $"{kind}, folder {folder}"));
+            done += run(
+                Math.Min(KillsOfFolder, kills - done), random, string.Create(CultureInfo.InvariantCulture, $"{kind}, folder {folder}"));
         }
 
         return done;

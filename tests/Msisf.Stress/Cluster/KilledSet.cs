@@ -3,7 +3,9 @@ using Msisf.TestSupport;
 
 namespace Msisf.Stress.Cluster;
 
-/// <summary>A set of frames that is made again and again in one folder each by runs that are killed, until a last run may finish it.</summary>
+/// <summary>
+/// A set of frames that is made again and again in one folder each by runs that are killed, until a last run may finish it.
+/// </summary>
 internal sealed class KilledSet : IDisposable
 {
     private const string Output = "frames";

@@ -16,8 +16,11 @@ public sealed class LongSeriesStress : IStressTest
     /// <summary>1: a tenth may hold more frames with much ground in sight than another.</summary>
     private const double MaxGrowth = 1.25;
 
-    /// <summary>1: a short series lasts a second or two, in which the machine may have had other work.</summary>
-    private const double MaxGrowthOfShort = 2.0;
+    /// <summary>
+    /// 1: a short series lasts a second or two, in which the machine may have had other work, such as the other tests. A cost that grows
+    /// with the number of frames made would be 19 times as much.
+    /// </summary>
+    private const double MaxGrowthOfShort = 4.0;
 
     /// <summary>s.</summary>
     private const double LongestStatus = 2.0;
@@ -27,7 +30,9 @@ public sealed class LongSeriesStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "10,000 frames (2,000 at everyday length) of 64 x 64 px by the native renderer in one process: time of a frame and memory at its end against its beginning; then msis status, and the same call again, which finds all frames made.";
+        "10,000 frames (2,000 at everyday length) of 64 x 64 px by the native renderer in one process: "
+            + "time of a frame and memory at its end against its beginning; "
+            + "then msis status, and the same call again, which finds all frames made.";
 
     /// <inheritdoc/>
     public bool IsOfThisMachine => true;
@@ -54,8 +59,18 @@ public sealed class LongSeriesStress : IStressTest
             Name,
             seconds.Length,
             [
-                new StressFigure("median time of a frame in the last tenth, over that in the first", string.Empty, growth, mostGrowth, Text($"{frames}, {1000.0 * first:0.00} ms in the first tenth")),
-                new StressFigure(Text($"resident memory after the last frame, over that after {SettledFrame} frames"), string.Empty, last / settled, MaxGrowth, Text($"{frames}, {last / 1e6:0} MB at the end")),
+                new StressFigure(
+                    "median time of a frame in the last tenth, over that in the first",
+                    string.Empty,
+                    growth,
+                    mostGrowth,
+                    Text($"{frames}, {1000.0 * first:0.00} ms in the first tenth")),
+                new StressFigure(
+                    Text($"resident memory after the last frame, over that after {SettledFrame} frames"),
+                    string.Empty,
+                    last / settled,
+                    MaxGrowth,
+                    Text($"{frames}, {last / 1e6:0} MB at the end")),
                 new StressFigure("msis status", "s", status, isFull ? LongestStatus : null, frames),
                 new StressFigure("the same call again, which skips all frames", "s", again, null, frames),
             ],

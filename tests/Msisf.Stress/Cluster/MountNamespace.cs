@@ -7,7 +7,8 @@ internal static class MountNamespace
 {
     private static readonly TimeSpan Limit = TimeSpan.FromMinutes(5);
 
-    private static readonly Lazy<string[]?> Prefix = new(() => ((string[][])[["--mount"], ["--user", "--map-root-user", "--mount"]]).FirstOrDefault(CanMount));
+    private static readonly Lazy<string[]?> Prefix = new(
+        () => ((string[][])[["--mount"], ["--user", "--map-root-user", "--mount"]]).FirstOrDefault(CanMount));
 
     /// <summary>What is missing; null if scripts can run.</summary>
     public static string? MissingPart => Prefix.Value is null ? "leave to mount (unshare --mount)" : null;
@@ -20,7 +21,8 @@ internal static class MountNamespace
     /// <exception cref="InvalidOperationException">It fails; the message has what it said.</exception>
     public static string Run(string folder, string script, params IReadOnlyList<string> arguments)
     {
-        using RunningProgram program = RunningProgram.Start("unshare", [.. Prefix.Value!, "sh", "-euc", script, "sh", .. arguments], folder);
+        using RunningProgram program = RunningProgram.Start(
+            "unshare", [.. Prefix.Value!, "sh", "-euc", script, "sh", .. arguments], folder);
         return program.End(Limit).Succeeded().Output;
     }
 

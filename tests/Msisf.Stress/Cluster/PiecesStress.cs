@@ -15,10 +15,12 @@ public sealed class PiecesStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "An orbit of 200 frames of 128 x 128 px by the native renderer, in one process and in 10 pieces by the scripts of msis batchconvert: GNU parallel, and Slurm with two nodes on this machine.";
+        "An orbit of 200 frames of 128 x 128 px by the native renderer, in one process "
+            + "and in 10 pieces by the scripts of msis batchconvert: GNU parallel, and Slurm with two nodes on this machine.";
 
     /// <inheritdoc/>
-    public string? MissingPart => Msis.MissingPart ?? SlurmCluster.MissingPart ?? (TestParts.Program("parallel") is null ? "GNU parallel" : null);
+    public string? MissingPart =>
+        Msis.MissingPart ?? SlurmCluster.MissingPart ?? (TestParts.Program("parallel") is null ? "GNU parallel" : null);
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -39,14 +41,20 @@ public sealed class PiecesStress : IStressTest
         ConvertedSet slurm = new(bySlurm, series, "slurm", Pieces);
         slurm.Run(cluster.Environment).Succeeded();
         cluster.WaitForJobs(Limit);
-        judge.Judge(slurm.Frames, undisturbed, new ChildRun(slurm.Result == "0" ? 0 : 1, string.Empty, slurm.Result == "0" ? string.Empty : slurm.Logs()), inFlight: 0, "Slurm");
+        judge.Judge(
+            slurm.Frames,
+            undisturbed,
+            new ChildRun(slurm.Result == "0" ? 0 : 1, string.Empty, slurm.Result == "0" ? string.Empty : slurm.Logs()),
+            inFlight: 0,
+            "Slurm");
 
         Merge(undisturbed);
         Merge(parallel.Frames);
         manifests.Note(!parallel.Frames.Manifest.SequenceEqual(undisturbed.Manifest), () => "GNU parallel");
         manifests.Note(!slurm.Frames.Manifest.SequenceEqual(undisturbed.Manifest), () => "Slurm");
         return new StressReport(
-            Name, 2 * series.Frames, [.. judge.Figures(), manifests.ToFigure("manifests that differ after msis merge", string.Empty, 0.0)], []);
+            Name, 2 * series.Frames, [.. judge.Figures(), manifests.ToFigure("manifests that differ after msis merge", string.Empty, 0.0)],
+            []);
     }
 
     private static void Merge(FrameFolder frames) => Msis.Run(frames.Path, ["merge", frames.Path]).Succeeded();

@@ -3,7 +3,10 @@ using System.Globalization;
 
 namespace Msisf.Stress.Cluster;
 
-/// <summary>The processes of this machine, as Linux shows them under /proc. Those of other users show neither environment nor folder and are in no answer.</summary>
+/// <summary>
+/// The processes of this machine, as Linux shows them under /proc. Those of other users show neither environment nor folder and are in no
+/// answer.
+/// </summary>
 internal static class ProcessTable
 {
     private const string Root = "/proc";
@@ -14,12 +17,15 @@ internal static class ProcessTable
 
     /// <summary>Processes that work in a folder or below it.</summary>
     public static IReadOnlyList<int> Below(string folder) =>
-        [.. All().Where(id => Target(PathOf(id, "cwd")) is string path && (path == folder || path.StartsWith(folder + Path.DirectorySeparatorChar, StringComparison.Ordinal)))];
+        [.. All().Where(
+            id => Target(PathOf(id, "cwd")) is string path
+                && (path == folder || path.StartsWith(folder + Path.DirectorySeparatorChar, StringComparison.Ordinal)))];
 
     /// <summary>Processes of a program that hold a file open.</summary>
     /// <param name="name">Name of the program, its first 15 characters.</param>
     /// <param name="file">Path of the file.</param>
-    public static IReadOnlyList<int> Holding(string name, string file) => [.. All().Where(id => NameOf(id) == name && OpenFiles(id).Contains(file))];
+    public static IReadOnlyList<int> Holding(string name, string file) =>
+        [.. All().Where(id => NameOf(id) == name && OpenFiles(id).Contains(file))];
 
     /// <summary>What a process has started and what is still a child of it.</summary>
     /// <param name="parent">Its id.</param>

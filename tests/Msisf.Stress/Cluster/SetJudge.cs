@@ -2,7 +2,9 @@ using Msisf.TestSupport;
 
 namespace Msisf.Stress.Cluster;
 
-/// <summary>Judges sets of frames after the run that finished them: whether they are whole, the same as undisturbed ones, and nothing else is left.</summary>
+/// <summary>
+/// Judges sets of frames after the run that finished them: whether they are whole, the same as undisturbed ones, and nothing else is left.
+/// </summary>
 internal sealed class SetJudge
 {
     private readonly CaseCount _failed = new();
@@ -25,12 +27,16 @@ internal sealed class SetJudge
         NoteDifferences(set, undisturbed, what);
         NoteLeftovers(set.Leftovers, what);
         int excess = Math.Max(0, set.FramesMade - undisturbed.FramesMade - inFlight);
-        _again.Note(excess, undisturbed.FramesMade, () => $"{what}: {set.FramesMade} times made for {undisturbed.FramesMade} frames, {inFlight} of them in flight");
+        _again.Note(
+            excess,
+            undisturbed.FramesMade,
+            () => $"{what}: {set.FramesMade} times made for {undisturbed.FramesMade} frames, {inFlight} of them in flight");
     }
 
     /// <summary>Notes a run that has to end well, without a line that speaks of an error.</summary>
     public void NoteRun(ChildRun run, string what) => _failed.Note(
-        run.ExitCode != 0 || run.Error.Contains("error", StringComparison.OrdinalIgnoreCase), () => $"{what}: exit code {run.ExitCode}: {OneLine(run.Error)}");
+        run.ExitCode != 0 || run.Error.Contains("error", StringComparison.OrdinalIgnoreCase), () =>
+            $"{what}: exit code {run.ExitCode}: {OneLine(run.Error)}");
 
     /// <summary>Notes files that are not the same.</summary>
     public void NoteDifferences(FrameFolder set, FrameFolder undisturbed, string what)
@@ -40,7 +46,8 @@ internal sealed class SetJudge
     }
 
     /// <summary>Notes what should not be there any more.</summary>
-    public void NoteLeftovers(IReadOnlyList<string> names, string what) => _left.Note(names.Count > 0, () => $"{what}: {string.Join(", ", names.Take(5))}");
+    public void NoteLeftovers(IReadOnlyList<string> names, string what) =>
+        _left.Note(names.Count > 0, () => $"{what}: {string.Join(", ", names.Take(5))}");
 
     /// <summary>What all sets showed.</summary>
     public IEnumerable<StressFigure> Figures() =>
@@ -53,5 +60,6 @@ internal sealed class SetJudge
     ];
 
     /// <summary>The end of what a program said, without line ends.</summary>
-    public static string OneLine(string text) => string.Join(" / ", text.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).TakeLast(3));
+    public static string OneLine(string text) =>
+        string.Join(" / ", text.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).TakeLast(3));
 }

@@ -39,7 +39,8 @@ public sealed class SlurmCluster : IDisposable
     }
 
     /// <summary>What of Slurm is not installed; null if nothing is missing.</summary>
-    public static string? MissingPart => Programs.FirstOrDefault(program => FileOf(program) is null) is string missing ? $"Slurm ({missing})" : null;
+    public static string? MissingPart =>
+        Programs.FirstOrDefault(program => FileOf(program) is null) is string missing ? $"Slurm ({missing})" : null;
 
     /// <summary>By which Slurm's commands find this cluster.</summary>
     public IReadOnlyDictionary<string, string> Environment => new Dictionary<string, string> { ["SLURM_CONF"] = Configuration };
@@ -87,7 +88,8 @@ public sealed class SlurmCluster : IDisposable
     }
 
     /// <summary>Starts a node, also again.</summary>
-    public void StartNode(string node) => _nodes.Add(node, new Daemon(OutputOf($"slurmd-{node}"), Environment, FileOf("slurmd")!, "-D", "-N", node));
+    public void StartNode(string node) =>
+        _nodes.Add(node, new Daemon(OutputOf($"slurmd-{node}"), Environment, FileOf("slurmd")!, "-D", "-N", node));
 
     /// <summary>Waits until slurmctld has missed a node.</summary>
     /// <exception cref="TimeoutException">It does not.</exception>
@@ -105,18 +107,20 @@ public sealed class SlurmCluster : IDisposable
     public void StartController() => _controller = new Daemon(OutputOf("slurmctld"), Environment, FileOf("slurmctld")!, "-D");
 
     /// <summary>
-    /// What an administrator does after slurmctld was killed. It saves jobs every 5 s only: of one that began since then it does not know that it
-    /// did, starts it a second time, is refused by the node, and then takes the node out of service and holds the job.
+    /// What an administrator does after slurmctld was killed. It saves jobs every 5 s only: of one that began since then it does not know
+    /// that it did, starts it a second time, is refused by the node, and then takes the node out of service and holds the job.
     /// </summary>
     public void Readmit()
     {
         WaitForController();
-        foreach (string node in SlurmConfiguration.Nodes.Where(node => Call("sinfo", "-h", "-n", node, "-o", "%T").Contains("drain", StringComparison.Ordinal)))
+        foreach (string node in SlurmConfiguration.Nodes.Where(
+            node => Call("sinfo", "-h", "-n", node, "-o", "%T").Contains("drain", StringComparison.Ordinal)))
         {
             Call("scontrol", "update", $"NodeName={node}", "State=RESUME");
         }
 
-        foreach (string job in Call("squeue", "-h", "-r", "-o", "%i %r").Split('\n').Where(line => line.Contains("held", StringComparison.OrdinalIgnoreCase)))
+        foreach (string job in Call("squeue", "-h", "-r", "-o", "%i %r").Split('\n').Where(
+            line => line.Contains("held", StringComparison.OrdinalIgnoreCase)))
         {
             Call("scontrol", "release", job.Split(' ')[0]);
         }
@@ -213,6 +217,7 @@ public sealed class SlurmCluster : IDisposable
         }
     }
 
-    private string LogEnds() => string.Join('\n', Directory.EnumerateFiles(Path.Combine(_folder, "log"), "*.out").Order(StringComparer.Ordinal).Select(
+    private string LogEnds() =>
+        string.Join('\n', Directory.EnumerateFiles(Path.Combine(_folder, "log"), "*.out").Order(StringComparer.Ordinal).Select(
         log => $"{Path.GetFileName(log)}:\n{string.Join('\n', File.ReadLines(log).TakeLast(10))}"));
 }

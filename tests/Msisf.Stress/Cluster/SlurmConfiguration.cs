@@ -20,7 +20,8 @@ internal static class SlurmConfiguration
     {
         int[] ports = FreePorts(Nodes.Count + 1);
         string nodes = string.Concat(Nodes.Select((node, index) => string.Create(
-            CultureInfo.InvariantCulture, $"NodeName={node} NodeAddr=127.0.0.1 NodeHostname=localhost Port={ports[index]} CPUs=2 RealMemory=8000 State=UNKNOWN\n")));
+            CultureInfo.InvariantCulture,
+            $"NodeName={node} NodeAddr=127.0.0.1 NodeHostname=localhost Port={ports[index]} CPUs=2 RealMemory=8000 State=UNKNOWN\n")));
         return string.Create(CultureInfo.InvariantCulture, $"""
             ClusterName=msisf
             SlurmctldHost=localhost(127.0.0.1)

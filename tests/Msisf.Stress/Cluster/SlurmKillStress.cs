@@ -29,7 +29,11 @@ public sealed class SlurmKillStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "48 frames by POV-Ray in 8 pieces on two nodes of Slurm, submitted by the script of msis batchconvert. In each set, at random moments and in random order: kill -9 of a slurmstepd (its task goes on, and Slurm runs it a second time), of a node (slurmd, slurmstepd, msis and POV-Ray at once; it comes back), and of slurmctld (restarted; nodes and jobs that it lost track of are readmitted, and a set that it forgot is submitted again). The job that checks has to finish the set.";
+        "48 frames by POV-Ray in 8 pieces on two nodes of Slurm, submitted by the script of msis batchconvert. In each set, at random "
+            + "moments and in random order: kill -9 of a slurmstepd (its task goes on, and Slurm runs it a second time), "
+            + "of a node (slurmd, slurmstepd, msis and POV-Ray at once; it comes back), and of slurmctld (restarted; "
+            + "nodes and jobs that it lost track of are readmitted, and a set that it forgot is submitted again). "
+            + "The job that checks has to finish the set.";
 
     /// <inheritdoc/>
     public string? MissingPart => Msis.MissingPart ?? SlurmCluster.MissingPart ?? (TestParts.Program("povray") is null ? "POV-Ray" : null);
@@ -50,11 +54,16 @@ public sealed class SlurmKillStress : IStressTest
             using SlurmCluster cluster = new();
             ConvertedSet set = new(folder, series, "slurm", Pieces);
             set.Run(cluster.Environment).Succeeded();
-            Victim[] killed = [.. Enum.GetValues<Victim>().OrderBy(_ => random.Unit()).TakeWhile(victim => TryKill(cluster, set, victim, random))];
+            Victim[] killed = [.. Enum.GetValues<Victim>().OrderBy(_ => random.Unit()).TakeWhile(
+                victim => TryKill(cluster, set, victim, random))];
             string? result = Await(cluster, set, () => set.Result is not null) ? set.Result : "none";
-            ChildRun last = new(result == "0" ? 0 : 1, string.Empty, result == "0" ? string.Empty : $"result {result}; jobs: {cluster.Call("squeue", "-h")}; {set.Logs()}");
+            ChildRun last = new(
+                result == "0" ? 0 : 1,
+                string.Empty,
+                result == "0" ? string.Empty : $"result {result}; jobs: {cluster.Call("squeue", "-h")}; {set.Logs()}");
             judge.Judge(
-                set.Frames, new FrameFolder(alone[Output]), last, InFlight * killed.Length, string.Create(CultureInfo.InvariantCulture, $"set {number}: {string.Join(", ", killed)}"));
+                set.Frames, new FrameFolder(alone[Output]), last, InFlight * killed.Length,
+                string.Create(CultureInfo.InvariantCulture, $"set {number}: {string.Join(", ", killed)}"));
             done += killed.Length;
         }
 
@@ -92,7 +101,9 @@ public sealed class SlurmKillStress : IStressTest
         return true;
     }
 
-    /// <summary>Waits, and does meanwhile what people do: readmits what a killed slurmctld lost track of, and submits again what it forgot.</summary>
+    /// <summary>
+    /// Waits, and does meanwhile what people do: readmits what a killed slurmctld lost track of, and submits again what it forgot.
+    /// </summary>
     /// <returns>Whether it came in time.</returns>
     private static bool Await(SlurmCluster cluster, ConvertedSet set, Func<bool> isThere)
     {

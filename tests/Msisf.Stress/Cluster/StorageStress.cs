@@ -11,7 +11,10 @@ public sealed class StorageStress : IStressTest
     private const string Copy = "copy";
 
 
-    /// <summary>Runs the program where the storage fails and again where it does not, and copies what came of it. $1 says how many KB the disk has at first.</summary>
+    /// <summary>
+    /// Runs the program where the storage fails and again where it does not, and copies what came of it. $1 says how many KB the disk has
+    /// at first.
+    /// </summary>
     private const string FullDisk = """
         size=$1; shift
         mkdir frames patterns copy disk
@@ -48,10 +51,12 @@ public sealed class StorageStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "Runs whose disk is full at a random moment (a small tmpfs for frames and patterns), or whose folder of outputs or patterns becomes read-only; then the same call with room enough. Both renderers.";
+        "Runs whose disk is full at a random moment (a small tmpfs for frames and patterns), "
+            + "or whose folder of outputs or patterns becomes read-only; then the same call with room enough. Both renderers.";
 
     /// <inheritdoc/>
-    public string? MissingPart => Msis.MissingPart ?? MountNamespace.MissingPart ?? (TestParts.Program("povray") is null ? "POV-Ray" : null);
+    public string? MissingPart =>
+        Msis.MissingPart ?? MountNamespace.MissingPart ?? (TestParts.Program("povray") is null ? "POV-Ray" : null);
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -86,7 +91,9 @@ public sealed class StorageStress : IStressTest
         }
 
         return new StressReport(
-            Name, cases, [.. judge.Figures(), unclear.ToFigure("runs that could not write and did not end with a line that says so and exit code 2 or 3", string.Empty, 0.0)], []);
+            Name, cases,
+            [.. judge.Figures(), unclear.ToFigure(
+                "runs that could not write and did not end with a line that says so and exit code 2 or 3", string.Empty, 0.0)], []);
     }
 
     private static void Try(FrameSeries series, string script, string argument, TemporaryFolder alone, SetJudge judge, CaseCount unclear)
@@ -111,5 +118,6 @@ public sealed class StorageStress : IStressTest
         }
     }
 
-    private static string Kilobytes(CaseRandom random, int from, int to) => ((int)random.Logarithmic(from, to)).ToString(CultureInfo.InvariantCulture);
+    private static string Kilobytes(CaseRandom random, int from, int to) =>
+        ((int)random.Logarithmic(from, to)).ToString(CultureInfo.InvariantCulture);
 }

@@ -4,7 +4,6 @@ using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Terrain;
@@ -15,7 +14,10 @@ using Msisf.TestSupport;
 
 namespace Msisf.Stress.Counts;
 
-/// <summary>What some images cost in counts that don't depend on the machine: a change that makes the program do more work shows here, however noisy the times.</summary>
+/// <summary>
+/// What some images cost in counts that don't depend on the machine: a change that makes the program do more work shows here, however noisy
+/// the times.
+/// </summary>
 public static class WorkCounts
 {
     /// <summary>m, MOON_ME, at MJD 55289.</summary>
@@ -32,14 +34,18 @@ public static class WorkCounts
     /// <summary>Counts of images of the real model.</summary>
     public static IEnumerable<string> OfLdem4() => Of("LDEM_4", MemoryElevationGrid.Ldem4(), Views, side: 512);
 
-    /// <summary>Counts of images of a made-up model, fine enough for parts of tiles, and with few enough pixels for levels of detail.</summary>
+    /// <summary>
+    /// Counts of images of a made-up model, fine enough for parts of tiles, and with few enough pixels for levels of detail.
+    /// </summary>
     public static IEnumerable<string> OfRuggedMoon() => Of("RUGGED_16", FunctionGrid.Rugged(16), Views[..2], side: 96);
 
-    private static IEnumerable<string> Of(string model, IElevationGrid grid, (string Name, Vector3D Position, double Degrees)[] views, int side)
+    private static IEnumerable<string> Of(
+        string model, IElevationGrid grid, (string Name, Vector3D Position, double Degrees)[] views, int side)
     {
         LodLevels levels = LodLevels.Open(grid);
         ElevationSummary summary = ElevationSummary.Build(grid);
-        string Line(string name, string count, long value) => string.Create(CultureInfo.InvariantCulture, $"{model}\t{name}\t{count}\t{value}");
+        string Line(string name, string count, long value) =>
+            string.Create(CultureInfo.InvariantCulture, $"{model}\t{name}\t{count}\t{value}");
         foreach ((string name, Vector3D position, double degrees) in views)
         {
             PinholeCamera camera = new(position, NadirPointing.MoonFromCamera(position), double.DegreesToRadians(degrees), side, side);
@@ -62,7 +68,8 @@ public static class WorkCounts
         {
             IReadOnlyList<SurfacePart> parts = new PartSelector(levels, summary, error).Select(camera, Sun).Parts;
             yield return (name, parts.Count);
-            yield return ($"triangles of {name}", parts.Sum(part => (long)TileMesh.CountsOf(TileMeshLayout.For(part, grid.PixelsPerDegree)).Faces));
+            yield return ($"triangles of {name}", parts.Sum(
+                part => (long)TileMesh.CountsOf(TileMeshLayout.For(part, grid.PixelsPerDegree)).Faces));
         }
 
         VisibilityCounts counts = new VisibilityPass(new SurfaceModel(grid)).Run(camera, 1, CancellationToken.None).Counts;

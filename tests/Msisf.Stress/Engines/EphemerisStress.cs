@@ -20,7 +20,9 @@ public sealed class EphemerisStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "The two ephemeris engines, CSPICE and the built-in reader: the Sun without and with light time and aberration, and the Moon's frame, over the whole cover of the shipped kernels; half of the times within 10 s of leap seconds, borders of records and the cover's ends.";
+        "The two ephemeris engines, CSPICE and the built-in reader: the Sun without and with light time and aberration, "
+            + "and the Moon's frame, over the whole cover of the shipped kernels; "
+            + "half of the times within 10 s of leap seconds, borders of records and the cover's ends.";
 
     /// <inheritdoc/>
     public string? MissingPart => TestParts.CSpiceLibrary is null ? "CSPICE (scripts/get-cspice.sh)" : null;

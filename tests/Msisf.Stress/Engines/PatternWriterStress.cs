@@ -7,7 +7,9 @@ using Msisf.TestSupport;
 namespace Msisf.Stress.Engines;
 
 /// <summary>The PHP pattern writer against the C# one, byte by byte.</summary>
-/// <remarks>The PHP writer is driven from an image. That its database gives the same samples is shown by php <c>SamePatternsTest</c>.</remarks>
+/// <remarks>
+/// The PHP writer is driven from an image. That its database gives the same samples is shown by php <c>SamePatternsTest</c>.
+/// </remarks>
 public sealed class PatternWriterStress : IStressTest
 {
     private const int RandomPixelsPerDegree = 8;
@@ -21,10 +23,13 @@ public sealed class PatternWriterStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "The two pattern writers, PHP and C#: files compared byte by byte; LDEM_4 (all its tiles at full length) and a model of random heights at 8 px/deg, both forms of the mesh, margins of up to a degree.";
+        "The two pattern writers, PHP and C#: files compared byte by byte; "
+            + "LDEM_4 (all its tiles at full length) and a model of random heights at 8 px/deg, both forms of the mesh, "
+            + "margins of up to a degree.";
 
     /// <inheritdoc/>
-    public string? MissingPart => TestParts.Ldem4Label is null ? "LDEM_4 (scripts/get-ldem.sh)" : TestParts.Program("php") is null ? "PHP" : null;
+    public string? MissingPart =>
+        TestParts.Ldem4Label is null ? "LDEM_4 (scripts/get-ldem.sh)" : TestParts.Program("php") is null ? "PHP" : null;
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -75,8 +80,12 @@ public sealed class PatternWriterStress : IStressTest
             TileMeshLayout layout = TileMeshLayout.For(tile, resolution, job.MarginSamples);
             using MemoryStream expected = new();
             PatternWriter.Write(expected, builder.Build(layout, builder.ReadRadii(layout)), job.Grid.ProductId, job.Format);
-            double differing = DifferingBytes(expected.GetBuffer().AsSpan(0, (int)expected.Length), File.ReadAllBytes(repository.PathOf(tile, resolution)));
-            worst.Note(differing, () => $"{job.Grid.ProductId} at {resolution} px/deg, {tile.RangeText}, {job.Format}, margin of {job.MarginSamples} samples");
+            double differing = DifferingBytes(
+                expected.GetBuffer().AsSpan(0, (int)expected.Length), File.ReadAllBytes(repository.PathOf(tile, resolution)));
+            worst.Note(
+                differing,
+                () =>
+                    $"{job.Grid.ProductId} at {resolution} px/deg, {tile.RangeText}, {job.Format}, margin of {job.MarginSamples} samples");
         }
 
         return job.Tiles.Count;

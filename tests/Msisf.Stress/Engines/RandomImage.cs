@@ -3,7 +3,9 @@ using Msisf.TestSupport;
 
 namespace Msisf.Stress.Engines;
 
-/// <summary>A model whose heights have nothing in common from sample to sample: within 10 km of the reference radius, in steps of 0.5 m.</summary>
+/// <summary>
+/// A model whose heights have nothing in common from sample to sample: within 10 km of the reference radius, in steps of 0.5 m.
+/// </summary>
 internal static class RandomImage
 {
     private const double Step = 0.5; // m

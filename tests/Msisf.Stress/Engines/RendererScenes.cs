@@ -36,7 +36,8 @@ internal sealed class RendererScenes(TemporaryFolder folder, IElevationGrid grid
         [
             "--fixed-state", string.Create(
                 CultureInfo.InvariantCulture,
-                $"{{{DayTime(position, random):R},{position.X:R},{position.Y:R},{position.Z:R},{attitude.X:R},{attitude.Y:R},{attitude.Z:R},{attitude.W:R}}}"),
+                $"{{{DayTime(position, random):R},{position.X:R},{position.Y:R},{position.Z:R},"
+                    + $"{attitude.X:R},{attitude.Y:R},{attitude.Z:R},{attitude.W:R}}}"),
             "--fov", double.RadiansToDegrees(camera.FieldOfView).ToString("R", CultureInfo.InvariantCulture),
             "--width", camera.Width.ToString(CultureInfo.InvariantCulture),
             "--height", camera.Height.ToString(CultureInfo.InvariantCulture),
@@ -64,7 +65,8 @@ internal sealed class RendererScenes(TemporaryFolder folder, IElevationGrid grid
     private PngPixels Run(string name, string[] arguments)
     {
         CommandLineRun run = CommandLineRun.Of(
-            [.. arguments, "--output-name", name, "--output-dir", folder.Path, "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--batch"]);
+            [.. arguments, "--output-name", name, "--output-dir", folder.Path, "--ldem", TestParts.Ldem4Label!, "--ephemeris",
+             "builtin", "--batch"]);
         return run.ExitCode == 0
             ? PngPixels.Read(folder[name + ".png"])
             : throw new InvalidOperationException($"{string.Join(' ', arguments)}: {run.Error}");

@@ -23,7 +23,10 @@ public sealed class RendererStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "The two renderers, native and POV-Ray, on LDEM_4 without antialiasing and levels of detail: images of 64 x 64 or as many pixels (256 x 256 at full length) by cameras of twelve kinds, from 50 m over the ground to 1e9 m, at the poles, on the seam, along the limb, fields of view from 0.001 to 175 degrees, at random times of the local day.";
+        "The two renderers, native and POV-Ray, on LDEM_4 without antialiasing and levels of detail: "
+            + "images of 64 x 64 or as many pixels (256 x 256 at full length) by cameras of twelve kinds, "
+            + "from 50 m over the ground to 1e9 m, at the poles, on the seam, along the limb, fields of view from 0.001 to 175 degrees, "
+            + "at random times of the local day.";
 
     /// <inheritdoc/>
     public string? MissingPart =>
@@ -49,7 +52,8 @@ public sealed class RendererStress : IStressTest
             pixels += images.PixelCount;
             overDistance.Add(images.Distance, differing);
             share.Note(differing, () => Input(images));
-            level.Note(images.Differences.Select(pixel => Math.Abs(pixel.PovRay - pixel.Native)).DefaultIfEmpty().Max(), () => Input(images));
+            level.Note(
+                images.Differences.Select(pixel => Math.Abs(pixel.PovRay - pixel.Native)).DefaultIfEmpty().Max(), () => Input(images));
         }
 
         return new StressReport(
@@ -59,7 +63,8 @@ public sealed class RendererStress : IStressTest
                 share.ToFigure("part of an image's pixels that differ by more than one grey level", "1", MaxDiffering),
                 level.ToFigure("greatest difference of a pixel, at an edge or a leak", "grey levels of 255", null),
             ],
-            [overDistance.ToSeries("part of an image's pixels that differ", "1", "distance of the camera from the Moon's centre", "m", MaxDiffering)]);
+            [overDistance.ToSeries(
+                "part of an image's pixels that differ", "1", "distance of the camera from the Moon's centre", "m", MaxDiffering)]);
     }
 
     /// <summary>All kinds in turn, beginning with a view from 100 km and one of the seam: few tiles, much ground.</summary>
@@ -68,5 +73,6 @@ public sealed class RendererStress : IStressTest
 
     private static string Input(RendererImages images) =>
         $"{images.Scene}, {images.PixelCount} pixels; {images.Differences.Count} differ: "
-        + string.Join("; ", images.Differences.Take(5).Select(pixel => $"({pixel.X}, {pixel.Y}) POV-Ray {pixel.PovRay}, native {pixel.Native}"));
+        + string.Join(
+            "; ", images.Differences.Take(5).Select(pixel => $"({pixel.X}, {pixel.Y}) POV-Ray {pixel.PovRay}, native {pixel.Native}"));
 }

@@ -42,7 +42,11 @@ internal static class ByteMutator
             11 => SwapTokens(content, random),
             12 => MoveLines(content, random),
             13 => Encode(content, random),
-            _ => Replace(content, place, 0, [.. Enumerable.Repeat(Bytes(FuzzWords.Signs, random), 1 + random.Below(MaxRepetitions)).SelectMany(sign => sign)]),
+            _ => Replace(
+                content,
+                place,
+                0,
+                [.. Enumerable.Repeat(Bytes(FuzzWords.Signs, random), 1 + random.Below(MaxRepetitions)).SelectMany(sign => sign)]),
         };
     }
 
@@ -83,7 +87,8 @@ internal static class ByteMutator
     /// <summary>A run of letters, digits and signs of numbers around a random place.</summary>
     private static (int Start, int Length) Token(byte[] content, CaseRandom random)
     {
-        bool IsOfToken(int place) => place >= 0 && place < content.Length && (char.IsAsciiLetterOrDigit((char)content[place]) || ".+-_".Contains((char)content[place]));
+        bool IsOfToken(int place) => place >= 0 && place < content.Length
+            && (char.IsAsciiLetterOrDigit((char)content[place]) || ".+-_".Contains((char)content[place]));
         int start = random.Below(content.Length + 1);
         int end = start;
         while (IsOfToken(start - 1))
@@ -139,7 +144,8 @@ internal static class ByteMutator
         return [.. content.AsSpan(0, start), .. by, .. content.AsSpan(end)];
     }
 
-    private static byte[] RandomBytes(CaseRandom random) => [.. Enumerable.Range(0, 1 + random.Below(8)).Select(_ => (byte)random.Below(256))];
+    private static byte[] RandomBytes(CaseRandom random) =>
+        [.. Enumerable.Range(0, 1 + random.Below(8)).Select(_ => (byte)random.Below(256))];
 
     private static byte[] Bytes(IReadOnlyList<string> words, CaseRandom random) => Encoding.UTF8.GetBytes(words[random.Below(words.Count)]);
 }

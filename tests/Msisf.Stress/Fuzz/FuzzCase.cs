@@ -30,8 +30,10 @@ internal sealed record FuzzCase(string Folder, IReadOnlyList<string> Arguments, 
         if (DamagedFile is not null)
         {
             byte[] content = File.Exists(DamagedFile) ? File.ReadAllBytes(DamagedFile) : [];
-            bool isText = content.Length <= LongestText && content.All(value => value is >= 0x20 and < 0x7F or (byte)'\n' or (byte)'\r' or (byte)'\t');
-            text.Append(" with ").Append(Path.GetFileName(DamagedFile)).Append(' ').Append(isText ? Json(Encoding.ASCII.GetString(content)) : $"gzip:{Compressed(content)}");
+            bool isText = content.Length <= LongestText
+                && content.All(value => value is >= 0x20 and < 0x7F or (byte)'\n' or (byte)'\r' or (byte)'\t');
+            text.Append(" with ").Append(Path.GetFileName(DamagedFile)).Append(' ').Append(
+                isText ? Json(Encoding.ASCII.GetString(content)) : $"gzip:{Compressed(content)}");
         }
 
         return text.Replace(Folder, "FOLDER").ToString();

@@ -7,7 +7,9 @@ namespace Msisf.Stress.Fuzz;
 /// <param name="seed">Of all cases; each has random numbers of its own, so that it can be made again alone.</param>
 internal sealed class FuzzMeasure(IReadOnlyList<IFuzzTarget> turns, string parent, SemaphoreSlim atOnce, int seed) : IMeasure<FuzzMeasure>
 {
-    /// <summary>Bytes, of the whole process while cases run, garbage and all: it has about 1 GB of that, up and down, on a machine with 24 GB.</summary>
+    /// <summary>
+    /// Bytes, of the whole process while cases run, garbage and all: it has about 1 GB of that, up and down, on a machine with 24 GB.
+    /// </summary>
     public const long MaxMemory = 3_000_000_000;
 
     private static readonly FuzzFault[] Faults = [.. Enum.GetValues<FuzzFault>().Where(fault => fault != FuzzFault.None)];
@@ -24,7 +26,7 @@ internal sealed class FuzzMeasure(IReadOnlyList<IFuzzTarget> turns, string paren
     {
         string folder = Directory.CreateDirectory(Path.Combine(parent, FormattableString.Invariant($"case {number}"))).FullName;
         FuzzCase fuzzCase = turns[number % turns.Count].Make(folder, new CaseRandom(seed, number), isDamaged: true);
-        atOnce.Wait();
+        atOnce.Wait(); // for other cases, which FuzzRunner does not let run for ever
         FuzzRun? run = FuzzRunner.Run(fuzzCase);
         atOnce.Release();
         FuzzFault found = FuzzJudge.Judge(fuzzCase, run);
@@ -38,7 +40,8 @@ internal sealed class FuzzMeasure(IReadOnlyList<IFuzzTarget> turns, string paren
         foreach (FuzzFault fault in Faults)
         {
             _counts[fault].Note(
-                found.HasFlag(fault), () => FormattableString.Invariant($"{fuzzCase.Describe(number)} -> {run?.ExitCode}: {run?.Error.ReplaceLineEndings(" ")}"));
+                found.HasFlag(fault), () =>
+                    FormattableString.Invariant($"{fuzzCase.Describe(number)} -> {run?.ExitCode}: {run?.Error.ReplaceLineEndings(" ")}"));
         }
 
         if (run is not null)

@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Msisf.Stress.Fuzz;
 
 /// <summary>The program with damaged input of every kind.</summary>
@@ -14,8 +16,10 @@ public sealed class FuzzStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "Whole calls in this process, with command lines, response, batch and configuration files, labels, images, pyramids, summaries, kernels and manifests that are right but for seeded "
-        + "damage: flipped bits, lost, inserted and repeated pieces, swapped words, extreme numbers, moved lines, other encodings, deep nesting.";
+        "Whole calls in this process, with command lines, response, batch and configuration files, labels, images, pyramids, summaries, "
+            + "kernels and manifests that are right but for seeded "
+        + "damage: flipped bits, lost, inserted and repeated pieces, swapped words, extreme numbers, moved lines, other encodings, "
+        + "deep nesting.";
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -23,7 +27,8 @@ public sealed class FuzzStress : IStressTest
         int cases = length == StressLength.Full ? 100_000 : 500;
         ThreadPool.GetMinThreads(out int workers, out int ports);
         ThreadPool.SetMinThreads(Math.Max(workers, PoolThreads), ports);
-        DirectoryInfo folder = Directory.CreateDirectory(Path.Combine(RoomForCases(), FormattableString.Invariant($"msisf fuzz {Environment.ProcessId}")));
+        DirectoryInfo folder = Directory.CreateDirectory(
+            Path.Combine(RoomForCases(), FormattableString.Invariant($"msisf fuzz {Environment.ProcessId}")));
         try
         {
             using FuzzWorld world = new(folder.FullName);
@@ -32,7 +37,11 @@ public sealed class FuzzStress : IStressTest
             CaseCount refused = RightInputs.Check(turns.Distinct(), folder.FullName, seed);
             MemoryPeak.Reset();
             FuzzMeasure found = SeededCases.Run(cases, seed, () => new FuzzMeasure(turns, folder.FullName, atOnce, seed));
-            return new StressReport(Name, cases, [refused.ToFigure("right inputs, before any damage, that are refused", "", 0.0), .. FiguresOf(found, cases)], []);
+            return new StressReport(
+                Name,
+                cases,
+                [refused.ToFigure("right inputs, before any damage, that are refused", "", 0.0), .. FiguresOf(found, cases)],
+                []);
         }
         finally
         {
@@ -59,7 +68,10 @@ public sealed class FuzzStress : IStressTest
         found.CountOf(FuzzFault.Bug).ToFigure("calls that ended with exit code 70 or an exception", "", 0.0),
         found.CountOf(FuzzFault.UnknownExitCode).ToFigure("calls that ended with an exit code that is not documented", "", 0.0),
         found.CountOf(FuzzFault.Hang).ToFigure(
-            FormattableString.Invariant($"calls that were told to end after {FuzzRunner.LongestWork.TotalSeconds} s and did not within {FuzzRunner.LongestEnd.TotalSeconds} s"), "", 0.0),
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"calls that were told to end after {FuzzRunner.LongestWork.TotalSeconds} s and did not within "
+                    + $"{FuzzRunner.LongestEnd.TotalSeconds} s"), "", 0.0),
         found.CountOf(FuzzFault.ErrorLine).ToFigure("failures without their one line of error, or with more", "", 0.0),
         found.CountOf(FuzzFault.PartialOutput).ToFigure("calls that left a temporary file, half an image or half a meta file", "", 0.0),
         found.CountOf(FuzzFault.Memory).ToFigure(
@@ -67,6 +79,8 @@ public sealed class FuzzStress : IStressTest
         new StressFigure("calls that failed, as most of them should", "", cases - found.Successes, null, "no single one"),
     ];
 
-    /// <summary>Cases make many small files, and each is written through to the disk: in memory where the system has such a place.</summary>
+    /// <summary>
+    /// Cases make many small files, and each is written through to the disk: in memory where the system has such a place.
+    /// </summary>
     private static string RoomForCases() => Directory.Exists("/dev/shm") ? "/dev/shm" : Path.GetTempPath();
 }

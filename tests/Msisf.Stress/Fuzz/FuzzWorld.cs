@@ -1,6 +1,7 @@
+using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.Adapters.Tests.Ephemeris;
-using Msisf.Core.Terrain.Synthesis;
+using Msisf.Core.Terrain;
 using Msisf.TestSupport;
 
 namespace Msisf.Stress.Fuzz;
@@ -57,7 +58,8 @@ internal sealed class FuzzWorld : IDisposable
     public string OutputFolder { get; }
 
     /// <summary>The options of every image, but for where the camera is and where it goes.</summary>
-    public string[] Sources => [.. TinyImage, "--renderer", "native", "--res", "1", "--ldem", Model, "--kernels", Kernels, "--ephemeris", "builtin"];
+    public string[] Sources =>
+        [.. TinyImage, "--renderer", "native", "--res", "1", "--ldem", Model, "--kernels", Kernels, "--ephemeris", "builtin"];
 
     /// <summary>The run of <see cref="OutputFolder"/>, but for its times and folder.</summary>
     public string[] Render => [.. Sources, "--kepler-set", "{1.9E6,0,0,0,1,0}", "--epoch", "51544.5"];
@@ -65,7 +67,10 @@ internal sealed class FuzzWorld : IDisposable
     public void Dispose() => _folder.Delete(recursive: true);
 
     private string Synthesize(int pixelsPerDegree, string name, MoonRegion region) =>
-        SyntheticLdemWriter.Write(new SyntheticLdemOptions(pixelsPerDegree, 1, Path.Combine(_folder.FullName, name)) { Region = region }, progress: null, CancellationToken.None);
+        SyntheticLdemWriter.Write(
+            new SyntheticLdemOptions(pixelsPerDegree, 1, Path.Combine(_folder.FullName, name)) { Region = region },
+            progress: null,
+            CancellationToken.None);
 
     /// <summary>All samples are 0, and take no room on most file systems.</summary>
     private string WriteFlatModel()
@@ -92,11 +97,17 @@ internal sealed class FuzzWorld : IDisposable
         }
 
         DafBuilder positions = new("DAF/SPK");
-        positions.AddSpk(10, 0, -30_000 * Day, 60_000 * Day, 2, [1.5e8, 1e6, 1e6]).AddSpk(301, 0, -30_000 * Day, 60_000 * Day, 2, [0.0, 0.0, 0.0]);
+        positions.AddSpk(
+            10, 0, -30_000 * Day, 60_000 * Day, 2, [1.5e8, 1e6, 1e6]).AddSpk(301, 0, -30_000 * Day, 60_000 * Day, 2, [0.0, 0.0, 0.0]);
         File.WriteAllBytes(Path.Combine(folder, "tiny.bsp"), positions.ToArray());
-        File.WriteAllBytes(Path.Combine(folder, "tiny.bpc"), new DafBuilder("DAF/PCK").AddPck(31006, -30_000 * Day, 60_000 * Day, [0.1, 0.2, 0.3]).ToArray());
+        File.WriteAllBytes(
+            Path.Combine(folder, "tiny.bpc"),
+            new DafBuilder("DAF/PCK").AddPck(31006, -30_000 * Day, 60_000 * Day, [0.1, 0.2, 0.3]).ToArray());
         string metaKernel = Path.Combine(folder, "tiny.tm");
-        File.WriteAllText(metaKernel, "KPL/MK\n\\begindata\nKERNELS_TO_LOAD = ( 'naif0012.tls'\n 'moon_080317.tf' 'moon_assoc_me.tf'\n 'tiny.bpc' 'tiny.bsp' )\n\\begintext\n");
+        File.WriteAllText(
+            metaKernel,
+            "KPL/MK\n\\begindata\nKERNELS_TO_LOAD = ( 'naif0012.tls'\n 'moon_080317.tf' 'moon_assoc_me.tf'\n 'tiny.bpc' 'tiny.bsp' "
+                + ")\n\\begintext\n");
         return metaKernel;
     }
 

@@ -21,7 +21,9 @@ internal static class MemoryPeak
     /// <summary>Bytes.</summary>
     public static long Read() => File.Exists(Status)
         ? 1024 * long.Parse(
-            File.ReadLines(Status).First(line => line.StartsWith(Field, StringComparison.Ordinal))[Field.Length..].Replace("kB", "", StringComparison.Ordinal).Trim(),
+            File.ReadLines(Status).First(
+                line =>
+                    line.StartsWith(Field, StringComparison.Ordinal))[Field.Length..].Replace("kB", "", StringComparison.Ordinal).Trim(),
             CultureInfo.InvariantCulture)
         : Environment.WorkingSet;
 }

@@ -47,8 +47,10 @@ internal sealed class ModelInputs(FuzzWorld world)
 
     private static IEnumerable<IReadOnlyList<string>> Calls(string model, int resolution)
     {
-        string[] source = ["--ldem", model, "--res", resolution.ToString(System.Globalization.CultureInfo.InvariantCulture), "--ignore-sun", "--fixed-state", FuzzWorld.State];
-        yield return [.. FuzzWorld.TinyImage, "--renderer", "native", .. source, "--output-dir", Path.Combine(Path.GetDirectoryName(model)!, "out")];
+        string[] source = ["--ldem", model, "--res", resolution.ToString(
+            System.Globalization.CultureInfo.InvariantCulture), "--ignore-sun", "--fixed-state", FuzzWorld.State];
+        yield return [.. FuzzWorld.TinyImage, "--renderer", "native", .. source, "--output-dir", Path.Combine(
+            Path.GetDirectoryName(model)!, "out")];
         yield return ListPatterns(model, resolution);
     }
 
@@ -69,7 +71,8 @@ internal sealed class ModelInputs(FuzzWorld world)
         int pointer = label.IndexOf("^IMAGE ", StringComparison.Ordinal);
         int pointerEnd = label.IndexOf('\n', pointer);
         label = label[..pointer] + FormattableString.Invariant($"^IMAGE = {Records + 1}") + label[pointerEnd..];
-        label = label.Replace("FILE_RECORDS              = 180", FormattableString.Invariant($"FILE_RECORDS = {180 + Records}"), StringComparison.Ordinal);
+        label = label.Replace(
+            "FILE_RECORDS              = 180", FormattableString.Invariant($"FILE_RECORDS = {180 + Records}"), StringComparison.Ordinal);
         return [.. Encoding.ASCII.GetBytes(label.PadRight(Records * 720)), .. image];
     }
 

@@ -18,10 +18,13 @@ internal static class RightInputs
             CaseRandom random = new(seed, 0);
             for (int number = 0; number < CasesOfTarget; number++)
             {
-                string folder = Directory.CreateDirectory(Path.Combine(parent, FormattableString.Invariant($"right {target.Name} {number}"))).FullName;
+                string folder = Directory.CreateDirectory(
+                    Path.Combine(parent, FormattableString.Invariant($"right {target.Name} {number}"))).FullName;
                 FuzzCase right = target.Make(folder, random, isDamaged: false);
                 FuzzRun? run = FuzzRunner.Run(right);
-                refused.Note(!IsWell(run), () => $"{target.Name}, {right.Describe(number)} -> {run?.ExitCode}: {run?.Error.ReplaceLineEndings(" ")}");
+                refused.Note(
+                    !IsWell(run),
+                    () => $"{target.Name}, {right.Describe(number)} -> {run?.ExitCode}: {run?.Error.ReplaceLineEndings(" ")}");
                 Directory.Delete(folder, recursive: true);
             }
         }
@@ -31,5 +34,6 @@ internal static class RightInputs
 
     /// <summary>POV-Ray is not looked for in these calls.</summary>
     private static bool IsWell(FuzzRun? run) =>
-        run is { ExitCode: 0 } or { WasToldToEnd: true } || (run?.ExitCode == 3 && run.Error.Contains("POV-Ray is missing", StringComparison.Ordinal));
+        run is { ExitCode: 0 } or { WasToldToEnd: true }
+            || (run?.ExitCode == 3 && run.Error.Contains("POV-Ray is missing", StringComparison.Ordinal));
 }

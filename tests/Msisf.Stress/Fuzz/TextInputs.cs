@@ -4,7 +4,9 @@ namespace Msisf.Stress.Fuzz;
 /// <param name="world">The right ones.</param>
 internal sealed class TextInputs(FuzzWorld world)
 {
-    private const string BatchFile = "# MJD rx ry rz qx qy qz q0\n51544.5 1.9E6 0 0 0 0 0 1\n51544.6\t+2.0E+006 -1.5 .5 0 0 0 1 # far\n\n51544.7 2E6 2E6 0 0 0 3.826834323650898E-1 9.238795325112867E-1\n";
+    private const string BatchFile =
+        "# MJD rx ry rz qx qy qz q0\n51544.5 1.9E6 0 0 0 0 0 1\n51544.6\t+2.0E+006 -1.5 .5 0 0 0 1 # far\n\n51544.7 2E6 2E6 0 0 0 "
+            + "3.826834323650898E-1 9.238795325112867E-1\n";
 
     private const string Settings = """
         # what every call needs
@@ -32,13 +34,16 @@ internal sealed class TextInputs(FuzzWorld world)
         "response files",
         [
             FuzzInput.Text(
-                "a.rsp", $"# a call\n{string.Join('\n', world.Sources.Select(word => $"\"{word}\""))}\n--fixed-state \"{FuzzWorld.State}\"\n--layers depth --layers-format npy\n", path => [["@" + path, .. Output(path)]]),
+                "a.rsp",
+                $"# a call\n{string.Join('\n', world.Sources.Select(word => $"\"{word}\""))}\n--fixed-state "
+                    + $"\"{FuzzWorld.State}\"\n--layers depth --layers-format npy\n", path => [["@" + path, .. Output(path)]]),
         ]);
 
     public IFuzzTarget ConfigFiles => new FileTarget(
         "config files",
         [
-            FuzzInput.Text("a.yaml", $"{Settings}\nldem: {world.Model}\nkernels: {world.Kernels}\n", path => ConfigCalls(path, ["--config", path])),
+            FuzzInput.Text(
+                "a.yaml", $"{Settings}\nldem: {world.Model}\nkernels: {world.Kernels}\n", path => ConfigCalls(path, ["--config", path])),
             new FuzzInput(
                 "settings/msisf/config.yaml",
                 folder =>
@@ -51,7 +56,8 @@ internal sealed class TextInputs(FuzzWorld world)
 
     public IFuzzTarget Kernels => new FileTarget(
         "kernels",
-        [.. Directory.EnumerateFiles(Path.GetDirectoryName(world.Kernels)!).Order(StringComparer.Ordinal).Select(kernel => FuzzInput.Among(kernel, KernelCalls))]);
+        [.. Directory.EnumerateFiles(Path.GetDirectoryName(world.Kernels)!).Order(StringComparer.Ordinal).Select(
+            kernel => FuzzInput.Among(kernel, KernelCalls))]);
 
     public IFuzzTarget Manifests => new FileTarget(
         "manifests",
@@ -80,7 +86,11 @@ internal sealed class TextInputs(FuzzWorld world)
     private IEnumerable<IReadOnlyList<string>> KernelCalls(string path)
     {
         string metaKernel = Path.Combine(FolderOf(path), Path.GetFileName(world.Kernels));
-        string[] call = [.. FuzzWorld.TinyImage, "--renderer", "native", "--res", "1", "--ldem", world.Model, "--ephemeris", "builtin", "--kernels", metaKernel, .. Output(path)];
+        string[] call =
+        [
+            .. FuzzWorld.TinyImage, "--renderer", "native", "--res", "1", "--ldem", world.Model, "--ephemeris", "builtin", "--kernels",
+            metaKernel, .. Output(path)
+        ];
         yield return [.. call, "--fixed-state", FuzzWorld.State];
         yield return [.. call, "--fixed-state", FuzzWorld.State, "--aberration", "lt+s"];
         yield return [.. call, "--kepler-set", "{1.9E6,0,0,0,1,0}", "--epoch", "51544.5", "--time", "51545", "--orbit-frame", "j2000"];

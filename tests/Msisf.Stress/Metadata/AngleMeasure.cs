@@ -16,7 +16,12 @@ internal sealed class AngleMeasure(string quantity, double promised, SeriesBuild
     [
         _plain.ToFigure(quantity, "degrees", promised),
         _ratio.ToFigure($"{quantity}, to what its bound allows, everywhere", "1", 1.0),
-        new StressFigure($"{quantity}, cases that are held to {promised:R} degrees", "1", (double)_plainCases / _cases, null, $"{_plainCases} of {_cases}"),
+        new StressFigure(
+            $"{quantity}, cases that are held to {promised:R} degrees",
+            "1",
+            (double)_plainCases / _cases,
+            null,
+            $"{_plainCases} of {_cases}"),
     ];
 
     /// <summary>The series.</summary>

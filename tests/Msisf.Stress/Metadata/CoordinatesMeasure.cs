@@ -12,10 +12,13 @@ namespace Msisf.Stress.Metadata;
 /// <summary>The numbers of single pixels as they stand in the meta file: latitude, longitude, illumination direction.</summary>
 internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
 {
-    private readonly AngleMeasure _latitude = new("latitude", PixelBounds.PromisedCoordinate, new SeriesBuilder(1e-8, 1.0, 32, isLogarithmic: true));
-    private readonly AngleMeasure _longitude = new("longitude", PixelBounds.PromisedCoordinate, new SeriesBuilder(1e-12, 1.0, 24, isLogarithmic: true));
+    private readonly AngleMeasure _latitude = new(
+        "latitude", PixelBounds.PromisedCoordinate, new SeriesBuilder(1e-8, 1.0, 32, isLogarithmic: true));
+    private readonly AngleMeasure _longitude = new(
+        "longitude", PixelBounds.PromisedCoordinate, new SeriesBuilder(1e-12, 1.0, 24, isLogarithmic: true));
     private readonly AngleMeasure _direction = new(
-        "illumination direction", PixelBounds.PromisedDirection, new SeriesBuilder(Tolerances.IlluminationDirectionSine, 1.0, 28, isLogarithmic: true));
+        "illumination direction", PixelBounds.PromisedDirection,
+        new SeriesBuilder(Tolerances.IlluminationDirectionSine, 1.0, 28, isLogarithmic: true));
 
     private readonly SeriesBuilder _byDistance = new(MoonConstants.ReferenceRadius, PixelCases.Highest, 36, isLogarithmic: true);
     private readonly CaseCount _undefined = new();
@@ -34,10 +37,26 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
     /// <summary>Errors over the range of an input.</summary>
     public IEnumerable<StressSeries> Series =>
     [
-        _byDistance.ToSeries("latitude, emission below 84 degrees", "degrees", "distance of the camera from the Moon's centre", "m", PixelBounds.PromisedCoordinate),
-        _latitude.Series.ToSeries("latitude, camera within 1e7 m", "degrees", "cosine of the emission angle", "1", PixelBounds.PromisedCoordinate),
-        _longitude.Series.ToSeries("longitude, camera within 1e7 m, emission below 84 degrees", "degrees", "cosine of the latitude", "1", PixelBounds.PromisedCoordinate),
-        _direction.Series.ToSeries("illumination direction, camera within 1e7 m, emission below 84 degrees", "degrees", "sine of the Sun's zenith angle times that between ground line and line of sight, in the image", "1", PixelBounds.PromisedDirection),
+        _byDistance.ToSeries(
+            "latitude, emission below 84 degrees",
+            "degrees",
+            "distance of the camera from the Moon's centre",
+            "m",
+            PixelBounds.PromisedCoordinate),
+        _latitude.Series.ToSeries(
+            "latitude, camera within 1e7 m", "degrees", "cosine of the emission angle", "1", PixelBounds.PromisedCoordinate),
+        _longitude.Series.ToSeries(
+            "longitude, camera within 1e7 m, emission below 84 degrees",
+            "degrees",
+            "cosine of the latitude",
+            "1",
+            PixelBounds.PromisedCoordinate),
+        _direction.Series.ToSeries(
+            "illumination direction, camera within 1e7 m, emission below 84 degrees",
+            "degrees",
+            "sine of the Sun's zenith angle times that between ground line and line of sight, in the image",
+            "1",
+            PixelBounds.PromisedDirection),
     ];
 
     /// <inheritdoc/>

@@ -8,8 +8,10 @@ public sealed class CoordinatesStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "Random pixels of random cameras from 1 m to 1e12 m above the reference sphere, the Sun anywhere, near the zenith, the nadir and the horizon of "
-        + "the pixel's point, or at the camera: latitude, longitude and illumination direction as they stand in the meta file, against some 30 digits.";
+        "Random pixels of random cameras from 1 m to 1e12 m above the reference sphere, the Sun anywhere, near the zenith, "
+            + "the nadir and the horizon of "
+        + "the pixel's point, or at the camera: latitude, longitude and illumination direction as they stand in the meta file, "
+        + "against some 30 digits.";
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)

@@ -4,12 +4,16 @@ using Msisf.Stress.Camera;
 
 namespace Msisf.Stress.Metadata;
 
-/// <summary>How far a pixel's coordinates and illumination direction may be from the true ones, degrees: the limits of the stress tests, as formulas.</summary>
+/// <summary>
+/// How far a pixel's coordinates and illumination direction may be from the true ones, degrees: the limits of the stress tests, as
+/// formulas.
+/// </summary>
 /// <remarks>
 /// The hit point is off by up to <see cref="HitBounds.OnSphere"/>. Seen from the Moon's centre that is the error of the latitude; on a
 /// parallel it is more of the longitude by the cosine of the latitude. The direction of the ground line towards the Sun turns by more
 /// than the point the nearer the Sun is to the zenith, and its image by more the more it is seen end on: by the sines of
-/// the two (<see cref="Reference.PrecisePixel.DirectionSine"/>). Rounding the angle in rad, in degrees and to 16 digits adds a last digit each.
+/// the two (<see cref="Reference.PrecisePixel.DirectionSine"/>). Rounding the angle in rad, in degrees and to 16 digits adds a last digit
+/// each.
 /// </remarks>
 internal static class PixelBounds
 {
@@ -22,7 +26,9 @@ internal static class PixelBounds
     /// <summary>degrees: half a last bit of 2 pi rad and of 360 degrees, and half of the 16th digit.</summary>
     private const double LastDigits = 1.1e-13;
 
-    /// <summary>Roundings of the zenith, of the direction to the Sun, and of the two cross products, on the way to the illumination direction.</summary>
+    /// <summary>
+    /// Roundings of the zenith, of the direction to the Sun, and of the two cross products, on the way to the illumination direction.
+    /// </summary>
     private const double DirectionRoundings = 8.0;
 
     /// <summary>degrees, of a latitude, or of a longitude at such a latitude.</summary>

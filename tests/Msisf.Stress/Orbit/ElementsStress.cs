@@ -6,13 +6,18 @@ namespace Msisf.Stress.Orbit;
 /// <summary>Elements to state to elements, where single angles lose their meaning.</summary>
 public sealed class ElementsStress : IStressTest
 {
-    /// <summary>1, of the vector: six roundings of each axis of the ellipse, three of the place on it and one of the product, 1.1e-16 each at most, and the mean anomaly's own.</summary>
+    /// <summary>
+    /// 1, of the vector: six roundings of each axis of the ellipse, three of the place on it and one of the product, 1.1e-16 each at most,
+    /// and the mean anomaly's own.
+    /// </summary>
     private const double State = 2e-15;
 
     /// <summary>1, of the vector: twice that, as the state in between is rounded and its rounding changes the elements.</summary>
     private const double RoundTrip = 4e-15;
 
-    /// <summary>1 and rad: a state wrong by <see cref="State"/> turns and stretches the ellipse by up to about twice as much for e up to 1/2.</summary>
+    /// <summary>
+    /// 1 and rad: a state wrong by <see cref="State"/> turns and stretches the ellipse by up to about twice as much for e up to 1/2.
+    /// </summary>
     private const double Elements = 6e-15;
 
     private const double Nearest = 1e-16;
@@ -23,7 +28,8 @@ public sealed class ElementsStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "Elements to state to elements: e, i and pi - i each exactly 0, from 1e-16 to 1e-3, or anything (e up to 1/2), in all combinations; the state and what the elements mean without a single angle, against double-double.";
+        "Elements to state to elements: e, i and pi - i each exactly 0, from 1e-16 to 1e-3, or anything (e up to 1/2), "
+            + "in all combinations; the state and what the elements mean without a single angle, against double-double.";
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -92,7 +98,10 @@ public sealed class ElementsStress : IStressTest
                 _overRetrogradeTilt.ToSeries("position after the way back", "of its length", "pi - i", "rad", RoundTrip),
             ]);
 
-        /// <summary>By how much the spacecraft would move about the orbit's normal if one set of angles took the place of the other, rad. Next to the equator only this sum has a meaning.</summary>
+        /// <summary>
+        /// By how much the spacecraft would move about the orbit's normal if one set of angles took the place of the other, rad. Next to
+        /// the equator only this sum has a meaning.
+        /// </summary>
         private static double TurnBetween(KeplerElements a, KeplerElements b)
         {
             DoubleWord inPlane = (DoubleWord)a.MeanAnomalyAtEpoch + a.ArgumentOfPeriapsis - b.MeanAnomalyAtEpoch - b.ArgumentOfPeriapsis;

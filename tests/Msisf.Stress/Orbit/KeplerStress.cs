@@ -12,7 +12,10 @@ public sealed class KeplerStress : IStressTest
     /// <summary>1: the program gives up after 100, which bisection alone would need; Newton's method doubles its digits in each.</summary>
     private const double MaxSteps = 10.0;
 
-    /// <summary>ulp of E: half for its own rounding, and half a one of the sine over the slope of the equation at e = 1/2; a sine may be wrong by a little more.</summary>
+    /// <summary>
+    /// ulp of E: half for its own rounding, and half a one of the sine over the slope of the equation at e = 1/2; a sine may be wrong by a
+    /// little more.
+    /// </summary>
     private const double MaxAngleError = 1.1;
 
     private const double MinFromParabola = 1e-12;
@@ -24,7 +27,8 @@ public sealed class KeplerStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "Kepler's equation: random e up to 1 - 1e-12 (even, and even in the logarithms of e and of 1 - e), |M| from 1e-30 rad to 1e6 turns; the residual E - e sin E - M in double-double.";
+        "Kepler's equation: random e up to 1 - 1e-12 (even, and even in the logarithms of e and of 1 - e), "
+            + "|M| from 1e-30 rad to 1e6 turns; the residual E - e sin E - M in double-double.";
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)

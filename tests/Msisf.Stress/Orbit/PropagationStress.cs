@@ -7,7 +7,10 @@ namespace Msisf.Stress.Orbit;
 /// <summary>Orbits followed over up to a million turns.</summary>
 public sealed class PropagationStress : IStressTest
 {
-    /// <summary>rad: two units in the last place of pi, half a one for n dt less its turns, one for the sum with M0, half a one for the turn taken off that.</summary>
+    /// <summary>
+    /// rad: two units in the last place of pi, half a one for n dt less its turns, one for the sum with M0, half a one for the turn taken
+    /// off that.
+    /// </summary>
     private const double Phase = 8.9e-16;
 
     /// <summary>1, of the distance: what <see cref="ElementsStress"/> allows for a position whose phase is right.</summary>
@@ -25,7 +28,8 @@ public sealed class PropagationStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "Orbits with e up to 0.9 followed over up to 1e6 turns forwards and backwards, by seconds and by MJD; phase and position against double-double.";
+        "Orbits with e up to 0.9 followed over up to 1e6 turns forwards and backwards, by seconds and by MJD; "
+            + "phase and position against double-double.";
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -39,7 +43,8 @@ public sealed class PropagationStress : IStressTest
                 all.Phase.ToFigure("phase", "rad", Phase),
                 all.PhaseOfTime.ToFigure("phase after 1e3 turns and more, over what half a unit of the time in seconds sweeps", "", 1.0),
                 all.Position.ToFigure("position, over what the allowed phase and 2e-15 of the distance make", "", 1.0),
-                all.PositionOfDates.ToFigure("position by MJD, over what half a unit of both dates and of the seconds between them makes beside it", "", 1.0),
+                all.PositionOfDates.ToFigure(
+                    "position by MJD, over what half a unit of both dates and of the seconds between them makes beside it", "", 1.0),
                 all.Metres.ToFigure("position by MJD", "m", limit: null),
             ],
             [
@@ -122,7 +127,8 @@ public sealed class PropagationStress : IStressTest
             Position.Note(distance / Allowed(orbit, position, velocity), Input);
         }
 
-        private void NoteDates(KeplerElements elements, PreciseOrbit orbit, double orbits, ModifiedJulianDate epoch, ModifiedJulianDate date)
+        private void NoteDates(
+            KeplerElements elements, PreciseOrbit orbit, double orbits, ModifiedJulianDate epoch, ModifiedJulianDate date)
         {
             DoubleWord time = SecondsADay * ((DoubleWord)date.Days - epoch.Days);
             (PreciseVector position, PreciseVector velocity) = orbit.StateAt(time);

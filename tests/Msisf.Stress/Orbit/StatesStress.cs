@@ -8,7 +8,10 @@ namespace Msisf.Stress.Orbit;
 /// <summary>State to elements to state, next to circular and equatorial orbits.</summary>
 public sealed class StatesStress : IStressTest
 {
-    /// <summary>1, of the vector: the roundings of elements (five angles below pi, each by up to 2.2e-16 and its sine's) and of the state made of them.</summary>
+    /// <summary>
+    /// 1, of the vector: the roundings of elements (five angles below pi, each by up to 2.2e-16 and its sine's) and of the state made of
+    /// them.
+    /// </summary>
     private const double RoundTrip = 4e-15;
 
     /// <summary>1, of the axis and rad: some ten roundings of 1.1e-16 on the way from the state.</summary>
@@ -22,7 +25,8 @@ public sealed class StatesStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "State to elements to state: orbits that miss the circle and the equator, in either sense of motion, by 1e-16 to 1e-3 or by nothing in position and velocity; against double-double, without any angle.";
+        "State to elements to state: orbits that miss the circle and the equator, in either sense of motion, "
+            + "by 1e-16 to 1e-3 or by nothing in position and velocity; against double-double, without any angle.";
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)

@@ -36,7 +36,8 @@ internal sealed class TraceBlock
     {
         _mesh = builder.Build(layout, builder.ReadRadii(layout));
         _productId = grid.ProductId;
-        _verticesKm = [.. Enumerable.Range(0, layout.VertexCount).Select(vertex => _mesh.Vertex(vertex).PositionMoonMe / MetresPerKilometre)];
+        _verticesKm = [.. Enumerable.Range(0, layout.VertexCount).Select(
+            vertex => _mesh.Vertex(vertex).PositionMoonMe / MetresPerKilometre)];
         _originKm = _mesh.Origin.PositionMoonMe / MetresPerKilometre;
     }
 
@@ -64,7 +65,8 @@ internal sealed class TraceBlock
 
     /// <summary>Where it is, for the report.</summary>
     public string Place =>
-        $"{_mesh.Layout.PixelsPerDegree} px/deg, {_mesh.Layout.Part.Tile.RangeText}, cells from line {_mesh.Layout.FirstLine}, sample {_mesh.Layout.FirstSample} on";
+        $"{_mesh.Layout.PixelsPerDegree} px/deg, {_mesh.Layout.Part.Tile.RangeText}, cells from line {_mesh.Layout.FirstLine}, "
+            + $"sample {_mesh.Layout.FirstSample} on";
 
     /// <summary>Writes it as a pattern.</summary>
     public void Write(string path, PatternFormat format)
@@ -102,7 +104,10 @@ internal sealed class TraceBlock
     private (Vector3D A, Vector3D B, Vector3D C) Corners(int face) => (
         _verticesKm[_mesh.Faces[3 * face]], _verticesKm[_mesh.Faces[(3 * face) + 1]], _verticesKm[_mesh.Faces[(3 * face) + 2]]);
 
-    /// <summary>Each facet, by T. Moeller, B. Trumbore, J. Graphics Tools 2 (1997) 21, both sides; null if the ray comes near an edge first. To 1e-10 km.</summary>
+    /// <summary>
+    /// Each facet, by T. Moeller, B. Trumbore, J. Graphics Tools 2 (1997) 21, both sides; null if the ray comes near an edge first. To
+    /// 1e-10 km.
+    /// </summary>
     private TraceRay? FirstHit(Vector3D startKm, Vector3D direction)
     {
         double first = double.PositiveInfinity;
@@ -138,7 +143,8 @@ internal sealed class TraceBlock
 
         // A corner's share of the facet's doubled area, divided by the opposite edge, is the distance from that edge.
         double edge = across.Length * Math.Min(
-            insideA / (cornerC - cornerB).Length, Math.Min(inside.AtB / (cornerC - cornerA).Length, inside.AtC / (cornerB - cornerA).Length));
+            insideA / (cornerC - cornerB).Length,
+            Math.Min(inside.AtB / (cornerC - cornerA).Length, inside.AtC / (cornerB - cornerA).Length));
         return new TraceRay(startKm, direction, hit, normal, edge, _originKm);
     }
 

@@ -40,7 +40,8 @@ internal sealed class TraceErrors
     public void Note(TraceBlock block, int pixelsPerDegree, TraceRay ray, Vector3D pointKm, Vector3D normalFound)
     {
         string Input() => string.Create(
-            CultureInfo.InvariantCulture, $"{block.Place}, ray from {ray.StartKm} km along {ray.Direction}: exactly {ray.HitKm}, found {pointKm}");
+            CultureInfo.InvariantCulture,
+            $"{block.Place}, ray from {ray.StartKm} km along {ray.Direction}: exactly {ray.HitKm}, found {pointKm}");
         // A mesh has two sides; which way its normal shows, the viewer decides.
         double normal = double.RadiansToDegrees(Math.Min(
             Vector3D.AngleBetween(normalFound, ray.Normal), Vector3D.AngleBetween(-normalFound, ray.Normal)));
@@ -70,14 +71,16 @@ internal sealed class TraceErrors
     public IEnumerable<StressFigure> Figures(bool isLimited)
     {
         double? Limit(double limit) => isLimited ? limit : null;
-        yield return _missed.ToFigure($"{_form}: rays that miss their facet, although rounded to floats they would meet it", string.Empty, Limit(0.0));
+        yield return _missed.ToFigure(
+            $"{_form}: rays that miss their facet, although rounded to floats they would meet it", string.Empty, Limit(0.0));
         yield return _missedBeyond.ToFigure($"{_form}: rays that miss their facet, and rounded to floats may miss it", string.Empty, null);
         yield return _hit.ToFigure($"{_form}: from the exact hit", "m", null);
         yield return _plane.ToFigure($"{_form}: from the facet's plane", "m", Limit(TracePrecisionStress.MaxFromPlane));
         if (isLimited)
         {
             yield return _planeInFloats.ToFigure(
-                $"{_form}: from the facet's plane, in 2^-24 of the distance from the tile's origin", "1", TracePrecisionStress.MaxFromPlaneInFloats);
+                $"{_form}: from the facet's plane, in 2^-24 of the distance from the tile's origin", "1",
+                TracePrecisionStress.MaxFromPlaneInFloats);
         }
 
         yield return _normal.ToFigure($"{_form}: normal", "degrees", Limit(TracePrecisionStress.MaxNormalDegrees));
@@ -91,6 +94,11 @@ internal sealed class TraceErrors
         _planeOverRayLength.ToSeries($"{_form}: from the facet's plane", "m", "length of the ray", "m", null),
         _planeOverOrigin.ToSeries($"{_form}: from the facet's plane", "m", "distance from the tile's origin", "m", null),
         _hitOverIncidence.ToSeries($"{_form}: from the exact hit", "m", "angle to the normal", "degrees", null),
-        _missedOverRounding.ToSeries($"{_form}: share of rays that miss their facet", "1", "ray's rounding to floats, in parts of the way to the facet's edge", "1", null),
+        _missedOverRounding.ToSeries(
+            $"{_form}: share of rays that miss their facet",
+            "1",
+            "ray's rounding to floats, in parts of the way to the facet's edge",
+            "1",
+            null),
     ];
 }

@@ -31,7 +31,9 @@ public sealed class TracePrecisionStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "POV-Ray's own precision: random rays from 10 m to 4e8 m away, up to 87 degrees from the normal, through the inside of facets of rugged ground, by trace() on tile-local mesh2 patterns and on the thesis's absolute mesh, against the exact facet.";
+        "POV-Ray's own precision: random rays from 10 m to 4e8 m away, up to 87 degrees from the normal, "
+            + "through the inside of facets of rugged ground, by trace() on tile-local mesh2 patterns and on the thesis's absolute mesh, "
+            + "against the exact facet.";
 
     /// <inheritdoc/>
     public string? MissingPart => TestParts.Program("povray") is null ? "POV-Ray" : null;

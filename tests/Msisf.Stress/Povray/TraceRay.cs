@@ -21,8 +21,8 @@ internal sealed record TraceRay(Vector3D StartKm, Vector3D Direction, Vector3D H
     public double Cosine => Math.Abs(Vector3D.Dot(Direction, Normal));
 
     /// <summary>
-    /// How far the hit goes when start and direction are rounded to 32-bit floats, in parts of the way to the facet's edge. POV-Ray asks with
-    /// such a ray which boxes of triangles it meets (Rayinfo); above 1 it may ask past the facet.
+    /// How far the hit goes when start and direction are rounded to 32-bit floats, in parts of the way to the facet's edge. POV-Ray asks
+    /// with such a ray which boxes of triangles it meets (Rayinfo); above 1 it may ask past the facet.
     /// </summary>
     public double RoundedPastEdge =>
         2.0 * TracePrecisionStress.FloatUnit * (StartKm - OriginKm).Length / (Cosine * EdgeKm);

@@ -1,8 +1,8 @@
 namespace Msisf.Stress.Reference;
 
 /// <summary>
-/// A number of some 32 digits as the unevaluated sum of two doubles; <c>default</c> is zero. By fused multiply-add and so no relative of the
-/// program's own <c>DoubleDouble</c>; held against mpmath by tests/golden/stress_pixels.tsv and tests/golden/stress.
+/// A number of some 32 digits as the unevaluated sum of two doubles; <c>default</c> is zero. By fused multiply-add and so no relative of
+/// the program's own <c>DoubleDouble</c>; held against mpmath by tests/golden/stress_pixels.tsv and tests/golden/stress.
 /// </summary>
 /// <param name="High">The sum, rounded to a double.</param>
 /// <param name="Low">What the rounding lost.</param>

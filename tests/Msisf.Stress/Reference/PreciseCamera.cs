@@ -2,7 +2,9 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Stress.Reference;
 
-/// <summary>The camera of thesis section 8.2 by its printed formulas, to some 30 digits (docs/deviations.md, row 7). The inputs count as exact.</summary>
+/// <summary>
+/// The camera of thesis section 8.2 by its printed formulas, to some 30 digits (docs/deviations.md, row 7). The inputs count as exact.
+/// </summary>
 public sealed class PreciseCamera
 {
     private readonly int _width;
@@ -16,7 +18,8 @@ public sealed class PreciseCamera
     /// <param name="fieldOfView">rad, horizontal.</param>
     /// <param name="width">px.</param>
     /// <param name="height">px.</param>
-    public PreciseCamera(Vector3D positionMoonMe, (double X, double Y, double Z, double W) moonFromCamera, double fieldOfView, int width, int height)
+    public PreciseCamera(
+        Vector3D positionMoonMe, (double X, double Y, double Z, double W) moonFromCamera, double fieldOfView, int width, int height)
     {
         _width = width;
         _height = height;
@@ -40,7 +43,9 @@ public sealed class PreciseCamera
         + ((DoubleWord)(1 + _height - (2 * y)) / (2 * _height) * _up)
         + ((DoubleWord)((2 * x) - 1 - _width) / (2 * _width) * _right);
 
-    /// <summary>Where a point is in the image, px from a pixel's centre to the right and down (thesis eq. 9.20); it lies in front.</summary>
+    /// <summary>
+    /// Where a point is in the image, px from a pixel's centre to the right and down (thesis eq. 9.20); it lies in front.
+    /// </summary>
     public (DoubleWord Right, DoubleWord Down) PlaceFrom(int x, int y, PreciseVector point)
     {
         PreciseVector seen = point - Position;

@@ -2,7 +2,9 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Stress.Reference;
 
-/// <summary>A facet of the terrain and rays, to some 30 digits; its corners count as exact, and are counter-clockwise seen from outside.</summary>
+/// <summary>
+/// A facet of the terrain and rays, to some 30 digits; its corners count as exact, and are counter-clockwise seen from outside.
+/// </summary>
 /// <param name="A">m, MOON_ME.</param>
 /// <param name="B">m, MOON_ME.</param>
 /// <param name="C">m, MOON_ME.</param>
@@ -22,7 +24,10 @@ public readonly record struct PreciseFacet(PreciseVector A, PreciseVector B, Pre
     public DoubleWord ParameterOn(PreciseVector origin, PreciseVector direction) =>
         PreciseVector.Dot(Normal, A - origin) / PreciseVector.Dot(Normal, direction);
 
-    /// <summary>How far inside the facet a ray enters the ground, m from its nearest edge; below 0 outside; minus infinity if it comes from below or lies behind.</summary>
+    /// <summary>
+    /// How far inside the facet a ray enters the ground, m from its nearest edge; below 0 outside; minus infinity if it comes from below or
+    /// lies behind.
+    /// </summary>
     /// <param name="origin">m, MOON_ME.</param>
     /// <param name="direction">Any length.</param>
     public double Inside(PreciseVector origin, PreciseVector direction) =>

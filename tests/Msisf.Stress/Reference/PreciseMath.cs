@@ -1,6 +1,8 @@
 namespace Msisf.Stress.Reference;
 
-/// <summary>The functions of angles that the references need, to some 30 digits; the stress test "reference" holds them against mpmath.</summary>
+/// <summary>
+/// The functions of angles that the references need, to some 30 digits; the stress test "reference" holds them against mpmath.
+/// </summary>
 public static class PreciseMath
 {
     /// <summary>2 pi in three doubles, 160 bits (mpmath, 80 digits).</summary>

@@ -19,7 +19,8 @@ public sealed class ReferenceStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "The double-double arithmetic that the tests below measure with: its functions, residuals of Kepler's equation and orbits, against mpmath at 60 digits (tests/reference/stress.py).";
+        "The double-double arithmetic that the tests below measure with: "
+            + "its functions, residuals of Kepler's equation and orbits, against mpmath at 60 digits (tests/reference/stress.py).";
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -32,7 +33,8 @@ public sealed class ReferenceStress : IStressTest
             functions.Length + residuals.Length + orbits.Length,
             [
                 Worst("functions.csv", functions, FunctionError).ToFigure("sine, cosine, x - sin x, root, quotient", "", Functions),
-                Worst("residuals.csv", residuals, ResidualError).ToFigure("residual of Kepler's equation, of M less its turns", "", Residuals),
+                Worst("residuals.csv", residuals, ResidualError).ToFigure(
+                    "residual of Kepler's equation, of M less its turns", "", Residuals),
                 Worst("orbits.csv", orbits, OrbitError).ToFigure("position and velocity, of their length", "", Orbits),
             ],
             []);

@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
@@ -7,8 +6,8 @@ using Msisf.Core.Tiles;
 namespace Msisf.Stress.Selection;
 
 /// <summary>
-/// How many more tiles are kept than can be seen, with the light at the camera. A tile counts as seen if a corner, a middle or the middle of
-/// a side of one of its facets is (<see cref="TileSight"/>): pixels would miss slivers that antialiasing meets.
+/// How many more tiles are kept than can be seen, with the light at the camera. A tile counts as seen if a corner, a middle or the middle
+/// of a side of one of its facets is (<see cref="TileSight"/>): pixels would miss slivers that antialiasing meets.
 /// </summary>
 /// <param name="moon">The Moon, at 4 px/deg.</param>
 /// <param name="summary">What the selection goes by.</param>
@@ -40,7 +39,12 @@ internal sealed class ExcessMeasure(JudgedMoon moon, ElevationSummary summary, i
 
             return
             [
-                new StressFigure("tiles kept to tiles seen, all cameras together", "1", (double)_kept / _seen, TotalLimit, $"{_kept} kept, {_seen} seen"),
+                new StressFigure(
+                    "tiles kept to tiles seen, all cameras together",
+                    "1",
+                    (double)_kept / _seen,
+                    TotalLimit,
+                    $"{_kept} kept, {_seen} seen"),
                 At(0.5, "median"), At(0.9, "90 percent"), At(0.99, "99 percent"), At(1.0, "worst"),
                 new StressFigure("cameras that keep tiles and see none", "cameras", _blind, null, string.Empty),
             ];
@@ -81,7 +85,8 @@ internal sealed class ExcessMeasure(JudgedMoon moon, ElevationSummary summary, i
         if (seen > 0)
         {
             double altitude = Math.Abs(camera.PositionMoonMe.Length - MoonConstants.ReferenceRadius);
-            _cameras.Add(((double)kept.Count / seen, altitude, $"CameraCases {firstCamera + number} ({kind}): {kept.Count} kept, {seen} seen"));
+            _cameras.Add(
+                ((double)kept.Count / seen, altitude, $"CameraCases {firstCamera + number} ({kind}): {kept.Count} kept, {seen} seen"));
         }
     }
 

@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
@@ -25,7 +24,8 @@ internal sealed class SelectionMeasure(JudgedMoon moon, ElevationSummary summary
     public IEnumerable<StressFigure> Figures =>
     [
         _differences.ToFigure($"{moon.Grid.ProductId}: pixels that differ from the image with all tiles", string.Empty, 0.0),
-        _missed.ToFigure($"{moon.Grid.ProductId}: tiles that a pixel's ray meets and that are missed, light at the camera", string.Empty, 0.0),
+        _missed.ToFigure(
+            $"{moon.Grid.ProductId}: tiles that a pixel's ray meets and that are missed, light at the camera", string.Empty, 0.0),
         new StressFigure($"{moon.Grid.ProductId}: pixels compared", "pixels", _pixels, null, $"{_lit} lit, {_kept} tiles kept in all"),
     ];
 

@@ -1,4 +1,4 @@
-using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Tiles;
 
 namespace Msisf.Stress.Selection;
 
@@ -13,7 +13,8 @@ public sealed class SelectionStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "Cameras of twelve kinds with the Sun anywhere, a third of them low, on LDEM_4 and on a made-up Moon with 40 km of relief: images with the "
+        "Cameras of twelve kinds with the Sun anywhere, a third of them low, on LDEM_4 and on a made-up Moon with 40 km of relief: "
+            + "images with the "
         + "selected tiles alone against images with all, by rays through every facet, pixel by pixel; and kept tiles against tiles seen.";
 
     /// <inheritdoc/>

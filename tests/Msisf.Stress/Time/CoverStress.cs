@@ -24,7 +24,8 @@ public sealed class CoverStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "The Sun at times inside the kernels' cover, outside it by 1e-6 s to 1e6 days, and at numbers that are no dates, up to 1e300, infinite, NaN: a position, or an error that says what is wrong.";
+        "The Sun at times inside the kernels' cover, outside it by 1e-6 s to 1e6 days, and at numbers that are no dates, up to 1e300, "
+            + "infinite, NaN: a position, or an error that says what is wrong.";
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)

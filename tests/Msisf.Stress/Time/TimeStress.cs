@@ -10,7 +10,10 @@ public sealed class TimeStress : IStressTest
     private const double SecondsADay = 86400.0;
     private const double Microsecond = 1e-6;
 
-    /// <summary>ulp: the two roundings of UTC seconds and TDB, half a unit each; the whole second at which SPICE takes the Earth's anomaly makes 2e-10 s, a hundredth at most.</summary>
+    /// <summary>
+    /// ulp: the two roundings of UTC seconds and TDB, half a unit each; the whole second at which SPICE takes the Earth's anomaly makes
+    /// 2e-10 s, a hundredth at most.
+    /// </summary>
     private const double TdbError = 1.05;
 
     /// <summary>s: half of what an MJD of 32768 to 65535 (1948 to 2038) is rounded to, 2^-37 days = 6.3e-7 s.</summary>
@@ -35,7 +38,8 @@ public sealed class TimeStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "UTC to TDB next to all 28 leap seconds, against IERS's dates and mpmath; intervals of 1,000 steps of 1e-6 s from random times of 1972 to 2038, and after, where an MJD is too coarse for them.";
+        "UTC to TDB next to all 28 leap seconds, against IERS's dates and mpmath; "
+            + "intervals of 1,000 steps of 1e-6 s from random times of 1972 to 2038, and after, where an MJD is too coarse for them.";
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
@@ -50,7 +54,10 @@ public sealed class TimeStress : IStressTest
             leapSeconds.Length + ((long)intervals * (StepsOfAnInterval + 1)),
             [
                 all.Tdb.ToFigure("TDB next to a leap second", "ulp", TdbError),
-                all.Leap.ToFigure("seconds of TDB from the last MJD of a day with a leap second to midnight, without that of the MJD: difference from 1", "s", LeapError),
+                all.Leap.ToFigure(
+                    "seconds of TDB from the last MJD of a day with a leap second to midnight, without that of the MJD: difference from 1",
+                    "s",
+                    LeapError),
                 all.Place.ToFigure("MJD of a step of 1e-6 s: difference from its place", "s", MjdError),
                 all.Step.ToFigure("length of a step of 1e-6 s in MJD: difference", "s", StepError),
                 all.TdbStep.ToFigure("length of a step of 1e-6 s in TDB: difference", "s", TdbStepError),

@@ -4,7 +4,7 @@ namespace Msisf.TestSupport;
 internal sealed record ChildRun(int ExitCode, string Output, string Error)
 {
     /// <summary>Far above what any program here takes, even on a busy machine.</summary>
-    private static readonly TimeSpan Limit = TimeSpan.FromMinutes(5);
+    private static readonly TimeSpan Limit = TimeSpan.FromMinutes(10);
 
     /// <summary>Runs a program to its end.</summary>
     /// <param name="program">Its file.</param>

@@ -14,14 +14,17 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
     /// <exception cref="TimeoutException">It did not end in time; the message has what it was called with.</exception>
     /// <param name="arguments">As <c>main</c> gets them.</param>
     /// <param name="standardInput">What stands on standard input.</param>
-    /// <param name="configHome">XDG_CONFIG_HOME; by default a folder that is not there, so that the settings of whoever runs the tests play no part.</param>
+    /// <param name="configHome">
+    /// XDG_CONFIG_HOME; by default a folder that is not there, so that the settings of whoever runs the tests play no part.
+    /// </param>
     public static CommandLineRun Of(IReadOnlyList<string> arguments, string standardInput = "", string configHome = "/no-settings")
     {
         using StringWriter output = new();
         using StringWriter error = new();
         string? Variable(string name) => name == "XDG_CONFIG_HOME" ? configHome : Environment.GetEnvironmentVariable(name);
         ProgramHost host = ConsoleHost.Create(output, error, () => new StringReader(standardInput), TimeProvider.System, Variable);
-        int exitCode = Within.Seconds(LimitSeconds, $"msis {string.Join(' ', arguments)}", Task.Run(() => CommandLineProgram.RunAsync(arguments, host)))
+        int exitCode = Within.Seconds(
+            LimitSeconds, $"msis {string.Join(' ', arguments)}", Task.Run(() => CommandLineProgram.RunAsync(arguments, host)))
             .GetAwaiter()
             .GetResult();
         return new CommandLineRun(exitCode, output.ToString(), error.ToString());

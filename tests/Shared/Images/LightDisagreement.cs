@@ -1,8 +1,8 @@
 namespace Msisf.TestSupport.Images;
 
 /// <summary>
-/// How often an image is dark where the truth is lit, or lit where it is dark. Only pixels count about which the truth has no doubt: all its samples
-/// show the surface, and all of them are lit or none is. A pixel on the edge of a shadow is neither.
+/// How often an image is dark where the truth is lit, or lit where it is dark. Only pixels count about which the truth has no doubt: all
+/// its samples show the surface, and all of them are lit or none is. A pixel on the edge of a shadow is neither.
 /// </summary>
 /// <param name="Pixels">Pixels that count.</param>
 /// <param name="DarkInstead">Of these, lit in truth and dark in the image.</param>
@@ -10,8 +10,8 @@ namespace Msisf.TestSupport.Images;
 internal readonly record struct LightDisagreement(int Pixels, int DarkInstead, int LitInstead)
 {
     /// <summary>
-    /// Level of 255 from which on a pixel is lit: I/F 0.004, an antialiased edge beside the pixel gives no more. Facets that the Sun grazes stay
-    /// below it by rights, so pixels count as lit in truth from <see cref="SurelyLit"/> on.
+    /// Level of 255 from which on a pixel is lit: I/F 0.004, an antialiased edge beside the pixel gives no more. Facets that the Sun grazes
+    /// stay below it by rights, so pixels count as lit in truth from <see cref="SurelyLit"/> on.
     /// </summary>
     private const double MinLit = 13.0;
 

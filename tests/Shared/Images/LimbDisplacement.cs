@@ -1,9 +1,9 @@
 namespace Msisf.TestSupport.Images;
 
 /// <summary>
-/// How far the silhouette against the sky is displaced. At each pixel of the lit limb a profile of the linear grey is taken across it, from inside
-/// to outside; the edge is where the profile, coming from outside, first reaches half of the truth's mean just inside. The displacement is the
-/// image's edge less the truth's, positive outwards.
+/// How far the silhouette against the sky is displaced. At each pixel of the lit limb a profile of the linear grey is taken across it, from
+/// inside to outside; the edge is where the profile, coming from outside, first reaches half of the truth's mean just inside. The
+/// displacement is the image's edge less the truth's, positive outwards.
 /// </summary>
 /// <param name="Points">Places along the limb; 0 if no lit limb is in the image.</param>
 /// <param name="Rms">px.</param>

@@ -35,9 +35,12 @@ internal sealed partial class PovRayTrace
     /// <param name="direction">Any length.</param>
     public void Add(string name, Vector3D startKm, Vector3D direction) => _scene.Append(
         CultureInfo.InvariantCulture,
-        $"#declare H = trace({name}, {Text(startKm)}, {Text(direction)}, N);\n#debug concat(\"HIT \",vstr(3,H,\",\",0,12),\"\\n\")\n#debug concat(\"NORMAL \",vstr(3,N,\",\",0,15),\"\\n\")\n");
+        $"#declare H = trace({name}, {Text(startKm)}, {Text(direction)}, "
+            + $"N);\n#debug concat(\"HIT \",vstr(3,H,\",\",0,12),\"\\n\")\n#debug concat(\"NORMAL \",vstr(3,N,\",\",0,15),\"\\n\")\n");
 
-    /// <summary>The answers to all rays in their order: the point in km and the normal; a normal of length 0 says that nothing was hit.</summary>
+    /// <summary>
+    /// The answers to all rays in their order: the point in km and the normal; a normal of length 0 says that nothing was hit.
+    /// </summary>
     /// <exception cref="InvalidOperationException">POV-Ray failed.</exception>
     public (Vector3D PointKm, Vector3D Normal)[] Run()
     {

@@ -54,7 +54,7 @@ final class InterruptedGenerationTest extends GenerationTestCase
             $run->wait();
             PrivateServer::shared()->restart();
 
-            self::assertRefused(3, 'database: ', $run);
+            self::assertRefused(3, 'error: database /', $run);
             self::assertMatchesRegularExpression('/The server has gone away|Is the server running/', $run->errors);
         }
 

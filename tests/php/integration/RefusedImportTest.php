@@ -197,6 +197,26 @@ final class RefusedImportTest extends ImportTestCase
         self::assertStringNotContainsString(self::PASSWORD, $run->errors);
     }
 
+    public function testVerifyTableThatWasDroppedSaysToImportIt(): void
+    {
+        $label = $this->smallProduct();
+        self::assertDone($this->import([$label]));
+        $this->execute('DROP TABLE ldem_4');
+        self::assertRefused(3, "doesn't exist (error 1146). Import the elevation model first", $this->import(['--verify', $label]));
+    }
+
+    public function testImportOtherServiceOnThePortIsNamed(): void
+    {
+        $listener = stream_socket_server('tcp://127.0.0.1:0');
+        $address = (string) stream_socket_get_name($listener, false);
+        $run = $this->start([$this->smallProduct()], ['MSISF_DB_HOST' => '127.0.0.1', 'MSISF_DB_SOCKET' => '', 'MSISF_DB_PORT' => substr($address, 10)]);
+        $client = stream_socket_accept($listener, 30);
+        fwrite($client, "SSH-2.0-OpenSSH_9.2\r\n");
+        fclose($client);
+        self::assertRefused(3, "database $address: ", $run->wait());
+        self::assertStringContainsString('Is it a MySQL or MariaDB server that answers there? Check host and port.', $run->errors);
+    }
+
     public function testImportNoDatabaseSaysHowToMakeIt(): void
     {
         $run = $this->import([$this->smallProduct()], ['MSISF_DB_DATABASE' => 'never_made']);
@@ -210,7 +230,12 @@ final class RefusedImportTest extends ImportTestCase
         $passwords = ['MSISF_DB_IMPORT_PASSWORD' => self::PASSWORD, 'MSISF_DB_READ_PASSWORD' => self::PASSWORD . "'\\"];
         $created = $this->import(['--create'], ['MSISF_DB_DATABASE' => $database, ...$passwords]);
         self::assertDone($created);
-        self::assertDone($this->import(['--create'], ['MSISF_DB_DATABASE' => $database, ...$passwords]));
+        self::assertSame("database $database made\nuser 'msisf_import'@'localhost' made\nuser 'msisf_read'@'localhost' made\n", $created->output);
+        $again = $this->import(['--create'], ['MSISF_DB_DATABASE' => $database, ...$passwords]);
+        self::assertDone($again);
+        self::assertSame('', $again->output);
+        self::assertStringContainsString("database $database was there and stays as it is", $again->errors);
+        self::assertStringContainsString("user 'msisf_read'@'localhost' was there and stays as it is", $again->errors);
         try {
             $importer = $this->optionFile($database, 'msisf_import', self::PASSWORD);
             $reader = $this->optionFile($database, 'msisf_read', self::PASSWORD . "'\\\\");

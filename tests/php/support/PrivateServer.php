@@ -7,7 +7,7 @@ namespace Msisf\Tests\Support;
 use PDO;
 use RuntimeException;
 
-/** A MariaDB of the tests' own: own folder, own socket, no network. Ends with the test run. */
+/** A MariaDB of the tests' own: own folder, own socket, no network unless asked for. Ends with the test run. */
 final class PrivateServer
 {
     private static ?self $shared = null;
@@ -19,7 +19,8 @@ final class PrivateServer
 
     private int $databases = 0;
 
-    private function __construct()
+    /** @param list<string> $options how to be reached */
+    private function __construct(private readonly array $options)
     {
         $this->folder = new TemporaryFolder();
         $install = ScriptRun::start([
@@ -29,6 +30,11 @@ final class PrivateServer
         if ($install->exitCode !== 0) {
             throw new RuntimeException($install->output . $install->errors);
         }
+        // Before the first connection: the installation lets root in from 127.0.0.1, too.
+        file_put_contents(
+            $this->folder->path('init'),
+            "DELETE FROM mysql.global_priv WHERE User = 'root' AND Host <> 'localhost'; FLUSH PRIVILEGES;\n",
+        );
         $this->restart();
     }
 
@@ -41,7 +47,15 @@ final class PrivateServer
     {
         Parts::mariadbd();
 
-        return self::$shared ??= new self();
+        return self::$shared ??= new self(['--skip-networking']);
+    }
+
+    /** @param list<string> $options how to be reached; root may come by the socket only */
+    public static function withNetwork(array $options): self
+    {
+        Parts::mariadbd();
+
+        return new self([...$options, '--skip-name-resolve']);
     }
 
     /** @return array<string, string> the connection to a new, empty database */
@@ -88,8 +102,8 @@ final class PrivateServer
         $log = ['file', $this->folder->path('log'), 'a'];
         $this->process = proc_open([
             Parts::mariadbd(), '--no-defaults', '--user=' . self::account(), '--datadir=' . $this->folder->path('data'),
-            '--socket=' . $this->folder->path('socket'), '--pid-file=' . $this->folder->path('pid'), '--skip-networking',
-            '--local-infile=1', '--innodb-buffer-pool-size=512M', '--innodb-log-file-size=128M', '--innodb-flush-log-at-trx-commit=2',
+            '--socket=' . $this->folder->path('socket'), '--pid-file=' . $this->folder->path('pid'), ...$this->options,
+            '--init-file=' . $this->folder->path('init'), '--local-infile=1', '--innodb-buffer-pool-size=512M', '--innodb-log-file-size=128M', '--innodb-flush-log-at-trx-commit=2',
         ], [['file', '/dev/null', 'r'], $log, $log], $pipes);
         $deadline = hrtime(true) + 60_000_000_000;
         while (true) {

@@ -3,7 +3,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain.Pds;
 
-/// <summary>Reads a PDS3 label, attached or detached: nested objects, comments, texts, sequences and sets over several lines, units.</summary>
+/// <summary>
+/// Reads a PDS3 label, attached or detached: nested objects, comments, texts, sequences and sets over several lines, units.
+/// </summary>
 /// <remarks>Planetary Data System Standards Reference 3.8, chapters 5 and 12.</remarks>
 public sealed class PdsLabelParser
 {
@@ -27,7 +29,8 @@ public sealed class PdsLabelParser
         PdsLabelParser parser = new(text, file);
         if (parser._token is not { Kind: PdsTokenKind.Word, Text: "PDS_VERSION_ID" or "CCSD3ZF0000100000001NJPL3IF0PDSX00000001" })
         {
-            throw new BadInputException($"{file}: not a PDS3 label (it does not begin with PDS_VERSION_ID). Give the .LBL file that belongs to the elevation model.");
+            throw new BadInputException($"{file}: not a PDS3 label (it does not begin with PDS_VERSION_ID). "
+                + $"Give the .LBL file that belongs to the elevation model.");
         }
 
         PdsObject label = new(file, "the label", line: 1);
@@ -65,7 +68,11 @@ public sealed class PdsLabelParser
     {
         if (keyword.Text != (closing ?? "END"))
         {
-            throw Wrong(keyword, closing is null ? "no object is open here" : $"{closing} = {target.Name} is needed first (line {target.Line.ToString(CultureInfo.InvariantCulture)} opens it)");
+            throw Wrong(
+                keyword,
+                closing is null
+                    ? "no object is open here"
+                    : $"{closing} = {target.Name} is needed first (line {target.Line.ToString(CultureInfo.InvariantCulture)} opens it)");
         }
 
         if (closing is not null && _token.IsSign("="))
@@ -74,7 +81,9 @@ public sealed class PdsLabelParser
             PdsToken name = Take(PdsTokenKind.Word, "an object's name");
             if (name.Text != target.Name)
             {
-                throw Wrong(name, $"{closing} = {target.Name} is needed first (line {target.Line.ToString(CultureInfo.InvariantCulture)} opens it)");
+                throw Wrong(
+                    name,
+                    $"{closing} = {target.Name} is needed first (line {target.Line.ToString(CultureInfo.InvariantCulture)} opens it)");
             }
         }
     }
@@ -155,5 +164,6 @@ public sealed class PdsLabelParser
 
     private BadInputException Wrong(PdsToken found, string need) => new(string.Create(
         CultureInfo.InvariantCulture,
-        $"{_file}, line {found.Line}: {(found.Kind == PdsTokenKind.End ? "the label ends" : $"'{found.Text}'")}; {need}. Is this a whole PDS3 label?"));
+        $"{_file}, line {found.Line}: {(found.Kind == PdsTokenKind.End ? "the label ends" : $"'{found.Text}'")}; {need}. "
+            + $"Is this a whole PDS3 label?"));
 }

@@ -54,7 +54,7 @@ public sealed class PdsObject
     public string RequiredText(string keyword)
     {
         PdsValue value = Required(keyword);
-        return value.Items is null && value.Text.Length > 0 ? value.ToString() : throw Unfit(keyword, value, "one text is needed");
+        return value.Items is null && value.Text.Length > 0 ? value.ToString() : throw WrongValue(keyword, value, "one text is needed");
     }
 
     /// <summary>The number of a keyword that must be there; its unit, if it has one, must be one of the given spellings.</summary>
@@ -75,11 +75,11 @@ public sealed class PdsObject
     public int? OptionalInteger(string keyword, int minimum, int maximum) =>
         Find(keyword) is { } value ? Integer(keyword, value, minimum, maximum) : null;
 
-    /// <summary>The error for a value that can't be.</summary>
+    /// <summary>The error for a value that is not allowed.</summary>
     /// <param name="keyword">The keyword.</param>
     /// <param name="value">Its value.</param>
     /// <param name="need">What is needed instead.</param>
-    public BadInputException Unfit(string keyword, PdsValue value, string need) => new(string.Create(
+    public BadInputException WrongValue(string keyword, PdsValue value, string need) => new(string.Create(
         CultureInfo.InvariantCulture, $"{_file}, line {value.Line}: {keyword} = {value}; {need}."));
 
     /// <summary>Adds a keyword while the label is read.</summary>
@@ -88,7 +88,7 @@ public sealed class PdsObject
     {
         if (!_values.TryAdd(keyword, value) && _values[keyword].ToString() != value.ToString())
         {
-            throw Unfit(keyword, value, string.Create(
+            throw WrongValue(keyword, value, string.Create(
                 CultureInfo.InvariantCulture, $"line {_values[keyword].Line} of the same object says {_values[keyword]}"));
         }
     }
@@ -100,12 +100,12 @@ public sealed class PdsObject
     {
         if (value.Items is not null || value.IsQuoted || !TryParse(value.Text, out double number))
         {
-            throw Unfit(keyword, value, "a finite number is needed");
+            throw WrongValue(keyword, value, "a finite number is needed");
         }
 
         return units.Length == 0 || value.Unit is null || units.Contains(value.Unit, StringComparer.OrdinalIgnoreCase)
             ? number
-            : throw Unfit(keyword, value, $"the unit <{units[0]}> is needed");
+            : throw WrongValue(keyword, value, $"the unit <{units[0]}> is needed");
     }
 
     private int Integer(string keyword, PdsValue value, int minimum, int maximum)
@@ -113,7 +113,7 @@ public sealed class PdsObject
         double number = Number(keyword, value, []);
         return number == Math.Floor(number) && number >= minimum && number <= maximum
             ? (int)number
-            : throw Unfit(keyword, value, string.Create(
+            : throw WrongValue(keyword, value, string.Create(
                 CultureInfo.InvariantCulture, $"a whole number from {minimum} to {maximum} is needed"));
     }
 

@@ -38,7 +38,8 @@ internal sealed class PdsTokenizer
         {
             '"' or '\'' => Enclosed(PdsTokenKind.Quoted, first, "quotation"),
             '<' => Enclosed(PdsTokenKind.Unit, '>', "unit"),
-            _ when Signs.Contains(first, StringComparison.Ordinal) => new PdsToken(PdsTokenKind.Sign, _text.Substring(_position++, 1), _line),
+            _ when Signs.Contains(first, StringComparison.Ordinal) =>
+                new PdsToken(PdsTokenKind.Sign, _text.Substring(_position++, 1), _line),
             _ => Word(),
         };
     }

@@ -16,7 +16,9 @@ internal readonly record struct TerrainNode(SphericalCap Cap, double MinRadius, 
         return (middle * Cap.Centre, Math.Max(ToRim(middle, MinRadius), ToRim(middle, MaxRadius)));
     }
 
-    /// <summary>Distance from the point at height <paramref name="middle"/> on the cap's axis to the rim at a radius; the farthest at that radius.</summary>
+    /// <summary>
+    /// Distance from the point at height <paramref name="middle"/> on the cap's axis to the rim at a radius; the farthest at that radius.
+    /// </summary>
     private double ToRim(double middle, double radius)
     {
         double along = (radius * Cap.CosRadius) - middle;

@@ -25,7 +25,9 @@ public sealed class GreyScale
     /// <summary>From linear grey to the numbers of the image.</summary>
     public GreyTransfer Transfer { get; }
 
-    /// <summary>The level of one radiance factor, by the plain formula: rounded to the nearest, as POV-Ray does, black and white beyond the ends.</summary>
+    /// <summary>
+    /// The level of one radiance factor, by the plain formula: rounded to the nearest, as POV-Ray does, black and white beyond the ends.
+    /// </summary>
     /// <param name="radianceFactor">I/F.</param>
     /// <param name="maxLevel">White: 255 or 65535.</param>
     public int Level(double radianceFactor, int maxLevel) =>

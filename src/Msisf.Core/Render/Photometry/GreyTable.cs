@@ -9,8 +9,8 @@ namespace Msisf.Core.Render.Photometry;
 public sealed class GreyTable
 {
     /// <summary>
-    /// Steps of the table for one level. A level is nowhere narrower than the sRGB curve is steep, 1 / 12.92 of full scale over the number of
-    /// levels; 16 steps are narrower still, so that no two borders share a step.
+    /// Steps of the table for one level. A level is nowhere narrower than the sRGB curve is steep, 1 / 12.92 of full scale over the number
+    /// of levels; 16 steps are narrower still, so that no two borders share a step.
     /// </summary>
     private const int StepsPerLevel = 16;
 

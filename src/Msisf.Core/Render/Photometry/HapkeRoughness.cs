@@ -3,7 +3,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>
-/// Shadows that unresolved slopes cast and hide (Hapke, Icarus 59 (1984), p. 41; numbers here are those of his book of 2012, eq. 12.45-12.54).
+/// Shadows that unresolved slopes cast and hide (Hapke, Icarus 59 (1984), p. 41; numbers here are those of his book of 2012, eq.
+/// 12.45-12.54).
 /// </summary>
 internal sealed class HapkeRoughness
 {

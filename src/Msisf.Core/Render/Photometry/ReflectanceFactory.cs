@@ -19,11 +19,15 @@ public static class ReflectanceFactory
         ["hapke"] = ["w", "b", "c", "b0", "h", "theta"],
     };
 
+    /// <summary>The names of the laws.</summary>
+    public static IReadOnlyList<string> Laws { get; } = [.. ParametersOfLaw.Keys];
+
     /// <summary>Makes the law.</summary>
     /// <param name="law">Its name.</param>
     /// <param name="parameters">Values by name; what is missing has the Moon's value.</param>
     /// <param name="albedo">
-    /// I/F with Sun and viewer in the zenith, 0 to 1; null for <see cref="DefaultAlbedo"/>. Hapke's law with a w has the brightness that w gives, and takes none.
+    /// I/F with Sun and viewer in the zenith, 0 to 1; null for <see cref="DefaultAlbedo"/>. Hapke's law with a w has the brightness that w
+    /// gives, and takes none.
     /// </param>
     /// <exception cref="BadInputException">An unknown law or parameter, a value out of range, or both w and an albedo.</exception>
     public static IReflectance Create(string law, IReadOnlyDictionary<string, double> parameters, double? albedo = null)
@@ -33,7 +37,8 @@ public static class ReflectanceFactory
             throw new BadInputException($"Reflectance law '{law}' is not known. Known laws: {ValidValues}.");
         }
 
-        if (parameters.Keys.Where(name => !known.Contains(name, StringComparer.Ordinal)).Order(StringComparer.Ordinal).FirstOrDefault() is string unknown)
+        if (parameters.Keys.Where(
+            name => !known.Contains(name, StringComparer.Ordinal)).Order(StringComparer.Ordinal).FirstOrDefault() is string unknown)
         {
             string possible = known.Length == 0 ? "It has none" : $"It has {string.Join(", ", known)}";
             throw new BadInputException($"Reflectance law {law} has no parameter '{unknown}'. {possible}.");

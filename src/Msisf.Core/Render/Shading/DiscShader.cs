@@ -5,7 +5,9 @@ using Msisf.Core.Render.Visibility;
 
 namespace Msisf.Core.Render.Shading;
 
-/// <summary>Turns the hidden points of the Sun's disc into each pixel's visible fraction and mean cosine. Safe for several threads.</summary>
+/// <summary>
+/// Turns the hidden points of the Sun's disc into each pixel's visible fraction and mean cosine. Safe for several threads.
+/// </summary>
 internal sealed class DiscShader
 {
     private readonly ConcurrentBag<SurfaceRow> _rows = [];
@@ -41,7 +43,8 @@ internal sealed class DiscShader
         }, cancellation);
 
     private void FindParts(
-        VisibleSurface visible, SunDisc disc, int row, Span<double> cosines, Span<double> fractions, Span<byte> hidden, ReadOnlySpan<ulong> points)
+        VisibleSurface visible, SunDisc disc, int row, Span<double> cosines, Span<double> fractions, Span<byte> hidden,
+        ReadOnlySpan<ulong> points)
     {
         SurfaceRow pixels = _rows.TryTake(out SurfaceRow? idle) ? idle : new SurfaceRow();
         visible.Read(row + 1, pixels);

@@ -4,8 +4,8 @@ namespace Msisf.Core.Render.Shading;
 internal sealed class PixelSunlight
 {
     /// <summary>
-    /// Cosine of the incidence angle on the facet, of the Sun's disc the mean over its visible part; 0 or less where the facet faces away or
-    /// there is no surface.
+    /// Cosine of the incidence angle on the facet, of the Sun's disc the mean over its visible part; 0 or less where the facet faces away
+    /// or there is no surface.
     /// </summary>
     public double[] CosIncidence { get; private set; } = [];
 

@@ -92,7 +92,8 @@ internal sealed class RowShader
     }
 
     private static double RadianceFactor(
-        VisibleSurface visible, int y, SurfaceRow row, int i, double cosIncidence, SmoothNormals? normals, SceneLight light, IReflectance law)
+        VisibleSurface visible, int y, SurfaceRow row, int i, double cosIncidence, SmoothNormals? normals, SceneLight light,
+        IReflectance law)
     {
         Vector3D camera = visible.View.Camera.PositionMoonMe;
         Vector3D point = new(row.X[i], row.Y[i], row.Z[i]);
@@ -103,7 +104,8 @@ internal sealed class RowShader
         toLight /= Math.Sqrt(toLight.LengthSquared);
         Vector3D toCamera = camera - point;
         toCamera /= Math.Sqrt(toCamera.LengthSquared);
-        if (normals is not null && Smooth(normals, visible.FacetOf(y, row.Facets[i]), normal, point, camera) is var smooth && smooth != normal)
+        if (normals is not null && Smooth(normals, visible.FacetOf(y, row.Facets[i]), normal, point, camera) is var smooth
+            && smooth != normal)
         {
             normal = smooth;
             cosIncidence = Math.Min(Vector3D.Dot(normal, toLight), 1.0);
@@ -116,7 +118,9 @@ internal sealed class RowShader
             : 0.0;
     }
 
-    /// <summary>At the limb a normal between the samples can look away from the camera, where no law has a value: there the facet's own is left.</summary>
+    /// <summary>
+    /// At the limb a normal between the samples can look away from the camera, where no law has a value: there the facet's own is left.
+    /// </summary>
     private static Vector3D Smooth(SmoothNormals normals, FacetId facet, Vector3D facetNormal, Vector3D point, Vector3D camera)
     {
         Vector3D normal = normals.At(facet, facetNormal, point);

@@ -59,8 +59,7 @@ internal sealed class SmoothNormals
             for (int column = 0; column < PatchSize; column++)
             {
                 int at = (sample - 1 + column + _surface.Mesh.Samples) % _surface.Mesh.Samples;
-                SineCosine longitude = new(_surface.LongitudeSines[at], _surface.LongitudeCosines[at]);
-                _vertices[(row * PatchSize) + column] = LatticePoint.Nearest(_radii[column], _surface.Latitude(vertexLine), longitude).PositionMoonMe;
+                _vertices[(row * PatchSize) + column] = _surface.Vertex(vertexLine, at, _radii[column]);
             }
         }
 

@@ -6,7 +6,9 @@ namespace Msisf.Core.Render.Shadows;
 /// <summary>Tells which parts of the terrain can throw a shadow on a receiver, from bounds alone.</summary>
 internal sealed class CasterBounds
 {
-    /// <summary>1: for the rounding of directions, cosines and products of three of them, and of what the light frame makes of them.</summary>
+    /// <summary>
+    /// 1: for the rounding of directions, cosines and products of three of them, and of what the light frame makes of them.
+    /// </summary>
     private const double Rounding = 1e-12;
 
     private readonly LightFrame _frame;
@@ -36,12 +38,10 @@ internal sealed class CasterBounds
     }
 
     /// <summary>Whether a facet that faces away from the Sun may lie in front of a receiver.</summary>
-    /// <param name="cap">Holds the facets.</param>
-    /// <param name="min">m: no facet is lower.</param>
-    /// <param name="max">m: no facet is higher.</param>
-    /// <param name="maxSlope">Tangent of an angle that no facet's slope exceeds; infinite if it is not known.</param>
-    public bool MayCast(SphericalCap cap, double min, double max, double maxSlope)
+    /// <param name="node">Holds the facets; its slope is infinite if it is not known.</param>
+    public bool MayCast(in TerrainNode node)
     {
+        (SphericalCap cap, double min, double max, double maxSlope) = node;
         double w = Vector3D.Dot(cap.Centre, _frame.AxisW);
         if (!MayFaceAway(-w, cap, maxSlope))
         {

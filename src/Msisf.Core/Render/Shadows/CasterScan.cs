@@ -11,7 +11,10 @@ namespace Msisf.Core.Render.Shadows;
 /// </summary>
 internal sealed class CasterScan
 {
-    /// <summary>From so many bins under a strip on, each facet is tried alone against vectors of receivers; below, each receiver against vectors of facets.</summary>
+    /// <summary>
+    /// From so many bins under a strip on, each facet is tried alone against vectors of receivers; below, each receiver against vectors of
+    /// facets.
+    /// </summary>
     private const int ManyBins = 64;
 
     private readonly SurfaceModel _surface;

@@ -8,9 +8,10 @@ namespace Msisf.Core.Render.Shadows;
 /// <summary>Finds the blocks of a model that may throw a shadow on receivers.</summary>
 internal sealed class CasterSearch
 {
-    private readonly BlockTree _tree;
+    private readonly BoundsTree _tree;
+    private readonly NodeBounds _modelBounds;
     private readonly double _maxRadius;
-    private readonly List<CellBlock> _groups = [];
+    private readonly List<(int Row, int Column)> _groups = [];
     private readonly List<CellBlock> _blocks = [];
     private CellBlock[] _found = [];
     private int[] _counts = [];
@@ -19,8 +20,9 @@ internal sealed class CasterSearch
     /// <param name="surface">The model.</param>
     public CasterSearch(SurfaceModel surface)
     {
-        _tree = new BlockTree(surface);
+        _tree = surface.Bounds;
         (double min, double max) = surface.Grid.RadiusLimits;
+        _modelBounds = new NodeBounds(MathF.BitDecrement((float)min), MathF.BitIncrement((float)max), float.PositiveInfinity);
         _maxRadius = max + Tolerances.VertexLattice;
         SolidRadius = (min * MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree)) - Tolerances.VertexLattice;
     }
@@ -51,17 +53,18 @@ internal sealed class CasterSearch
     {
         CasterBounds bounds = new(receivers, slope, _maxRadius);
         _groups.Clear();
-        _tree.FindGroups(bounds, _groups);
+        int top = _tree.Layout.Levels - 1;
+        FindGroups(top, new NodeRange(0, _tree.Layout.Rows(top), 0, _tree.Layout.Columns(top)), bounds);
         if (_counts.Length < _groups.Count)
         {
             _counts = new int[2 * _groups.Count];
-            _found = new CellBlock[2 * _groups.Count * BlockTree.GroupBlocks];
+            _found = new CellBlock[2 * _groups.Count * SquareLayout.GroupBlocks];
         }
 
         WorkerTeam.Run(
             threads,
             _groups.Count,
-            (_, group) => _counts[group] = _tree.FindBlocks(_groups[group], bounds, BlocksOf(group)),
+            (_, group) => _counts[group] = FindBlocks(_groups[group], bounds, BlocksOf(group)),
             cancellation);
         _blocks.Clear();
         for (int group = 0; group < _groups.Count; group++)
@@ -72,5 +75,54 @@ internal sealed class CasterSearch
         return _blocks;
     }
 
-    private Span<CellBlock> BlocksOf(int group) => _found.AsSpan(group * BlockTree.GroupBlocks, BlockTree.GroupBlocks);
+    /// <summary>
+    /// Finds the groups that may cast a shadow on a receiver. The bounds of a node are the model's until all its blocks have been read.
+    /// </summary>
+    private void FindGroups(int level, NodeRange nodes, CasterBounds bounds)
+    {
+        for (int row = nodes.FirstRow; row < nodes.EndRow; row++)
+        {
+            for (int column = nodes.FirstColumn; column < nodes.EndColumn; column++)
+            {
+                if (!MayCast(
+                    level, row, column, _tree.TryGetKnown(level, row, column, out NodeBounds known) ? known : _modelBounds, bounds))
+                {
+                    continue;
+                }
+
+                if (level == SquareLayout.GroupLevel)
+                {
+                    _groups.Add((row, column));
+                }
+                else
+                {
+                    FindGroups(level - 1, _tree.Layout.ChildrenOf(level, row, column), bounds);
+                }
+            }
+        }
+    }
+
+    /// <summary>Finds the blocks of a group that may cast a shadow on a receiver; reads those that were not read yet.</summary>
+    private int FindBlocks((int Row, int Column) group, CasterBounds bounds, Span<CellBlock> blocks)
+    {
+        NodeRange children = _tree.Layout.ChildrenOf(SquareLayout.GroupLevel, group.Row, group.Column);
+        int count = 0;
+        for (int row = children.FirstRow; row < children.EndRow; row++)
+        {
+            for (int column = children.FirstColumn; column < children.EndColumn; column++)
+            {
+                if (MayCast(SquareLayout.CellBlockLevel, row, column, _tree.Of(SquareLayout.CellBlockLevel, row, column), bounds))
+                {
+                    blocks[count++] = new CellBlock(row, column);
+                }
+            }
+        }
+
+        return count;
+    }
+
+    private bool MayCast(int level, int row, int column, NodeBounds found, CasterBounds bounds) =>
+        bounds.MayCast(_tree.NodeOf(_tree.CapOf(level, row, column), found));
+
+    private Span<CellBlock> BlocksOf(int group) => _found.AsSpan(group * SquareLayout.GroupBlocks, SquareLayout.GroupBlocks);
 }

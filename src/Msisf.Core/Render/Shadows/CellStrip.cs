@@ -1,13 +1,14 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Eight neighbouring cells of a line in light space, those of their facets that face away from the Sun, and where these lie.</summary>
+/// <summary>
+/// Eight neighbouring cells of a line in light space, those of their facets that face away from the Sun, and where these lie.
+/// </summary>
 /// <param name="vertices">The block's, in light space; the strip is set anew in them again and again.</param>
 internal sealed class CellStrip(BlockVertices vertices)
 {
@@ -43,8 +44,8 @@ internal sealed class CellStrip(BlockVertices vertices)
     public bool TrySet(int line, int sample, in LightBox receivers, double slope)
     {
         _northWest = (line * BlockVertices.Stride) + sample;
-        ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
-        ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
+        ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
+        ref double vs = ref BlockVertices.CornersFrom(vertices.Y, _northWest);
         Vector512<double> uNorthWest = Vector512.LoadUnsafe(ref us);
         Vector512<double> vNorthWest = Vector512.LoadUnsafe(ref vs);
         Vector512<double> uNorthEast = Vector512.LoadUnsafe(ref us, 1);
@@ -53,10 +54,8 @@ internal sealed class CellStrip(BlockVertices vertices)
         Vector512<double> vSouthWest = Vector512.LoadUnsafe(ref vs, BlockVertices.Stride);
         Vector512<double> uSouthEast = Vector512.LoadUnsafe(ref us, BlockVertices.Stride + 1);
         Vector512<double> vSouthEast = Vector512.LoadUnsafe(ref vs, BlockVertices.Stride + 1);
-        Vector512<double> uDiagonal = uSouthEast - uNorthWest;
-        Vector512<double> vDiagonal = vSouthEast - vNorthWest;
-        Vector512<double> southWest = ((uSouthWest - uNorthWest) * vDiagonal) - ((vSouthWest - vNorthWest) * uDiagonal);
-        Vector512<double> northEast = (uDiagonal * (vNorthEast - vNorthWest)) - (vDiagonal * (uNorthEast - uNorthWest));
+        Vector512<double> southWest = CellEdges.Area(uNorthWest, vNorthWest, uSouthWest, vSouthWest, uSouthEast, vSouthEast);
+        Vector512<double> northEast = CellEdges.Area(uNorthWest, vNorthWest, uSouthEast, vSouthEast, uNorthEast, vNorthEast);
         Vector512<double> minU = Min(uNorthWest, uNorthEast, uSouthWest, uSouthEast);
         Vector512<double> maxU = Max(uNorthWest, uNorthEast, uSouthWest, uSouthEast);
         Vector512<double> minV = Min(vNorthWest, vNorthEast, vSouthWest, vSouthEast);
@@ -80,7 +79,7 @@ internal sealed class CellStrip(BlockVertices vertices)
             return false;
         }
 
-        ref double ws = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Z), _northWest);
+        ref double ws = ref BlockVertices.CornersFrom(vertices.Z, _northWest);
         MinDepth = Min(isAway, Min(
             Vector512.LoadUnsafe(ref ws),
             Vector512.LoadUnsafe(ref ws, 1),
@@ -95,13 +94,14 @@ internal sealed class CellStrip(BlockVertices vertices)
     /// <param name="b">Next vertex, counterclockwise from above.</param>
     /// <param name="c">Last vertex.</param>
     public LightFacet Facet(int a, int b, int c) => new(
-        vertices.X[a], vertices.Y[a], vertices.Z[a], vertices.X[b], vertices.Y[b], vertices.Z[b], vertices.X[c], vertices.Y[c], vertices.Z[c]);
+        vertices.X[a], vertices.Y[a], vertices.Z[a], vertices.X[b], vertices.Y[b], vertices.Z[b], vertices.X[c], vertices.Y[c],
+        vertices.Z[c]);
 
     /// <summary>A slab along the cells that holds all those of <see cref="Box"/>: narrower than the box where cells lie aslant.</summary>
     public LightSlab FindSlab()
     {
-        ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
-        ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
+        ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
+        ref double vs = ref BlockVertices.CornersFrom(vertices.Y, _northWest);
         Vector512<double> isAway = _isSouthWestAway | _isNorthEastAway;
         uint away = (uint)isAway.ExtractMostSignificantBits();
         int first = BitOperations.TrailingZeroCount(away);
@@ -132,9 +132,9 @@ internal sealed class CellStrip(BlockVertices vertices)
     /// <param name="slope">Of the disc.</param>
     public uint CellsNear(Vector3D point, double slope)
     {
-        ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
-        ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
-        ref double ws = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Z), _northWest);
+        ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
+        ref double vs = ref BlockVertices.CornersFrom(vertices.Y, _northWest);
+        ref double ws = ref BlockVertices.CornersFrom(vertices.Z, _northWest);
         (Vector512<double> minU, Vector512<double> maxU) = Bounds(ref us);
         (Vector512<double> minV, Vector512<double> maxV) = Bounds(ref vs);
         (Vector512<double> minW, _) = Bounds(ref ws);
@@ -151,14 +151,14 @@ internal sealed class CellStrip(BlockVertices vertices)
 
     /// <summary>Whether a facet that faces away lies between a point and the Sun.</summary>
     /// <remarks>
-    /// The edge functions are exactly antisymmetric in an edge's ends, so of two facets that share it at least one holds each point of
-    /// it. A facet's depth at the point is the mean of its corners' with these weights, and only its sign against the point's is
-    /// needed: nothing is divided. <see cref="FacetCaster"/> does the same sums for one facet and eight points.
+    /// Of two facets that share an edge at least one holds each point of it (<see cref="CellEdges"/>). A facet's depth at the point is the
+    /// mean of its corners' with the edges as weights, and only its sign against the point's is needed: nothing is divided.
+    /// <see cref="FacetCaster"/> does the same sums for one facet and eight points.
     /// </remarks>
     public bool IsInFrontOf(double u, double v, double w)
     {
-        ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
-        ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
+        ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
+        ref double vs = ref BlockVertices.CornersFrom(vertices.Y, _northWest);
         Vector512<double> pu = Vector512.Create(u);
         Vector512<double> pv = Vector512.Create(v);
         Vector512<double> uNorthWest = Vector512.LoadUnsafe(ref us) - pu;
@@ -169,28 +169,22 @@ internal sealed class CellStrip(BlockVertices vertices)
         Vector512<double> vSouthWest = Vector512.LoadUnsafe(ref vs, BlockVertices.Stride) - pv;
         Vector512<double> uSouthEast = Vector512.LoadUnsafe(ref us, BlockVertices.Stride + 1) - pu;
         Vector512<double> vSouthEast = Vector512.LoadUnsafe(ref vs, BlockVertices.Stride + 1) - pv;
-        Vector512<double> diagonal = (uSouthEast * vNorthWest) - (uNorthWest * vSouthEast);
-        Vector512<double> west = (uNorthWest * vSouthWest) - (uSouthWest * vNorthWest);
-        Vector512<double> south = (uSouthWest * vSouthEast) - (uSouthEast * vSouthWest);
-        Vector512<double> east = (uSouthEast * vNorthEast) - (uNorthEast * vSouthEast);
-        Vector512<double> north = (uNorthEast * vNorthWest) - (uNorthWest * vNorthEast);
-        Vector512<double> inSouthWest = _isSouthWestAway & Vector512.GreaterThanOrEqual(
-            Vector512.MinNative(diagonal, Vector512.MinNative(west, south)), Vector512<double>.Zero);
-        Vector512<double> inNorthEast = _isNorthEastAway & Vector512.GreaterThanOrEqual(
-            Vector512.MinNative(-diagonal, Vector512.MinNative(east, north)), Vector512<double>.Zero);
+        CellEdges edges = new(uNorthWest, vNorthWest, uNorthEast, vNorthEast, uSouthWest, vSouthWest, uSouthEast, vSouthEast);
+        Vector512<double> inSouthWest = _isSouthWestAway & Vector512.GreaterThanOrEqual(edges.MinOfSouthWest, Vector512<double>.Zero);
+        Vector512<double> inNorthEast = _isNorthEastAway & Vector512.GreaterThanOrEqual(edges.MinOfNorthEast, Vector512<double>.Zero);
         if ((inSouthWest | inNorthEast) == Vector512<double>.Zero)
         {
             return false;
         }
 
-        ref double ws = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Z), _northWest);
+        ref double ws = ref BlockVertices.CornersFrom(vertices.Z, _northWest);
         Vector512<double> pw = Vector512.Create(w);
         Vector512<double> wNorthWest = Vector512.LoadUnsafe(ref ws) - pw;
         Vector512<double> wNorthEast = Vector512.LoadUnsafe(ref ws, 1) - pw;
         Vector512<double> wSouthWest = Vector512.LoadUnsafe(ref ws, BlockVertices.Stride) - pw;
         Vector512<double> wSouthEast = Vector512.LoadUnsafe(ref ws, BlockVertices.Stride + 1) - pw;
-        Vector512<double> southWest = (south * wNorthWest) + (diagonal * wSouthWest) + (west * wSouthEast);
-        Vector512<double> northEast = (east * wNorthWest) + (north * wSouthEast) + (-diagonal * wNorthEast);
+        Vector512<double> southWest = (edges.South * wNorthWest) + (-edges.Diagonal * wSouthWest) + (edges.West * wSouthEast);
+        Vector512<double> northEast = (edges.East * wNorthWest) + (edges.North * wSouthEast) + (edges.Diagonal * wNorthEast);
         return ((inSouthWest & Vector512.LessThan(southWest, Vector512<double>.Zero))
             | (inNorthEast & Vector512.LessThan(northEast, Vector512<double>.Zero))) != Vector512<double>.Zero;
     }
@@ -202,9 +196,9 @@ internal sealed class CellStrip(BlockVertices vertices)
     private (Vector512<double> SouthWest, Vector512<double> NorthEast) MaxAreas(
         Vector512<double> southWest, Vector512<double> northEast, double slope)
     {
-        ref double us = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.X), _northWest);
-        ref double vs = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Y), _northWest);
-        ref double ws = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(vertices.Z), _northWest);
+        ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
+        ref double vs = ref BlockVertices.CornersFrom(vertices.Y, _northWest);
+        ref double ws = ref BlockVertices.CornersFrom(vertices.Z, _northWest);
         Vector512<double> u = Vector512.LoadUnsafe(ref us);
         Vector512<double> v = Vector512.LoadUnsafe(ref vs);
         Vector512<double> w = Vector512.LoadUnsafe(ref ws);
@@ -238,7 +232,9 @@ internal sealed class CellStrip(BlockVertices vertices)
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<double> Across(ref double us, ref double vs, nuint corner, double acrossU, double acrossV) =>
-        (Vector512.LoadUnsafe(ref us, corner) * Vector512.Create(acrossU)) + (Vector512.LoadUnsafe(ref vs, corner) * Vector512.Create(acrossV));
+        (
+            Vector512.LoadUnsafe(
+                ref us, corner) * Vector512.Create(acrossU)) + (Vector512.LoadUnsafe(ref vs, corner) * Vector512.Create(acrossV));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<double> Min(Vector512<double> a, Vector512<double> b, Vector512<double> c, Vector512<double> d) =>

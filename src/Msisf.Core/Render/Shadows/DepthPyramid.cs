@@ -60,7 +60,9 @@ internal sealed class DepthPyramid
         }
     }
 
-    /// <summary>No receiver in some bins is deeper; m, minus infinity if there is none. Looks at few squares, so it may say too much.</summary>
+    /// <summary>
+    /// No receiver in some bins is deeper; m, minus infinity if there is none. Looks at few squares, so it may say too much.
+    /// </summary>
     public float Max(GridRange bins)
     {
         int level = 0;

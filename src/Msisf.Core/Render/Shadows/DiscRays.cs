@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
@@ -93,6 +94,8 @@ internal sealed class DiscRays
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<double> Corners(double[] coordinates, int a, int b, int c)
     {
+        Debug.Assert(Math.Max(a, Math.Max(b, c)) < coordinates.Length
+            && Math.Min(a, Math.Min(b, c)) >= 0, "A facet lies outside its block.");
         ref double first = ref MemoryMarshal.GetArrayDataReference(coordinates);
         return Vector256.Create(Unsafe.Add(ref first, a), Unsafe.Add(ref first, b), Unsafe.Add(ref first, c), 0.0);
     }

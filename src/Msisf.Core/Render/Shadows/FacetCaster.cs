@@ -1,6 +1,7 @@
 using System.Numerics;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
@@ -59,9 +60,9 @@ internal static class FacetCaster
             Vector512<double> vb = Vector512.Create(facet.Vb) - v;
             Vector512<double> uc = Vector512.Create(facet.Uc) - u;
             Vector512<double> vc = Vector512.Create(facet.Vc) - v;
-            Vector512<double> weightA = (ub * vc) - (uc * vb);
-            Vector512<double> weightB = (uc * va) - (ua * vc);
-            Vector512<double> weightC = (ua * vb) - (ub * va);
+            Vector512<double> weightA = CellEdges.Cross(ub, vb, uc, vc);
+            Vector512<double> weightB = CellEdges.Cross(uc, vc, ua, va);
+            Vector512<double> weightC = CellEdges.Cross(ua, va, ub, vb);
             Vector512<double> isInside = Vector512.GreaterThanOrEqual(
                 Vector512.MinNative(weightA, Vector512.MinNative(weightB, weightC)), Vector512<double>.Zero);
             if (isInside == Vector512<double>.Zero)

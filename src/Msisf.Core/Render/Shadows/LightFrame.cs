@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -54,6 +55,8 @@ internal sealed class LightFrame
     /// <param name="z">m, MOON_ME z; becomes w.</param>
     public void FromMoonMe(Span<double> x, Span<double> y, Span<double> z)
     {
+        Debug.Assert(x.Length % Vector512<double>.Count == 0 && y.Length == x.Length
+            && z.Length == x.Length, "Points are not in whole vectors.");
         ref double xs = ref MemoryMarshal.GetReference(x);
         ref double ys = ref MemoryMarshal.GetReference(y);
         ref double zs = ref MemoryMarshal.GetReference(z);

@@ -8,7 +8,9 @@ namespace Msisf.Core.Render.Shadows;
 /// <param name="slope">Of the Sun's disc.</param>
 internal readonly struct NightZone(double solidRadius, double slope)
 {
-    /// <summary>For eight points at once. Where w is 0, light space and space are the same, and there a ray is moved by the slope times w at most.</summary>
+    /// <summary>
+    /// For eight points at once. Where w is 0, light space and space are the same, and there a ray is moved by the slope times w at most.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector512<double> Holds(Vector512<double> u, Vector512<double> v, Vector512<double> w)
     {

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -32,7 +33,10 @@ internal sealed class ReceiverGrid
     /// <summary>Receivers.</summary>
     public int Length { get; private set; }
 
-    /// <summary>Light space, m; the last ones are followed by a vector that means nothing, as in the other arrays.</summary>
+    /// <summary>
+    /// Light space, m. The last receiver is followed by a vector that means nothing, as in the other arrays, so that vectors can be read
+    /// from any receiver of a <see cref="Run"/> without range checks.
+    /// </summary>
     public double[] U { get; private set; } = [];
 
     /// <inheritdoc cref="U"/>
@@ -229,6 +233,7 @@ internal sealed class ReceiverGrid
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (int First, int End) Run(int row, int firstColumn, int lastColumn)
     {
+        Debug.Assert(row >= 0 && row < Size && firstColumn >= 0 && lastColumn < Size, "A bin lies outside the grid.");
         ref int start = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_starts), row * Size);
         return (Unsafe.Add(ref start, firstColumn), Unsafe.Add(ref start, lastColumn + 1));
     }

@@ -53,7 +53,8 @@ internal sealed class ReceiverRows
     {
         int start = Start(row);
         int width = receivers.Width;
-        int count = receivers.Read(row, U.AsSpan(start, width), V.AsSpan(start, width), W.AsSpan(start, width), Columns.AsSpan(start, width));
+        int count = receivers.Read(
+            row, U.AsSpan(start, width), V.AsSpan(start, width), W.AsSpan(start, width), Columns.AsSpan(start, width));
         int padding = PaddedCount(count) - count;
         U.AsSpan(start + count, padding).Clear();
         V.AsSpan(start + count, padding).Clear();

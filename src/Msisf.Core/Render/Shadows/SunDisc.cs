@@ -28,7 +28,9 @@ internal sealed class SunDisc
 
     private static readonly int[] Rings = [4, 12, 20, 28];
 
-    /// <summary>Parts of the angle between two points of a ring by which it is turned: of quarters, those that lessen the maximum error.</summary>
+    /// <summary>
+    /// Parts of the angle between two points of a ring by which it is turned: of quarters, those that lessen the maximum error.
+    /// </summary>
     private static readonly double[] Turns = [0.5, 0.75, 0.0, 0.75];
 
     private readonly Vector3D[] _pointsMoonMe;

@@ -1,3 +1,6 @@
+using System.Diagnostics;
+using System.Runtime.CompilerServices;
+
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
@@ -11,7 +14,9 @@ internal sealed class Band
 
     private const int FirstCapacity = 1024;
 
-    /// <summary>Behind the last column, so that eight pixels can be written from any column on.</summary>
+    /// <summary>
+    /// Elements behind the last column of a row, so that eight pixels can be read and written from any column on without range checks.
+    /// </summary>
     private const int Padding = 8;
 
     private FacetRecord[] _records = new FacetRecord[FirstCapacity];
@@ -58,6 +63,16 @@ internal sealed class Band
         {
             InverseDepths.AsSpan(0, size).Clear();
         }
+    }
+
+    /// <summary>
+    /// Index of a pixel in <see cref="InverseDepths"/> and <see cref="Facets"/>; seven more pixels may be read and written from there.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int IndexOf(int column, int row)
+    {
+        Debug.Assert((uint)column < (uint)Width && row >= FirstRow && row <= LastRow, "A pixel lies outside its band.");
+        return ((row - FirstRow) * Stride) + column;
     }
 
     /// <summary>Records a facet; returns its number.</summary>

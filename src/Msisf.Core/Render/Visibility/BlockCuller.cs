@@ -17,7 +17,6 @@ internal sealed class BlockCuller
     private const double BoundsRounding = 1.0;
 
     private readonly SurfaceModel _surface;
-    private readonly BlockTree _tree;
     private readonly (double Min, double Max) _limits;
     private readonly double _sagitta;
     private readonly double _tilt;
@@ -28,7 +27,6 @@ internal sealed class BlockCuller
     public BlockCuller(SurfaceModel surface)
     {
         _surface = surface;
-        _tree = new BlockTree(surface.Mesh);
         (double min, double max) = surface.Grid.RadiusLimits;
         _limits = (min - BoundsRounding, max + BoundsRounding);
         _sagitta = MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree);
@@ -41,7 +39,15 @@ internal sealed class BlockCuller
         ViewFrustum frustum = view.Frustum();
         MoonHorizon horizon = new(view.Camera.PositionMoonMe, LowestPoint(_limits.Min));
         _candidates.Clear();
-        _tree.Collect(frustum, horizon, _limits, _candidates);
+        int top = _surface.Bounds.Layout.Levels - 1;
+        for (int row = 0; row < _surface.Bounds.Layout.Rows(top); row++)
+        {
+            for (int column = 0; column < _surface.Bounds.Layout.Columns(top); column++)
+            {
+                Descend(top, row, column, frustum, horizon);
+            }
+        }
+
         if (_found.Length < _candidates.Count)
         {
             _found = new VisibleBlock?[_candidates.Count + (_candidates.Count / 2)];
@@ -69,15 +75,45 @@ internal sealed class BlockCuller
         return _visible;
     }
 
+    /// <summary>
+    /// Collects the blocks of a node that may be in the image if all that is known of the surface is how far it may reach.
+    /// </summary>
+    private void Descend(int level, int row, int column, ViewFrustum frustum, MoonHorizon horizon)
+    {
+        NodeBox box = _surface.Bounds.BoxOf(level, row, column, _limits.Min, _limits.Max);
+        if (horizon.Hides(box, _limits.Max) || !frustum.TryFindRows(box.Box, out _))
+        {
+            return;
+        }
+
+        if (level == SquareLayout.CellBlockLevel)
+        {
+            _candidates.Add(new CellBlock(row, column));
+            return;
+        }
+
+        // Quarter by quarter, and these again: blocks that follow each other are neighbours.
+        NodeRange children = _surface.Bounds.Layout.ChildrenOf(level, row, column);
+        for (int child = 0; child < SquareLayout.GroupBlocks; child++)
+        {
+            int childRow = children.FirstRow + ((child >> 2) & 2) + ((child >> 1) & 1);
+            int childColumn = children.FirstColumn + ((child >> 1) & 2) + (child & 1);
+            if (childRow < children.EndRow && childColumn < children.EndColumn)
+            {
+                Descend(level - 1, childRow, childColumn, frustum, horizon);
+            }
+        }
+    }
+
     private VisibleBlock? Look(CellBlock block, ViewFrustum frustum, MoonHorizon horizon)
     {
-        BlockBounds bounds = _surface.Bounds.Of(block);
+        NodeBounds bounds = _surface.Bounds.Of(SquareLayout.CellBlockLevel, block.Row, block.Column);
         if (bounds.Min < _limits.Min || bounds.Max > _limits.Max)
         {
             throw OutsideLimits(block, bounds);
         }
 
-        BlockBox box = _tree.Blocks.Box(block.Row, block.Column, bounds.Min, bounds.Max);
+        NodeBox box = _surface.Bounds.BoxOf(SquareLayout.CellBlockLevel, block.Row, block.Column, bounds.Min, bounds.Max);
         if (horizon.Hides(box, bounds.Max)
             || horizon.IsTurnedAway(box, LowestPoint(bounds.Min), bounds.MaxSlope + _tilt)
             || !frustum.TryFindRows(box.Box, out PixelRows rows))
@@ -88,12 +124,15 @@ internal sealed class BlockCuller
         return new VisibleBlock(block, rows);
     }
 
-    private BadInputException OutsideLimits(CellBlock block, BlockBounds bounds)
+    private BadInputException OutsideLimits(CellBlock block, NodeBounds bounds)
     {
         CellRange cells = block.Cells(_surface.Mesh);
         return new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"{_surface.Grid.ProductId}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, samples {cells.FirstSample + 1} to {cells.EndSample + 1}: radii from {bounds.Min:R} to {bounds.Max:R} m, but no radius may lie outside {_limits.Min:R} to {_limits.Max:R} m. The file is damaged: get it again."));
+            $"{_surface.Grid.ProductId}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, "
+                + $"samples {cells.FirstSample + 1} to {cells.EndSample + 1}: "
+                + $"radii from {bounds.Min:R} to {bounds.Max:R} m, but no radius may lie outside {_limits.Min:R} to {_limits.Max:R} m. "
+                + $"The file is damaged: get it again."));
     }
 
     private double LowestPoint(double minRadius) => (minRadius * _sagitta) - Tolerances.VertexLattice;

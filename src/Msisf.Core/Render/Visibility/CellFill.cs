@@ -1,10 +1,11 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>Fills both facets of one cell together, rows of eight pixels at a time, by the edges of <see cref="CellSieve"/>.</summary>
+/// <summary>Fills both facets of one cell together, rows of eight pixels at a time, by their <see cref="CellEdges"/>.</summary>
 internal static class CellFill
 {
     private const int Lanes = 8;
@@ -60,7 +61,7 @@ internal static class CellFill
             Vector512<double> downSouthEast = Vector512.Create(southEast.Y - row);
             Vector512<double> southWestStart = Vector512.Create(southWestPlane.AtColumn0(row));
             Vector512<double> northEastStart = Vector512.Create(northEastPlane.AtColumn0(row));
-            int start = (row - band.FirstRow) * band.Stride;
+            int start = band.IndexOf(begin, row) - begin;
             ref double nearest = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(band.InverseDepths), start);
             ref int facets = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(band.Facets), start);
             for (int column = begin; column <= end; column += Lanes)
@@ -70,15 +71,11 @@ internal static class CellFill
                 Vector512<double> acrossNorthEast = Vector512.Create(northEast.X) - columns;
                 Vector512<double> acrossSouthWest = Vector512.Create(southWest.X) - columns;
                 Vector512<double> acrossSouthEast = Vector512.Create(southEast.X) - columns;
-                Vector512<double> diagonalEdge = (acrossNorthWest * downSouthEast) - (acrossSouthEast * downNorthWest);
-                Vector512<double> westEdge = (acrossNorthWest * downSouthWest) - (acrossSouthWest * downNorthWest);
-                Vector512<double> southEdge = (acrossSouthWest * downSouthEast) - (acrossSouthEast * downSouthWest);
-                Vector512<double> eastEdge = (acrossSouthEast * downNorthEast) - (acrossNorthEast * downSouthEast);
-                Vector512<double> northEdge = (acrossNorthEast * downNorthWest) - (acrossNorthWest * downNorthEast);
-                Vector512<double> inSouthWest = southWestMask & Vector512.LessThanOrEqual(
-                    Vector512.MaxNative(Vector512.MaxNative(westEdge, southEdge), -diagonalEdge), Vector512<double>.Zero);
-                Vector512<double> inNorthEast = northEastMask & Vector512.LessThanOrEqual(
-                    Vector512.MaxNative(Vector512.MaxNative(eastEdge, northEdge), diagonalEdge), Vector512<double>.Zero);
+                CellEdges edges = new(
+                    acrossNorthWest, downNorthWest, acrossNorthEast, downNorthEast, acrossSouthWest, downSouthWest, acrossSouthEast,
+                    downSouthEast);
+                Vector512<double> inSouthWest = southWestMask & Vector512.LessThanOrEqual(edges.MaxOfSouthWest, Vector512<double>.Zero);
+                Vector512<double> inNorthEast = northEastMask & Vector512.LessThanOrEqual(edges.MaxOfNorthEast, Vector512<double>.Zero);
                 Vector512<double> inverseDepth = Vector512.ConditionalSelect(
                     inSouthWest,
                     southWestStart + (Vector512.Create(southWestPlane.PerColumn) * columns),

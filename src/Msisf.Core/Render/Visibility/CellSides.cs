@@ -3,7 +3,9 @@ using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>The sides of one cell and its diagonal; tells between which columns it crosses a row. Three lanes repeat the diagonal.</summary>
+/// <summary>
+/// The sides of one cell and its diagonal; tells between which columns it crosses a row. Three lanes repeat the diagonal.
+/// </summary>
 internal readonly struct CellSides
 {
     /// <summary>px: more than rounding moves a crossing.</summary>
@@ -24,7 +26,9 @@ internal readonly struct CellSides
         _perRow = (Vector512.Create(c.X, d.X, b.X, a.X, d.X, d.X, d.X, d.X) - _x) / (_otherY - _y);
     }
 
-    /// <summary>Columns outside of which no pixel of the row lies in the cell. A side along the row adds none: its neighbours end where it does.</summary>
+    /// <summary>
+    /// Columns outside of which no pixel of the row lies in the cell. A side along the row adds none: its neighbours end where it does.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (double First, double Last) At(double row)
     {

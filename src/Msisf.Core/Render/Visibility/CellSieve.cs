@@ -1,7 +1,9 @@
+using System.Diagnostics;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Visibility;
 
@@ -10,15 +12,16 @@ namespace Msisf.Core.Render.Visibility;
 /// against their pixels together, each cell with its own pixel; wide ones are filled one by one.
 /// </summary>
 /// <remarks>
-/// Whether a pixel lies in a facet is told by the signs of its edges, (a - p) x (b - p), without FMA: the same edge run through the other
-/// way has exactly the opposite value, and zero counts as inside, so no pixel falls between two facets. The edges are also the corners'
-/// weights, by which one over the depth, which is linear in the image, is that of the pixel.
+/// Whether a pixel lies in a facet is told by the signs of its <see cref="CellEdges"/>, which leave no pixel between two facets. The edges
+/// are also the corners' weights, by which one over the depth, which is linear in the image, is that of the pixel.
 /// </remarks>
 internal sealed class CellSieve
 {
     private const int Lanes = 8;
 
-    /// <summary>px: cells that are this wide, on the average of their rows, are filled row by row; measured: there both ways take as long.</summary>
+    /// <summary>
+    /// px: cells that are this wide, on the average of their rows, are filled row by row; measured: there both ways take as long.
+    /// </summary>
     private const double WideCell = 4.0;
 
     private readonly double[] _inverseDepths = new double[Lanes];
@@ -127,22 +130,18 @@ internal sealed class CellSieve
             Vector512<double> acrossNorthEast = cells.X(FacetCorners.NorthEast) - column;
             Vector512<double> acrossSouthWest = cells.X(FacetCorners.SouthWest) - column;
             Vector512<double> acrossSouthEast = cells.X(FacetCorners.SouthEast) - column;
-            Vector512<double> diagonal = (acrossNorthWest * downSouthEast) - (acrossSouthEast * downNorthWest);
-            Vector512<double> west = (acrossNorthWest * downSouthWest) - (acrossSouthWest * downNorthWest);
-            Vector512<double> south = (acrossSouthWest * downSouthEast) - (acrossSouthEast * downSouthWest);
-            Vector512<double> east = (acrossSouthEast * downNorthEast) - (acrossNorthEast * downSouthEast);
-            Vector512<double> north = (acrossNorthEast * downNorthWest) - (acrossNorthWest * downNorthEast);
-            Vector512<double> inSouthWest = southWestMask & Vector512.LessThanOrEqual(
-                Vector512.MaxNative(Vector512.MaxNative(west, south), -diagonal), Vector512<double>.Zero);
-            Vector512<double> inNorthEast = northEastMask & Vector512.LessThanOrEqual(
-                Vector512.MaxNative(Vector512.MaxNative(east, north), diagonal), Vector512<double>.Zero);
+            CellEdges edges = new(
+                acrossNorthWest, downNorthWest, acrossNorthEast, downNorthEast, acrossSouthWest, downSouthWest, acrossSouthEast,
+                downSouthEast);
+            Vector512<double> inSouthWest = southWestMask & Vector512.LessThanOrEqual(edges.MaxOfSouthWest, Vector512<double>.Zero);
+            Vector512<double> inNorthEast = northEastMask & Vector512.LessThanOrEqual(edges.MaxOfNorthEast, Vector512<double>.Zero);
             uint hits = active & Bits(inSouthWest | inNorthEast);
             if (hits != 0)
             {
                 // A pixel in both is on the diagonal, where they are equally deep.
-                Vector512<double> ofNorthWest = Vector512.ConditionalSelect(inSouthWest, south, east);
-                Vector512<double> ofSouthEast = Vector512.ConditionalSelect(inSouthWest, west, north);
-                Vector512<double> ofThird = Vector512.ConditionalSelect(inSouthWest, -diagonal, diagonal);
+                Vector512<double> ofNorthWest = Vector512.ConditionalSelect(inSouthWest, edges.South, edges.East);
+                Vector512<double> ofSouthEast = Vector512.ConditionalSelect(inSouthWest, edges.West, edges.North);
+                Vector512<double> ofThird = Vector512.ConditionalSelect(inSouthWest, -edges.Diagonal, edges.Diagonal);
                 Vector512<double> atThird = Vector512.ConditionalSelect(
                     inSouthWest, cells.InverseDepth(FacetCorners.SouthWest), cells.InverseDepth(FacetCorners.NorthEast));
                 Vector512<double> weighted = (ofNorthWest * cells.InverseDepth(0))
@@ -171,6 +170,7 @@ internal sealed class CellSieve
         {
             int lane = BitOperations.TrailingZeroCount(hits);
             int pixel = (int)Unsafe.Add(ref pixels, lane);
+            Debug.Assert((uint)pixel < (uint)band.Facets.Length, "A pixel lies outside its band.");
             double inverseDepth = Unsafe.Add(ref inverseDepths, lane);
             if (inverseDepth > Unsafe.Add(ref nearest, pixel))
             {

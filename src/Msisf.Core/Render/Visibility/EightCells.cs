@@ -1,10 +1,13 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>The projected corners of eight neighbouring cells of a line, read again from the block's arrays wherever they are needed: there are not registers for all.</summary>
+/// <summary>
+/// The projected corners of eight neighbouring cells of a line, read again from the block's arrays wherever they are needed: there are not
+/// registers for all.
+/// </summary>
 internal readonly ref struct EightCells
 {
     private readonly ref double _x;
@@ -16,9 +19,9 @@ internal readonly ref struct EightCells
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public EightCells(ProjectedBlock block, int index)
     {
-        _x = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(block.X), index);
-        _y = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(block.Y), index);
-        _inverseDepth = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(block.InverseDepth), index);
+        _x = ref BlockVertices.CornersFrom(block.X, index);
+        _y = ref BlockVertices.CornersFrom(block.Y, index);
+        _inverseDepth = ref BlockVertices.CornersFrom(block.InverseDepth, index);
     }
 
     /// <summary>Minimum column of each cell.</summary>
@@ -35,13 +38,13 @@ internal readonly ref struct EightCells
 
     /// <summary>px2: twice the area of the south-western facets, below 0 where they face the camera.</summary>
     public Vector512<double> SouthWestArea =>
-        ((X(FacetCorners.SouthWest) - X(0)) * (Y(FacetCorners.SouthEast) - Y(0)))
-        - ((X(FacetCorners.SouthEast) - X(0)) * (Y(FacetCorners.SouthWest) - Y(0)));
+        CellEdges.Area(
+            X(0), Y(0), X(FacetCorners.SouthWest), Y(FacetCorners.SouthWest), X(FacetCorners.SouthEast), Y(FacetCorners.SouthEast));
 
     /// <summary>px2: the same of the north-eastern facets.</summary>
     public Vector512<double> NorthEastArea =>
-        ((X(FacetCorners.SouthEast) - X(0)) * (Y(FacetCorners.NorthEast) - Y(0)))
-        - ((X(FacetCorners.NorthEast) - X(0)) * (Y(FacetCorners.SouthEast) - Y(0)));
+        CellEdges.Area(
+            X(0), Y(0), X(FacetCorners.SouthEast), Y(FacetCorners.SouthEast), X(FacetCorners.NorthEast), Y(FacetCorners.NorthEast));
 
     /// <summary>Column of a corner of each cell.</summary>
     /// <param name="corner">Of <see cref="FacetCorners"/>; 0 is the north-western one.</param>

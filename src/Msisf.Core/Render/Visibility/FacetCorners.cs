@@ -1,6 +1,8 @@
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>Where the corners of a cell's facets are among the vertices of a <see cref="ProjectedBlock"/>, from its north-western one.</summary>
+/// <summary>
+/// Where the corners of a cell's facets are among the vertices of a <see cref="ProjectedBlock"/>, from its north-western one.
+/// </summary>
 internal static class FacetCorners
 {
     /// <summary>To the cell's north-eastern vertex.</summary>

@@ -7,11 +7,14 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// A camera's image as the raster sees it: columns and rows from 0 at the pixel centres, x to the right, y down, for vertices that
-/// are given from <see cref="Origin"/>, the point of the vertex lattice nearest to the camera, so that they and their differences are exact.
+/// are given from <see cref="Origin"/>, the point of the vertex lattice nearest to the camera, so that they and their differences are
+/// exact.
 /// </summary>
 internal sealed class ImageView
 {
-    /// <summary>px: where a projected vertex may lie for its products to keep 1e-9 px; beyond it, its edges are computed in space.</summary>
+    /// <summary>
+    /// px: where a projected vertex may lie for its products to keep 1e-9 px; beyond it, its edges are computed in space.
+    /// </summary>
     private const double MinCoordinateLimit = 32768.0;
 
     /// <summary>m from the Moon's centre: from here on a plane is known better from there than from the camera.</summary>
@@ -59,7 +62,9 @@ internal sealed class ImageView
     /// <summary>m: from the origin to the camera.</summary>
     public Vector3D Remainder { get; }
 
-    /// <summary>m, MOON_ME: the lattice point that planes are given from; near the camera, or, for a camera far away, the Moon's centre.</summary>
+    /// <summary>
+    /// m, MOON_ME: the lattice point that planes are given from; near the camera, or, for a camera far away, the Moon's centre.
+    /// </summary>
     public Vector3D Anchor { get; }
 
     /// <summary>m: from the anchor to the origin, exact.</summary>
@@ -98,10 +103,14 @@ internal sealed class ImageView
     /// <summary>px: vertices that are projected farther out are not used as projected ones.</summary>
     public double CoordinateLimit { get; }
 
-    /// <summary>px2: facets that are turned away by more than this certainly are; products of coordinates within the limit are rounded by less.</summary>
+    /// <summary>
+    /// px2: facets that are turned away by more than this certainly are; products of coordinates within the limit are rounded by less.
+    /// </summary>
     public double BackFaceArea => Math.ScaleB(CoordinateLimit * CoordinateLimit, -50);
 
-    /// <summary>What the image's samples show, half a pixel wider and by what rounding turns a projected direction (some 1e-16 rad).</summary>
+    /// <summary>
+    /// What the image's samples show, half a pixel wider and by what rounding turns a projected direction (some 1e-16 rad).
+    /// </summary>
     public ViewFrustum Frustum() => new(Camera, 0.5 + (PixelsPerTangent * 1e-14), null, OffsetX, OffsetY);
 
     private static double OnLattice(double metres) => Math.Round(metres * LatticePoint.StepsPerMetre) / LatticePoint.StepsPerMetre;

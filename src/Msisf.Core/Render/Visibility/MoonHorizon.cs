@@ -1,8 +1,11 @@
+using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>What a camera can't see of the Moon: what lies beyond the limb of the largest sphere within it, and blocks whose facets all turn away.</summary>
+/// <summary>
+/// What a camera can't see of the Moon: what lies beyond the limb of the largest sphere within it, and blocks whose facets all turn away.
+/// </summary>
 internal sealed class MoonHorizon
 {
     private readonly double _innerRadius;
@@ -26,7 +29,7 @@ internal sealed class MoonHorizon
     }
 
     /// <summary>Whether the inner sphere hides all that lies in a box.</summary>
-    public bool Hides(in BlockBox box, double maxRadius)
+    public bool Hides(in NodeBox box, double maxRadius)
     {
         if (!_isOutside)
         {
@@ -46,7 +49,7 @@ internal sealed class MoonHorizon
     /// The camera stands D cos(theta) - r over a point's level at a distance D sin(theta) to the side. cos(theta) + maxSlope sin(theta)
     /// falls from where its slope is the steepest one.
     /// </remarks>
-    public bool IsTurnedAway(in BlockBox box, double minRadius, double maxSlope)
+    public bool IsTurnedAway(in NodeBox box, double minRadius, double maxSlope)
     {
         if (!_isOutside)
         {

@@ -8,7 +8,9 @@ namespace Msisf.Core.Render.Visibility;
 /// <summary>Draws facets that have corners behind the camera or so near to its plane that they can't be projected.</summary>
 internal sealed class NearPlaneCells
 {
-    /// <summary>Parts of the coordinates of an edge's ends: an edge that meets the camera's plane nearer to its middle leads out on both sides.</summary>
+    /// <summary>
+    /// Parts of the coordinates of an edge's ends: an edge that meets the camera's plane nearer to its middle leads out on both sides.
+    /// </summary>
     private const double MiddleOfPlane = 1e-6;
 
     private ImageView _view = null!;
@@ -107,7 +109,9 @@ internal sealed class NearPlaneCells
     private HomogeneousEdges.Corner Corner(ProjectedBlock block, int index) =>
         new(block.At(index) - _view.Remainder, block.X[index], block.Y[index], block.IsUsable(index, _view));
 
-    /// <summary>The image's part in which a facet may lie, from its corners in front and where its edges leave through the camera's plane.</summary>
+    /// <summary>
+    /// The image's part in which a facet may lie, from its corners in front and where its edges leave through the camera's plane.
+    /// </summary>
     private struct Extent(ImageView view)
     {
         private double _left = double.PositiveInfinity;

@@ -51,9 +51,9 @@ internal sealed class ProjectedBlock
     /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
     public FacetRecord Record(int index, int half)
     {
-        ref double x = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(Vertices.X), index);
-        ref double y = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(Vertices.Y), index);
-        ref double z = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(Vertices.Z), index);
+        ref double x = ref BlockVertices.CornersFrom(Vertices.X, index);
+        ref double y = ref BlockVertices.CornersFrom(Vertices.Y, index);
+        ref double z = ref BlockVertices.CornersFrom(Vertices.Z, index);
         int second = FacetCorners.Second(half);
         int third = FacetCorners.Third(half);
         double ux = Unsafe.Add(ref x, second) - x;
@@ -70,7 +70,8 @@ internal sealed class ProjectedBlock
         double offset = (nx * (x + _originFromAnchor.X)) + (ny * (y + _originFromAnchor.Y)) + (nz * (z + _originFromAnchor.Z));
         int line = index / Stride;
         return new FacetRecord(
-            new Vector3D(nx, ny, nz), offset, Vertices.Cells.FirstLine + line, (2 * (Vertices.Cells.FirstSample + index - (line * Stride))) + half);
+            new Vector3D(nx, ny, nz), offset, Vertices.Cells.FirstLine + line,
+            (2 * (Vertices.Cells.FirstSample + index - (line * Stride))) + half);
     }
 
     /// <summary>Position of a vertex, m, MOON_ME from <see cref="ImageView.Origin"/>.</summary>
@@ -129,9 +130,12 @@ internal sealed class ProjectedBlock
         IsInFront = Vector512.GreaterThanAll(min, noDepth) && Vector512.LessThanOrEqualAll(worst, limit);
     }
 
-    /// <summary>Whether the vertex lies in front of the camera and its projection may be used; the same in each block that has it.</summary>
+    /// <summary>
+    /// Whether the vertex lies in front of the camera and its projection may be used; the same in each block that has it.
+    /// </summary>
     public bool IsUsable(int index, ImageView view) =>
-        InverseDepth[index] is > 0.0 and < 1.0 / MinDepth && Math.Abs(X[index]) <= view.CoordinateLimit && Math.Abs(Y[index]) <= view.CoordinateLimit;
+        InverseDepth[index] is > 0.0 and < 1.0 / MinDepth && Math.Abs(X[index]) <= view.CoordinateLimit
+            && Math.Abs(Y[index]) <= view.CoordinateLimit;
 
     /// <summary>Whether a line of cells may touch the rows, if the block is in front.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -140,8 +144,10 @@ internal sealed class ProjectedBlock
         int north = line * Vector512<double>.Count;
         int south = north + Vector512<double>.Count;
         Vector512<double> top = Vector512.MinNative(Vector512.LoadUnsafe(ref _tops[north]), Vector512.LoadUnsafe(ref _tops[south]));
-        Vector512<double> bottom = Vector512.MaxNative(Vector512.LoadUnsafe(ref _bottoms[north]), Vector512.LoadUnsafe(ref _bottoms[south]));
-        return Vector512.LessThanOrEqualAny(top, Vector512.Create(lastRow)) && Vector512.GreaterThanOrEqualAny(bottom, Vector512.Create(firstRow));
+        Vector512<double> bottom = Vector512.MaxNative(
+            Vector512.LoadUnsafe(ref _bottoms[north]), Vector512.LoadUnsafe(ref _bottoms[south]));
+        return Vector512.LessThanOrEqualAny(top, Vector512.Create(lastRow))
+            && Vector512.GreaterThanOrEqualAny(bottom, Vector512.Create(firstRow));
     }
 
     private readonly struct Projection(Vector3D axis, Vector3D remainder)

@@ -38,13 +38,15 @@ internal sealed class RowResolver
         Vector3D position = _view.Camera.PositionMoonMe - _view.Anchor;
         double parameter = 1.0 / (inverseDepth * _view.Distance);
         Vector3D near = new(
-            Along(position.X, parameter, direction.X), Along(position.Y, parameter, direction.Y), Along(position.Z, parameter, direction.Z));
+            Along(position.X, parameter, direction.X), Along(position.Y, parameter, direction.Y),
+            Along(position.Z, parameter, direction.Z));
         double correction = (record.Offset - Vector3D.Dot(record.Normal, near)) / Vector3D.Dot(record.Normal, direction);
         double limit = MaxCorrection * parameter;
         correction = correction > -limit ? correction : -limit;
         correction = correction < limit ? correction : limit;
         double perLength = 1.0 / Math.Sqrt(record.Normal.LengthSquared); // sides of 0.01 m to 1e6 m: no overflow
-        return new SurfaceHit(_view.Anchor + (near + (correction * direction)), perLength * record.Normal, record.Facet, parameter + correction);
+        return new SurfaceHit(
+            _view.Anchor + (near + (correction * direction)), perLength * record.Normal, record.Facet, parameter + correction);
     }
 
     /// <summary>The pixels of a row that show the surface.</summary>
@@ -88,7 +90,8 @@ internal sealed class RowResolver
             Vector512<double> nz = Vector512.LoadUnsafe(ref normalZ, i);
             Vector512<double> limit = max * parameter;
             Vector512<double> correction = Held(
-                (offset - ((nx * nearX) + (ny * nearY) + (nz * nearZ))) / ((nx * directionX) + (ny * directionY) + (nz * directionZ)), -limit, limit);
+                (offset - ((nx * nearX) + (ny * nearY) + (nz * nearZ))) / ((nx * directionX) + (ny * directionY) + (nz * directionZ)),
+                -limit, limit);
             (parameter + correction).StoreUnsafe(ref parameters, i);
             (Vector512.Create(anchor.X) + (nearX + (correction * directionX))).StoreUnsafe(ref x, i);
             (Vector512.Create(anchor.Y) + (nearY + (correction * directionY))).StoreUnsafe(ref y, i);
@@ -125,7 +128,9 @@ internal sealed class RowResolver
     private static Vector512<double> Held(Vector512<double> value, Vector512<double> min, Vector512<double> max) =>
         Vector512.MinNative(Vector512.MaxNative(value, min), max);
 
-    /// <summary>Puts the row's pixels one after the other; x holds their part of the way to the right for now, y their planes' offset.</summary>
+    /// <summary>
+    /// Puts the row's pixels one after the other; x holds their part of the way to the right for now, y their planes' offset.
+    /// </summary>
     private void Gather(Band band, int row, SurfaceRow pixels)
     {
         int start = (row - band.FirstRow) * band.Stride;

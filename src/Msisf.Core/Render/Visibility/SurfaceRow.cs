@@ -1,9 +1,13 @@
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>The pixels of one row that show the surface, from left to right, one array for each number; one object is filled again and again.</summary>
+/// <summary>
+/// The pixels of one row that show the surface, from left to right, one array for each number; one object is filled again and again.
+/// </summary>
 internal sealed class SurfaceRow
 {
-    /// <summary>Elements behind the last, so that whole vectors can be read; they are finite.</summary>
+    /// <summary>
+    /// Elements behind the last, so that whole vectors can be read and written from any pixel on without range checks; they are finite.
+    /// </summary>
     public const int Padding = 8;
 
     /// <summary>Pixels that show the surface.</summary>

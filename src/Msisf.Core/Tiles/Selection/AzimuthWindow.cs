@@ -38,7 +38,10 @@ internal sealed class AzimuthWindow
     /// <summary>Azimuth of a bin's lower border, rad.</summary>
     public double Border(int bin) => _middle - (0.5 * _width) + (bin * BinWidth);
 
-    /// <summary>Where an azimuth lies, in bins from the window's lower border; outside a window that is not full it may be below 0 or above <see cref="Bins"/>.</summary>
+    /// <summary>
+    /// Where an azimuth lies, in bins from the window's lower border; outside a window that is not full it may be below 0 or above
+    /// <see cref="Bins"/>.
+    /// </summary>
     public double Place(double azimuth) => (FromMiddle(azimuth) + (0.5 * _width)) / BinWidth;
 
     /// <summary>The bins that a range of azimuths touches within the window.</summary>

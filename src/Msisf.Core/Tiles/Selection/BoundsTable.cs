@@ -1,5 +1,3 @@
-using Msisf.Core.Mesh.Bounds;
-
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Bounds of all tiles as seen from one viewpoint, and of the blocks of those tiles that are asked for.</summary>
@@ -14,7 +12,7 @@ internal sealed class BoundsTable
         View = view;
         SummaryLevel tiles = summary.Levels[0];
         _blockLevel = summary.Levels[1];
-        _tiles = new PolarBounds[tiles.Bounds.Length];
+        _tiles = new PolarBounds[tiles.Count];
         _blocks = new PolarBounds[_tiles.Length][];
         foreach (TileId tile in TileId.All)
         {

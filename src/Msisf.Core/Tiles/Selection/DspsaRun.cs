@@ -9,7 +9,9 @@ namespace Msisf.Core.Tiles.Selection;
 /// <summary>One selection of tiles, and the walks over what the image may show.</summary>
 internal sealed class DspsaRun
 {
-    /// <summary>Rounds that look closely at what dark tiles hide; then all that may hide each other in a chain along the limb are kept.</summary>
+    /// <summary>
+    /// Rounds that look closely at what dark tiles hide; then all that may hide each other in a chain along the limb are kept.
+    /// </summary>
     private const int MaxCloseRounds = 1;
 
     private readonly ElevationSummary _summary;

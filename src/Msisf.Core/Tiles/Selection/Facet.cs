@@ -23,7 +23,8 @@ internal readonly record struct Facet(Vector3D A, Vector3D B, Vector3D C)
         Vector3D toViewpoint = viewpoint - A;
         double side = Vector3D.Dot(Vector3D.Cross(u, v), toViewpoint);
         double reach = Math.Sqrt(toViewpoint.LengthSquared) + Math.Sqrt(u.LengthSquared) + Math.Sqrt(v.LengthSquared);
-        margin = 2.0 * Tolerances.VertexLattice * (Math.Sqrt(u.LengthSquared) + Math.Sqrt(v.LengthSquared) + Tolerances.VertexLattice) * reach;
+        margin = 2.0 * Tolerances.VertexLattice * (Math.Sqrt(u.LengthSquared) + Math.Sqrt(v.LengthSquared) + Tolerances.VertexLattice)
+            * reach;
         return side;
     }
 }

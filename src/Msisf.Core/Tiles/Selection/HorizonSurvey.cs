@@ -4,10 +4,16 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Makes a horizon map of the model as seen from a viewpoint: first from the blocks' minimum radii, then from the edges of the blocks that matter most.</summary>
+/// <summary>
+/// Makes a horizon map of the model as seen from a viewpoint: first from the blocks' minimum radii, then from the edges of the blocks that
+/// matter most.
+/// </summary>
 internal sealed class HorizonSurvey
 {
-    /// <summary>rad: where the viewpoint stands higher than this in the ground's sky the map is not made: no tile is hidden whole there, and parts do not matter.</summary>
+    /// <summary>
+    /// rad: where the viewpoint stands higher than this in the ground's sky the map is not made: no tile is hidden whole there, and parts
+    /// do not matter.
+    /// </summary>
     private const double MaxElevation = Math.PI / 15.0;
 
     /// <summary>Bins of a map; all around that is 0.09 degrees, a third of a cell at 4 px/deg.</summary>
@@ -89,7 +95,8 @@ internal sealed class HorizonSurvey
         for (int row = 0; row < _blocks.Rows; row++)
         {
             // Towards the poles blocks are slivers: as many as make one about as wide as high are taken together.
-            int group = Math.Clamp((int)(1.0 / Math.Cos(MeshBounds.CentreLatitude(_blocks.Cells(row, 0), _blocks.Lines))), 1, _blocks.Columns / 4);
+            int group = Math.Clamp(
+                (int)(1.0 / Math.Cos(MeshBounds.CentreLatitude(_blocks.Cells(row, 0), _blocks.Lines))), 1, _blocks.Columns / 4);
             double inner = _blocks.InnerRadius(row);
             for (int column = 0; column < _blocks.Columns; column += group)
             {
@@ -118,7 +125,7 @@ internal sealed class HorizonSurvey
     private bool[] RelevantTiles(HorizonMap map, Relevance relevant)
     {
         SummaryLevel level = _summary.Levels[0];
-        bool[] tiles = new bool[level.Bounds.Length];
+        bool[] tiles = new bool[level.Count];
         for (int tile = 0; tile < tiles.Length; tile++)
         {
             TerrainNode node = level.Node(tile / level.Columns, tile % level.Columns);
@@ -145,7 +152,9 @@ internal sealed class HorizonSurvey
         bounds.Near < map.LastArc && !map.NeverHides(bounds)
         && map.Window.Touched(bounds.Azimuth, bounds.HalfWidth).Count > 0 && relevant(node, bounds);
 
-    /// <summary>Each half plane that meets the cap inside a block meets the block's terrain there, at its minimum radius or higher.</summary>
+    /// <summary>
+    /// Each half plane that meets the cap inside a block meets the block's terrain there, at its minimum radius or higher.
+    /// </summary>
     private void RaiseByInnerCap(HorizonMap map, in TerrainNode node, double inner)
     {
         (double sin, double cos) = Math.SinCos(inner);

@@ -3,13 +3,13 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Is shown what of the surface may be in the image, coarse before fine.</summary>
+/// <summary>Receives the nodes and facets that may be seen, from <see cref="SurfaceWalk"/>, coarse nodes before fine ones.</summary>
 internal interface ISurfaceVisitor
 {
     /// <summary>A node that may be seen.</summary>
     /// <param name="node">Its place and bounds.</param>
     /// <param name="bounds">From the camera.</param>
-    /// <param name="certain">It is wholly in the image and looking closer would not show it hidden.</param>
+    /// <param name="certain">Whether it is certainly seen: wholly in the image, and too near for the horizon map to hide it.</param>
     /// <param name="place">Which one it is.</param>
     Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place);
 
@@ -26,7 +26,7 @@ internal interface ISurfaceVisitor
 /// <param name="Column">Column of that level, 0 at longitude 0.</param>
 internal readonly record struct NodePlace(int Depth, int Row, int Column);
 
-/// <summary>What a visitor wants next.</summary>
+/// <summary>How a walk goes on.</summary>
 internal enum Visit
 {
     /// <summary>The parts of this node.</summary>

@@ -6,14 +6,14 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Finds out whether a dark tile covers something that is kept. A ray that enters the Moon through the tile leaves it next through a facet
-/// that is turned away from the camera; nothing else can be met before it.
+/// Finds out whether a dark tile hides something of the kept tiles from the camera. A ray that enters the ground through the tile leaves it
+/// through a facet turned away from the camera; only what lies beyond that facet would show if the tile were left out.
 /// </summary>
 internal sealed class OccluderVisitor : ISurfaceVisitor
 {
     private const int Bins = 360;
 
-    /// <summary>Facets that are looked at; afterwards what a block may cover counts as covered.</summary>
+    /// <summary>Facets that are tested one by one; beyond that a block hides all that it may hide.</summary>
     private const int MaxFacets = 1500;
 
     private readonly BoundsTable _table;
@@ -53,13 +53,13 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
         }
     }
 
-    /// <summary>One of the tiles that were looked for may lie behind the tile that was walked.</summary>
+    /// <summary>Whether one of the sought tiles may lie behind the tile that was walked.</summary>
     public bool Covers { get; private set; }
 
-    /// <summary>Makes ready for the next tile.</summary>
+    /// <summary>Prepares for the next tile.</summary>
     public void Reset() => Covers = false;
 
-    /// <summary>Asks from now on for what lies behind these tiles only.</summary>
+    /// <summary>Sets the sought tiles.</summary>
     public void LookFor(IEnumerable<TileId> tiles)
     {
         _soughtTiles.Clear();
@@ -87,10 +87,12 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
         return Covers ? Visit.Stop : Visit.Descend;
     }
 
-    /// <summary>Whether one of the tiles that were looked for may lie behind a piece of the surface.</summary>
+    /// <summary>Whether one of the sought tiles may lie behind a piece of the surface.</summary>
     public bool MayCover(in PolarBounds bounds) => AnyBehind(bounds);
 
-    /// <summary>Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles cover each other in long chains.</summary>
+    /// <summary>
+    /// Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles cover each other in long chains.
+    /// </summary>
     public bool MayLeaveBeforeLimb(TileId tile) => FirstExit(_table[tile]) < _limb;
 
     private bool SharesRay(AzimuthIndex<TileId> index, in PolarBounds bounds)

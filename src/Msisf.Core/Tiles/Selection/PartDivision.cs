@@ -5,7 +5,9 @@ using Msisf.Core.Mesh.Bounds;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Divides the tiles of one selection into parts, leaves out those that the image does not need, and gives each a level of detail.</summary>
+/// <summary>
+/// Divides the tiles of one selection into parts, leaves out those that the image does not need, and gives each a level of detail.
+/// </summary>
 internal sealed class PartDivision
 {
     private readonly DspsaRun _run;
@@ -52,7 +54,8 @@ internal sealed class PartDivision
     public IReadOnlyList<SurfacePart> Divide(TileSelection selection)
     {
         TileId[] kept = [.. selection.Kept.Select(choice => choice.Tile)];
-        TileId[] divided = [.. kept.Where(tile => !_run.IsSeen(tile) || _subdivisionsAt(LevelOf(NodeOf(tile))) > 1)]; // what only throws shadows is asked part by part
+        // what only throws shadows is asked part by part
+        TileId[] divided = [.. kept.Where(tile => !_run.IsSeen(tile) || _subdivisionsAt(LevelOf(NodeOf(tile))) > 1)];
         foreach (TileId tile in divided.Where(_run.IsSeen))
         {
             _run.Walk(tile, _seen);
@@ -101,8 +104,8 @@ internal sealed class PartDivision
     }
 
     /// <summary>
-    /// A dark block is as black as the sky: it has to be there only if without it something behind it would show, or if its shadow falls on something
-    /// that is there. Once it is there it is seen, so what keeps it dark has to be there too.
+    /// A dark block is as black as the sky: it has to be there only if without it something behind it would show, or if its shadow falls on
+    /// something that is there. Once it is there it is seen, so what keeps it dark has to be there too.
     /// </summary>
     private void KeepDarkBlocks(IEnumerable<TileId> kept)
     {
@@ -203,7 +206,9 @@ internal sealed class PartDivision
         return (isSeen, widestCell, deviation);
     }
 
-    /// <summary>The coarsest level that keeps shadows' edges; where that is finer than the square's parts, the quarters are asked anew.</summary>
+    /// <summary>
+    /// The coarsest level that keeps shadows' edges; where that is finer than the square's parts, the quarters are asked anew.
+    /// </summary>
     private int CasterLevel(SurfacePart square, double widestCell, double deviation)
     {
         int level = _rule.LevelOfCell(widestCell);

@@ -84,7 +84,9 @@ internal sealed class PolarView
     /// <summary>Sine of half an angle from its cosine.</summary>
     public static double Arc(double cos) => Math.Sqrt(Math.Max(0.0, 0.5 * (1.0 - cos)));
 
-    /// <summary>On a sphere the slope grows with the angle up to the tangent ray and falls behind it; over the viewpoint it falls all the way.</summary>
+    /// <summary>
+    /// On a sphere the slope grows with the angle up to the tangent ray and falls behind it; over the viewpoint it falls all the way.
+    /// </summary>
     private double MaxSlope(double radius, double cosNear, double sinNear, double cosFar, double sinFar)
     {
         double cosTangent = Math.Min(1.0, radius / Distance);

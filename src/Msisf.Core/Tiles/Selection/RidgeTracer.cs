@@ -4,8 +4,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Writes the edges of a patch of terrain into a horizon map. Lines of edges (along the rows, the columns and the diagonals of the mesh) are
-/// followed from bin to bin; a bin whose two borders a line crosses is covered by it, at no less than the minimum slope between.
+/// Writes the edges of a patch of terrain into a horizon map. Lines of edges (along the rows, the columns and the diagonals of the mesh)
+/// are followed from bin to bin; a bin whose two borders a line crosses is covered by it, at no less than the minimum slope between.
 /// </summary>
 internal sealed class RidgeTracer
 {
@@ -154,7 +154,8 @@ internal sealed class RidgeTracer
         }
 
         double part = before / (before - after);
-        double along = Math.FusedMultiplyAdd(part, ((to.East - from.East) * cos) + ((to.North - from.North) * sin), (from.East * cos) + (from.North * sin));
+        double along = Math.FusedMultiplyAdd(
+            part, ((to.East - from.East) * cos) + ((to.North - from.North) * sin), (from.East * cos) + (from.North * sin));
         double slope = SafeSlope(Math.FusedMultiplyAdd(part, to.Rise - from.Rise, from.Rise), along);
         if (_entered)
         {

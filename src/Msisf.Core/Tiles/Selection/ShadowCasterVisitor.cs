@@ -5,12 +5,13 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Keeps the tiles that can throw a shadow on what is seen of a tile: all with a facet, turned away from the Sun, that a ray from there to the Sun can
-/// meet. That a kept ridge stands over the ray is no reason to stop: the ray may have entered the ground before it, through a tile that is not there.
+/// Keeps the tiles that can throw a shadow on the visible part of a tile: all with a facet turned away from the Sun that a ray from there
+/// to the Sun can meet. The search does not stop at a kept ridge over the ray: the ray may enter the ground before it, through a tile that
+/// is left out.
 /// </summary>
 internal sealed class ShadowCasterVisitor : ISurfaceVisitor
 {
-    /// <summary>Facets whose shadow rays are looked at; afterwards all that may throw a shadow on a block counts.</summary>
+    /// <summary>Visible facets that are tested one by one; beyond that all tiles that may throw a shadow on a block are kept.</summary>
     private const int MaxFacets = 3_000;
 
     private readonly SunView _sun;
@@ -131,7 +132,9 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
         }
     }
 
-    /// <summary>A ray to the Sun enters the ground first through a facet that is turned away from the Sun: it alone has to be there.</summary>
+    /// <summary>
+    /// A ray to the Sun enters the ground first through a facet that is turned away from the Sun: it alone has to be there.
+    /// </summary>
     private bool AnyFacetCasts(TileId tile, in PolarBounds target)
     {
         ReadOnlySpan<PolarBounds> blocks = _sun.Table.Blocks(tile);

@@ -7,8 +7,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// What must be there only because its shadow may fall on something that is seen, and how coarse it may be: the edge of a shadow moves over level
-/// ground by the caster's difference in height over the tangent of the Sun's elevation.
+/// Tells of ground outside the image whether its shadow may fall on something visible, and how coarse it may be: on level ground the edge
+/// of a shadow moves by the error in the caster's height divided by the tangent of the Sun's elevation.
 /// </summary>
 internal sealed class ShadowDemand
 {
@@ -50,7 +50,9 @@ internal sealed class ShadowDemand
     }
 
     /// <summary>How coarse a piece of the surface may be that is not seen itself.</summary>
-    /// <returns>Null if its shadow can fall on nothing that is seen; else the widest cell and the maximum difference in height, m.</returns>
+    /// <returns>
+    /// Null if its shadow can fall on nothing that is seen; else the widest cell and the maximum difference in height, m.
+    /// </returns>
     public (double WidestCell, double MaxDeviation)? Of(in TerrainNode node)
     {
         PolarBounds bounds = _sun.View.Bounds(node);

@@ -10,7 +10,9 @@ internal sealed class SunView
     /// <summary>Azimuth bins of the list of what needs a map.</summary>
     private const int NeedBins = 360;
 
-    /// <summary>Terrain that stands this much nearer to the Sun's axis (as arc, some 8 degrees) is hardly high enough to hide anything.</summary>
+    /// <summary>
+    /// Terrain that stands this much nearer to the Sun's axis (as arc, some 8 degrees) is hardly high enough to hide anything.
+    /// </summary>
     private const double Reach = 0.05;
 
     private readonly double[] _needNear = new double[NeedBins];

@@ -82,14 +82,17 @@ internal sealed class SurfaceWalk
 
         double half = 0.5 * (highest - lowest);
         double reach = half + (Tolerances.VertexLattice / nearest);
-        double size = Math.Sqrt((polygon[0] - polygon[^1]).LengthSquared + (polygon[0] - polygon[1]).LengthSquared + (polygon[0] - polygon[2]).LengthSquared);
+        double size = Math.Sqrt(
+            (polygon[0] - polygon[^1]).LengthSquared + (polygon[0] - polygon[1]).LengthSquared + (polygon[0] - polygon[2]).LengthSquared);
         if (!(reach < 0.25 * Math.PI) || nearest < 3.0 * size)
         {
             // So near to the axis that it may lie around it, or that its chords come much nearer than its corners.
-            return new PolarBounds(0.0, Math.Min(1.0, far + Tolerances.CapRadius), 0.0, 2.0 * Math.PI, double.NegativeInfinity, double.PositiveInfinity);
+            return new PolarBounds(
+                0.0, Math.Min(1.0, far + Tolerances.CapRadius), 0.0, 2.0 * Math.PI, double.NegativeInfinity, double.PositiveInfinity);
         }
 
-        // Between two corners a chord is nearer to the axis than both, by the cosine of half the turn at most; its arcs by far less than the turn squared.
+        // Between two corners a chord is nearer to the axis than both, by the cosine of half the turn at most; its arcs by far less than
+        // the turn squared.
         double chord = 1.0 / Math.Cos(half);
         double bulge = half * half;
         return new PolarBounds(

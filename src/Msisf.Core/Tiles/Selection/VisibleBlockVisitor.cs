@@ -27,7 +27,10 @@ internal sealed class VisibleBlockVisitor : ISurfaceVisitor
 
     private SummaryLevel Finest => _summary.Levels[^1];
 
-    /// <summary>By tile walked: which of its finest blocks may be seen and are not certainly dark, row by row; changed by who finds more that is needed.</summary>
+    /// <summary>
+    /// For a tile that was walked: which of its finest blocks are needed, row by row. Set here for those that may be seen and are not
+    /// certainly dark.
+    /// </summary>
     public bool[] Of(TileId tile)
     {
         if (!_tiles.TryGetValue(tile, out bool[]? seen))

@@ -11,13 +11,13 @@ internal sealed class VisibleTileVisitor : ISurfaceVisitor
     /// <param name="sun">Null: the light is at the camera.</param>
     public VisibleTileVisitor(SunView? sun) => _sun = sun;
 
-    /// <summary>Something may be seen in the light.</summary>
+    /// <summary>Whether something of the tile may be seen in sunlight.</summary>
     public bool SeenLit { get; private set; }
 
-    /// <summary>Something may be seen that is dark.</summary>
+    /// <summary>Whether something of the tile may be seen that is dark.</summary>
     public bool SeenDark { get; private set; }
 
-    /// <summary>Makes ready for the next tile.</summary>
+    /// <summary>Prepares for the next tile.</summary>
     public void Reset() => (SeenLit, SeenDark) = (false, false);
 
     public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place)

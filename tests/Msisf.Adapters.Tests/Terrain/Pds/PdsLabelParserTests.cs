@@ -9,7 +9,8 @@ public class PdsLabelParserTests
     [Fact]
     public void Parse_NestedObjects_FindsEachValueWhereItStands()
     {
-        PdsObject label = Parse("A = 1\r\nOBJECT = OUTER\r\n A = 2\r\n GROUP = INNER\r\n  A = 3 <km>\r\n END_GROUP = INNER\r\nEND_OBJECT\r\nEND\r\n");
+        PdsObject label = Parse(
+            "A = 1\r\nOBJECT = OUTER\r\n A = 2\r\n GROUP = INNER\r\n  A = 3 <km>\r\n END_GROUP = INNER\r\nEND_OBJECT\r\nEND\r\n");
 
         Assert.Equal("1", label.RequiredText("A"));
         Assert.Equal("2", label.FindObject("OUTER")!.RequiredText("A"));
@@ -19,7 +20,8 @@ public class PdsLabelParserTests
     [Fact]
     public void Parse_TextsSetsAndCommentsOverLines_KeepsThemWhole()
     {
-        PdsObject label = Parse("T = \"a = 1\n   b /* no comment */\"\nS = {\"x,\n y\", 'z'} /* comment = 4 \n still */ Q = (1, (2, 3))\nEND\n");
+        PdsObject label = Parse(
+            "T = \"a = 1\n   b /* no comment */\"\nS = {\"x,\n y\", 'z'} /* comment = 4 \n still */ Q = (1, (2, 3))\nEND\n");
 
         Assert.Equal("a = 1 b /* no comment */", label.RequiredText("T"));
         Assert.Equal("(x, y, z)", label.Required("S").ToString());
@@ -63,7 +65,10 @@ public class PdsLabelParserTests
     [InlineData("\u0001\u0002\u0003")]
     [InlineData("A = 1\nEND\n")]
     public void Parse_NoLabel_SaysSo(string text) =>
-        Assert.Contains("not a PDS3 label", Assert.Throws<BadInputException>(() => PdsLabelParser.Parse(text, "x.lbl")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "not a PDS3 label",
+            Assert.Throws<BadInputException>(() => PdsLabelParser.Parse(text, "x.lbl")).Message,
+            StringComparison.Ordinal);
 
     private static PdsObject Parse(string text) => PdsLabelParser.Parse("PDS_VERSION_ID = PDS3\n" + text, "x.lbl");
 }

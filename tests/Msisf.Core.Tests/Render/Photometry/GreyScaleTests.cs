@@ -6,7 +6,8 @@ namespace Msisf.Core.Tests.Render.Photometry;
 
 public class GreyScaleTests
 {
-    // POV-Ray 3.7.0.10, PNG of 8 bits and of 16 (+FN16), assumed_gamma 1.0: facets with the texture of PovSceneWriter, lit at these cosines.
+    // POV-Ray 3.7.0.10, PNG of 8 bits and of 16 (+FN16), assumed_gamma 1.0: facets with the texture of PovSceneWriter, lit at these
+    // cosines.
     [Theory]
     [InlineData(0.00048828125, 1, 265)]
     [InlineData(0.00146484375, 3, 794)]
@@ -57,5 +58,6 @@ public class GreyScaleTests
     [InlineData(1e7)]
     [InlineData(double.NaN)]
     public void Constructor_ExposureOutOfRange_IsBadInput(double exposure) =>
-        Assert.StartsWith("exposure is ", Assert.Throws<BadInputException>(() => new GreyScale(exposure)).Message, StringComparison.Ordinal);
+        Assert.StartsWith(
+            "exposure is ", Assert.Throws<BadInputException>(() => new GreyScale(exposure)).Message, StringComparison.Ordinal);
 }

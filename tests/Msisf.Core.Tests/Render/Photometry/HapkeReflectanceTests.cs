@@ -9,8 +9,8 @@ namespace Msisf.Core.Tests.Render.Photometry;
 public class HapkeReflectanceTests
 {
     /// <summary>
-    /// 1, relative: in the plane of Sun and viewer the azimuth is 0 or pi and known from its haversine to the square root of a rounding only,
-    /// 1e-8 rad; near the zenith, where it no longer matters, to less.
+    /// 1, relative: in the plane of Sun and viewer the azimuth is 0 or pi and known from its haversine to the square root of a rounding
+    /// only, 1e-8 rad; near the zenith, where it no longer matters, to less.
     /// </summary>
     private const double InPlane = 1e-7;
 

@@ -41,5 +41,8 @@ public class LunarLambertReflectanceTests
     [InlineData(1.1)]
     [InlineData(double.NaN)]
     public void Constructor_WeightOutOfRange_IsBadInput(double weight) =>
-        Assert.StartsWith("lunar-lambert parameter l is ", Assert.Throws<BadInputException>(() => new LunarLambertReflectance(0.5, weight)).Message, StringComparison.Ordinal);
+        Assert.StartsWith(
+            "lunar-lambert parameter l is ",
+            Assert.Throws<BadInputException>(() => new LunarLambertReflectance(0.5, weight)).Message,
+            StringComparison.Ordinal);
 }

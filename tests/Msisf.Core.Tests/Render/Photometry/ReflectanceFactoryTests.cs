@@ -40,7 +40,11 @@ public class ReflectanceFactoryTests
             15);
 
     [Theory]
-    [InlineData("phong", "", 0.0, "Reflectance law 'phong' is not known. Known laws: lambert, lommel-seeliger, lunar-lambert (parameter l), hapke (")]
+    [InlineData(
+        "phong",
+        "",
+        0.0,
+        "Reflectance law 'phong' is not known. Known laws: lambert, lommel-seeliger, lunar-lambert (parameter l), hapke (")]
     [InlineData("Lambert", "", 0.0, "Reflectance law 'Lambert' is not known.")]
     [InlineData("lambert", "l", 0.5, "Reflectance law lambert has no parameter 'l'. It has none.")]
     [InlineData("hapke", "B0", 1.0, "Reflectance law hapke has no parameter 'B0'. It has w, b, c, b0, h, theta.")]
@@ -66,10 +70,14 @@ public class ReflectanceFactoryTests
     [InlineData("lunar-lambert")]
     [InlineData("hapke")]
     public void Create_AlbedoAboveOne_IsBadInput(string law) =>
-        Assert.StartsWith("albedo is 1.1; ", Assert.Throws<BadInputException>(() => ReflectanceFactory.Create(law, None, 1.1)).Message, StringComparison.Ordinal);
+        Assert.StartsWith(
+            "albedo is 1.1; ",
+            Assert.Throws<BadInputException>(() => ReflectanceFactory.Create(law, None, 1.1)).Message,
+            StringComparison.Ordinal);
 
     [Fact]
     public void Create_HapkeWithWAndAlbedo_IsBadInput() =>
         Assert.Contains("Leave one out.", Assert.Throws<BadInputException>(
-            () => ReflectanceFactory.Create("hapke", new Dictionary<string, double> { ["w"] = 0.3 }, 0.5)).Message, StringComparison.Ordinal);
+            () =>
+                ReflectanceFactory.Create("hapke", new Dictionary<string, double> { ["w"] = 0.3 }, 0.5)).Message, StringComparison.Ordinal);
 }

@@ -14,7 +14,9 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
 
     private static readonly FunctionGrid Sphere = FunctionGrid.OfHeights(4, (_, _) => 0.0);
 
-    /// <summary>On the edge that two facets share, both have the same normal; in the middle of the cells, at the seam, beside both poles.</summary>
+    /// <summary>
+    /// On the edge that two facets share, both have the same normal; in the middle of the cells, at the seam, beside both poles.
+    /// </summary>
     [Theory]
     [InlineData(100, 300)]
     [InlineData(400, 1439)]
@@ -43,7 +45,12 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
             }
 
             Vector3D onMeridian = northEastCorner + (part * (southEastCorner - northEastCorner));
-            AssertSame(surface, normals, line == surface.Mesh.Lines - 1 ? northEast : FacetAtEast(line, southWest, northEast), FacetAtWest(line, east), onMeridian);
+            AssertSame(
+                surface,
+                normals,
+                line == surface.Mesh.Lines - 1 ? northEast : FacetAtEast(line, southWest, northEast),
+                FacetAtWest(line, east),
+                onMeridian);
         }
     }
 
@@ -63,8 +70,8 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
 
     /// <param name="line">Of the cell.</param>
     /// <param name="bound">
-    /// rad: the lattice moves a vertex by 2^-8 m an axis, which tilts a line over two cells; beside a pole a cell is 33 m wide, and the pole
-    /// vertex is half as far as the other neighbour, which tilts by a quarter of a cell, 1.1e-3.
+    /// rad: the lattice moves a vertex by 2^-8 m an axis, which tilts a line over two cells; beside a pole a cell is 33 m wide, and the
+    /// pole vertex is half as far as the other neighbour, which tilts by a quarter of a cell, 1.1e-3.
     /// </param>
     [Theory]
     [InlineData(360, 1.5e-6)]
@@ -79,7 +86,8 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
         for (int sample = 0; sample < surface.Mesh.Samples; sample += 37)
         {
             FacetId facet = new(line, sample, FacetHalf.SouthWest);
-            Vector3D point = (Vertex(surface, line, sample) + Vertex(surface, line + 1, sample) + Vertex(surface, line + 1, sample + 1)) / 3.0;
+            Vector3D point = (Vertex(surface, line, sample) + Vertex(surface, line + 1, sample) + Vertex(
+                surface, line + 1, sample + 1)) / 3.0;
 
             Vector3D normal = normals.At(facet, FacetNormal(surface, facet), point);
 

@@ -23,7 +23,9 @@ public sealed class CasterBoundsTests
     {
         Vector3D receiver = new(0.0, 0.0, Radius);
         Vector3D caster = receiver + new Vector3D(100e3, aside, 0.0);
-        Assert.Equal(expected, Bounds(receiver, slope).MayCast(CapAt(caster), caster.Length - 5.0, caster.Length + 5.0, SteepestSlope));
+        Assert.Equal(
+            expected,
+            Bounds(receiver, slope).MayCast(new TerrainNode(CapAt(caster), caster.Length - 5.0, caster.Length + 5.0, SteepestSlope)));
     }
 
     [Theory]
@@ -33,10 +35,14 @@ public sealed class CasterBoundsTests
     {
         Vector3D receiver = new(0.0, 0.0, Radius);
         Vector3D caster = receiver + new Vector3D(towardsSun, 0.0, 0.0);
-        Assert.Equal(expected, Bounds(receiver, slope: 0.0).MayCast(CapAt(caster), caster.Length - 5.0, caster.Length + 5.0, SteepestSlope));
+        Assert.Equal(
+            expected,
+            Bounds(receiver, slope: 0.0).MayCast(new TerrainNode(CapAt(caster), caster.Length - 5.0, caster.Length + 5.0, SteepestSlope)));
     }
 
-    /// <summary>Under a Sun 30 degrees high facets face away whose slope is above 30 degrees, or a little less for the disc's lower edge.</summary>
+    /// <summary>
+    /// Under a Sun 30 degrees high facets face away whose slope is above 30 degrees, or a little less for the disc's lower edge.
+    /// </summary>
     [Theory]
     [InlineData(30.1, 0.0, true)]
     [InlineData(29.9, 0.0, false)]
@@ -47,7 +53,9 @@ public sealed class CasterBoundsTests
         Vector3D direction = new(Math.Sin(Math.PI / 6.0), 0.0, Math.Cos(Math.PI / 6.0));
         Vector3D receiver = Radius * direction;
         CasterBounds bounds = Bounds(receiver, slope);
-        Assert.Equal(expected, bounds.MayCast(CapAt(receiver), Radius - 10.0, Radius + 10.0, Math.Tan(slopeDegrees * Math.PI / 180.0)));
+        Assert.Equal(
+            expected,
+            bounds.MayCast(new TerrainNode(CapAt(receiver), Radius - 10.0, Radius + 10.0, Math.Tan(slopeDegrees * Math.PI / 180.0))));
     }
 
     private static SphericalCap CapAt(Vector3D position)

@@ -41,8 +41,11 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
         for (int i = 0; i < 400; i++)
         {
             Vector3D point = GroundPoint(grid, longitude + 2.2 + (i / 400.0 * 0.6));
-            double sunAngle = Math.Atan2(Vector3D.Dot(point.Normalized(), disc.CentreMoonMe - point), Vector3D.Cross(point.Normalized(), disc.CentreMoonMe - point).Length);
-            double wallAngle = Math.Atan2(Vector3D.Dot(point.Normalized(), top - point), Vector3D.Cross(point.Normalized(), top - point).Length);
+            double sunAngle = Math.Atan2(
+                Vector3D.Dot(point.Normalized(), disc.CentreMoonMe - point),
+                Vector3D.Cross(point.Normalized(), disc.CentreMoonMe - point).Length);
+            double wallAngle = Math.Atan2(
+                Vector3D.Dot(point.Normalized(), top - point), Vector3D.Cross(point.Normalized(), top - point).Length);
             double edge = Math.Clamp((wallAngle - sunAngle) / Math.Atan(disc.Slope), -1.0, 1.0);
             points.Add(point);
             fractions.Add((Math.Atan2(Math.Sqrt(1.0 - (edge * edge)), edge) - (edge * Math.Sqrt(1.0 - (edge * edge)))) / Math.PI);
@@ -63,7 +66,8 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
         BruteForceMoon moon = new(Rough);
         Vector3D middle = SurfacePoints.Direction(0.0, 0.0);
         SunDisc disc = new(SurfacePoints.Sun(middle, 4.0, 50.0));
-        List<Vector3D> points = [.. SurfacePoints.Facing(moon, middle, 30.0, disc.CentreMoonMe, 3000, new Random(11), -0.004).Select(point => point.Position)];
+        List<Vector3D> points = [.. SurfacePoints.Facing(
+            moon, middle, 30.0, disc.CentreMoonMe, 3000, new Random(11), -0.004).Select(point => point.Position)];
         PenumbraPass pass = new(new SurfaceModel(Rough));
         ulong[] expected = Run(pass, points, disc, 1);
         Assert.Contains(expected, mask => mask is not 0 and not SunDisc.All);

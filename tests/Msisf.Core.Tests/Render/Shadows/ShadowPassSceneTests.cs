@@ -16,7 +16,8 @@ namespace Msisf.Core.Tests.Render.Shadows;
 public sealed class ShadowPassSceneTests
 {
     [RequiresFact(Part.Ldem4)]
-    public void Run_RealModel_IsWhatRaysSay() => Compare(MemoryElevationGrid.Ldem4(), TestLength.Of(40, 64), [.. RenderScenes.All.Select(scene => scene.Name)]);
+    public void Run_RealModel_IsWhatRaysSay() =>
+        Compare(MemoryElevationGrid.Ldem4(), TestLength.Of(40, 64), [.. RenderScenes.All.Select(scene => scene.Name)]);
 
     [Fact]
     public void Run_RuggedModel_IsWhatRaysSay() => Compare(FunctionGrid.Rugged(16), 24, [.. RenderScenes.All.Select(scene => scene.Name)]);

@@ -36,7 +36,8 @@ public sealed class ShadowPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fix
     public void Run_AnyNumberOfThreads_GivesTheSame()
     {
         Vector3D sun = SurfacePoints.Sun(SurfacePoints.Direction(0.0, 0.0), 4.0, 50.0);
-        List<SurfacePoint> points = SurfacePoints.Facing(new BruteForceMoon(Rough), SurfacePoints.Direction(0.0, 0.0), 30.0, sun, 3000, new Random(11));
+        List<SurfacePoint> points = SurfacePoints.Facing(
+            new BruteForceMoon(Rough), SurfacePoints.Direction(0.0, 0.0), 30.0, sun, 3000, new Random(11));
         ShadowPass pass = new(new SurfaceModel(Rough));
         Run(pass, points, sun, 1); // reads the bounds of the blocks
         (byte[] expected, ShadowStatistics statistics) = Run(pass, points, sun, 1);
@@ -67,7 +68,8 @@ public sealed class ShadowPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fix
     {
         FunctionGrid rough = FunctionGrid.Hilly(512);
         Vector3D up = SurfacePoints.Direction(20.0, 30.0);
-        List<Vector3D> points = [.. Enumerable.Range(0, 400).Select(i => 1_737_400.0 * SurfacePoints.Direction(20.0 + (0.001 * (i % 20)), 30.0 + (0.001 * (i / 20))))];
+        List<Vector3D> points = [.. Enumerable.Range(0, 400).Select(
+            i => 1_737_400.0 * SurfacePoints.Direction(20.0 + (0.001 * (i % 20)), 30.0 + (0.001 * (i / 20))))];
         ShadowPass pass = new(new SurfaceModel(rough));
         byte[] hidden = new byte[400];
         pass.Run(new PointReceivers(points, 20), SurfacePoints.Sun(up, 10.0, 90.0), hidden, 1, default);
@@ -87,7 +89,12 @@ public sealed class ShadowPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fix
         Vector3D sun = SurfacePoints.Sun(SurfacePoints.Direction(0.0, 0.0), -40.0, 0.0);
         ShadowPass pass = new(new SurfaceModel(Rough));
         byte[] hidden = new byte[2];
-        pass.Run(new PointReceivers([1_740_000.0 * SurfacePoints.Direction(0.0, 0.0), 1_740_000.0 * SurfacePoints.Direction(1.0, 0.0)], 1), sun, hidden, 1, default);
+        pass.Run(
+            new PointReceivers([1_740_000.0 * SurfacePoints.Direction(0.0, 0.0), 1_740_000.0 * SurfacePoints.Direction(1.0, 0.0)], 1),
+            sun,
+            hidden,
+            1,
+            default);
         Assert.Equal([1, 1], hidden);
         Assert.Equal(default, pass.Statistics);
     }
@@ -117,7 +124,8 @@ public sealed class ShadowPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fix
     {
         ShadowPass pass = new(new SurfaceModel(FunctionGrid.Hilly(4)));
         Assert.ThrowsAny<OperationCanceledException>(() => pass.Run(
-            new PointReceivers([1_738_000.0 * Vector3D.UnitX], 1), 1.5e11 * Vector3D.UnitX, new byte[1], 2, new CancellationToken(canceled: true)));
+            new PointReceivers([1_738_000.0 * Vector3D.UnitX], 1), 1.5e11 * Vector3D.UnitX, new byte[1], 2,
+            new CancellationToken(canceled: true)));
     }
 
     private static void Compare(IElevationGrid grid, BruteForceMoon moon, Vector3D middle, double radiusDegrees)

@@ -11,7 +11,9 @@ internal readonly record struct SurfacePoint(Vector3D Position, BruteForceMoon.F
 /// <summary>Random points of the surface, and Suns over it; angles in degrees.</summary>
 internal static class SurfacePoints
 {
-    /// <summary>A ray that rises less than this out of its facet may meet it again beyond the millimetre that the brute force leaves out.</summary>
+    /// <summary>
+    /// A ray that rises less than this out of its facet may meet it again beyond the millimetre that the brute force leaves out.
+    /// </summary>
     public const double MinCosine = 1e-4;
 
     private const double SunDistance = 1.496e11; // m

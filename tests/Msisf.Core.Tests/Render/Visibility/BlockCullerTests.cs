@@ -10,7 +10,9 @@ namespace Msisf.Core.Tests.Render.Visibility;
 
 public sealed class BlockCullerTests
 {
-    /// <summary>Every facet of every block that is left out: it is outside the image, turns away, or lies behind the maximum sphere within the Moon.</summary>
+    /// <summary>
+    /// Every facet of every block that is left out: it is outside the image, turns away, or lies behind the maximum sphere within the Moon.
+    /// </summary>
     [Fact]
     public void Find_BlocksLeftOut_AreOutOfSight()
     {
@@ -26,11 +28,13 @@ public sealed class BlockCullerTests
         {
             (PinholeCamera camera, _, string kind) = CameraCases.Make(number, grid, 1024);
             Vector3D position = camera.PositionMoonMe;
-            HashSet<CellBlock> found = [.. culler.Find(new ImageView(camera, 0.0, 0.0), threads: 2, CancellationToken.None).Select(block => block.Block)];
+            HashSet<CellBlock> found = [.. culler.Find(
+                new ImageView(camera, 0.0, 0.0), threads: 2, CancellationToken.None).Select(block => block.Block)];
             for (int i = 0; i < facets.Length; i++)
             {
                 Vector3D toMiddle = places[i].Middle - position;
-                if (Vector3D.Dot(places[i].Normal, toMiddle) < 0.0 && !found.Contains(CellBlock.Containing(facets[i].Line, facets[i].Sample)))
+                if (Vector3D.Dot(places[i].Normal, toMiddle) < 0.0
+                    && !found.Contains(CellBlock.Containing(facets[i].Line, facets[i].Sample)))
                 {
                     leftOut++;
                     if (IsInImage(camera, toMiddle) && !IsBehindSphere(position, places[i].Middle, grid.RadiusLimits.Min))

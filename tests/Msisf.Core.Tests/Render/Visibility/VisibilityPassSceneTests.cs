@@ -33,7 +33,10 @@ public sealed class VisibilityPassSceneTests
     /// <summary>Scenes that see little: the model is a function.</summary>
     [Fact]
     public void Run_FineModel_ShowsWhatRaysMeet() =>
-        Compare(FunctionGrid.Rugged(64), 32, ["nadir-100km", "north-pole-axis", "seam", "limb-backlit", "grazing-sun", "inside-crater", "one-metre"]);
+        Compare(
+            FunctionGrid.Rugged(64),
+            32,
+            ["nadir-100km", "north-pole-axis", "seam", "limb-backlit", "grazing-sun", "inside-crater", "one-metre"]);
 
     [Theory]
     [InlineData("seam")]

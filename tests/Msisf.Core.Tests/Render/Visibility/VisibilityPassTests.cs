@@ -100,7 +100,9 @@ public sealed class VisibilityPassTests
         Assert.False(seen.TryGet(16, 16, out _));
     }
 
-    /// <summary>265 million samples, of which a near camera must not read more than a few; counted by hand from 40 x 40 km at 474 m a cell.</summary>
+    /// <summary>
+    /// 265 million samples, of which a near camera must not read more than a few; counted by hand from 40 x 40 km at 474 m a cell.
+    /// </summary>
     [Fact]
     public void Run_NearCamera_ReadsLittle()
     {
@@ -111,7 +113,8 @@ public sealed class VisibilityPassTests
             return MoonConstants.ReferenceRadius;
         });
         VisibilityPass pass = new(new SurfaceModel(fine));
-        PinholeCamera camera = new(new Vector3D(1_787_400.0, 0.0, 0.0), CameraCases.Attitude(-Vector3D.UnitX, Vector3D.UnitY), 0.76, 64, 64);
+        PinholeCamera camera = new(
+            new Vector3D(1_787_400.0, 0.0, 0.0), CameraCases.Attitude(-Vector3D.UnitX, Vector3D.UnitY), 0.76, 64, 64);
         read = 0; // the model itself has read the lines at the poles
 
         VisibleSurface seen = pass.Run(camera, 1, CancellationToken.None);

@@ -8,7 +8,9 @@ use Msisf\Scripts\Database\ConnectionSettings;
 use Msisf\Scripts\Exception\BadInputException;
 use Msisf\Scripts\Exception\MsisfException;
 use Msisf\Scripts\Exception\UsageException;
+use Msisf\Tests\Support\OptionFileCases;
 use Msisf\Tests\Support\TemporaryFolder;
+use PDO;
 use PHPUnit\Framework\TestCase;
 
 final class ConnectionSettingsTest extends TestCase
@@ -22,12 +24,77 @@ final class ConnectionSettingsTest extends TestCase
         $this->folder = new TemporaryFolder();
     }
 
-    public function testReadOptionFileOnlyItsClientGroupCounts(): void
+    /** @dataProvider connections */
+    public function testReadOptionFileIsTheConnectionOfTheTable(string $name): void
     {
-        $settings = $this->fromFile("# note\n[mysqld]\nuser=wrong\n[client]\nuser = me\nport=3307\nhost=db.example\nssl-ca=x\nquick\n[mysql]\nuser=other\n");
-        self::assertSame(['me', 'msisf', 'mysql:host=db.example;port=3307;charset=utf8mb4'], [
-            $settings->user, $settings->database, $settings->dataSource(),
-        ]);
+        $settings = $this->fromTable($name);
+        $isDefault = $settings->socket === ConnectionSettings::defaultSocket(ConnectionSettings::DEFAULT_SOCKETS);
+        self::assertSame(
+            $this->inFolder(OptionFileCases::expected($name)),
+            [
+                'user' => $settings->user,
+                'password' => $settings->password(),
+                'database' => $settings->database,
+                'host' => $settings->host,
+                'port' => $settings->port,
+                'socket' => $isDefault ? 'default' : $settings->socket,
+                'tls' => $settings->tls->mode->value,
+                'ca' => $settings->tls->certificateAuthority,
+                'unverified' => $settings->isUnverified(),
+            ],
+        );
+    }
+
+    public static function connections(): array
+    {
+        return OptionFileCases::names(areRefused: false);
+    }
+
+    /** @dataProvider refused */
+    public function testReadOptionFileIsRefusedWithTheMessageOfTheTable(string $name): void
+    {
+        try {
+            $this->fromTable($name);
+            self::fail('The file was accepted.');
+        } catch (MsisfException $exception) {
+            self::assertStringContainsString($this->inFolder(OptionFileCases::of($name)['refused']), $exception->getMessage());
+            self::assertStringNotContainsString('secret', $exception->getMessage());
+        }
+    }
+
+    public static function refused(): array
+    {
+        return OptionFileCases::names(areRefused: true);
+    }
+
+    public function testDefaultSocketIsTheFirstThatIsThere(): void
+    {
+        self::assertSame(OptionFileCases::defaultSockets(), ConnectionSettings::DEFAULT_SOCKETS);
+        [$one, $there, $other] = array_map($this->folder->path(...), ['a', 'there', 'b']);
+        touch($there);
+        self::assertSame($there, ConnectionSettings::defaultSocket([$one, $there, $other]));
+        self::assertSame($one, ConnectionSettings::defaultSocket([$one, $other]));
+    }
+
+    /** @dataProvider tlsOptions */
+    public function testTlsIsWhatPdoCallsIt(string $option, array $expected): void
+    {
+        touch($this->folder->path('ca.pem'));
+        $settings = $this->fromFile($this->inFolder("[client]\nuser=me\nhost=db\n$option\n"));
+        self::assertEquals($this->inFolder($expected), $settings->tls->pdoOptions());
+    }
+
+    public static function tlsOptions(): array
+    {
+        $verify = PDO::MYSQL_ATTR_SSL_VERIFY_SERVER_CERT;
+
+        return [
+            'nothing' => ['', []],
+            'none' => ['ssl-mode=DISABLED', []],
+            'encrypted' => ['ssl-mode=REQUIRED', [$verify => false, PDO::MYSQL_ATTR_SSL_CIPHER => 'DEFAULT']],
+            'by the system' => ['ssl-mode=VERIFY_IDENTITY', [$verify => true, PDO::MYSQL_ATTR_SSL_CIPHER => 'DEFAULT']],
+            'by an authority' => ['ssl-ca={folder}/ca.pem', [$verify => true, PDO::MYSQL_ATTR_SSL_CA => '{folder}/ca.pem']],
+        ];
     }
 
     /** @dataProvider writtenPasswords */
@@ -50,15 +117,6 @@ final class ConnectionSettingsTest extends TestCase
         ];
     }
 
-    public function testReadEnvironmentFillsWhatTheFileLeavesOut(): void
-    {
-        file_put_contents($this->folder->path('my.cnf'), "[client]\nuser=me\n");
-        $settings = ConnectionSettings::read($this->folder->path('my.cnf'), [
-            'MSISF_DB_USER' => 'other', 'MSISF_DB_PASSWORD' => self::PASSWORD, 'MSISF_DB_SOCKET' => '/run/db.sock',
-        ]);
-        self::assertSame(['me', self::PASSWORD, '/run/db.sock'], [$settings->user, $settings->password(), $settings->socket]);
-    }
-
     public function testDumpHasNoPassword(): void
     {
         $settings = ConnectionSettings::read(null, ['MSISF_DB_USER' => 'me', 'MSISF_DB_PASSWORD' => self::PASSWORD]);
@@ -78,10 +136,11 @@ final class ConnectionSettingsTest extends TestCase
         $socket = ['MSISF_DB_SOCKET' => '/run/db.sock'];
 
         return [
-            'nothing said' => [[], 'mysql:host=localhost;charset=utf8mb4', 'localhost'],
-            'the first port' => [['MSISF_DB_PORT' => '1'], 'mysql:host=localhost;port=1;charset=utf8mb4', 'localhost:1'],
-            'the last port' => [['MSISF_DB_PORT' => '65535'], 'mysql:host=localhost;port=65535;charset=utf8mb4', 'localhost:65535'],
-            'a socket goes before a host' => [[...$socket, 'MSISF_DB_HOST' => 'h'], 'mysql:unix_socket=/run/db.sock;charset=utf8mb4', '/run/db.sock'],
+            'the first port' => [['MSISF_DB_HOST' => 'db', 'MSISF_DB_PORT' => '1'], 'mysql:host=db;port=1;charset=utf8mb4', 'db:1'],
+            'the last port' => [['MSISF_DB_HOST' => '::1', 'MSISF_DB_PORT' => '65535'], 'mysql:host=::1;port=65535;charset=utf8mb4', '::1:65535'],
+            'no port' => [['MSISF_DB_HOST' => 'db'], 'mysql:host=db;charset=utf8mb4', 'db'],
+            'a socket' => [$socket, 'mysql:unix_socket=/run/db.sock;charset=utf8mb4', '/run/db.sock'],
+            'a socket and a port' => [[...$socket, 'MSISF_DB_PORT' => '1'], 'mysql:unix_socket=/run/db.sock;charset=utf8mb4', '/run/db.sock'],
         ];
     }
 
@@ -95,31 +154,14 @@ final class ConnectionSettingsTest extends TestCase
     public function testReadNoUserIsAUsageError(): void
     {
         $this->expectException(UsageException::class);
-        $this->expectExceptionMessage('no database user');
         ConnectionSettings::read(null, []);
     }
 
-    /** @dataProvider badEnvironments */
-    public function testReadValuesThatWouldChangeTheConnectionAreRefused(array $environment, string $message): void
+    public function testReadLineEndInANameIsRefused(): void
     {
         $this->expectException(BadInputException::class);
-        $this->expectExceptionMessage($message);
-        ConnectionSettings::read(null, ['MSISF_DB_USER' => 'me', ...$environment]);
-    }
-
-    public static function badEnvironments(): array
-    {
-        return [
-            'another part of the source' => [['MSISF_DB_HOST' => 'a;unix_socket=/tmp/x'], 'database host'],
-            'the same for the socket' => [['MSISF_DB_SOCKET' => '/tmp/x;dbname=y'], 'database socket'],
-            'SQL in the name' => [['MSISF_DB_DATABASE' => 'a`; DROP DATABASE b; --'], 'database name'],
-            'a line end in the name' => [['MSISF_DB_DATABASE' => "a\n"], 'database name'],
-            'a name of 65 letters' => [['MSISF_DB_DATABASE' => str_repeat('a', 65)], 'database name'],
-            'no name' => [['MSISF_DB_DATABASE' => ''], 'database name'],
-            'port' => [['MSISF_DB_PORT' => '0'], 'database port'],
-            'port too large' => [['MSISF_DB_PORT' => '65536'], 'database port'],
-            'port with a tail' => [['MSISF_DB_PORT' => '3306;x'], 'database port'],
-        ];
+        $this->expectExceptionMessage('database name');
+        ConnectionSettings::read(null, ['MSISF_DB_USER' => 'me', 'MSISF_DB_DATABASE' => "a\n"]);
     }
 
     public function testReadFileThatOthersMayReadIsRefused(): void
@@ -142,12 +184,30 @@ final class ConnectionSettingsTest extends TestCase
         }
     }
 
-    private function fromFile(string $text): ConnectionSettings
+    private function fromTable(string $name): ConnectionSettings
+    {
+        touch($this->folder->path('ca.pem'));
+        $case = $this->inFolder(OptionFileCases::of($name));
+
+        return $this->fromFile(implode("\n", $case['file']), $case['environment'] ?? []);
+    }
+
+    /** Puts the test's folder in place of {folder}, in a text or in all of a list. */
+    private function inFolder(mixed $value): mixed
+    {
+        return match (true) {
+            is_array($value) => array_map($this->inFolder(...), $value),
+            is_string($value) => str_replace('{folder}', rtrim($this->folder->path(''), '/'), $value),
+            default => $value,
+        };
+    }
+
+    private function fromFile(string $text, array $environment = []): ConnectionSettings
     {
         $path = $this->folder->path('my.cnf');
         file_put_contents($path, $text);
         chmod($path, 0o600);
 
-        return ConnectionSettings::read($path, []);
+        return ConnectionSettings::read($path, $environment);
     }
 }

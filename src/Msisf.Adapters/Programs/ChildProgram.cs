@@ -1,0 +1,77 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Globalization;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Programs;
+
+/// <summary>Starts another program and waits for its end. No shell takes part: arguments reach the program as they are.</summary>
+/// <param name="Program">The program's file.</param>
+/// <param name="Arguments">Its arguments.</param>
+public sealed record ChildProgram(string Program, IReadOnlyList<string> Arguments)
+{
+    /// <summary>How long a killed program may take to disappear: one that waits for a dead disk never does.</summary>
+    private static readonly TimeSpan LongestKill = TimeSpan.FromSeconds(10);
+
+    /// <summary>The folder in which it runs; empty for the current one.</summary>
+    public string WorkingFolder { get; init; } = string.Empty;
+
+    /// <summary>Environment variables that it gets beside our own, or in place of them.</summary>
+    public IReadOnlyDictionary<string, string> Environment { get; init; } = new Dictionary<string, string>();
+
+    /// <summary>The longest that it may run; null for no limit.</summary>
+    public TimeSpan? TimeLimit { get; init; }
+
+    /// <summary>Runs the program with an empty standard input.</summary>
+    /// <param name="cancellation">Kills it, with all programs that it started.</param>
+    /// <exception cref="ExternalPartException">It can't be started.</exception>
+    /// <exception cref="TimeoutException">It ran longer than <see cref="TimeLimit"/> and was killed.</exception>
+    /// <exception cref="OperationCanceledException">Cancelled.</exception>
+    public async Task<ProcessResult> RunAsync(CancellationToken cancellation)
+    {
+        using Process process = Start();
+        using CancellationTokenSource limit = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        limit.CancelAfter(TimeLimit ?? Timeout.InfiniteTimeSpan);
+        process.StandardInput.Close();
+        Task<string> output = process.StandardOutput.ReadToEndAsync(CancellationToken.None);
+        Task<string> error = process.StandardError.ReadToEndAsync(CancellationToken.None);
+        try
+        {
+            await Task.WhenAll(process.WaitForExitAsync(limit.Token), output, error).WaitAsync(limit.Token).ConfigureAwait(false);
+            return new ProcessResult(process.ExitCode, await output.ConfigureAwait(false), await error.ConfigureAwait(false));
+        }
+        catch (OperationCanceledException)
+        {
+            process.Kill(entireProcessTree: true);
+            await Task.WhenAny(
+                process.WaitForExitAsync(CancellationToken.None), Task.Delay(LongestKill, CancellationToken.None)).ConfigureAwait(false);
+            cancellation.ThrowIfCancellationRequested();
+            throw new TimeoutException(
+                string.Create(CultureInfo.InvariantCulture, $"{Program} was ended after {TimeLimit!.Value.TotalSeconds:R} s"));
+        }
+    }
+
+    private Process Start()
+    {
+        ProcessStartInfo start = new(Program, Arguments)
+        {
+            WorkingDirectory = WorkingFolder,
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+        };
+        foreach ((string name, string value) in Environment)
+        {
+            start.Environment[name] = value;
+        }
+
+        try
+        {
+            return Process.Start(start)!;
+        }
+        catch (Win32Exception exception)
+        {
+            throw new ExternalPartException($"{Program}: can't be started: {exception.Message}", exception);
+        }
+    }
+}

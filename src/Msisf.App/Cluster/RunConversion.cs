@@ -1,0 +1,120 @@
+using System.Text;
+using Msisf.Adapters.Ephemeris;
+using Msisf.Adapters.IO;
+using Msisf.Adapters.Input;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Render;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Cluster;
+
+/// <summary>Turns a run into a script that makes it in pieces.</summary>
+internal sealed class RunConversion
+{
+    /// <summary>Characters of the call in the head of a script: enough for any but one with a long list of times.</summary>
+    private const int LongestCall = 2000;
+
+    private readonly ProgramHost _host;
+
+    public RunConversion(ProgramHost host) => _host = host;
+
+    /// <summary>Checks the run, cuts it, and writes the script with what it needs beside it.</summary>
+    /// <param name="values">The options of the run, of the pieces, and of Slurm.</param>
+    /// <param name="call">The words of the call, for the head of the script.</param>
+    /// <param name="format">For whom.</param>
+    /// <param name="scriptPath">The script, by the folder of the outputs; folders of it that are not there are made.</param>
+    /// <param name="cancellation">Ends it and leaves no file.</param>
+    /// <exception cref="MsisfException">What the run would refuse is refused here, before anything is written.</exception>
+    public ConvertedRun Convert(
+        OptionValues values, IReadOnlyList<string> call, ScriptFormat format, Func<RenderSettings, string> scriptPath,
+        CancellationToken cancellation)
+    {
+        CutSettings cut = CutOptions.Read(values);
+        SlurmSettings? slurm = format == ScriptFormat.Slurm ? SlurmOptions.Read(values) : null;
+        PieceArguments arguments = new(values, endsWithCheck: format is ScriptFormat.Parallel or ScriptFormat.Slurm);
+        CameraSettings camera = CameraSettingsReader.Read(values);
+        RenderSettings settings = RenderSettingsReader.Read(values);
+        if (camera is BatchFileSettings { IsStandardInput: true })
+        {
+            throw new UsageException("--batch-file -: standard input can't be read again by each piece. Save it to a file, and give that.");
+        }
+
+        using EphemerisSource ephemeris = new(settings, _host);
+        using PreparedRun run = PreparedRun.Of(camera, settings, ephemeris, _host, cancellation);
+        EphemerisChoice? engine = ephemeris.Opened?.Choice;
+        CheckResources(settings, run.Frames.Count, slurm);
+        string path = Path.GetFullPath(scriptPath(settings));
+        string? statesFile = camera is BatchFileSettings ? null : $"{path}.states.tab";
+        string batchFile = statesFile ?? ((BatchFileSettings)camera).Path;
+        PieceScript script = new()
+        {
+            Path = path,
+            Call = CallOf(call),
+            Version = _host.Version,
+            Launcher = _host.Installation.Launcher,
+            WorkingFolder = Directory.GetCurrentDirectory(),
+            Arguments = arguments.OfPiece(batchFile, engine),
+            HasJobs = settings.Jobs is not null,
+            NeedsPatterns = settings.Renderer == RendererKind.PovRay,
+            PatternArguments = arguments.OfPatterns(batchFile, engine),
+            OutputFolder = settings.OutputFolder,
+            Pieces = Cut(run, cut),
+        };
+        string text = slurm is null ? ScriptText.Of(format, script) : ScriptText.Slurm(script, slurm);
+        Write(script, text, statesFile, run.States, hasLogs: slurm is not null);
+        return new ConvertedRun(path, statesFile, settings.OutputFolder, run.Frames.Count, script.Pieces.Count);
+    }
+
+    private static IReadOnlyList<StepRanges> Cut(PreparedRun run, CutSettings cut)
+    {
+        int[] steps = [.. run.Frames.Select(frame => frame.Step)];
+        return cut.FramesPerPiece is int size ? RunCutter.BySize(steps, size) : RunCutter.ByCount(steps, cut.Pieces!.Value);
+    }
+
+    private static string CallOf(IReadOnlyList<string> call)
+    {
+        string words = string.Join(' ', call.Select(PosixWord.Of));
+        string shown = string.Concat(words.Select(character => char.IsControl(character) ? '?' : character));
+        return shown.Length <= LongestCall ? shown : $"{shown[..LongestCall]}...";
+    }
+
+    /// <summary>Refuses what a piece would refuse for want of memory, and what the whole run would need of the disk.</summary>
+    private static void CheckResources(RenderSettings settings, int frames, SlurmSettings? slurm)
+    {
+        int atOnce = settings.Jobs ?? slurm?.CpusPerTask ?? 1;
+        string folder = Path.GetFullPath(settings.OutputFolder);
+        while (!Directory.Exists(folder))
+        {
+            folder = Path.GetDirectoryName(folder)!;
+        }
+
+        ResourceCheck.Check(settings, frames, atOnce, slurm?.MemoryBytes ?? long.MaxValue, new DriveInfo(folder).AvailableFreeSpace);
+    }
+
+    private static void Write(PieceScript script, string text, string? statesFile, IReadOnlyList<SpacecraftState> states, bool hasLogs)
+    {
+        FileErrors.ToExternalPart($"{script.Path}: the script can't be written there", () =>
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(script.Path)!);
+            if (hasLogs)
+            {
+                Directory.CreateDirectory($"{script.Path}.logs");
+            }
+
+            // It counts the pieces of the script before: GNU parallel would leave out others.
+            File.Delete($"{script.Path}.joblog");
+        });
+
+        if (statesFile is not null)
+        {
+            AtomicFile.WriteText(
+                statesFile, writer => BatchFileWriter.Write(writer, $"Made by msis {script.Version}: msis {script.Call}", states));
+        }
+
+        AtomicFile.Write(script.Path, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+    }
+}

@@ -1,0 +1,70 @@
+using System.Globalization;
+using Msisf.Adapters.Scene;
+using Msisf.App.Settings;
+using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Render;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>Turns the states of a run into its frames: cameras and lights.</summary>
+internal static class FrameSetup
+{
+    /// <summary>
+    /// The frames that are to be made. The Sun's positions are computed here, one after another: CSPICE is not thread-safe.
+    /// </summary>
+    /// <param name="states">Of the whole run, in the order of the input.</param>
+    /// <param name="names">Of all its frames.</param>
+    /// <param name="settings">The options; they say which steps are to be made.</param>
+    /// <param name="sun">The ephemeris; not asked if the Sun is ignored.</param>
+    /// <param name="cancellation">Stops between two states.</param>
+    /// <exception cref="MsisfException">A step that the run does not have, a time outside the kernels' cover, ...</exception>
+    public static Frame[] Of(
+        IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, Func<IEphemeris> sun,
+        CancellationToken cancellation)
+    {
+        if (settings.Frames is { } chosen && chosen.Last > states.Count)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"--frames {chosen}: step {chosen.Last} is wanted, but the run has {states.Count} only. Name steps that it has."));
+        }
+
+        IEphemeris? ephemeris = settings.IgnoreSun ? null : sun();
+        double fieldOfView = settings.FieldOfViewDegrees * Math.PI / 180.0;
+        List<Frame> frames = [];
+        foreach (int step in settings.Frames?.Steps ?? Enumerable.Range(1, states.Count))
+        {
+            cancellation.ThrowIfCancellationRequested();
+            SpacecraftState state = states[step - 1];
+            RefuseUndrawable(step, state, settings.Renderer);
+            PinholeCamera camera = new(state.PositionMoonMe, state.MoonFromCamera, fieldOfView, settings.Width, settings.Height);
+            SceneLight light = ephemeris is null
+                ? new SceneLight(state.PositionMoonMe, IsSun: false)
+                : new SceneLight(ephemeris.SunPositionMoonMe(state.Time, settings.Aberration), IsSun: true);
+            frames.Add(new Frame(step, names[step - 1], state.Time, camera, light));
+        }
+
+        return [.. frames];
+    }
+
+    private static void RefuseUndrawable(int step, SpacecraftState state, RendererKind renderer)
+    {
+        double distance = state.PositionMoonMe.Length;
+        if (distance == 0.0)
+        {
+            throw new BadInputException($"the camera of step {step} is at the Moon's centre. Choose a position above the terrain.");
+        }
+
+        if (renderer == RendererKind.PovRay && distance > PovSceneWriter.MaxDistance)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"the camera of step {step} is {distance:E3} m from the Moon's centre; "
+                    + $"POV-Ray draws nothing beyond {PovSceneWriter.MaxDistance:E0} m. "
+                    + $"Use --renderer native, or move it closer on the same line, with a field of view that is larger by as much."));
+        }
+    }
+}

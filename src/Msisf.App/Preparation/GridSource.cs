@@ -1,0 +1,58 @@
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Terrain;
+using Msisf.MySql;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>The elevation model that patterns are made of, from a file or the database.</summary>
+internal sealed class GridSource : IDisposable
+{
+    private readonly IDisposable _owner;
+
+    private GridSource(IElevationGrid grid, IDisposable owner)
+    {
+        Grid = grid;
+        _owner = owner;
+    }
+
+    public IElevationGrid Grid { get; }
+
+    /// <summary>Opens it.</summary>
+    public static GridSource Open(WholeMoonSettings settings, ProgramHost host, CancellationToken cancellation)
+    {
+        if (settings.IsDatabase)
+        {
+            DatabaseSettings database = PatternsOptions.DefaultsFile.Concerned(
+                () => DatabaseSettings.Read(settings.DefaultsFile, host.Environment));
+            return FromDatabase(database, settings.PixelsPerDegree, host, cancellation);
+        }
+
+        ElevationModel model = ElevationModel.Open(settings.Ldem, settings.PixelsPerDegree, isSparing: true, host);
+        return new GridSource(model.Grid, model);
+    }
+
+    public void Dispose() => _owner.Dispose();
+
+    private static GridSource FromDatabase(DatabaseSettings settings, int resolution, ProgramHost host, CancellationToken cancellation)
+    {
+        if (settings.IsUnverified)
+        {
+            host.Log.Note($"The server {settings.Server} is not verified: no ssl-ca says who may answer (docs/database.md, TLS).");
+        }
+
+        Database database = Database.Open(settings, Path.Combine(AppContext.BaseDirectory, "mysql"), cancellation);
+        try
+        {
+            LdemTableGrid grid = LdemTableGrid.Open(database, resolution);
+            host.Log.Note($"Elevation: {grid.ProductId} (database {settings.Database}).");
+            return new GridSource(grid, database);
+        }
+        catch
+        {
+            database.Dispose();
+            throw;
+        }
+    }
+}

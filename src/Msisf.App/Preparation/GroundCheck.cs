@@ -1,0 +1,37 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>Refuses cameras that lie below the terrain.</summary>
+internal static class GroundCheck
+{
+    /// <summary>Steps that a message names.</summary>
+    private const int NamedSteps = 5;
+
+    /// <summary>Checks the cameras of all frames.</summary>
+    /// <exception cref="BadInputException">A camera lies below the terrain; the message names the steps.</exception>
+    public static void Refuse(IReadOnlyList<Frame> frames, ElevationModel model, CancellationToken cancellation)
+    {
+        List<string> buried = [];
+        int count = 0;
+        foreach (Frame frame in frames)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            Vector3D position = frame.Camera.PositionMoonMe;
+            double depth = model.DepthBelowGround(position);
+            if (depth > 0.0 && ++count <= NamedSteps)
+            {
+                buried.Add(string.Create(CultureInfo.InvariantCulture, $"step {frame.Step} (MJD {frame.Time.Days:R}) by {depth:F1} m"));
+            }
+        }
+
+        if (count > 0)
+        {
+            string rest = count > NamedSteps ? $" and {count - NamedSteps} more" : string.Empty;
+            throw new BadInputException(
+                $"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.");
+        }
+    }
+}

@@ -1,0 +1,73 @@
+using Msisf.Adapters.Lod;
+using Msisf.Adapters.Terrain;
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>Makes or checks the file beside an elevation model that holds its coarser levels.</summary>
+internal static class ModelPyramid
+{
+    /// <summary>Makes it.</summary>
+    /// <param name="settings">Of which model.</param>
+    /// <param name="host">The world.</param>
+    /// <param name="cancellation">Ends it and leaves no file.</param>
+    /// <returns>The file.</returns>
+    /// <exception cref="MsisfException">There is no such model, or the file can't be written.</exception>
+    public static string Make(PyramidSettings settings, ProgramHost host, CancellationToken cancellation)
+    {
+        using LdemImage image = LdemImage.Open(Find(settings, host));
+        PyramidPlaces places = PyramidPlaces.Of(image.Set, CacheFolder.Of(host));
+        string path = places.ForWriting();
+        if (path != places.Beside)
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(path)!);
+            host.Log.Note($"The folder of {places.Beside} can't be written to; the pyramid goes to {path}.");
+        }
+
+        using IRunProgress progress = host.Progress.Start("Pyramid", FractionProgress.Steps, settings.Unattended);
+        PyramidWriter.Write(image, path, Environment.ProcessorCount, new FractionProgress(progress, "pyramid"), cancellation);
+        return path;
+    }
+
+    /// <summary>Reads the model and the file and compares them.</summary>
+    /// <param name="settings">Of which model.</param>
+    /// <param name="host">The world.</param>
+    /// <param name="cancellation">Ends it.</param>
+    /// <returns>The file.</returns>
+    /// <exception cref="MsisfException">There is no such model or no such file, or they differ.</exception>
+    public static string Verify(PyramidSettings settings, ProgramHost host, CancellationToken cancellation)
+    {
+        using LdemImage image = LdemImage.Open(Find(settings, host));
+        using ModelLevels levels = ModelLevels.Open(image, CacheFolder.Of(host));
+        if (levels.Sidecar is not { } sidecar)
+        {
+            throw new BadInputException(
+                levels.Warning
+                    ?? $"{PyramidPlaces.Of(image.Set, CacheFolder.Of(host)).Beside}: missing. Make it with 'msis ldem pyramid'.");
+        }
+
+        sidecar.Verify(image, cancellation);
+        host.Log.Note($"{sidecar.FilePath} is whole, and made of the samples that {image.ProductId} has.");
+        return sidecar.FilePath;
+    }
+
+    private static LdemSet Find(PyramidSettings settings, ProgramHost host)
+    {
+        string? path = settings.Model;
+        if (path is not null && path.Trim().Length == 0)
+        {
+            throw new BadInputException("The model's name is empty; the path of its label or its folder is needed.");
+        }
+
+        if (settings.PixelsPerDegree is { } pixelsPerDegree)
+        {
+            return LdemCatalog.Find(pixelsPerDegree, path, ElevationModel.Folders(host));
+        }
+
+        return path is not null && !Directory.Exists(path)
+            ? LdemCatalog.Read(path)
+            : throw new UsageException("pyramid needs a model: give its label, or --res to say which one of a folder.");
+    }
+}

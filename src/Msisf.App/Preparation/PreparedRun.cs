@@ -1,0 +1,46 @@
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+using Msisf.Core.Render;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>A run that was read and checked down to its cameras: what could not be finished is refused before the first image.</summary>
+/// <param name="States">Of all frames of the run, in the order of the input.</param>
+/// <param name="Names">File names of all frames, without extension.</param>
+/// <param name="Frames">Those that are to be made.</param>
+/// <param name="Model">The elevation model; disposed with this.</param>
+internal sealed record PreparedRun(
+    IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, IReadOnlyList<Frame> Frames, ElevationModel Model) : IDisposable
+{
+    /// <summary>Reads the states, sets up the frames, opens the elevation model, and checks all of it.</summary>
+    /// <param name="camera">Where the camera is.</param>
+    /// <param name="settings">The run's other settings.</param>
+    /// <param name="ephemeris">Opened if the states or the Sun need it.</param>
+    /// <param name="host">The world.</param>
+    /// <param name="cancellation">Ends it.</param>
+    /// <exception cref="MsisfException">The run could not be made.</exception>
+    public static PreparedRun Of(
+        CameraSettings camera, RenderSettings settings, EphemerisSource ephemeris, ProgramHost host, CancellationToken cancellation)
+    {
+        IReadOnlyList<SpacecraftState> states = host.Times.Measure(
+            Phase.States, () => new StateReader(ephemeris.Engine, host).Read(camera, cancellation));
+        IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
+        Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
+        ElevationModel model = host.Times.Measure(Phase.Model, () => ElevationModel.Open(
+            settings.Ldem, settings.PixelsPerDegree, isSparing: settings.Renderer == RendererKind.PovRay, host));
+        try
+        {
+            GroundCheck.Refuse(frames, model, cancellation);
+            return new PreparedRun(states, names, frames, model);
+        }
+        catch
+        {
+            model.Dispose();
+            throw;
+        }
+    }
+
+    public void Dispose() => Model.Dispose();
+}

@@ -1,0 +1,96 @@
+using System.Globalization;
+using System.Text;
+using Msisf.Adapters.Input;
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>The states of the spacecraft that a run takes images of; all are known before the first image.</summary>
+internal sealed class StateReader
+{
+    private readonly Func<IEphemeris> _ephemeris;
+    private readonly ProgramHost _host;
+
+    /// <param name="ephemeris">Opens the ephemeris, which not every orbit needs.</param>
+    /// <param name="host">The world.</param>
+    public StateReader(Func<IEphemeris> ephemeris, ProgramHost host) => (_ephemeris, _host) = (ephemeris, host);
+
+    /// <summary>Reads or computes all states.</summary>
+    /// <param name="camera">How they are given.</param>
+    /// <param name="cancellation">Ends the wait for a terminal or pipe too.</param>
+    /// <exception cref="NothingToRenderException">There is none.</exception>
+    public IReadOnlyList<SpacecraftState> Read(CameraSettings camera, CancellationToken cancellation)
+    {
+        IReadOnlyList<SpacecraftState> states = camera switch
+        {
+            FixedStateSettings fixedState => [fixedState.State],
+            BatchFileSettings file => BatchFile(file, cancellation),
+            _ => OnOrbit((OrbitSettings)camera, cancellation),
+        };
+        return states.Count > 0
+            ? states
+            : throw new NothingToRenderException(camera is BatchFileSettings empty
+                ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0."
+                : "--time-interval: no time in it: the step leads away from the end. Swap start and end, or change the step's sign.");
+    }
+
+    private static string NameOf(BatchFileSettings file) => file.IsStandardInput ? "standard input" : file.Path;
+
+    // A read from a terminal or pipe can't be cancelled: it is left behind.
+    private IReadOnlyList<SpacecraftState> BatchFile(BatchFileSettings file, CancellationToken cancellation) =>
+        Task.Run(() => BatchFile(file), CancellationToken.None).WaitAsync(cancellation).GetAwaiter().GetResult();
+
+    private IReadOnlyList<SpacecraftState> BatchFile(BatchFileSettings file)
+    {
+        if (file.IsStandardInput)
+        {
+            return BatchFileReader.Read(_host.StandardInput(), NameOf(file));
+        }
+
+        if (!File.Exists(file.Path))
+        {
+            throw new BadInputException(Directory.Exists(file.Path)
+                ? $"{file.Option.Name} {file.Path}: is a folder; a file is needed."
+                : $"{file.Option.Name} {file.Path}: there is no such file.");
+        }
+
+        try
+        {
+            using StreamReader reader = new(file.Path, Encoding.UTF8);
+            return BatchFileReader.Read(reader, file.Path);
+        }
+        catch (Exception exception) when (exception.IsFileError())
+        {
+            throw new BadInputException($"{file.Option.Name} {file.Path}: can't be read: {exception.Message}", exception);
+        }
+    }
+
+    private SpacecraftState[] OnOrbit(OrbitSettings settings, CancellationToken cancellation)
+    {
+        OrbitPropagator orbit = new(
+            settings.Elements, settings.Epoch, settings.Frame, settings.Frame == OrbitFrame.MoonMe ? null : _ephemeris());
+        if (orbit.PeriapsisRadius < MoonConstants.ReferenceRadius)
+        {
+            _host.Log.Warning(string.Create(
+                CultureInfo.InvariantCulture,
+                $"the orbit's periapsis lies {(MoonConstants.ReferenceRadius - orbit.PeriapsisRadius) / 1000.0:F3} km below the Moon's "
+                    + $"reference radius; times on that part are refused."));
+        }
+
+        return [.. settings.Times.Select(time =>
+        {
+            cancellation.ThrowIfCancellationRequested();
+            Vector3D position = orbit.PositionMoonMe(time);
+            return new SpacecraftState(
+                time, position, settings.Attitude?.At(time.SecondsSince(settings.Epoch)) ?? NadirPointing.MoonFromCamera(position));
+        })];
+    }
+}

@@ -1,0 +1,91 @@
+using Msisf.Adapters.IO;
+using Msisf.Adapters.Manifest;
+using Msisf.Adapters.Metadata;
+using Msisf.Adapters.Render;
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Series;
+
+/// <summary>What is done once when all pieces of a run are done.</summary>
+internal static class SeriesMerge
+{
+    private const string SheetName = "contact-sheet.png";
+    private const string VideoName = "video.mp4";
+
+    /// <summary>
+    /// Sorts the manifest, and makes a contact sheet and a video of the last run if asked to; the paths are written to the host's results.
+    /// </summary>
+    /// <param name="folder">Of the outputs.</param>
+    /// <param name="settings">What is made.</param>
+    /// <param name="host">The world.</param>
+    /// <param name="cancellation">Ends the work and leaves no half file.</param>
+    /// <returns>The state of the frames.</returns>
+    /// <exception cref="MsisfException">There is no run in the folder, or it can't be written.</exception>
+    public static async Task<SeriesStatus> RunAsync(string folder, MergeSettings settings, ProgramHost host, CancellationToken cancellation)
+    {
+        ManifestFile manifest = SeriesManifest.Find(folder);
+        try
+        {
+            WorkFolder.RemoveStale(folder);
+            using WorkFolder work = WorkFolder.In(folder);
+            ManifestContent content = manifest.Locked(() =>
+            {
+                ManifestContent all = SeriesManifest.Read(manifest, host.Log);
+                manifest.Replace(all.InOrder(), work.Path);
+                return all;
+            });
+            host.Results.WriteLine(manifest.FilePath);
+            SeriesStatus status = SeriesStatus.Of(folder, content, new FrameChecker(folder, CheckDepth.Lengths), cancellation);
+            (int Step, string Path)[] images = [.. status.Frames
+                .Where(frame => frame.State == FrameState.Complete && frame.Expected.Run == content.LastRun)
+                .Select(
+                    frame =>
+                        (frame.Expected.Step, Path.GetFullPath(Path.Combine(folder, content.Frames[frame.Expected.Name].Files[0].Name))))];
+            if (settings.ContactSheet && images.Length > 0)
+            {
+                MakeSheet(folder, images, work.Path, host, cancellation);
+            }
+
+            if (settings.FrameRate is { } rate && images.Length > 0)
+            {
+                await MakeVideoAsync(
+                    folder, [.. images.Select(image => image.Path)], rate, work.Path, host, cancellation).ConfigureAwait(false);
+            }
+
+            return status;
+        }
+        catch (Exception exception) when (exception.IsFileError())
+        {
+            throw new ExternalPartException($"{folder}: can't be written: {exception.Message}", exception);
+        }
+    }
+
+    private static void MakeSheet(
+        string folder, (int Step, string Path)[] images, string work, ProgramHost host, CancellationToken cancellation)
+    {
+        string path = Path.Combine(folder, SheetName);
+        using AtomicFileSet files = new(work);
+        files.Write(path, stream => ContactSheet.Write(stream, images, cancellation));
+        files.Commit();
+        host.Results.WriteLine(path);
+    }
+
+    private static async Task MakeVideoAsync(
+        string folder, IReadOnlyList<string> images, double rate, string work, ProgramHost host, CancellationToken cancellation)
+    {
+        if (VideoEncoder.Find(host.Environment("PATH") ?? string.Empty) is not string program)
+        {
+            host.Log.Warning(
+                "no ffmpeg on the PATH: no video is made. Install it (Debian, Ubuntu: apt-get install ffmpeg) and run msis merge again.");
+            return;
+        }
+
+        string made = Path.Combine(work, VideoName);
+        string path = Path.Combine(folder, VideoName);
+        await VideoEncoder.EncodeAsync(program, images, rate, work, made, cancellation).ConfigureAwait(false);
+        File.Move(made, path, overwrite: true);
+        host.Results.WriteLine(path);
+    }
+}

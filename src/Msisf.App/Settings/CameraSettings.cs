@@ -1,0 +1,33 @@
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Attitude;
+using Msisf.Core.Orbit;
+using Msisf.Core.Scene;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Settings;
+
+/// <summary>Where the camera of each image is, in one of the ways of thesis section 6.3.</summary>
+internal abstract record CameraSettings;
+
+/// <summary>One image.</summary>
+/// <param name="State">Its time, position and orientation.</param>
+internal sealed record FixedStateSettings(SpacecraftState State) : CameraSettings;
+
+/// <summary>An image for each line of a file.</summary>
+/// <param name="Path">The file; "-" for standard input.</param>
+/// <param name="Option">The option that named it, for messages.</param>
+internal sealed record BatchFileSettings(string Path, PathSpec Option) : CameraSettings
+{
+    /// <summary>Whether the states come from standard input, which can be read only once.</summary>
+    public bool IsStandardInput => Path == "-";
+}
+
+/// <summary>Images along an orbit.</summary>
+/// <param name="Elements">At the epoch.</param>
+/// <param name="Epoch">UTC.</param>
+/// <param name="Frame">Of the elements.</param>
+/// <param name="Attitude">From the epoch on; null to look at the nadir.</param>
+/// <param name="Times">Of the images, UTC; possibly none.</param>
+internal sealed record OrbitSettings(
+    KeplerElements Elements, ModifiedJulianDate Epoch, OrbitFrame Frame, AttitudeTransition? Attitude,
+    IEnumerable<ModifiedJulianDate> Times) : CameraSettings;

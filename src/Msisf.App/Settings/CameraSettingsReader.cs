@@ -1,0 +1,146 @@
+using Msisf.Adapters.Input;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Attitude;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+using Msisf.Core.Scene;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Settings;
+
+/// <summary>Reads where the camera is, after thesis table 6.1: which option goes with which of the four ways.</summary>
+internal sealed class CameraSettingsReader
+{
+    private static readonly OptionSpec[] TimeOptions = [CameraOptions.Time, CameraOptions.Times, CameraOptions.TimeInterval];
+
+    private readonly OptionValues _values;
+    private readonly PathSpec _batchFile;
+
+    private CameraSettingsReader(OptionValues values, PathSpec batchFile) => (_values, _batchFile) = (values, batchFile);
+
+    /// <summary>The options of which exactly one says where the camera is.</summary>
+    private OptionSpec[] Ways => [CameraOptions.KeplerSet, CameraOptions.StateVectors, CameraOptions.FixedState, _batchFile];
+
+    /// <summary>Reads and checks them.</summary>
+    /// <param name="values">The options.</param>
+    /// <param name="batchFile">The option of the batch file, which msis patterns calls by another name; null for that of a run.</param>
+    /// <exception cref="MsisfException">None or two ways, an option that is missing or forbidden, or a wrong value.</exception>
+    public static CameraSettings Read(OptionValues values, PathSpec? batchFile = null)
+    {
+        CameraSettingsReader reader = new(values, batchFile ?? CameraOptions.BatchFile);
+        return reader.ReadIfGiven()
+            ?? throw new UsageException($"nothing says where the camera is. Give exactly one of {Names(reader.Ways)}.");
+    }
+
+    /// <summary>The same; null if there is none of the four ways.</summary>
+    /// <inheritdoc cref="Read"/>
+    public static CameraSettings? ReadIfGiven(OptionValues values, PathSpec batchFile) =>
+        new CameraSettingsReader(values, batchFile).ReadIfGiven();
+
+    private CameraSettings? ReadIfGiven()
+    {
+        OptionSpec[] given = [.. Ways.Where(_values.IsGiven)];
+        if (given.Length > 1)
+        {
+            throw new UsageException($"{given[0].Name} and {given[1].Name} exclude each other. Give exactly one of {Names(Ways)}.");
+        }
+
+        if (given is not [OptionSpec way])
+        {
+            return null;
+        }
+
+        if (way == CameraOptions.KeplerSet)
+        {
+            return Orbit(way, KeplerElements);
+        }
+
+        if (way == CameraOptions.StateVectors)
+        {
+            return Orbit(way, StateVectors);
+        }
+
+        OptionSpec[] forbidden =
+        [
+            CameraOptions.Epoch, .. TimeOptions, CameraOptions.Attitude, CameraOptions.AttitudeTransition, CameraOptions.OrbitFrame
+        ];
+        if (forbidden.FirstOrDefault(_values.IsGiven) is { } wrong)
+        {
+            throw new UsageException(
+                $"{wrong.Name} is not allowed with {way.Name}, which itself says time, position and orientation. Remove it.");
+        }
+
+        return CameraOptions.FixedState.Read(_values) is { } numbers
+            ? new FixedStateSettings(CameraOptions.FixedState.Named(() => SpacecraftState.FromNumbers(numbers)))
+            : new BatchFileSettings(_batchFile.Read(_values), _batchFile);
+    }
+
+    private OrbitSettings Orbit(OptionSpec way, Func<KeplerElements> readElements)
+    {
+        if (!_values.IsGiven(CameraOptions.Epoch))
+        {
+            throw new UsageException($"{way.Name} needs {CameraOptions.Epoch.Name}: the time (MJD, UTC) for which the orbit is given.");
+        }
+
+        OptionSpec[] times = [.. TimeOptions.Where(_values.IsGiven)];
+        if (times.Length != 1)
+        {
+            throw new UsageException(times.Length == 0
+                ? $"{way.Name} needs one of {Names(TimeOptions)}: when to take images."
+                : $"{times[0].Name} and {times[1].Name} exclude each other. Give exactly one of {Names(TimeOptions)}.");
+        }
+
+        if (_values.IsGiven(CameraOptions.AttitudeTransition) && !_values.IsGiven(CameraOptions.Attitude))
+        {
+            throw new UsageException("--attitude-transition needs --attitude: the orientation at the epoch from which it turns.");
+        }
+
+        return new OrbitSettings(readElements(), Date(CameraOptions.Epoch), CameraOptions.OrbitFrame.Read(_values), Attitude(), Times());
+    }
+
+    private KeplerElements KeplerElements()
+    {
+        double[] k = CameraOptions.KeplerSet.Read(_values)!;
+        return CameraOptions.KeplerSet.Named(() => new KeplerElements(k[0], k[1], k[2], k[3], k[4], k[5]));
+    }
+
+    private KeplerElements StateVectors()
+    {
+        double[] s = CameraOptions.StateVectors.Read(_values)!;
+        return CameraOptions.StateVectors.Named(
+            () => StateConversion.ToElements(new StateVector(new Vector3D(s[0], s[1], s[2]), new Vector3D(s[3], s[4], s[5]))));
+    }
+
+    private AttitudeTransition? Attitude()
+    {
+        if (CameraOptions.Attitude.Read(_values) is not { } q)
+        {
+            return null;
+        }
+
+        double[] rates = CameraOptions.AttitudeTransition.Read(_values) ?? [0.0, 0.0, 0.0];
+        return CameraOptions.Attitude.Named(() => new AttitudeTransition(
+            UnitQuaternion.FromComponents(q[0], q[1], q[2], q[3]), new Vector3D(rates[0], rates[1], rates[2])));
+    }
+
+    private IEnumerable<ModifiedJulianDate> Times()
+    {
+        if (_values.IsGiven(CameraOptions.Time))
+        {
+            return [Date(CameraOptions.Time)];
+        }
+
+        return CameraOptions.Times.Read(_values) is { } days
+            ? CameraOptions.Times.Named<ModifiedJulianDate[]>(() => [.. days.Select(mjd => new ModifiedJulianDate(mjd))])
+            : StateText.ParseInterval(CameraOptions.TimeInterval.Name, _values.Words(CameraOptions.TimeInterval)!);
+    }
+
+    private ModifiedJulianDate Date(NumberSpec option)
+    {
+        double days = option.Read(_values);
+        return option.Named(() => new ModifiedJulianDate(days));
+    }
+
+    private static string Names(IEnumerable<OptionSpec> options) => string.Join(", ", options.Select(option => option.Name));
+}

@@ -1,0 +1,178 @@
+using Msisf.App.Settings.Specs;
+
+namespace Msisf.App.Settings;
+
+/// <summary>All commands of the program with their options: the one place where they are declared.</summary>
+internal static class CommandTable
+{
+    private static readonly OptionGroup General = new("General", [RunOptions.Config, RunOptions.Help]);
+
+    private static readonly OptionGroup OnlyHelp = General with { Options = [RunOptions.Help] };
+
+    private static readonly OptionGroup Progress = General with { Options = [RunOptions.Batch, .. General.Options] };
+
+    private static readonly OptionGroup[] OfRender =
+    [
+        CameraOptions.Group, ImageOptions.Group, LightOptions.Group, SurfaceOptions.Group, OutputOptions.Group, RendererOptions.Group,
+        NativeOptions.Group, PovOptions.Group, RunOptions.Group,
+    ];
+
+    /// <summary>All options of a run.</summary>
+    public static IEnumerable<OptionSpec> OptionsOfRun => OfRender.SelectMany(group => group.Options);
+
+    /// <summary>msis patterns.</summary>
+    public static CommandSpec Patterns { get; } = new("patterns", "Make surface patterns for POV-Ray ahead of a run.")
+    {
+        Details =
+            "Makes all 2,592 patterns of an elevation model, or exactly those that the images of a run need. "
+                + "Patterns that are there and complete are kept. The folder is printed.",
+        Examples =
+        [
+            ("All patterns of the model with 4 pixels a degree:", "msis patterns --res 4"),
+            ("What a batch file needs:", "msis patterns --for-batch approach.tab --res 64"),
+        ],
+        Groups = [PatternsOptions.Model, PatternsOptions.WholeMoon, PatternsOptions.OfRun, Progress],
+    };
+
+    /// <summary>msis status.</summary>
+    public static CommandSpec Status { get; } = new("status", "Say which images of a run are there, missing or damaged.")
+    {
+        Details =
+            "Looks at the length of each file. A line for each image that is not complete (step, name, state, reason; "
+                + "separated by tabs), then a summary; exit code 0 if all are well, else 5.",
+        Argument = FolderOptions.Folder,
+        Groups = [General with { Options = [FolderOptions.PrintFrames, .. General.Options] }],
+    };
+
+    /// <summary>msis verify.</summary>
+    public static CommandSpec Verify { get; } = Status with
+    {
+        Name = "verify",
+        Summary = "The same by reading every file.",
+        Details = "As msis status, but checks every file: checksums, images whole, meta files valid.",
+    };
+
+    /// <summary>msis merge.</summary>
+    public static CommandSpec Merge { get; } = new("merge", "Order a run's manifest; make a contact sheet and a video.")
+    {
+        Details =
+            "Puts the manifest into the order of the steps, whichever process made the images. Exit code 5 if images are not complete.",
+        Argument = FolderOptions.Folder,
+        Examples = [("A video with 30 images a second:", "msis merge orbit --video 30")],
+        Groups = [General with { Options = [FolderOptions.ContactSheet, FolderOptions.Video, .. General.Options] }],
+    };
+
+    /// <summary>msis batchconvert.</summary>
+    public static CommandSpec BatchConvert { get; } = new("batchconvert", "Turn a run into a script that makes it in pieces.")
+    {
+        Details = "Takes all options of a run. The pieces can be made one after another, side by side, or on many computers.",
+        Examples =
+        [
+            ("Ten pieces for GNU parallel:", "msis batchconvert --format parallel --pieces 10 --batch-file approach.tab"),
+        ],
+        Groups =
+        [
+            new OptionGroup("Pieces", [ScriptOptions.Format, CutOptions.Pieces, CutOptions.FramesPerPiece, ScriptOptions.Script]),
+            SlurmOptions.Group, .. OfRender, OnlyHelp
+        ],
+    };
+
+    /// <summary>msis submit.</summary>
+    public static CommandSpec Submit { get; } = new("submit", "Give a run to Slurm in pieces, and make again what goes missing.")
+    {
+        Details = "Takes all options of a run. The script is that of msis batchconvert --format slurm, in the folder of the outputs.",
+        Examples = [("Forty pieces, followed to their end:", "msis submit --pieces 40 --wait --batch-file approach.tab")],
+        Groups = [new OptionGroup(
+            "Pieces", [CutOptions.Pieces, CutOptions.FramesPerPiece, ScriptOptions.Wait]), SlurmOptions.Group, .. OfRender, OnlyHelp],
+    };
+
+    /// <summary>msis ldem synthesize.</summary>
+    public static CommandSpec Synthesize { get; } = new(
+        "synthesize", "Write a synthetic elevation model, with craters and roughness like the Moon's.")
+    {
+        Examples = [(
+            "A model with 64 pixels a degree that continues one with 4:",
+            "msis ldem synthesize --res 64 --base input/ldem/LDEM_4.LBL --seed 1")],
+        Groups = [new OptionGroup(
+            "The new model",
+            [ModelOptions.NewResolution, ModelOptions.Seed, ModelOptions.Base, ModelOptions.Region, ModelOptions.NewFolder]), Progress],
+    };
+
+    /// <summary>msis ldem pyramid.</summary>
+    public static CommandSpec Pyramid { get; } = new("pyramid", "Write a model's coarser levels into a file beside it.")
+    {
+        Details = "Far views of fine models then need not read the whole model.",
+        Argument = ModelOptions.Model,
+        Examples = [("The levels of one model:", "msis ldem pyramid input/ldem/LDEM_64.LBL")],
+        Groups = [new OptionGroup("The model", [ModelOptions.ModelResolution, ModelOptions.Verify]), Progress],
+    };
+
+    /// <summary>msis ldem.</summary>
+    public static CommandSpec Ldem { get; } = new("ldem", "Make elevation models and their levels of detail.")
+    {
+        Groups = [OnlyHelp],
+        Commands = [Synthesize, Pyramid],
+    };
+
+    /// <summary>msis config show.</summary>
+    public static CommandSpec ConfigShow { get; } = new(
+        "show", "Print each key of configuration files, its value and where that comes from.")
+    {
+        Details = "A line for each key (key, value, file and line or 'default'; separated by tabs).",
+        Groups = [General],
+    };
+
+    /// <summary>msis config.</summary>
+    public static CommandSpec Config { get; } = new("config", "Show the settings of configuration files.")
+    {
+        Groups = [OnlyHelp],
+        Commands = [ConfigShow],
+    };
+
+    /// <summary>msis completion.</summary>
+    public static CommandSpec Completion { get; } = new("completion", "Print a script that completes commands, options and values.")
+    {
+        Argument = new ArgumentSpec("SHELL", "The shell: bash, zsh or fish") { Words = ["bash", "zsh", "fish"] },
+        Examples =
+        [
+            ("For this bash, or in ~/.bashrc:", "source <(msis completion bash)"),
+            ("For zsh, in ~/.zshrc after compinit:", "source <(msis completion zsh)"),
+            ("For fish:", "msis completion fish > ~/.config/fish/completions/msis.fish"),
+        ],
+        Groups = [General],
+    };
+
+    /// <summary>msis man.</summary>
+    public static CommandSpec Man { get; } = new("man", "Print the manual page.")
+    {
+        Examples = [("Read it:", "msis man | man -l -")],
+        Groups = [General],
+    };
+
+    /// <summary>msis itself, which renders; the root of all commands.</summary>
+    public static CommandSpec Render { get; } = new("msis", "Draws exact synthetic images of the Moon from LOLA elevation data.")
+    {
+        Details =
+            "Beside each image a meta file says for a grid of pixels which point of the surface it shows and from where the light comes. "
+                + "The paths of the files are printed.",
+        Examples =
+        [
+            (
+                "One image, drawn by msis itself with nine samples a pixel:",
+                "msis --fixed-state '{55289,1.9E6,0,0,0,0,0,1}' --renderer native --samples 9"),
+            ("101 images along an orbit:", "msis --kepler-set '{1.9E6,0.05,0.7,1.1,0.9,2.0}' --epoch 55289 --time-interval "
+                + "'[55289:0.001:55289.1]' --output-dir orbit"),
+        ],
+        Groups =
+        [
+            .. OfRender[..^1], RunOptions.Group with { Options = [.. RunOptions.Group.Options, RunOptions.Help, RunOptions.Version] }
+        ],
+        Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Config, Completion, Man],
+    };
+
+    /// <summary>All commands, each with the words by which it is called, e.g. "ldem pyramid"; none for the render command.</summary>
+    public static IEnumerable<(string Path, CommandSpec Command)> All => Below(string.Empty, Render);
+
+    private static IEnumerable<(string Path, CommandSpec Command)> Below(string path, CommandSpec command) =>
+        command.Commands.SelectMany(inner => Below($"{path} {inner.Name}".TrimStart(), inner)).Prepend((path, command));
+}

@@ -1,0 +1,86 @@
+using Msisf.Adapters.Input;
+using Msisf.App.Host;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings.Config;
+
+/// <summary>Finds and reads the configuration files of a call: that of <c>--config</c>, and the user's.</summary>
+internal sealed class ConfigFiles
+{
+    private readonly ProgramHost _host;
+
+    public ConfigFiles(ProgramHost host) => _host = host;
+
+    /// <summary>
+    /// $XDG_CONFIG_HOME/msisf/config.yaml, else %APPDATA%\msisf\config.yaml, else ~/.config/msisf/config.yaml; null without such a folder.
+    /// </summary>
+    public static string? UserFile(ProgramHost host)
+    {
+        string? parent = host.Environment("XDG_CONFIG_HOME")
+            ?? host.Environment("APPDATA")
+            ?? (host.Environment("HOME") is { } home ? Path.Combine(home, ".config") : null);
+        return parent is null ? null : Path.Combine(parent, "msisf", "config.yaml");
+    }
+
+    /// <summary>Whether there is something at a path, readable or not.</summary>
+    public static bool IsThere(string path) => File.Exists(path) || Directory.Exists(path);
+
+    /// <summary>Reads both files.</summary>
+    /// <param name="given">The user's <c>--config</c>, or null.</param>
+    /// <returns>One value a key; a key in both files has the value of the given one.</returns>
+    /// <exception cref="BadInputException">The given file is not there, or a file is wrong.</exception>
+    public IReadOnlyCollection<ConfigValue> Read(string? given)
+    {
+        Dictionary<string, ConfigValue> values = new(StringComparer.Ordinal);
+        if (given is not null)
+        {
+            Add(values, given.Trim().Length > 0 ? given : throw new BadInputException("--config is empty; a path is needed."), rank: 1);
+        }
+
+        if (UserFile(_host) is { } path && IsThere(path))
+        {
+            Add(values, path, rank: 2);
+        }
+
+        return values.Values;
+    }
+
+    private void Add(Dictionary<string, ConfigValue> values, string path, int rank)
+    {
+        foreach (ConfigEntry entry in ReadEntries(path))
+        {
+            (OptionSpec option, string text) = ConfigKeys.Read(entry, path);
+            values.TryAdd(entry.Key, new ConfigValue(option, option is PathSpec ? PathFrom(path, text) : text, path, entry.Line, rank));
+        }
+    }
+
+    private static IReadOnlyList<ConfigEntry> ReadEntries(string path)
+    {
+        if (!File.Exists(path))
+        {
+            throw new BadInputException(Directory.Exists(path)
+                ? $"{path}: is a folder; a configuration file is needed."
+                : $"--config {path}: there is no such file.");
+        }
+
+        return FileErrors.ToBadInput($"{path}: the configuration file can't be read", () =>
+        {
+            using FileStream stream = File.OpenRead(path);
+            return ConfigFileReader.Read(stream, path);
+        });
+    }
+
+    /// <summary>A path as the file has it: "~/" is the user's home, and what is relative begins at the file's folder.</summary>
+    private string PathFrom(string file, string path)
+    {
+        if (path.Trim().Length == 0)
+        {
+            return path; // refused where the option is read
+        }
+
+        return path.StartsWith("~/", StringComparison.Ordinal) && _host.Environment("HOME") is { } home
+            ? Path.Combine(home, path[2..])
+            : Path.GetFullPath(path, Path.GetDirectoryName(Path.GetFullPath(file))!);
+    }
+}

@@ -1,0 +1,76 @@
+using Msisf.Adapters.Input;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings.Config;
+
+/// <summary>
+/// What may stand in a configuration file: the long names of the commands' options, but for those that belong to one call.
+/// </summary>
+internal static class ConfigKeys
+{
+    private static readonly Dictionary<string, OptionSpec> Keys = new(StringComparer.Ordinal);
+    private static readonly Dictionary<string, string> Refused = new(StringComparer.Ordinal);
+
+    static ConfigKeys()
+    {
+        foreach (IGrouping<string, OptionSpec> same in CommandTable.All.SelectMany(
+            command => command.Command.Options).GroupBy(option => option.Key))
+        {
+            if (ReasonAgainst([.. same]) is { } reason)
+            {
+                Refused.Add(same.Key, reason);
+            }
+            else
+            {
+                Keys.Add(same.Key, same.First());
+            }
+        }
+    }
+
+    /// <summary>An option for each key, in the order in which help lists them.</summary>
+    public static IEnumerable<OptionSpec> Allowed => Keys.Values;
+
+    /// <summary>Whether an option may stand in a file.</summary>
+    public static bool Allows(OptionSpec option) => Keys.ContainsKey(option.Key);
+
+    /// <summary>The option of a key, and its text as it would be on the command line.</summary>
+    /// <param name="entry">The key and its values.</param>
+    /// <param name="fileName">For messages.</param>
+    /// <exception cref="BadInputException">No key, or not with such a value.</exception>
+    public static (OptionSpec Option, string Text) Read(ConfigEntry entry, string fileName)
+    {
+        string place = $"{fileName}, line {entry.Line}, column {entry.Column}: ";
+        if (Refused.TryGetValue(entry.Key, out string? reason))
+        {
+            throw new BadInputException(
+                $"{place}'{entry.Key}' can't stand in a configuration file: it {reason}. Give it on the command line.");
+        }
+
+        if (!Keys.TryGetValue(entry.Key, out OptionSpec? option))
+        {
+            throw new BadInputException(
+                $"{place}{NumberText.Shown(entry.Key)} is no option. The nearest one is '{NearestName.To(entry.Key, Keys.Keys)}'; "
+                    + $"'msis config show' lists all.");
+        }
+
+        if (entry.IsList)
+        {
+            return option.ListSeparator is { } separator
+                ? (option, string.Join(separator, entry.Values))
+                : throw new BadInputException($"{place}'{entry.Key}' takes one value, not a list. Leave the brackets or the dashes out.");
+        }
+
+        return option is not FlagSpec || entry.Values[0] is "true" or "false"
+            ? (option, entry.Values[0])
+            : throw new BadInputException($"{place}'{entry.Key}' is {NumberText.Shown(entry.Values[0])}; true or false is needed.");
+    }
+
+    private static string? ReasonAgainst(OptionSpec[] same) => same switch
+    {
+        _ when CameraOptions.Group.Options.Contains(same[0]) => "says where the camera is, or when",
+        _ when same.Any(option => option.IsOfOneCall) => "belongs to one call",
+        _ when same.Select(option => option.ValueName).Distinct().Count() > 1 => "means another thing with each command",
+        _ => null,
+    };
+}

@@ -1,0 +1,53 @@
+using Msisf.App.Host;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings.Config;
+
+/// <summary>Puts the values of the configuration files behind a command line.</summary>
+internal static class Configuration
+{
+    /// <summary>The options of a call with those of the files.</summary>
+    /// <param name="line">The command line.</param>
+    /// <param name="command">Its command.</param>
+    /// <param name="host">Knows the user's file.</param>
+    /// <exception cref="BadInputException">A file is wrong, or the one of <c>--config</c> is not there.</exception>
+    public static OptionValues Behind(OptionValues line, CommandSpec command, ProgramHost host)
+    {
+        string? given = line.Text(RunOptions.Config);
+        bool hasUserFile = ConfigFiles.UserFile(host) is { } path && ConfigFiles.IsThere(path);
+        if (given is null && !(hasUserFile && command.Options.Any(ConfigKeys.Allows)))
+        {
+            return line; // by far the most calls: no file is looked at
+        }
+
+        return line.With(ConfigRules.Applicable(new ConfigFiles(host).Read(given), line, command)
+            .Select(value => KeyValuePair.Create(value.Option.Name, value.ToOptionValue())));
+    }
+
+    /// <summary>Prints each key, its value and where that comes from (file and line, or "default"), separated by tabs.</summary>
+    /// <param name="given">The user's <c>--config</c>, or null.</param>
+    /// <param name="host">Gets the lines, and notes which files were looked for.</param>
+    /// <exception cref="BadInputException">As for <see cref="Behind"/>.</exception>
+    public static void Show(string? given, ProgramHost host)
+    {
+        Dictionary<string,
+        ConfigValue> values = new ConfigFiles(host).Read(given).ToDictionary(value => value.Option.Key, StringComparer.Ordinal);
+        if (given is not null)
+        {
+            host.Log.Note($"{given}: read (--config).");
+        }
+
+        host.Log.Note(ConfigFiles.UserFile(host) is { } path
+            ? $"{path}: {(ConfigFiles.IsThere(path) ? "read" : "not there")} (the user's file)."
+            : "no folder for the user's file: neither XDG_CONFIG_HOME nor HOME is set.");
+        foreach (OptionSpec option in ConfigKeys.Allowed)
+        {
+            host.Results.WriteLine(values.TryGetValue(option.Key, out ConfigValue? value)
+                ? $"{option.Key}\t{value.Text}\t{value.File}:{value.Line}"
+                : $"{option.Key}\t{DefaultOf(option)}\tdefault");
+        }
+    }
+
+    private static string DefaultOf(OptionSpec option) => option is FlagSpec ? "false" : option.DefaultValue ?? option.DefaultNote ?? "-";
+}

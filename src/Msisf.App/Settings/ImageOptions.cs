@@ -1,0 +1,27 @@
+using Msisf.App.Settings.Specs;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of the image itself.</summary>
+internal static class ImageOptions
+{
+    /// <summary>px: the largest side of an image.</summary>
+    private const int MaxSide = 16384;
+
+    /// <summary>Horizontal field of view, degrees.</summary>
+    public static NumberSpec FieldOfView { get; } = new("--fov", "DEGREES", "Horizontal field of view")
+    {
+        Aliases = ["-f"],
+        Limits = new NumberRange(0.0, 180.0) { ExcludesMin = true, ExcludesMax = true },
+        Default = 40.0,
+    };
+
+    /// <summary>Width, px.</summary>
+    public static WholeNumberSpec Width { get; } = new("--width", "PX", 1, MaxSide, "Image width") { Aliases = ["-w"], Default = 1024 };
+
+    /// <summary>Height, px.</summary>
+    public static WholeNumberSpec Height { get; } = new("--height", "PX", 1, MaxSide, "Image height") { Aliases = ["-h"], Default = 1024 };
+
+    /// <summary>All of them.</summary>
+    public static OptionGroup Group { get; } = new("Image", [FieldOfView, Width, Height]);
+}

@@ -1,0 +1,83 @@
+using System.Globalization;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of the commands that work on elevation models.</summary>
+internal static class ModelOptions
+{
+    /// <summary>Resolution of a new model, px/deg.</summary>
+    public static WholeNumberSpec NewResolution { get; } = SurfaceOptions.Resolution with
+    {
+        Help = "Resolution of the new model", Default = null, IsRequired = true,
+    };
+
+    /// <summary>Seed of the terrain.</summary>
+    public static TextSpec Seed { get; } = new(
+        "--seed", "N", "Number that the terrain is drawn from; the same number gives the same bytes") { IsRequired = true };
+
+    /// <summary>Model that is continued.</summary>
+    public static PathSpec Base { get; } = new(
+        "--base", PathKind.File, "Model that the new one continues to smaller scales: its label or image")
+    {
+        DefaultNote = "none, an invented Moon",
+    };
+
+    /// <summary>Part of the Moon.</summary>
+    public static TextSpec Region { get; } = new(
+        "--region", "latmin:latmax:lonmin:lonmax", "Part of the Moon in whole degrees") { DefaultNote = "all of it" };
+
+    /// <summary>Folder of the new model.</summary>
+    public static PathSpec NewFolder { get; } = OutputOptions.Folder with
+    {
+        Help = "Folder of the new model", Default = "input/ldem", DefaultNote = "./input/ldem",
+    };
+
+    /// <summary>The model whose levels are made.</summary>
+    public static ArgumentSpec Model { get; } = new("MODEL", "The model: its label or image, or with --res the folder that it lies in")
+    {
+        IsOptional = true,
+    };
+
+    /// <summary>Resolution of that model, px/deg.</summary>
+    public static WholeNumberSpec ModelResolution { get; } = SurfaceOptions.Resolution with
+    {
+        Help = "Resolution of the model; needed for a folder", Default = null,
+    };
+
+    /// <summary>Compares instead of making.</summary>
+    public static FlagSpec Verify { get; } = new(
+        "--verify", "Make nothing; read the model and its pyramid and compare them") { IsOfOneCall = true };
+
+    /// <summary>Reads what msis ldem synthesize makes.</summary>
+    /// <exception cref="BadInputException">A value is wrong.</exception>
+    public static SynthesisSettings ReadSynthesis(OptionValues values) => new(
+        NewResolution.Read(values),
+        ulong.TryParse(values.Text(Seed), NumberStyles.None, CultureInfo.InvariantCulture, out ulong seed)
+            ? seed
+            : throw new BadInputException(
+                $"{Seed.Name} is '{values.Text(Seed)}'; a whole number from 0 to {ulong.MaxValue} is needed.").About(Seed),
+        Base.ReadIfGiven(values),
+        Region.ReadIfGiven(values) is { } region ? ReadRegion(region) : MoonRegion.WholeMoon,
+        NewFolder.Read(values),
+        RunOptions.Batch.Read(values));
+
+    /// <summary>Reads which model's levels are made.</summary>
+    /// <exception cref="BadInputException">A value is wrong.</exception>
+    public static PyramidSettings ReadPyramid(OptionValues values) =>
+        new(values.Argument, ModelResolution.ReadIfGiven(values), RunOptions.Batch.Read(values));
+
+    private static MoonRegion ReadRegion(string text)
+    {
+        try
+        {
+            return MoonRegion.Parse(text);
+        }
+        catch (UsageException exception)
+        {
+            throw new BadInputException(exception.Message, exception).About(Region); // it names the option
+        }
+    }
+}

@@ -1,0 +1,88 @@
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Layers;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
+
+namespace Msisf.App.Settings;
+
+/// <summary>What only the program's own renderer can do.</summary>
+internal static class NativeOptions
+{
+    /// <summary>Samples a pixel.</summary>
+    public static WholeNumberSpec Samples { get; } = new(
+        "--samples", "N", 1, NativeRenderOptions.MaxSubsamplesPerAxis * NativeRenderOptions.MaxSubsamplesPerAxis,
+        "Samples a pixel on a regular grid, a square number: 1, 4, 9, 16, ...")
+    {
+        Default = 1,
+    };
+
+    /// <summary>Normals of the facets.</summary>
+    public static ChoiceSpec<NormalModel> Shading { get; } = new(
+        "--shading", [("facet", NormalModel.Facet), ("smooth", NormalModel.Smooth)],
+        "Normals of the facets, or interpolated between those of the samples")
+    {
+        Default = NormalModel.Facet,
+    };
+
+    /// <summary>The light source.</summary>
+    public static ChoiceSpec<SunModel> Sun { get; } = new(
+        "--sun", [("point", SunModel.Point), ("disc", SunModel.Disc)], "The Sun as a point, or as its disc with penumbras")
+    {
+        Default = SunModel.Point,
+    };
+
+    /// <summary>Law of reflectance with its parameters.</summary>
+    public static TextSpec Reflectance { get; } = new(
+        "--reflectance", "LAW",
+        "Law of reflectance: lambert, lommel-seeliger, lunar-lambert or hapke; parameters after a colon: hapke:w=0.3,b0=1.2")
+    {
+        Default = "lambert",
+        Words = ReflectanceFactory.Laws,
+    };
+
+    /// <summary>Albedo of the law.</summary>
+    public static NumberSpec Albedo { get; } = new("--albedo", "A", "Albedo of the law")
+    {
+        Limits = new NumberRange(0.0, 1.0),
+        Default = ReflectanceFactory.DefaultAlbedo,
+    };
+
+    /// <summary>Grey of a radiance factor of 1.</summary>
+    public static NumberSpec Exposure { get; } = new(
+        "--exposure", "X", "Linear grey of a radiance factor of 1, where 1 is white") { Default = 1.0 };
+
+    /// <summary>Curve of the grey levels.</summary>
+    public static ChoiceSpec<GreyTransfer> Transfer { get; } = new(
+        "--transfer", [("srgb", GreyTransfer.Srgb), ("linear", GreyTransfer.Linear)],
+        "Grey levels along sRGB's curve, as POV-Ray's, or in proportion to the radiance")
+    {
+        Default = GreyTransfer.Srgb,
+    };
+
+    /// <summary>Bits a pixel.</summary>
+    public static ChoiceSpec<int> BitDepth { get; } = new(
+        "--bit-depth", [("8", 8), ("16", 16)], "Bits of the image's grey levels") { Default = 8 };
+
+    /// <summary>Ground truth to write.</summary>
+    public static TextSpec Layers { get; } = new(
+        "--layers", "LIST|all", "Ground truth of every pixel, as names separated by commas: depth,position,incidence,mask, ...")
+    {
+        Separator = ",",
+        Words = [LayerSet.AllText, .. LayerCatalogue.All.Select(layer => layer.Name)],
+    };
+
+    /// <summary>Format of the ground truth.</summary>
+    public static ChoiceSpec<LayersFormat> LayersFormat { get; } = new(
+        "--layers-format", [("fits", Settings.LayersFormat.Fits), ("npy", Settings.LayersFormat.Npy)],
+        "Format of the layers: one file, or one a layer")
+    {
+        Default = Settings.LayersFormat.Fits,
+    };
+
+    /// <summary>All of them.</summary>
+    public static OptionGroup Group { get; } = new(
+        "Native renderer", [Samples, Shading, Sun, Reflectance, Albedo, Exposure, Transfer, BitDepth, Layers, LayersFormat])
+    {
+        Note = "Only with --renderer native.",
+    };
+}

@@ -1,0 +1,82 @@
+using Msisf.Adapters.Input;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Layers;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
+
+namespace Msisf.App.Settings;
+
+/// <summary>Reads the options of the program's own renderer.</summary>
+internal static class NativeSettingsReader
+{
+    /// <summary>Reads all.</summary>
+    /// <param name="values">The options.</param>
+    /// <param name="needsTruth">The meta file wants the terrain.</param>
+    /// <exception cref="MsisfException">A value is wrong.</exception>
+    public static NativeSettings Read(OptionValues values, bool needsTruth)
+    {
+        (string law, SortedDictionary<string, double> parameters) = Reflectance(NativeOptions.Reflectance.Read(values));
+        double? albedo = NativeOptions.Albedo.ReadIfGiven(values);
+        LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
+            ? NativeOptions.Layers.Concerned(() => LayerSet.Parse(names))
+            : null;
+        return new NativeSettings
+        {
+            Render = new NativeRenderOptions
+            {
+                Reflectance = NativeOptions.Reflectance.Concerned(
+                    () => (albedo is null ? (OptionSpec)NativeOptions.Reflectance : NativeOptions.Albedo).Named(
+                        () => ReflectanceFactory.Create(law, parameters, albedo))),
+                Sun = NativeOptions.Sun.Read(values),
+                Normals = NativeOptions.Shading.Read(values),
+                SubsamplesPerAxis = SubsamplesPerAxis(NativeOptions.Samples.Read(values)),
+                KeepGroundTruth = needsTruth || layers is not null,
+            },
+            ReflectanceText = parameters.Count == 0
+                ? law
+                : $"{law}:{string.Join(',', parameters.Select(pair => $"{pair.Key}={NumberSpec.TextOf(pair.Value)}"))}",
+            Albedo = albedo,
+            Grey = NativeOptions.Exposure.Named(
+                () => new GreyScale(NativeOptions.Exposure.Read(values), NativeOptions.Transfer.Read(values))),
+            BitDepth = NativeOptions.BitDepth.Read(values),
+            Layers = layers,
+            LayersFormat = NativeOptions.LayersFormat.Read(values),
+        };
+    }
+
+    private static int SubsamplesPerAxis(int samples)
+    {
+        int perAxis = (int)Math.Sqrt(samples); // exact for numbers as small as these
+        return perAxis * perAxis == samples
+            ? perAxis
+            : throw new BadInputException(
+                $"--samples is {samples}; the samples form a square grid, so a square number is needed: "
+                    + $"{perAxis * perAxis} or {(perAxis + 1) * (perAxis + 1)}.")
+                .About(NativeOptions.Samples);
+    }
+
+    /// <summary>"hapke:w=0.3,b0=1.2": the law, and its parameters by name.</summary>
+    private static (string Law, SortedDictionary<string, double> Parameters) Reflectance(string text)
+    {
+        string[] parts = text.Split(':', 2);
+        SortedDictionary<string, double> parameters = new(StringComparer.Ordinal);
+        foreach (string parameter in parts.Length == 2 ? parts[1].Split(',') : [])
+        {
+            string[] pair = parameter.Split('=', 2, StringSplitOptions.TrimEntries);
+            if (pair.Length != 2 || !NumberText.TryParse(pair[1], out double value))
+            {
+                throw new BadInputException($"--reflectance: '{parameter}' is no parameter; "
+                    + $"name=number is needed, as in hapke:w=0.3,b0=1.2.").About(NativeOptions.Reflectance);
+            }
+
+            if (!parameters.TryAdd(pair[0], value))
+            {
+                throw new BadInputException(
+                    $"--reflectance: the parameter {pair[0]} is given twice. Leave one out.").About(NativeOptions.Reflectance);
+            }
+        }
+
+        return (parts[0].Trim(), parameters);
+    }
+}

@@ -1,0 +1,63 @@
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Camera;
+using Msisf.Core.Metadata;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of the files that are written, but for those of one renderer.</summary>
+internal static class OutputOptions
+{
+    /// <summary>Folder of the outputs.</summary>
+    public static PathSpec Folder { get; } = new("--output-dir", PathKind.Folder, "Folder of the outputs")
+    {
+        Aliases = ["-o"],
+        Default = "output",
+        DefaultNote = "./output",
+    };
+
+    /// <summary>File names.</summary>
+    public static TextSpec Name { get; } = new(
+        "--output-name", "PATTERN",
+        "File names without extension; {step}, {step:00000}, {mjd} and {mjd:0.000} stand for the image's number and time")
+    {
+        Default = "MoonSurfIllumSim_step_{step:00000}",
+    };
+
+    /// <summary>Spacing of the meta file's pixels, both ways.</summary>
+    public static WholeNumberSpec Grid { get; } = new(
+        "--grid", "PX", 1, int.MaxValue, "Spacing of the pixels that the meta file lists, both ways")
+    {
+        Aliases = ["-g"],
+        Default = PixelGrid.DefaultSpacing,
+    };
+
+    /// <summary>The same, horizontally.</summary>
+    public static WholeNumberSpec GridHorizontal { get; } = new("--gridH", "PX", 1, int.MaxValue, "The same, horizontally")
+    {
+        Aliases = ["-gH"],
+        DefaultNote = "--grid",
+    };
+
+    /// <summary>The same, vertically.</summary>
+    public static WholeNumberSpec GridVertical { get; } = new("--gridV", "PX", 1, int.MaxValue, "The same, vertically")
+    {
+        Aliases = ["-gV"],
+        DefaultNote = "--grid",
+    };
+
+    /// <summary>Surface on which the meta file's pixels lie.</summary>
+    public static ChoiceSpec<PixelSurface> Surface { get; } = new(
+        "--surface",
+        [("sphere", PixelSurface.Sphere), ("terrain", PixelSurface.Terrain)],
+        "Where the meta file's pixels lie: on the reference sphere, or on the terrain that the image shows")
+    {
+        Default = PixelSurface.Sphere,
+    };
+
+    /// <summary>A second image.</summary>
+    public static FlagSpec Annotation { get; } = new(
+        "--rendering-annotation", "Make a second image with the illumination directions and the scene's data drawn on it");
+
+    /// <summary>All of them.</summary>
+    public static OptionGroup Group { get; } = new("Output", [Folder, Name, Annotation, Surface, Grid, GridHorizontal, GridVertical]);
+}

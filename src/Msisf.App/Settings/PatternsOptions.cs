@@ -1,0 +1,115 @@
+using Msisf.Adapters.Tiles;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of msis patterns. There is none for a password: every user sees the arguments of a program.</summary>
+internal static class PatternsOptions
+{
+    /// <summary>Where the samples come from; the value is true for the database.</summary>
+    public static ChoiceSpec<bool> Source { get; } = new(
+        "--source", [("ldem", false), ("mysql", true)],
+        "Where the samples come from: the elevation model's file, or the database of scripts/ldem_mysql_insert.php")
+    {
+        Default = false,
+    };
+
+    /// <summary>Connection to the database.</summary>
+    public static PathSpec DefaultsFile { get; } = new(
+        "--defaults-file",
+        PathKind.File,
+        "With --source mysql: option file with the connection in its [client] group; "
+            + "what it leaves out comes from MSISF_DB_HOST, _PORT, _SOCKET, _USER, _PASSWORD, _DATABASE and _SSL_CA");
+
+    /// <summary>Overlap of the patterns, degrees.</summary>
+    public static NumberSpec Margin { get; } = new("--margin", "DEGREES", "Overlap with the neighbours, for scenes of 2012")
+    {
+        Limits = new NumberRange(0.0, PatternOptions.MaxMarginDegrees),
+        Default = 0.0,
+    };
+
+    /// <summary>Form of the patterns.</summary>
+    public static ChoiceSpec<PatternFormat> Format { get; } = new(
+        "--format", [("mesh2", PatternFormat.Mesh2), ("mesh", PatternFormat.Mesh)],
+        "Form of the patterns: exact and compact, or the thesis's text form for old scenes")
+    {
+        Default = PatternFormat.Mesh2,
+    };
+
+    /// <summary>The run whose patterns are made, by its batch file.</summary>
+    public static PathSpec ForBatch { get; } = CameraOptions.BatchFile with
+    {
+        Name = "--for-batch",
+        Aliases = [CameraOptions.BatchFile.Name],
+        Help = "Only the patterns that the images of this batch file need",
+    };
+
+    /// <summary>Options that have a meaning for the whole Moon only.</summary>
+    public static OptionGroup WholeMoon { get; } = new("All patterns of the Moon", [Source, DefaultsFile, Margin, Format]);
+
+    /// <summary>Options that have a meaning for both.</summary>
+    public static OptionGroup Model { get; } = new(
+        "Surface model", [SurfaceOptions.Resolution, SurfaceOptions.Ldem, PovOptions.PatternRepository]);
+
+    /// <summary>
+    /// Options of a run on which the choice of its patterns depends, but for the camera, the ephemeris, and which frames.
+    /// </summary>
+    public static IReadOnlyList<OptionSpec> Deciding { get; } =
+    [
+        ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height, SurfaceOptions.LevelOfDetail, SurfaceOptions.LevelOfDetailError,
+        LightOptions.IgnoreSun, .. Model.Options, LightOptions.Aberration, LightOptions.Kernels,
+    ];
+
+    /// <summary>Options that have a meaning for the patterns of a run only.</summary>
+    public static OptionGroup OfRun { get; } = new(
+        "Patterns of a run",
+        [ForBatch, .. CameraOptions.Group.Options.Where(option => option != CameraOptions.BatchFile), .. Deciding.Except(
+            Model.Options), LightOptions.Ephemeris, RunOptions.Frames, RunOptions.Jobs])
+    {
+        Note = "The run is given by --for-batch, or as for msis itself. All of these must be what the run has.",
+    };
+
+    /// <summary>Reads the run whose patterns are made; null if none is given.</summary>
+    /// <exception cref="MsisfException">An option is wrong, or has no meaning with or without a run.</exception>
+    public static (CameraSettings Camera, RenderSettings Settings)? ReadRun(OptionValues values)
+    {
+        if (CameraSettingsReader.ReadIfGiven(values, ForBatch) is not { } camera)
+        {
+            Refuse(OfRun, values, $"is for the patterns of a run only. Say of which by {ForBatch.Name}, or leave it out.");
+            return null;
+        }
+
+        Refuse(WholeMoon, values, "has no meaning for the patterns of a run. Leave it out, or make those of the whole Moon.");
+        return (camera, RenderSettingsReader.Read(values));
+    }
+
+    /// <summary>Reads which patterns of the whole Moon are made.</summary>
+    /// <exception cref="MsisfException">An option is wrong, or contradicts another.</exception>
+    public static WholeMoonSettings ReadWholeMoon(OptionValues values)
+    {
+        PatternOptions patterns = Margin.Named(() => new PatternOptions(Margin.Read(values), Format.Read(values)));
+        WholeMoonSettings settings = new(
+            SurfaceOptions.Resolution.Read(values), SurfaceOptions.Ldem.ReadIfGiven(values), Source.Read(values),
+            DefaultsFile.ReadIfGiven(values),
+            PovOptions.PatternRepository.Read(values), patterns, RunOptions.Batch.Read(values));
+        return settings switch
+        {
+            { IsDatabase: true, Ldem: not null } =>
+                throw new UsageException(
+                    "--ldem and --source mysql contradict each other. Give one of them.").About(SurfaceOptions.Ldem, Source),
+            { IsDatabase: false, DefaultsFile: not null } =>
+                throw new UsageException(
+                    "--defaults-file is for --source mysql only. Leave it out, or give --source mysql.").About(DefaultsFile, Source),
+            _ => settings,
+        };
+    }
+
+    private static void Refuse(OptionGroup group, OptionValues values, string why)
+    {
+        if (group.Options.FirstOrDefault(values.IsGiven) is { } wrong)
+        {
+            throw new UsageException($"{wrong.Name} {why}").About(wrong);
+        }
+    }
+}

@@ -1,0 +1,85 @@
+using Msisf.Adapters.Render;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Lod;
+using Msisf.Core.Metadata;
+using Msisf.Core.Render;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Settings;
+
+/// <summary>Reads the options of a run, but for where the camera is.</summary>
+internal static class RenderSettingsReader
+{
+    /// <summary>Reads and checks all.</summary>
+    /// <exception cref="MsisfException">A value is wrong, or an option has no meaning beside another.</exception>
+    public static RenderSettings Read(OptionValues values)
+    {
+        PixelSurface surface = OutputOptions.Surface.Read(values);
+        int grid = OutputOptions.Grid.Read(values);
+        RendererKind renderer = RendererOptions.Renderer.Read(values);
+        RenderSettings settings = new()
+        {
+            FieldOfViewDegrees = ImageOptions.FieldOfView.Read(values),
+            Width = ImageOptions.Width.Read(values),
+            Height = ImageOptions.Height.Read(values),
+            GridHorizontal = OutputOptions.GridHorizontal.ReadIfGiven(values) ?? grid,
+            GridVertical = OutputOptions.GridVertical.ReadIfGiven(values) ?? grid,
+            Surface = surface,
+            PixelsPerDegree = SurfaceOptions.Resolution.Read(values),
+            Renderer = renderer,
+            Native = NativeSettingsReader.Read(values, needsTruth: surface == PixelSurface.Terrain),
+            LevelOfDetailError = LevelOfDetailError(values, renderer),
+            IgnoreSun = LightOptions.IgnoreSun.Read(values),
+            Annotate = OutputOptions.Annotation.Read(values),
+            OutputFolder = OutputOptions.Folder.Read(values),
+            OutputName = OutputOptions.Name.Read(values),
+            PatternRepository = PovOptions.PatternRepository.Read(values),
+            Ldem = SurfaceOptions.Ldem.ReadIfGiven(values),
+            Ephemeris = LightOptions.Ephemeris.Read(values),
+            Aberration = Aberration(values),
+            Kernels = LightOptions.Kernels.ReadIfGiven(values),
+            PovPath = PovOptions.Program.ReadIfGiven(values),
+            PovOptions = PovOptions.MoreOptions.Concerned(
+                () => PovRayOptions.Parse(PovOptions.MoreOptions.ReadIfGiven(values) ?? string.Empty)),
+            Timeout = PovOptions.Timeout.ReadIfGiven(values) is { } seconds ? TimeSpan.FromSeconds(seconds) : null,
+            Jobs = RunOptions.Jobs.ReadIfGiven(values),
+            Frames = RunOptions.Frames.ReadIfGiven(values) is { } steps ? RunOptions.Frames.Named(() => StepRanges.Parse(steps)) : null,
+            Overwrite = RunOptions.Overwrite.Read(values),
+            FailFast = RunOptions.FailFast.Read(values),
+            FrameTimes = RunOptions.FrameTimes.ReadIfGiven(values),
+            Unattended = RunOptions.Batch.Read(values),
+            ListPatterns = PovOptions.ListPatterns.Read(values),
+            Timing = RunOptions.Timing.Read(values),
+        };
+        RendererOptions.Check(values);
+        return settings;
+    }
+
+    private static double? LevelOfDetailError(OptionValues values, RendererKind renderer)
+    {
+        bool isOff = SurfaceOptions.LevelOfDetail.Read(values);
+        double? given = SurfaceOptions.LevelOfDetailError.ReadIfGiven(values);
+        if (isOff)
+        {
+            return given is null
+                ? null
+                : throw new UsageException(
+                    "--lod-error has no meaning with --lod off, which always shows the model itself. Leave one of them out.")
+                    .About(SurfaceOptions.LevelOfDetailError, SurfaceOptions.LevelOfDetail);
+        }
+
+        return given ?? (renderer == RendererKind.Native ? DetailRule.DefaultErrorOfImage : DetailRule.DefaultErrorOfParts);
+    }
+
+    private static Aberration Aberration(OptionValues values)
+    {
+        Aberration aberration = LightOptions.Aberration.Read(values);
+        return values.Text(LightOptions.Aberration) is not null && LightOptions.IgnoreSun.Read(values)
+            ? throw new UsageException(
+                "--aberration has no meaning with --ignore-sun, which lights the scene from the camera. Leave one out.")
+                .About(LightOptions.Aberration, LightOptions.IgnoreSun)
+            : aberration;
+    }
+}

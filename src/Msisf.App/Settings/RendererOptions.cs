@@ -1,0 +1,46 @@
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Render;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The choice of the renderer, and which options have a meaning with which one.</summary>
+internal static class RendererOptions
+{
+    /// <summary>The renderer.</summary>
+    public static ChoiceSpec<RendererKind> Renderer { get; } = new(
+        "--renderer",
+        [("povray", RendererKind.PovRay), ("native", RendererKind.Native)],
+        "What draws: POV-Ray from surface patterns, or msis itself straight from the elevation model")
+    {
+        Default = RendererKind.PovRay,
+    };
+
+    /// <summary>It alone.</summary>
+    public static OptionGroup Group { get; } = new("Renderer", [Renderer]);
+
+    /// <summary>The options that a renderer could only ignore.</summary>
+    public static IReadOnlyList<OptionSpec> WithoutMeaning(RendererKind renderer) =>
+        (renderer == RendererKind.PovRay ? NativeOptions.Group : PovOptions.Group).Options;
+
+    /// <summary>Refuses what the chosen renderer could only ignore.</summary>
+    /// <exception cref="UsageException">An option of the other renderer, or one without the one that it belongs to.</exception>
+    public static void Check(OptionValues values)
+    {
+        RendererKind renderer = Renderer.Read(values);
+        if (WithoutMeaning(renderer).FirstOrDefault(values.IsGiven) is { } wrong)
+        {
+            throw new UsageException(renderer == RendererKind.PovRay
+                ? $"{wrong.Name} is for --renderer native only. Add that, or leave it out."
+                : $"{wrong.Name} has no meaning with --renderer native, which needs neither POV-Ray nor patterns. "
+                    + $"Leave it out, or choose --renderer povray.")
+                .About(wrong, Renderer);
+        }
+
+        if (values.IsGiven(NativeOptions.LayersFormat) && values.Text(NativeOptions.Layers) is null)
+        {
+            throw new UsageException(
+                "--layers-format is given, but no --layers. Name the layers, or leave it out.").About(NativeOptions.LayersFormat);
+        }
+    }
+}

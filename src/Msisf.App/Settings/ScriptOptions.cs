@@ -1,0 +1,53 @@
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of a script that makes a run in pieces.</summary>
+internal static class ScriptOptions
+{
+    /// <summary>What runs the pieces.</summary>
+    public static ChoiceSpec<ScriptFormat> Format { get; } = new(
+        "--format",
+        [("sh", ScriptFormat.Sh), ("bat", ScriptFormat.Bat), ("parallel", ScriptFormat.Parallel), ("slurm", ScriptFormat.Slurm)],
+        "What runs the pieces: a shell or Windows's cmd one after another, GNU parallel, or Slurm")
+    {
+        IsRequired = true,
+    };
+
+    /// <summary>The script.</summary>
+    public static PathSpec Script { get; } = new("--script", PathKind.File, "The script")
+    {
+        IsOfOneCall = true,
+        DefaultNote = "./msis-pieces with the format's ending",
+    };
+
+    /// <summary>The script of msis submit, in the folder of the outputs.</summary>
+    public static string SlurmScriptName { get; } = NameOf(ScriptFormat.Slurm);
+
+    /// <summary>Follows the jobs of Slurm.</summary>
+    public static FlagSpec Wait { get; } = new(
+        "--wait", "Tell the progress, and end with the exit code of the whole") { IsOfOneCall = true };
+
+    /// <summary>Reads the format, and refuses options of Slurm with another one.</summary>
+    /// <exception cref="MsisfException">An option is wrong, or forbidden.</exception>
+    public static ScriptFormat ReadFormat(OptionValues values)
+    {
+        ScriptFormat format = Format.Read(values);
+        return format == ScriptFormat.Slurm || SlurmOptions.Group.Options.FirstOrDefault(values.IsGiven) is not { } wrong
+            ? format
+            : throw new UsageException($"{wrong.Name} is for --format slurm only. Choose that, or leave it out.").About(wrong);
+    }
+
+    /// <summary>Where the script goes.</summary>
+    /// <exception cref="BadInputException">The path is empty.</exception>
+    public static string ReadPath(OptionValues values) => Script.ReadIfGiven(values) ?? NameOf(Format.Read(values));
+
+    private static string NameOf(ScriptFormat format) => format switch
+    {
+        ScriptFormat.Sh => "msis-pieces.sh",
+        ScriptFormat.Bat => "msis-pieces.bat",
+        ScriptFormat.Parallel => "msis-pieces.parallel.sh",
+        _ => "msis-pieces.slurm.sh",
+    };
+}

@@ -1,0 +1,137 @@
+using System.Text.RegularExpressions;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings;
+
+/// <summary>What Slurm is asked for.</summary>
+internal static partial class SlurmOptions
+{
+    /// <summary>More would only hide what is wrong.</summary>
+    private const int MaxRetries = 100;
+
+    private const int MaxCpus = 1024;
+
+    /// <summary>Options of sbatch that the script sets by itself, or that have an option here.</summary>
+    private static readonly string[] OwnOptions =
+    [
+        "account", "array", "chdir", "cpus-per-task", "dependency", "error", "help", "input", "job-name", "mem", "no-requeue", "open-mode",
+        "output",
+        "parsable", "partition", "quiet", "requeue", "test-only", "time", "usage", "version", "wait", "wrap",
+    ];
+
+    /// <summary>Pieces at once.</summary>
+    public static WholeNumberSpec Concurrency { get; } = new("--concurrency", "N", 1, int.MaxValue, "Pieces at once")
+    {
+        DefaultNote = "as many as there is room for",
+    };
+
+    /// <summary>CPUs of a piece.</summary>
+    public static WholeNumberSpec CpusPerTask { get; } = new(
+        "--cpus-per-task", "N", 1, MaxCpus, "CPUs of a piece, and its images at once if --jobs does not say otherwise")
+    {
+        Default = 1,
+    };
+
+    /// <summary>Memory of a piece.</summary>
+    public static TextSpec Memory { get; } = new("--memory", "SIZE", "Memory of a piece, e.g. 4G")
+    {
+        Form = (SizeText(), "a size is needed, e.g. 4G or 500M"),
+        DefaultNote = "the cluster's",
+    };
+
+    /// <summary>Longest time of a piece.</summary>
+    public static TextSpec TimeLimit { get; } = new("--time-limit", "TIME", "Longest time of a piece as sbatch takes it, e.g. 2:00:00")
+    {
+        Form = (TimeText(), "a time is needed: minutes, or as in 2:00:00 and 1-12:00:00"),
+        DefaultNote = "the partition's",
+    };
+
+    /// <summary>Partition.</summary>
+    public static TextSpec Partition { get; } = new("--partition", "NAME", "Partition")
+    {
+        Form = (NameText(), "a name without blanks is needed"),
+        DefaultNote = "the cluster's",
+    };
+
+    /// <summary>Account.</summary>
+    public static TextSpec Account { get; } = new("--account", "NAME", "Account")
+    {
+        Form = (NameText(), "a name without blanks is needed"),
+        DefaultNote = "the user's",
+    };
+
+    /// <summary>More options of sbatch.</summary>
+    public static TextSpec MoreOptions { get; } = new(
+        "--sbatch-options", "TEXT", "More options of sbatch without their dashes, separated by spaces, e.g. \"qos=long constraint=avx2\"")
+    {
+        Separator = " ",
+    };
+
+    /// <summary>How often missing frames are submitted again.</summary>
+    public static WholeNumberSpec Retries { get; } = new(
+        "--retries", "N", 0, MaxRetries, "How often missing images are submitted again") { Default = 3 };
+
+    /// <summary>All of them.</summary>
+    public static OptionGroup Group { get; } = new(
+        "Slurm",
+        [CpusPerTask, Memory, TimeLimit, Partition, Account, Concurrency, Retries, MoreOptions, FolderOptions.ContactSheet, FolderOptions.Video]);
+
+    /// <summary>Reads and checks them.</summary>
+    /// <exception cref="MsisfException">A value is wrong, or an option of sbatch is none of the user's.</exception>
+    public static SlurmSettings Read(OptionValues values) => new()
+    {
+        Concurrency = Concurrency.ReadIfGiven(values),
+        CpusPerTask = CpusPerTask.Read(values),
+        Memory = Memory.ReadIfGiven(values),
+        TimeLimit = TimeLimit.ReadIfGiven(values),
+        Partition = Partition.ReadIfGiven(values),
+        Account = Account.ReadIfGiven(values),
+        MoreOptions = [.. (
+            MoreOptions.ReadIfGiven(values) ?? string.Empty).Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(Checked)],
+        Retries = Retries.Read(values),
+        MergeOptions = [.. MergeOptionsOf(values)],
+    };
+
+    private static IEnumerable<string> MergeOptionsOf(OptionValues values)
+    {
+        if (FolderOptions.ContactSheet.Read(values))
+        {
+            yield return FolderOptions.ContactSheet.Name;
+        }
+
+        if (FolderOptions.Video.ReadIfGiven(values) is not null)
+        {
+            yield return FolderOptions.Video.Name;
+            yield return values.Text(FolderOptions.Video)!;
+        }
+    }
+
+    private static string Checked(string word)
+    {
+        Match match = SbatchText().Match(word);
+        if (!match.Success)
+        {
+            throw new BadInputException($"{MoreOptions.Name}: '{word}' is none; "
+                + $"long options of sbatch are needed, without their dashes, e.g. qos=long.").About(MoreOptions);
+        }
+
+        return OwnOptions.Contains(match.Groups["name"].Value)
+            ? throw new UsageException(
+                $"{MoreOptions.Name}: {match.Groups["name"].Value} is set by msis itself. "
+                    + $"Leave it out, or see msis batchconvert --help for its own option.").About(MoreOptions)
+            : word;
+    }
+
+    [GeneratedRegex(@"^[0-9]{1,6}[KMGT]?\z")]
+    private static partial Regex SizeText();
+
+    [GeneratedRegex(@"^([0-9]+-)?[0-9]+(:[0-9]+){0,2}\z")]
+    private static partial Regex TimeText();
+
+    [GeneratedRegex(@"^[\w.,@+-]+\z")]
+    private static partial Regex NameText();
+
+    [GeneratedRegex(@"^(?<name>[a-z][a-z0-9-]*)(=[^\s\p{C}]+)?\z")]
+    private static partial Regex SbatchText();
+}

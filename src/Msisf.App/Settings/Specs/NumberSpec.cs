@@ -1,0 +1,53 @@
+using System.Globalization;
+using Msisf.Adapters.Input;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings.Specs;
+
+/// <summary>An option whose value is a finite number.</summary>
+/// <param name="Name">Long name with its dashes.</param>
+/// <param name="ValueName">Its unit or meaning, e.g. "DEGREES".</param>
+/// <param name="Help">See <see cref="OptionSpec"/>.</param>
+internal sealed record NumberSpec(string Name, string ValueName, string Help) : OptionSpec(Name, Help)
+{
+    /// <inheritdoc/>
+    public override string ValueName { get; } = ValueName;
+
+    /// <summary>The default; null if there is none.</summary>
+    public double? Default { get; init; }
+
+    /// <summary>The numbers that are possible; null if whoever uses the number checks it.</summary>
+    public NumberRange? Limits { get; init; }
+
+    /// <inheritdoc/>
+    public override string? Range => Limits?.ToString();
+
+    /// <inheritdoc/>
+    public override string? DefaultValue => Default is { } number ? TextOf(number) : null;
+
+    /// <summary>The number, or the default, which the option must have.</summary>
+    /// <exception cref="BadInputException">No finite number, or out of range.</exception>
+    public double Read(OptionValues values) => ReadIfGiven(values) ?? Default!.Value;
+
+    /// <summary>The number; null if it is not given.</summary>
+    /// <exception cref="BadInputException">No finite number, or out of range.</exception>
+    public double? ReadIfGiven(OptionValues values)
+    {
+        if (values.Text(this) is not string text)
+        {
+            return null;
+        }
+
+        if (!NumberText.TryParse(text, out double number))
+        {
+            throw new BadInputException($"{Name}: {NumberText.ProblemWith(text)}.").About(this);
+        }
+
+        return Limits is not { } limits || limits.Contains(number)
+            ? number
+            : throw new BadInputException($"{Name} is {text}; its range is {limits}.").About(this);
+    }
+
+    /// <summary>The shortest text that reads back to the same number.</summary>
+    public static string TextOf(double number) => number.ToString("R", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,45 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings.Specs;
+
+/// <summary>An option whose value is a whole number.</summary>
+/// <param name="Name">Long name with its dashes.</param>
+/// <param name="ValueName">Its unit or meaning, e.g. "PX".</param>
+/// <param name="Min">The smallest.</param>
+/// <param name="Max">The largest; <see cref="int.MaxValue"/> where none is needed.</param>
+/// <param name="Help">See <see cref="OptionSpec"/>.</param>
+internal sealed record WholeNumberSpec(string Name, string ValueName, int Min, int Max, string Help) : OptionSpec(Name, Help)
+{
+    /// <inheritdoc/>
+    public override string ValueName { get; } = ValueName;
+
+    /// <summary>The default; null if there is none.</summary>
+    public int? Default { get; init; }
+
+    /// <inheritdoc/>
+    public override string? Range => Max == int.MaxValue ? null : string.Create(CultureInfo.InvariantCulture, $"{Min} to {Max}");
+
+    /// <inheritdoc/>
+    public override string? DefaultValue => Default?.ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>The number, or the default, which the option must have.</summary>
+    /// <exception cref="BadInputException">No whole number, or out of range.</exception>
+    public int Read(OptionValues values) => ReadIfGiven(values) ?? Default!.Value;
+
+    /// <summary>The number; null if it is not given.</summary>
+    /// <exception cref="BadInputException">No whole number, or out of range.</exception>
+    public int? ReadIfGiven(OptionValues values)
+    {
+        if (values.Text(this) is not string text)
+        {
+            return null;
+        }
+
+        return int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number) && number >= Min
+            && number <= Max
+            ? number
+            : throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture, $"{Name} is '{text}'; a whole number from {Min} to {Max} is needed.")).About(this);
+    }
+}

@@ -1,0 +1,48 @@
+using System.Globalization;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Lod;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of the elevation model and its levels of detail.</summary>
+internal static class SurfaceOptions
+{
+    /// <summary>px/deg: the finest product that NASA offers (LDEM_1024).</summary>
+    public const int MaxResolution = 1024;
+
+    /// <summary>px: from here on nothing of the Moon would be left to see.</summary>
+    private const double MaxLevelOfDetailError = 100.0;
+
+    /// <summary>Resolution, px/deg.</summary>
+    public static WholeNumberSpec Resolution { get; } = new("--res", "PX/DEG", 1, MaxResolution, "Resolution of the elevation model")
+    {
+        Aliases = ["-r"],
+        Default = 4,
+    };
+
+    /// <summary>The model.</summary>
+    public static PathSpec Ldem { get; } = new(
+        "--ldem", PathKind.Any, "Elevation model: its label, its image (of a split model any of them), or a folder of models")
+    {
+        DefaultNote = "./input/ldem, then that of the installation",
+    };
+
+    /// <summary>Whether coarser levels are used; the value is true for "off".</summary>
+    public static ChoiceSpec<bool> LevelOfDetail { get; } = new(
+        "--lod", [("auto", false), ("off", true)],
+        "Coarser levels of the model where its cells are smaller than a pixel, or always the model itself")
+    {
+        Default = false,
+    };
+
+    /// <summary>Allowed error of the levels, px.</summary>
+    public static NumberSpec LevelOfDetailError { get; } = new("--lod-error", "PX", "How far coarser levels may move what is seen")
+    {
+        Limits = new NumberRange(0.0, MaxLevelOfDetailError),
+        DefaultNote = string.Create(
+            CultureInfo.InvariantCulture, $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native"),
+    };
+
+    /// <summary>All of them.</summary>
+    public static OptionGroup Group { get; } = new("Surface model", [Resolution, Ldem, LevelOfDetail, LevelOfDetailError]);
+}

@@ -1,0 +1,81 @@
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+
+namespace Msisf.Cli.Completion;
+
+/// <summary>The script for zsh.</summary>
+internal static class ZshCompletion
+{
+    /// <summary>The whole script; it may be sourced, or stand in a folder of $fpath as _msis.</summary>
+    public static string Script() => $$"""
+        #compdef msis
+        # Completion of msis for zsh; made by: msis completion zsh
+        _msis() {
+            # The command comes first.
+            local command= next
+            while (( CURRENT > 2 )); do
+                next="$command${command:+ }$words[2]"
+                case $next in
+                    {{string.Join(" | ", CommandTable.All.Where(entry => entry.Path.Length > 0).Select(entry => $"'{entry.Path}'"))}}) command=$next ;;
+                    *) break ;;
+                esac
+                shift words
+                (( CURRENT-- ))
+            done
+
+            case $command in
+        {{string.Join('\n', CommandTable.All.Select(entry => Command(entry.Path, entry.Command)))}}
+            esac
+        }
+        if [[ $funcstack[1] == _msis ]]; then
+            _msis "$@"
+        else
+            compdef _msis msis
+        fi
+
+        """.ReplaceLineEndings("\n");
+
+    private static string Command(string path, CommandSpec command)
+    {
+        IEnumerable<string> specs = command.Options.SelectMany(Specs);
+        if (command.Commands.Count > 0)
+        {
+            specs = specs.Append(Quoted($"1:command:(({string.Join(' ', command.Commands.Select(inner => $"{inner.Name}\\:\"{Escaped(inner.Summary.TrimEnd('.'))}\""))}))"));
+        }
+        else if (command.Argument is { } argument)
+        {
+            specs = specs.Append(
+                Quoted($"1:{argument.Name}:{(argument.Words.Count > 0 ? $"({string.Join(' ', argument.Words)})" : "_files")}"));
+        }
+
+        return $"        '{path}') _arguments {string.Join(' ', specs)} ;;";
+    }
+
+    /// <summary>An option under each of its names, which exclude each other.</summary>
+    private static IEnumerable<string> Specs(OptionSpec option)
+    {
+        string[] names = [option.Name, .. option.Aliases];
+        string value = option.ValueName is { } name ? $":{Escaped(name)}:{Action(option)}" : string.Empty;
+        return names.Select(called => Quoted(
+            $"({string.Join(' ', names)}){called}{(option.ValueName is not null && called.StartsWith("--", StringComparison.Ordinal) ? "=" : string.Empty)}[{Escaped(option.Help)}]{value}"));
+    }
+
+    private static string Action(OptionSpec option) => option switch
+    {
+        PathSpec { Kind: PathKind.Folder } => "_files -/",
+        PathSpec => "_files",
+        { Suggestions.Count: 0 } => " ",
+        { ListSeparator: "," } => $"_values -s , {option.Key} {string.Join(' ', option.Suggestions)}",
+        _ => $"({string.Join(' ', option.Suggestions)})",
+    };
+
+    /// <summary>Without what has a meaning in the specifications of _arguments.</summary>
+    private static string Escaped(string text) => text
+        .Replace(
+            "\\",
+            "\\\\",
+            StringComparison.Ordinal).Replace("[", "\\[", StringComparison.Ordinal).Replace("]", "\\]", StringComparison.Ordinal)
+        .Replace(":", "\\:", StringComparison.Ordinal).Replace("\"", "\\\"", StringComparison.Ordinal);
+
+    private static string Quoted(string text) => $"'{text.Replace("'", "'\\''", StringComparison.Ordinal)}'";
+}

@@ -1,0 +1,21 @@
+namespace Msisf.Cli.Help;
+
+/// <summary>What the exit codes mean, for the manual page and docs/command-line.md.</summary>
+internal static class ExitCodes
+{
+    /// <summary>Each code with its meaning.</summary>
+    public static IReadOnlyList<(int Code, string Meaning)> All { get; } =
+    [
+        (0, "all is well"),
+        (1, "wrong, missing or forbidden options"),
+        (2, "a file or a value does not hold what it should"),
+        (
+            3,
+            "CSPICE, POV-Ray or the file system failed or is missing; or some images of several failed (they are named, "
+                + "the others are complete)"),
+        (4, "valid input without an image in it: an empty batch file or interval (an image that misses the Moon is valid)"),
+        (5, "status, verify, merge: images are missing, damaged, failed or of other settings"),
+        (70, "a bug: please report the message with its stack"),
+        (130, "ended by Ctrl-C, SIGTERM or a terminal that went away; finished images are complete, no other files are left"),
+    ];
+}

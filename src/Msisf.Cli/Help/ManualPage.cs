@@ -1,0 +1,101 @@
+using System.Globalization;
+using System.Text;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+
+namespace Msisf.Cli.Help;
+
+/// <summary>The manual page msis(1), in the language of man pages (roff, macro package man).</summary>
+internal static class ManualPage
+{
+    /// <summary>The whole page.</summary>
+    /// <param name="version">Of the program.</param>
+    public static string Text(string version)
+    {
+        CommandSpec program = CommandTable.Render;
+        StringBuilder page = new();
+        Line(page, $".TH MSIS 1 \"\" \"msis {Escaped(version)}\" \"Synthetic images of the Moon\"");
+        Line(page, ".SH NAME");
+        Line(page, $"msis \\- {Escaped(char.ToLowerInvariant(program.Summary[0]) + program.Summary[1..].TrimEnd('.'))}");
+        Line(page, ".SH SYNOPSIS");
+        foreach ((string path, CommandSpec command) in CommandTable.All.Where(
+            entry => entry.Path.Length == 0 || entry.Command.Commands.Count == 0))
+        {
+            Line(page, $".B {Escaped(HelpText.UsageOf(path, command).First())}");
+            Line(page, ".br");
+        }
+
+        Line(page, ".SH DESCRIPTION");
+        Line(page, Escaped(program.Details!));
+        Line(page, ".SH EXAMPLES");
+        foreach ((string meaning, string call) in CommandTable.All.SelectMany(entry => entry.Command.Examples))
+        {
+            Line(page, ".PP");
+            Line(page, Escaped(meaning));
+            Line(page, ".PP");
+            Line(page, ".RS 4\n.nf");
+            Line(page, string.Join('\n', TextLayout.CallLines(call, 0).Select(Escaped)));
+            Line(page, ".fi\n.RE");
+        }
+
+        Line(page, ".SH OPTIONS");
+        Groups(page, program.Groups);
+        Line(page, ".SH COMMANDS");
+        foreach ((string path, CommandSpec command) in CommandTable.All.Where(
+            entry => entry.Path.Length > 0 && entry.Command.Commands.Count == 0))
+        {
+            Line(page, $".SS {Escaped(HelpText.UsageOf(path, command).First())}");
+            Line(page, Escaped($"{command.Summary} {command.Details}".TrimEnd()));
+            Options(page, command.Options.Where(option => !program.Options.Contains(option)));
+        }
+
+        Line(page, ".SH EXIT STATUS");
+        foreach ((int code, string meaning) in ExitCodes.All)
+        {
+            Tagged(page, code.ToString(CultureInfo.InvariantCulture), meaning);
+        }
+
+        return page.ToString();
+    }
+
+    private static void Groups(StringBuilder page, IEnumerable<OptionGroup> groups)
+    {
+        foreach (OptionGroup group in groups)
+        {
+            Line(page, $".SS {Escaped(group.Title)}");
+            if (group.Note is not null)
+            {
+                Line(page, Escaped(group.Note));
+            }
+
+            Options(page, group.Options);
+        }
+    }
+
+    private static void Options(StringBuilder page, IEnumerable<OptionSpec> options)
+    {
+        foreach (OptionSpec option in options)
+        {
+            Tagged(page, HelpText.CallOf(option), option.Notes.Length == 0 ? option.Help : $"{option.Help} ({option.Notes})");
+        }
+    }
+
+    private static void Tagged(StringBuilder page, string tag, string text)
+    {
+        Line(page, ".TP");
+        Line(page, $".B {Escaped(tag)}");
+        Line(page, Escaped(text));
+    }
+
+    private static void Line(StringBuilder page, string line) => page.Append(line).Append('\n');
+
+    /// <summary>
+    /// A text in which nothing is a command of roff: hyphens can be copied, and no line begins with a dot or an apostrophe.
+    /// </summary>
+    private static string Escaped(string text)
+    {
+        string escaped = text.Replace("\\", "\\e", StringComparison.Ordinal).Replace("-", "\\-", StringComparison.Ordinal).Replace(
+            "'", "\\(aq", StringComparison.Ordinal).Replace("\"", "\\(dq", StringComparison.Ordinal);
+        return escaped.StartsWith('.') ? $"\\&{escaped}" : escaped;
+    }
+}

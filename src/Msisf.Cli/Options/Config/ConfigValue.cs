@@ -1,9 +1,0 @@
-namespace Msisf.Cli.Options.Config;
-
-/// <summary>A value from a configuration file, as it would stand on the command line.</summary>
-/// <param name="Key">The option's long name without its dashes.</param>
-/// <param name="Text">Its value; "true" or "false" of a flag.</param>
-/// <param name="File">Where it is from.</param>
-/// <param name="Line">The line there.</param>
-/// <param name="Rank">1 for the file of <c>--config</c>, 2 for the user's file: the smaller wins.</param>
-internal sealed record ConfigValue(string Key, string Text, string File, int Line, int Rank);

@@ -1,0 +1,55 @@
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+
+namespace Msisf.Cli.Parsing;
+
+/// <summary>
+/// Catches what the parser lets pass in silence: an option given twice, and options before a command that has none of them.
+/// </summary>
+internal static class StrayOptions
+{
+    /// <summary>Checks a parsed line.</summary>
+    /// <param name="line">The line.</param>
+    /// <exception cref="UsageException">An option twice, or one that does not belong to the command.</exception>
+    public static void Refuse(ParseResult line)
+    {
+        foreach (OptionResult option in OptionsOf(line.CommandResult))
+        {
+            if (option.IdentifierTokenCount > 1)
+            {
+                throw new UsageException($"{option.Option.Name} is given {option.IdentifierTokenCount} times. Give it once.");
+            }
+
+            // A value in braces takes all words up to the next option, and so a misspelt option too; that of --pov-options is made of
+            // switches.
+            if (option.Option.Name != PovOptions.MoreOptions.Name
+                && option.Tokens.Select(token => token.Value).FirstOrDefault(IsNoValue) is string word)
+            {
+                throw new UsageException($"Unrecognized option '{word}' after {option.Option.Name}. See msis --help.");
+            }
+        }
+
+        for (SymbolResult? outer = line.CommandResult.Parent; outer is CommandResult command; outer = outer.Parent)
+        {
+            if (OptionsOf(command).FirstOrDefault() is OptionResult stray)
+            {
+                throw new UsageException(
+                    $"{stray.Option.Name} stands before the command {line.CommandResult.Command.Name}. "
+                        + $"Put the command first, and see msis {line.CommandResult.Command.Name} --help for its options.");
+            }
+        }
+    }
+
+    private static bool IsNoValue(string word) =>
+        word.StartsWith("--", StringComparison.Ordinal)
+        || (word.Length > 1 && word[0] == '-' && char.IsAsciiLetter(word[1]) && !IsNotFiniteByName(word));
+
+    /// <summary>Such a "number" gets the message of the numbers.</summary>
+    private static bool IsNotFiniteByName(string word) =>
+        word.StartsWith("-Inf", StringComparison.OrdinalIgnoreCase) || word.StartsWith("-NaN", StringComparison.OrdinalIgnoreCase);
+
+    private static IEnumerable<OptionResult> OptionsOf(CommandResult command) =>
+        command.Children.OfType<OptionResult>().Where(option => !option.Implicit);
+}

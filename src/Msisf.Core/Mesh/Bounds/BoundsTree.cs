@@ -1,0 +1,168 @@
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Mesh.Bounds;
+
+/// <summary>
+/// Minimum, maximum and steepest slope of the surface in nodes of several sizes (<see cref="BoundsLayout"/>), with the cap and box in which
+/// each node lies. A node's bounds are found when they are first asked for. Safe for several threads: two may find the same bounds at the
+/// same time, which come out the same.
+/// </summary>
+internal sealed class BoundsTree
+{
+    /// <summary>Samples that are read, when all nodes are, before their memory is given back: 8 MB of 16-bit samples.</summary>
+    private const int SamplesBetweenReleases = 1 << 22;
+
+    private readonly FacetMesh? _mesh;
+    private readonly NodeReader? _reader;
+    private readonly NodeStore[] _stores;
+    private readonly NodeGeometry?[] _geometries;
+    private readonly double _sagitta;
+
+    /// <summary>Makes a tree that reads its nodes.</summary>
+    /// <param name="layout">How the mesh is divided.</param>
+    /// <param name="mesh">The mesh; nothing of it is read yet. Null if the finest nodes are all set before any is asked for.</param>
+    public BoundsTree(BoundsLayout layout, FacetMesh? mesh)
+    {
+        Layout = layout;
+        _mesh = mesh;
+        _reader = mesh is null ? null : new NodeReader(mesh);
+        _stores = new NodeStore[layout.Levels];
+        _geometries = new NodeGeometry?[layout.Levels];
+        for (int level = 0; level < layout.Levels; level++)
+        {
+            _stores[level] = new NodeStore(layout.Rows(level), layout.Columns(level));
+        }
+
+        _sagitta = MeshBounds.SagittaFactor(layout.Samples / 360);
+    }
+
+    /// <summary>How the mesh is divided.</summary>
+    public BoundsLayout Layout { get; }
+
+    /// <summary>The bounds of a node; what is not known of it yet is read.</summary>
+    /// <exception cref="BadInputException">The model can't be read there, or has a radius that is none of the Moon.</exception>
+    public NodeBounds Of(int level, int row, int column)
+    {
+        if (_stores[level].TryGet(row, column, out NodeBounds bounds))
+        {
+            return bounds;
+        }
+
+        if (level > Layout.CoarsestReadLevel)
+        {
+            TryUnite(level, row, column, reads: true, out bounds);
+            return bounds;
+        }
+
+        bounds = _reader!.Read(Layout.Cells(level, row, column));
+        Set(level, row, column, bounds);
+        return bounds;
+    }
+
+    /// <summary>The bounds of a node, if they follow from what is known; nothing is read.</summary>
+    public bool TryGetKnown(int level, int row, int column, out NodeBounds bounds) =>
+        _stores[level].TryGet(row, column, out bounds)
+        || (level > Layout.CoarsestReadLevel && TryUnite(level, row, column, reads: false, out bounds));
+
+    /// <summary>Makes bounds known that were found before.</summary>
+    public void Set(int level, int row, int column, NodeBounds bounds) => _stores[level].Set(row, column, bounds);
+
+    /// <summary>Makes all nodes of the finest level known, in one pass over the model from the north.</summary>
+    public void ReadAll()
+    {
+        CellRange[] cells = new CellRange[Layout.Columns(0)];
+        NodeBounds[] bounds = new NodeBounds[cells.Length];
+        long samples = 0;
+        for (int row = 0; row < Layout.Rows(0); row++)
+        {
+            for (int column = 0; column < cells.Length; column++)
+            {
+                cells[column] = Layout.Cells(0, row, column);
+            }
+
+            _reader!.ReadRow(cells, bounds);
+            for (int column = 0; column < cells.Length; column++)
+            {
+                Set(0, row, column, bounds[column]);
+            }
+
+            samples += (long)(cells[0].EndLine - cells[0].FirstLine) * Layout.Samples;
+            if (samples >= SamplesBetweenReleases)
+            {
+                _mesh!.Grid.ReleasePages(); // the lines above are not read again, and are much
+                samples = 0;
+            }
+        }
+    }
+
+    /// <summary>The cap that holds the directions of all facets of a node.</summary>
+    public SphericalCap CapOf(int level, int row, int column) => GeometryOf(level).CapOf(row, column);
+
+    /// <summary>The box that holds all facets of a node whose vertex radii lie within bounds (m).</summary>
+    public NodeBox BoxOf(int level, int row, int column, double minRadius, double maxRadius) =>
+        GeometryOf(level).BoxOf(row, column, minRadius, maxRadius);
+
+    /// <summary>A node with its place and bounds.</summary>
+    public TerrainNode Node(int level, int row, int column) => NodeOf(CapOf(level, row, column), Of(level, row, column));
+
+    /// <summary>Several neighbours of one row as one node.</summary>
+    /// <param name="level">Their level.</param>
+    /// <param name="row">Their row.</param>
+    /// <param name="column">The westernmost node's.</param>
+    /// <param name="count">How many.</param>
+    public TerrainNode Node(int level, int row, int column, int count)
+    {
+        if (count == 1)
+        {
+            return Node(level, row, column);
+        }
+
+        NodeBounds bounds = NodeBounds.Empty;
+        for (int next = column; next < column + count; next++)
+        {
+            bounds = NodeBounds.Union(bounds, Of(level, row, next));
+        }
+
+        CellRange cells = Layout.Cells(level, row, column) with { EndSample = Layout.Cells(level, row, column + count - 1).EndSample };
+        return NodeOf(MeshBounds.CapOf(cells, Layout.Lines, Layout.Samples), bounds);
+    }
+
+    /// <summary>A node for bounds and a cap that are known: facets sag below their vertices, and the lattice moves these.</summary>
+    public TerrainNode NodeOf(SphericalCap cap, NodeBounds bounds) => new(
+        cap, (bounds.Min * _sagitta) - Tolerances.VertexLattice, bounds.Max + Tolerances.VertexLattice, bounds.MaxSlope);
+
+    private bool TryUnite(int level, int row, int column, bool reads, out NodeBounds union)
+    {
+        union = NodeBounds.Empty;
+        NodeRange children = Layout.ChildrenOf(level, row, column);
+        for (int childRow = children.FirstRow; childRow < children.EndRow; childRow++)
+        {
+            for (int childColumn = children.FirstColumn; childColumn < children.EndColumn; childColumn++)
+            {
+                if (!TryGetKnown(level - 1, childRow, childColumn, out NodeBounds child))
+                {
+                    if (!reads)
+                    {
+                        return false;
+                    }
+
+                    child = Of(level - 1, childRow, childColumn);
+                }
+
+                union = NodeBounds.Union(union, child);
+            }
+        }
+
+        Set(level, row, column, union);
+        return true;
+    }
+
+    private NodeGeometry GeometryOf(int level) => Volatile.Read(ref _geometries[level]) ?? NewGeometry(level);
+
+    private NodeGeometry NewGeometry(int level)
+    {
+        NodeGeometry made = new(Layout, level);
+        return Interlocked.CompareExchange(ref _geometries[level], made, null) ?? made;
+    }
+}

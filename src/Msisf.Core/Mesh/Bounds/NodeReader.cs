@@ -1,0 +1,182 @@
+using System.Globalization;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Mesh.Bounds;
+
+/// <summary>Finds the bounds of nodes by reading the vertices of their cells. Safe for several threads.</summary>
+internal sealed class NodeReader
+{
+    /// <summary>
+    /// Added to slopes: a cell's legs are neither quite straight nor quite at right angles (below 1 percent at 1 px/deg).
+    /// </summary>
+    private const double SlopeMargin = 1.02;
+
+    /// <summary>Vertices of a line that are kept on the stack.</summary>
+    private const int StackSamples = 64;
+
+    private readonly FacetMesh _mesh;
+    private readonly (double East, double North)[] _perRadian;
+
+    /// <summary>Takes the model.</summary>
+    public NodeReader(FacetMesh mesh)
+    {
+        _mesh = mesh;
+        _perRadian = new (double, double)[mesh.Lines + 2];
+        double cellAngle = 2.0 * Math.PI / mesh.Samples;
+        for (int line = -1; line <= mesh.Lines; line++)
+        {
+            double latitude = FacetMesh.Latitude(line, mesh.Lines);
+            double stepNorth = FacetMesh.Latitude(line - 1, mesh.Lines) - latitude;
+            bool isPole = line < 0 || line == mesh.Lines;
+            _perRadian[line + 1] = (isPole ? 0.0 : 1.0 / (Math.Cos(latitude) * cellAngle), stepNorth > 0.0 ? 1.0 / stepNorth : 0.0);
+        }
+    }
+
+    /// <summary>Reads one node.</summary>
+    /// <exception cref="BadInputException">The model has a radius there that is none of the Moon.</exception>
+    public NodeBounds Read(CellRange cells)
+    {
+        Extremes found = Extremes.None;
+        Read(new ReadOnlySpan<CellRange>(in cells), new Span<Extremes>(ref found));
+        if (!(Math.Max(MoonConstants.ReferenceRadius - found.Min, found.Max - MoonConstants.ReferenceRadius) <= MoonConstants.MaxRelief))
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{_mesh.Grid.ProductId} has radii from {found.Min:R} to {found.Max:R} m around line {cells.FirstLine + 2}, "
+                    + $"sample {cells.FirstSample + 1}; a surface within {MoonConstants.MaxRelief:R} m of "
+                    + $"{MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
+        }
+
+        return found.ToBounds();
+    }
+
+    /// <summary>Reads neighbouring nodes of one row, each vertex line once for all of them. Any radius is taken.</summary>
+    /// <param name="nodes">The cells of each node, from west to east.</param>
+    /// <param name="bounds">Filled.</param>
+    public void ReadRow(ReadOnlySpan<CellRange> nodes, Span<NodeBounds> bounds)
+    {
+        Extremes[] found = new Extremes[nodes.Length];
+        Array.Fill(found, Extremes.None);
+        Read(nodes, found);
+        for (int node = 0; node < nodes.Length; node++)
+        {
+            bounds[node] = found[node].ToBounds();
+        }
+    }
+
+    private void Read(ReadOnlySpan<CellRange> nodes, Span<Extremes> found)
+    {
+        CellRange first = nodes[0];
+        int samples = nodes[^1].EndSample - first.FirstSample + 1;
+        Span<double> radii = samples <= StackSamples ? stackalloc double[2 * StackSamples] : new double[2 * samples];
+        Span<double> north = radii[..samples];
+        Span<double> south = radii.Slice(samples, samples);
+        _mesh.ReadRadii(first.FirstLine, first.FirstSample, north);
+        AddLine(first.FirstLine, nodes, found, north, north);
+        for (int line = first.FirstLine + 1; line <= first.EndLine; line++)
+        {
+            _mesh.ReadRadii(line, first.FirstSample, south);
+            AddLine(line, nodes, found, north, south);
+            Span<double> read = south;
+            south = north;
+            north = read;
+        }
+    }
+
+    private void AddLine(
+        int line, ReadOnlySpan<CellRange> nodes, Span<Extremes> found, ReadOnlySpan<double> north, ReadOnlySpan<double> south)
+    {
+        (double perRadianEast, double perRadianNorth) = _perRadian[line + 1];
+        for (int node = 0; node < nodes.Length; node++)
+        {
+            int start = nodes[node].FirstSample - nodes[0].FirstSample;
+            int count = nodes[node].EndSample - nodes[node].FirstSample + 1;
+            found[node].Add(north.Slice(start, count), south.Slice(start, count), perRadianEast, perRadianNorth);
+        }
+    }
+
+    /// <summary>What is known of a node after some of its lines.</summary>
+    private struct Extremes
+    {
+        public double Min;
+        public double Max;
+        private double _eastSlope;
+        private double _northSlope;
+
+        public static Extremes None => new() { Min = double.PositiveInfinity, Max = double.NegativeInfinity };
+
+        /// <summary>Adds a line of vertices; for the northernmost line <paramref name="north"/> is the line itself.</summary>
+        public void Add(ReadOnlySpan<double> north, ReadOnlySpan<double> south, double perRadianEast, double perRadianNorth)
+        {
+            double stepEast = 0.0;
+            double stepNorth = Math.Abs(south[0] - north[0]);
+            Min = Math.Min(Min, south[0]);
+            Max = Math.Max(Max, south[0]);
+            if (south.Length > Vector512<double>.Count)
+            {
+                AddWide(
+                    ref MemoryMarshal.GetReference(north),
+                    ref MemoryMarshal.GetReference(south),
+                    south.Length,
+                    ref stepEast,
+                    ref stepNorth);
+            }
+            else
+            {
+                for (int i = 1; i < south.Length; i++)
+                {
+                    Min = Math.Min(Min, south[i]);
+                    Max = Math.Max(Max, south[i]);
+                    stepEast = Math.Max(stepEast, Math.Abs(south[i] - south[i - 1]));
+                    stepNorth = Math.Max(stepNorth, Math.Abs(south[i] - north[i]));
+                }
+            }
+
+            // Rounding to the lattice tilts a facet too, most where the samples of a polar line lie close together.
+            _eastSlope = Math.Max(_eastSlope, (stepEast + (2.0 * Tolerances.VertexLattice)) * perRadianEast / Min);
+            _northSlope = Math.Max(_northSlope, (stepNorth + (2.0 * Tolerances.VertexLattice)) * perRadianNorth / Min);
+        }
+
+        public readonly NodeBounds ToBounds() => new(
+            MathF.BitDecrement((float)Min),
+            MathF.BitIncrement((float)Max),
+            MathF.BitIncrement((float)(SlopeMargin * double.Hypot(_eastSlope, _northSlope))));
+
+        /// <summary>Adds all vertices of a line but the first; there are at least as many as a vector has.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
+        private void AddWide(ref double north, ref double south, int count, ref double stepEast, ref double stepNorth)
+        {
+            Vector512<double> min = Vector512.Create(Min);
+            Vector512<double> max = Vector512.Create(Max);
+            Vector512<double> east = Vector512<double>.Zero;
+            Vector512<double> down = Vector512.Create(stepNorth);
+            for (int i = 1; i < count; i += Vector512<double>.Count)
+            {
+                // The last vector begins early enough to end with the line; what it repeats does no harm.
+                nuint at = (nuint)Math.Min(i, count - Vector512<double>.Count);
+                Vector512<double> radius = Vector512.LoadUnsafe(ref south, at);
+                min = Vector512.Min(min, radius);
+                max = Vector512.Max(max, radius);
+                east = Vector512.Max(east, Vector512.Abs(radius - Vector512.LoadUnsafe(ref south, at - 1)));
+                down = Vector512.Max(down, Vector512.Abs(radius - Vector512.LoadUnsafe(ref north, at)));
+            }
+
+            Min = -MaxOf(-min);
+            Max = MaxOf(max);
+            stepEast = MaxOf(east);
+            stepNorth = MaxOf(down);
+        }
+
+        private static double MaxOf(Vector512<double> values)
+        {
+            Vector256<double> four = Vector256.Max(values.GetLower(), values.GetUpper());
+            Vector128<double> two = Vector128.Max(four.GetLower(), four.GetUpper());
+            return Math.Max(two[0], two[1]);
+        }
+    }
+}

@@ -1,0 +1,81 @@
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
+
+namespace Msisf.Core.Tiles;
+
+/// <summary>
+/// A level of an elevation summary: blocks of equal size, a whole number of them to a tile's edge. Rows run from north to south, columns
+/// from longitude 0 to the east, as lines and samples do.
+/// </summary>
+public sealed class SummaryLevel
+{
+    private readonly BoundsTree _tree;
+    private readonly TileLayout _layout;
+    private readonly int _level;
+
+    internal SummaryLevel(BoundsTree tree, TileLayout layout, int level)
+    {
+        _tree = tree;
+        _layout = layout;
+        _level = level;
+    }
+
+    /// <summary>Blocks to a tile's edge.</summary>
+    public int Subdivisions => _layout.Subdivisions(_level);
+
+    /// <summary>Rows of blocks from pole to pole.</summary>
+    public int Rows => _layout.Rows(_level);
+
+    /// <summary>Columns of blocks around the Moon.</summary>
+    public int Columns => _layout.Columns(_level);
+
+    /// <summary>Blocks of the level.</summary>
+    internal int Count => Rows * Columns;
+
+    /// <summary>Cells to a tile's edge.</summary>
+    internal int TileCells => _layout.TileCells;
+
+    /// <summary>Lines of the model.</summary>
+    internal int Lines => _layout.Lines;
+
+    /// <summary>Bounds of a block.</summary>
+    internal NodeBounds BoundsOf(int row, int column) => _tree.Of(_level, row, column);
+
+    /// <summary>A block with its place and bounds.</summary>
+    internal TerrainNode Node(int row, int column) => _tree.Node(_level, row, column);
+
+    /// <summary>Several neighbours of one row as one node.</summary>
+    /// <param name="row">Row of blocks.</param>
+    /// <param name="column">Westernmost block.</param>
+    /// <param name="count">How many.</param>
+    internal TerrainNode Node(int row, int column, int count) => _tree.Node(_level, row, column, count);
+
+    /// <summary>A tile's block with its place and bounds.</summary>
+    /// <param name="tile">The tile.</param>
+    /// <param name="block">
+    /// Row of the block in its tile times <see cref="Subdivisions"/> plus its column; of the tiles themselves there is one block each.
+    /// </param>
+    internal TerrainNode NodeOf(TileId tile, int block = 0)
+    {
+        (int row, int column) = PlaceOf(tile, block);
+        return Node(row, column);
+    }
+
+    /// <summary>Row and column of a tile's block; the numbers are those of <see cref="NodeOf"/>.</summary>
+    internal (int Row, int Column) PlaceOf(TileId tile, int block)
+    {
+        (int row, int column) = int.DivRem(block, Subdivisions);
+        return ((tile.RowFromNorth * Subdivisions) + row, (tile.Column * Subdivisions) + column);
+    }
+
+    /// <summary>The mesh cells of some neighbouring blocks of one row.</summary>
+    internal CellRange Cells(int row, int column, int count = 1) =>
+        _layout.Cells(_level, row, column) with { EndSample = Start(column + count) };
+
+    /// <summary>Half of the minimum extent of a block as an angle; rad.</summary>
+    internal double InnerRadius(int row) =>
+        MeshBounds.InnerRadius(Cells(row, 0) with { EndSample = TileCells / Subdivisions }, Lines, _layout.Samples);
+
+    /// <summary>First line or sample of a row or column.</summary>
+    internal int Start(int block) => _layout.Start(_level, block);
+}

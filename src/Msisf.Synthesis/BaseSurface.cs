@@ -1,0 +1,127 @@
+namespace Msisf.Synthesis;
+
+/// <summary>
+/// The base model over a block of its pixels, less the means of the detail, interpolated smoothly: the sum with the detail has the base's
+/// means (<see cref="BaseHeights"/>: but for the polar caps).
+/// </summary>
+internal sealed class BaseSurface
+{
+    private const int Reach = PixelMeanKernel.Reach;
+
+    private readonly SyntheticTerrain _terrain;
+    private readonly int _firstPixelLine;
+    private readonly int _pixelLines;
+    private readonly int _firstPixel;
+    private readonly int _pixels;
+    private readonly int _width;
+    private readonly double[] _means;
+    private readonly int _coefficientWidth;
+    private readonly double[] _coefficients;
+    private readonly double[] _lineCoefficients;
+
+    /// <summary>Reads the base's heights over a block of pixels and the margin that interpolation needs.</summary>
+    /// <param name="terrain">The model.</param>
+    /// <param name="firstPixelLine">Northernmost pixel line.</param>
+    /// <param name="pixelLines">How many.</param>
+    /// <param name="firstPixel">Westernmost pixel.</param>
+    /// <param name="pixels">How many.</param>
+    public BaseSurface(SyntheticTerrain terrain, int firstPixelLine, int pixelLines, int firstPixel, int pixels)
+    {
+        _terrain = terrain;
+        _firstPixelLine = firstPixelLine;
+        _pixelLines = pixelLines;
+        _firstPixel = firstPixel;
+        _pixels = pixels;
+        _width = pixels + (2 * Reach);
+        _means = new double[(pixelLines + (2 * Reach)) * _width];
+        _coefficientWidth = PixelMeanKernel.CoefficientCount(pixels);
+        _coefficients = new double[PixelMeanKernel.CoefficientCount(pixelLines) * _coefficientWidth];
+        _lineCoefficients = new double[_coefficientWidth];
+        for (int line = 0; line < pixelLines + (2 * Reach); line++)
+        {
+            terrain.Base.ReadHeights(firstPixelLine - Reach + line, firstPixel - Reach, _means.AsSpan(line * _width, _width));
+        }
+    }
+
+    /// <summary>Takes the mean of the detail in each pixel off the base.</summary>
+    /// <param name="frame">The block of the detail: these pixels and the margin.</param>
+    /// <param name="detail">m, lines of the frame's stride.</param>
+    public void TakeOffMeans(TileFrame frame, ReadOnlySpan<float> detail)
+    {
+        int n = _terrain.SamplesPerPixel;
+        double[] sums = new double[_width];
+        for (int line = 0; line < _pixelLines + (2 * Reach); line++)
+        {
+            double part = _terrain.Base.HonouredPart(_firstPixelLine - Reach + line) / ((double)n * n);
+            Array.Clear(sums);
+            for (int inside = 0; inside < n; inside++)
+            {
+                ReadOnlySpan<float> row = detail.Slice(((line * n) + inside) * frame.Stride, _width * n);
+                for (int pixel = 0; pixel < _width; pixel++)
+                {
+                    double sum = 0.0;
+                    foreach (float height in row.Slice(pixel * n, n))
+                    {
+                        sum += height;
+                    }
+
+                    sums[pixel] += sum;
+                }
+            }
+
+            for (int pixel = 0; pixel < _width; pixel++)
+            {
+                _means[(line * _width) + pixel] -= part * sums[pixel];
+            }
+        }
+    }
+
+    /// <summary>Turns means into spline coefficients; before the first <see cref="ReadLine"/>.</summary>
+    public void Prepare()
+    {
+        double[] halfDone = new double[(_pixelLines + (2 * Reach)) * _coefficientWidth];
+        for (int line = 0; line < _pixelLines + (2 * Reach); line++)
+        {
+            _terrain.Kernel.Coefficients(
+                _means.AsSpan(line * _width, _width),
+                halfDone.AsSpan(line * _coefficientWidth, _coefficientWidth),
+                _pixels,
+                step: 1);
+        }
+
+        for (int column = 0; column < _coefficientWidth; column++)
+        {
+            _terrain.Kernel.Coefficients(halfDone.AsSpan(column), _coefficients.AsSpan(column), _pixelLines, _coefficientWidth);
+        }
+    }
+
+    /// <summary>One line of the surface plus the detail.</summary>
+    /// <param name="line">In the whole-Moon grid of samples.</param>
+    /// <param name="firstSample">In the whole-Moon grid of samples.</param>
+    /// <param name="detail">m, one a sample.</param>
+    /// <param name="heights">Filled with m over the reference radius.</param>
+    public void ReadLine(int line, int firstSample, ReadOnlySpan<float> detail, Span<float> heights)
+    {
+        int n = _terrain.SamplesPerPixel;
+        (int first, double north, double middle, double south) = _terrain.Kernel.At((line / n) - _firstPixelLine, line % n);
+        ReadOnlySpan<double> rows = _coefficients.AsSpan(first * _coefficientWidth, 3 * _coefficientWidth);
+        for (int i = 0; i < _coefficientWidth; i++)
+        {
+            _lineCoefficients[i] = (north * rows[i]) + (middle * rows[i + _coefficientWidth]) + (south * rows[i + (2 * _coefficientWidth)]);
+        }
+
+        int pixel = (firstSample / n) - _firstPixel;
+        int inside = firstSample % n;
+        for (int i = 0; i < heights.Length; i++)
+        {
+            (int west, double w0, double w1, double w2) = _terrain.Kernel.At(pixel, inside);
+            heights[i] = (float)(
+                (w0 * _lineCoefficients[west]) + (w1 * _lineCoefficients[west + 1]) + (w2 * _lineCoefficients[west + 2]) + detail[i]);
+            if (++inside == n)
+            {
+                inside = 0;
+                pixel++;
+            }
+        }
+    }
+}

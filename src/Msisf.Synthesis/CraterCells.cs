@@ -1,0 +1,88 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Synthesis;
+
+/// <summary>
+/// Cells of the sphere for craters of one octave of diameters (2^k to 2^(k+1) m): bands of latitude, each cut into as many equal columns as
+/// keep the cells about square. Within a cell every place is as likely as any other, at the poles too.
+/// </summary>
+internal sealed class CraterCells
+{
+    private const double DiametersPerCell = 4.0;
+
+    private readonly int _bands;
+
+    /// <summary>The cells of an octave.</summary>
+    /// <param name="octave">k.</param>
+    public CraterCells(int octave)
+    {
+        double side = DiametersPerCell * Math.ScaleB(2.0, octave);
+        _bands = Math.Max(2, (int)(Math.PI * MoonConstants.ReferenceRadius / side));
+    }
+
+    /// <summary>The cells from which something can reach into a block, by band and then by column.</summary>
+    /// <param name="southDegrees">Southern border of the block; below -90 beyond the pole.</param>
+    /// <param name="northDegrees">Northern border; above 90 beyond the pole.</param>
+    /// <param name="westDegrees">Western border.</param>
+    /// <param name="widthDegrees">Width of the block.</param>
+    /// <param name="reachDegrees">How far it can reach, as an angle at the Moon's centre.</param>
+    public IEnumerable<CraterCell> Near(
+        double southDegrees,
+        double northDegrees,
+        double westDegrees,
+        double widthDegrees,
+        double reachDegrees)
+    {
+        double south = southDegrees - reachDegrees;
+        double north = northDegrees + reachDegrees;
+
+        // Lines beyond a pole are places of the opposite meridian: then every column of the bands that they fold back to.
+        double allColumnsNorthOf = north > 90.0 ? 180.0 - north : 90.0;
+        double allColumnsSouthOf = south < -90.0 ? -180.0 - south : -90.0;
+        int firstBand = BandOf(Math.Min(south, allColumnsNorthOf));
+        int lastBand = BandOf(Math.Max(north, allColumnsSouthOf));
+        for (int band = firstBand; band <= lastBand; band++)
+        {
+            double northBorder = BorderDegrees(band + 1);
+            double southBorder = BorderDegrees(band);
+            CraterCell first = First(band, southBorder, northBorder);
+            int columns = first.Columns;
+            double cos = PortableMath.SinCosDegrees(Math.Max(Math.Abs(northBorder), Math.Abs(southBorder))).Cos;
+
+            // asin(sin(reach) / cos(latitude)) is the half width; pi/2 times its argument is never less.
+            double half = 0.5 * Math.PI * reachDegrees / cos;
+            bool all = northBorder >= allColumnsNorthOf || southBorder <= allColumnsSouthOf
+                || (2.0 * half) + widthDegrees + (720.0 / columns) >= 360.0;
+            int west = all ? 0 : (int)Math.Floor((westDegrees - half) * columns / 360.0);
+            int count = all ? columns : (int)Math.Floor((westDegrees + widthDegrees + half) * columns / 360.0) - west + 1;
+            west = ((west % columns) + columns) % columns;
+
+            // Ascending, also over the prime meridian: sums of overlapping craters must not depend on the block.
+            for (int column = 0; column < west + count - columns; column++)
+            {
+                yield return first with { Column = column };
+            }
+
+            for (int column = west; column < Math.Min(columns, west + count); column++)
+            {
+                yield return first with { Column = column };
+            }
+        }
+    }
+
+    private double BorderDegrees(int border) => (180.0 * border / _bands) - 90.0;
+
+    private int BandOf(double latitudeDegrees) => Math.Clamp((int)Math.Floor((latitudeDegrees + 90.0) / 180.0 * _bands), 0, _bands - 1);
+
+    private CraterCell First(int band, double southBorder, double northBorder)
+    {
+        double cosMiddle = PortableMath.SinCosDegrees(0.5 * (southBorder + northBorder)).Cos;
+        return new CraterCell(
+            band,
+            Column: 0,
+            Math.Max(4, (int)(2.0 * _bands * cosMiddle)),
+            PortableMath.SinCosDegrees(southBorder).Sin,
+            PortableMath.SinCosDegrees(northBorder).Sin);
+    }
+}

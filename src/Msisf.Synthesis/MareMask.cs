@@ -1,0 +1,127 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Synthesis;
+
+/// <summary>
+/// Where the maria are: low ground of the near side, from a model's mean heights over cells of 1 degree. Mare is full below -1600 m,
+/// none above -900 m, and fades out towards the limb, so that the floor of the South Pole-Aitken basin stays highlands.
+/// </summary>
+/// <remarks>A rule of thumb, not a geological map: low ground of the near side that is no mare is taken for one.</remarks>
+internal sealed class MareMask
+{
+    private const int Rows = 180;
+    private const int Columns = 360;
+    private const int LinesPerDegree = 4; // enough for a mean over 30 km; a fine base is not read whole
+    private const double FullBelow = -1600.0; // m over the reference radius
+    private const double NoneAbove = -900.0;
+    private const double FullNearSide = 0.30; // cosine of the angle from the sub-Earth point
+    private const double NoneNearSide = 0.15;
+
+    private readonly float[] _cells = new float[Rows * Columns];
+
+    /// <summary>Measures a model.</summary>
+    /// <param name="model">Any resolution.</param>
+    /// <param name="cancellation">Stops the reading.</param>
+    public MareMask(IElevationGrid model, CancellationToken cancellation)
+    {
+        int resolution = model.PixelsPerDegree;
+        int lines = Math.Min(LinesPerDegree, resolution);
+        double[] radii = new double[Columns * resolution];
+        double[] sums = new double[Columns];
+        for (int row = 0; row < Rows; row++)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            Array.Clear(sums);
+            for (int line = 0; line < lines; line++)
+            {
+                model.ReadRadii((row * resolution) + (((2 * line) + 1) * resolution / (2 * lines)), 0, radii);
+                for (int sample = 0; sample < radii.Length; sample++)
+                {
+                    sums[sample / resolution] += radii[sample];
+                }
+            }
+
+            for (int column = 0; column < Columns; column++)
+            {
+                double height = (sums[column] / (lines * resolution)) - MoonConstants.ReferenceRadius;
+                _cells[(row * Columns) + column] = (float)FractionOf(height, NearSide(row, column));
+            }
+        }
+    }
+
+    /// <summary>0 (highlands) to 1 (mare) at a place.</summary>
+    /// <param name="latitudeDegrees">[-90, 90], or beyond on mirror lines.</param>
+    /// <param name="longitudeDegrees">[0, 360).</param>
+    public double At(double latitudeDegrees, double longitudeDegrees)
+    {
+        (int row, double down) = Split(89.5 - latitudeDegrees);
+        (int column, double right) = Split(longitudeDegrees - 0.5);
+        double north = Blend(Cell(row, column), Cell(row, column + 1), right);
+        double south = Blend(Cell(row + 1, column), Cell(row + 1, column + 1), right);
+        return Blend(north, south, down);
+    }
+
+    /// <summary>The fractions along one line of a frame.</summary>
+    /// <param name="frame">The block.</param>
+    /// <param name="line">Line of the block.</param>
+    /// <param name="fractions">Filled for every column of the stride.</param>
+    public void FillLine(TileFrame frame, int line, Span<float> fractions)
+    {
+        (int row, double down) = Split(89.5 - frame.LatitudeDegrees(line));
+        Span<float> cellsOfLine = stackalloc float[Columns];
+        for (int column = 0; column < Columns; column++)
+        {
+            cellsOfLine[column] = (float)Blend(Cell(row, column), Cell(row + 1, column), down);
+        }
+
+        int around = Columns * frame.PixelsPerDegree;
+        int sample = ((frame.FirstSample % around) + around) % around;
+        float step = 1.0f / frame.PixelsPerDegree;
+        for (int i = 0; i < fractions.Length; i++)
+        {
+            // Cell centres are at half degrees: the cell west of the sample, and the distance from its centre.
+            int fromCentre = (2 * sample) + 1 - frame.PixelsPerDegree + (2 * around);
+            int cell = fromCentre / (2 * frame.PixelsPerDegree);
+            float right = (fromCentre - (2 * frame.PixelsPerDegree * cell)) * 0.5f * step;
+            float west = cellsOfLine[cell % Columns];
+            fractions[i] = west + (right * (cellsOfLine[(cell + 1) % Columns] - west));
+            sample = sample + 1 == around ? 0 : sample + 1;
+        }
+    }
+
+    /// <summary>The rule: mare fraction of ground at a height.</summary>
+    /// <param name="height">m over the reference radius.</param>
+    /// <param name="nearSide">Cosine of the angle from the sub-Earth point (latitude 0, longitude 0).</param>
+    public static double FractionOf(double height, double nearSide) =>
+        SmoothStep((NoneAbove - height) / (NoneAbove - FullBelow)) * SmoothStep((nearSide - NoneNearSide) / (FullNearSide - NoneNearSide));
+
+    private static double NearSide(int row, int column) =>
+        PortableMath.SinCosDegrees(89.5 - row).Cos * PortableMath.SinCosDegrees(column + 0.5).Cos;
+
+    private static double SmoothStep(double t)
+    {
+        t = Math.Clamp(t, 0.0, 1.0);
+        return t * t * (3.0 - (2.0 * t));
+    }
+
+    private static (int Whole, double Fraction) Split(double position)
+    {
+        double whole = Math.Floor(position);
+        return ((int)whole, position - whole);
+    }
+
+    private static double Blend(double a, double b, double weightOfB) => a + (weightOfB * (b - a));
+
+    // Beyond a pole a row goes on along the opposite meridian.
+    private double Cell(int row, int column)
+    {
+        if (row is < 0 or >= Rows)
+        {
+            row = row < 0 ? -1 - row : (2 * Rows) - 1 - row;
+            column += Columns / 2;
+        }
+
+        return _cells[(row * Columns) + ((column + Columns) % Columns)];
+    }
+}

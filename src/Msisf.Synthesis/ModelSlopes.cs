@@ -1,0 +1,66 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Synthesis;
+
+/// <summary>
+/// Median slopes of the smooth surface through an elevation model's samples, as tangents; null where the model has too little of the
+/// terrain.
+/// </summary>
+/// <param name="Highlands">Tangent, where the mare fraction is 0.</param>
+/// <param name="Maria">Tangent, where the mare fraction is 1.</param>
+internal sealed record ModelSlopes(double? Highlands, double? Maria)
+{
+    private const int MinCount = 200; // samples; a median of fewer says little
+    private const int NorthernmostDegree = 60; // nearer the poles the samples of a line crowd together
+
+    /// <summary>Measures a model on lines and samples about a degree apart.</summary>
+    /// <param name="model">Any resolution.</param>
+    /// <param name="maria">Its mare mask.</param>
+    public static ModelSlopes Of(IElevationGrid model, MareMask maria)
+    {
+        int resolution = model.PixelsPerDegree;
+        int around = 360 * resolution;
+        double spacing = Spacing(resolution);
+        double[] radii = new double[around];
+        double[][] lines = [new double[around], new double[around], new double[around], new double[around]];
+        List<double> highlandSlopes = [];
+        List<double> mareSlopes = [];
+        for (int degree = -NorthernmostDegree; degree <= NorthernmostDegree; degree++)
+        {
+            int line = (90 - degree) * resolution;
+            double latitude = 90.0 - ((line + 0.5) / resolution);
+            double cosLatitude = PortableMath.SinCosDegrees(latitude).Cos;
+            for (int i = 0; i < lines.Length; i++)
+            {
+                model.ReadRadii(line - 1 + i, 0, lines[i]);
+            }
+
+            for (int sample = 0; sample < around; sample += resolution)
+            {
+                double fraction = maria.At(latitude, (sample + 0.5) / resolution);
+                List<double>? slopes = fraction <= 0.0 ? highlandSlopes : fraction >= 1.0 ? mareSlopes : null;
+                double toEast = Derivative(At(lines[1], sample - 1), lines[1][sample], At(lines[1], sample + 1), At(lines[1], sample + 2));
+                double toSouth = Derivative(lines[0][sample], lines[1][sample], lines[2][sample], lines[3][sample]) * cosLatitude;
+                slopes?.Add(Math.Sqrt((toEast * toEast) + (toSouth * toSouth)) / (spacing * cosLatitude));
+            }
+        }
+
+        return new ModelSlopes(Median(highlandSlopes), Median(mareSlopes));
+    }
+
+    /// <summary>m between neighbouring lines of a model.</summary>
+    public static double Spacing(double pixelsPerDegree) => MoonConstants.ReferenceRadius * Math.PI / (180.0 * pixelsPerDegree);
+
+    // Slope, in one spacing, of the cubic through the means, where the two middle pixels meet; a plain difference is too small by a
+    // quarter.
+    private static double Derivative(double a, double b, double c, double d) => ((15.0 * (c - b)) - (d - a)) / 12.0;
+
+    private static double At(double[] line, int sample) => line[(sample + line.Length) % line.Length];
+
+    private static double? Median(List<double> values)
+    {
+        values.Sort();
+        return values.Count < MinCount ? null : values[values.Count / 2];
+    }
+}

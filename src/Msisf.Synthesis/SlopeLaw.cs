@@ -1,0 +1,36 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Synthesis;
+
+/// <summary>How the median slope of a terrain falls with the baseline: tan(slope) ~ baseline^(H - 1).</summary>
+/// <param name="TangentAt17Metres">Tangent of the median slope at a baseline of 17 m.</param>
+/// <param name="HurstExponent">H, 0 to 1.</param>
+/// <remarks>
+/// M. A. Rosenburg et al., "Global surface slopes and roughness of the Moon from the Lunar Orbiter Laser Altimeter", JGR 116, E02001
+/// (2011).
+/// </remarks>
+internal sealed record SlopeLaw(double TangentAt17Metres, double HurstExponent)
+{
+    /// <summary>
+    /// m: beyond about a kilometre the Moon's slopes leave the law and fall faster (Rosenburg et al., figure of the breakover points).
+    /// </summary>
+    public const double LongestBaseline = 1000.0;
+
+    private const double ReferenceBaseline = 17.0; // m: between LOLA's neighbouring spots
+
+    /// <summary>2.0 degrees and H = 0.76.</summary>
+    public static SlopeLaw Maria { get; } = new(TangentOfDegrees(2.0), 0.76);
+
+    /// <summary>7.5 degrees and H = 0.95.</summary>
+    public static SlopeLaw Highlands { get; } = new(TangentOfDegrees(7.5), 0.95);
+
+    /// <summary>Tangent of the median slope at a baseline in m.</summary>
+    public double TangentAt(double baseline) =>
+        TangentAt17Metres * PortableMath.Pow(baseline / ReferenceBaseline, HurstExponent - 1.0);
+
+    private static double TangentOfDegrees(double degrees)
+    {
+        (double sin, double cos) = PortableMath.SinCosDegrees(degrees);
+        return sin / cos;
+    }
+}

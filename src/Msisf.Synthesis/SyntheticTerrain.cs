@@ -1,0 +1,102 @@
+using Msisf.Core;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Synthesis;
+
+/// <summary>
+/// A synthetic Moon: what a seed adds to a base model below the base's own resolution, or to a made-up global shape.
+/// Immutable and safe for several threads; each thread takes a <see cref="TileSynthesizer"/> of its own.
+/// </summary>
+/// <remarks>Method, sources and measurements: docs/synthetic-ldem.md.</remarks>
+public sealed class SyntheticTerrain
+{
+    /// <summary>Samples a degree: the finest product; above it a sample would be under 15 m.</summary>
+    public const int LargestResolution = 2048;
+
+    /// <summary>1: how many times finer than its base a model can be; a tile holds at least seven base pixels each way.</summary>
+    public const int LargestRatio = 512;
+
+    // Three samples across are the minimum that show a bowl.
+    private const double SmallestCraterInSamples = 3.0;
+
+    // The base shows what is larger than two of its samples.
+    private const double LargestCraterInBaseSamples = 2.0;
+
+    // Without a base all craters are ours; larger ones would be basins, which the shape's lows stand for.
+    private const double LargestCraterWithoutBase = 120_000.0; // m
+
+    private readonly CraterPopulation _craters;
+
+    /// <summary>Prepares a model: reads the base once, coarsely, for its maria and its slopes.</summary>
+    /// <param name="pixelsPerDegree">1 to <see cref="LargestResolution"/>; with a base, an even multiple of its resolution.</param>
+    /// <param name="seed">Another seed is another terrain.</param>
+    /// <param name="baseModel">The model to continue; null for a made-up shape.</param>
+    /// <param name="cancellation">Stops the reading.</param>
+    /// <exception cref="BadInputException">The resolution does not fit.</exception>
+    public SyntheticTerrain(int pixelsPerDegree, ulong seed, IElevationGrid? baseModel, CancellationToken cancellation = default)
+    {
+        Guard.InRange(pixelsPerDegree, 1, LargestResolution, "the synthetic model's resolution (samples a degree)");
+        if (baseModel is not null)
+        {
+            RequireFit(pixelsPerDegree, baseModel);
+        }
+
+        PixelsPerDegree = pixelsPerDegree;
+        HasBase = baseModel is not null;
+        IElevationGrid model = baseModel ?? new SyntheticShape(seed);
+        Base = new BaseHeights(model);
+        SamplesPerPixel = pixelsPerDegree / model.PixelsPerDegree;
+        Kernel = new PixelMeanKernel(SamplesPerPixel);
+        Maria = new MareMask(model, cancellation);
+        double spacing = ModelSlopes.Spacing(pixelsPerDegree);
+        double baseSpacing = ModelSlopes.Spacing(model.PixelsPerDegree);
+        Octaves = DetailSpectrum.Octaves(seed, baseSpacing, spacing, ModelSlopes.Of(model, Maria));
+        _craters = new CraterPopulation(
+            seed,
+            Maria,
+            SmallestCraterInSamples * spacing,
+            HasBase ? LargestCraterInBaseSamples * baseSpacing : LargestCraterWithoutBase);
+    }
+
+    /// <summary>Samples a degree.</summary>
+    public int PixelsPerDegree { get; }
+
+    /// <summary>
+    /// A base was given; between 70 degrees south and north the mean of the model's samples in each of its pixels is the base's value.
+    /// </summary>
+    public bool HasBase { get; }
+
+    /// <summary>The base, or the made-up shape.</summary>
+    internal BaseHeights Base { get; }
+
+    /// <summary>Samples along one side of a base pixel.</summary>
+    internal int SamplesPerPixel { get; }
+
+    /// <summary>Interpolates the base.</summary>
+    internal PixelMeanKernel Kernel { get; }
+
+    /// <summary>Where the ground is smoother and has fewer craters.</summary>
+    internal MareMask Maria { get; }
+
+    /// <summary>The roughness below the base.</summary>
+    internal IReadOnlyList<NoiseOctave> Octaves { get; }
+
+    /// <summary>The craters that may reach into a frame.</summary>
+    internal IEnumerable<Crater> CratersNear(TileFrame frame) => _craters.Near(
+        90.0 - ((double)(frame.FirstLine + frame.Lines) / PixelsPerDegree),
+        90.0 - ((double)frame.FirstLine / PixelsPerDegree),
+        (double)frame.FirstSample / PixelsPerDegree,
+        (double)frame.Samples / PixelsPerDegree);
+
+    private static void RequireFit(int pixelsPerDegree, IElevationGrid baseModel)
+    {
+        int ratio = pixelsPerDegree / baseModel.PixelsPerDegree;
+        if (ratio * baseModel.PixelsPerDegree != pixelsPerDegree || ratio % 2 != 0 || ratio is < 2 or > LargestRatio)
+        {
+            throw new BadInputException(
+                $"{pixelsPerDegree} samples a degree can't continue {baseModel.ProductId} ({baseModel.PixelsPerDegree} a degree); "
+                + $"take an even multiple of its resolution, up to {LargestRatio} times.");
+        }
+    }
+}

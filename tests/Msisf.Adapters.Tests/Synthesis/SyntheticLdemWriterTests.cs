@@ -1,0 +1,195 @@
+using System.Buffers.Binary;
+using System.Text.RegularExpressions;
+using Msisf.Adapters.Synthesis;
+using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Tests.Terrain;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Synthesis;
+
+public sealed partial class SyntheticLdemWriterTests : IDisposable
+{
+    private readonly string _folder = Directory.CreateTempSubdirectory("msisf-synthetic-").FullName;
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    [Fact]
+    public void Write_AnyNumberOfThreads_GivesTheSameBytes()
+    {
+        byte[] one = Image(Options(4, "one") with { Threads = 1 });
+        byte[] four = Image(Options(4, "four") with { Threads = 4 });
+        Assert.Equal(720 * 1440 * 2, one.Length);
+        Assert.Equal(one, four);
+    }
+
+    [Theory]
+    [InlineData(null, "45:46:359:360")]
+    [InlineData(null, "-90:-88:0:3")]
+    [InlineData(2, "89:90:77:80")]
+    public void Write_Region_HasTheSamplesOfTheWholeMoon(int? baseResolution, string text)
+    {
+        const int Resolution = 4;
+        MoonRegion region = MoonRegion.Parse(text);
+        SyntheticLdemOptions options = Options(Resolution, "whole") with
+        {
+            Base = baseResolution is { } resolution ? FunctionGrid.Hilly(resolution) : null,
+        };
+        byte[] whole = Image(options);
+        byte[] part = Image(options with { Region = region });
+        int lineBytes = 2 * Resolution * (region.EastDegrees - region.WestDegrees);
+        Assert.Equal(lineBytes * Resolution * (region.NorthDegrees - region.SouthDegrees), part.Length);
+        for (int line = 0; line < part.Length / lineBytes; line++)
+        {
+            int wholeOffset = 2 * Resolution * ((((90 - region.NorthDegrees) * Resolution) + line) * 360 + region.WestDegrees);
+            Assert.Equal(whole.AsSpan(wholeOffset, lineBytes), part.AsSpan(line * lineBytes, lineBytes));
+        }
+    }
+
+    [Fact]
+    public void Write_Label_StatesTheTrueExtremesAndTheSizes()
+    {
+        string label = SyntheticLdemWriter.Write(
+            Options(64, "label") with { Region = new MoonRegion(0, 2, 350, 353) }, null, CancellationToken.None);
+        string text = File.ReadAllText(label);
+        byte[] image = File.ReadAllBytes(Path.ChangeExtension(label, ".IMG"));
+        short[] samples = [.. Enumerable.Range(0, image.Length / 2).Select(
+            i => BinaryPrimitives.ReadInt16LittleEndian(image.AsSpan(2 * i)))];
+        Assert.Equal("LDEM_64_SYNTHETIC_00N_02N_350_353.LBL", Path.GetFileName(label));
+        Assert.Equal($"{samples.Max()}", Value(text, "MAXIMUM"));
+        Assert.Equal($"{samples.Min()}", Value(text, "MINIMUM"));
+        Assert.Equal("128", Value(text, "LINES"));
+        Assert.Equal("192", Value(text, "LINE_SAMPLES"));
+        Assert.Equal("384", Value(text, "RECORD_BYTES"));
+        Assert.Equal("2 <deg>", Value(text, "MAXIMUM_LATITUDE"));
+        Assert.Equal("350 <deg>", Value(text, "WESTERNMOST_LONGITUDE"));
+        Assert.Equal("127.5 <pix>", Value(text, "LINE_PROJECTION_OFFSET"));
+        Assert.Equal("-10880.5 <pix>", Value(text, "SAMPLE_PROJECTION_OFFSET"));
+        Assert.Equal("473.80 <m/pix>", Value(text, "MAP_SCALE"));
+        Assert.All(text.Split('\n'), line => Assert.InRange(line.Length, 0, 80));
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Write_Label_HasTheKeywordsOfTheArchivesInTheirOrder()
+    {
+        string label = SyntheticLdemWriter.Write(Options(4, "keywords"), null, CancellationToken.None);
+        string text = File.ReadAllText(label);
+        string archive = File.ReadAllText(TestParts.Ldem4Label!);
+        Assert.Equal(Keywords(archive), Keywords(text));
+        string[] same =
+        [
+            "LINES", "LINE_SAMPLES", "RECORD_BYTES", "FILE_RECORDS", "SAMPLE_TYPE", "SAMPLE_BITS", "SCALING_FACTOR", "OFFSET",
+            "MAP_RESOLUTION", "MAP_SCALE", "LINE_PROJECTION_OFFSET", "SAMPLE_PROJECTION_OFFSET", "LINE_LAST_PIXEL", "SAMPLE_LAST_PIXEL",
+        ];
+        foreach (string keyword in same)
+        {
+            Assert.Equal(Value(archive, keyword), Value(text, keyword));
+        }
+
+        foreach (string keyword in new[] { "DATA_SET_ID", "PRODUCT_ID" })
+        {
+            Assert.Contains("SYNTHETIC", Value(text, keyword), StringComparison.Ordinal);
+        }
+
+        Assert.Contains("THIS IS SYNTHETIC DATA", text, StringComparison.Ordinal);
+        Assert.DoesNotContain("GODDARD", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Write_OverFilesThatAreNotSynthetic_LeavesThem()
+    {
+        string label = Path.Combine(_folder, "LDEM_4_SYNTHETIC.LBL");
+        File.WriteAllText(label, "DATA_SET_ID = \"LRO-L-LOLA-4-GDR-V1.0\"\n");
+        Assert.Throws<BadInputException>(() => SyntheticLdemWriter.Write(Options(4, "."), null, CancellationToken.None));
+        Assert.Equal([label], Directory.GetFiles(_folder));
+        Assert.StartsWith("DATA_SET_ID", File.ReadAllText(label), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Write_ImageWithoutLabel_LeavesIt()
+    {
+        File.WriteAllText(Path.Combine(_folder, "LDEM_4_SYNTHETIC.IMG"), "somebody's");
+        Assert.Throws<BadInputException>(() => SyntheticLdemWriter.Write(Options(4, "."), null, CancellationToken.None));
+    }
+
+    [Fact]
+    public void Write_OverSyntheticProduct_ReplacesIt()
+    {
+        SyntheticLdemOptions options = Options(4, ".") with { Region = new MoonRegion(0, 1, 0, 1) };
+        byte[] first = Image(options);
+        Assert.NotEqual(first, Image(options with { Seed = 2 }));
+        Assert.Equal(2, Directory.GetFiles(_folder).Length);
+    }
+
+    [Fact]
+    public void Write_Cancelled_LeavesNothing()
+    {
+        using CancellationTokenSource source = new();
+        Progress progress = new(_ => source.Cancel());
+        Assert.ThrowsAny<OperationCanceledException>(() => SyntheticLdemWriter.Write(Options(8, "."), progress, source.Token));
+        Assert.Empty(Directory.GetFiles(_folder));
+    }
+
+    [Fact]
+    public void Write_Progress_EndsAtOne()
+    {
+        List<double> fractions = [];
+        SyntheticLdemWriter.Write(Options(4, ".") with { Threads = 1 }, new Progress(fractions.Add), CancellationToken.None);
+        Assert.Equal(1.0, fractions[^1]);
+        Assert.Equal(fractions.Order(), fractions);
+        Assert.InRange(fractions.Count, 10, 1000);
+    }
+
+    [Fact]
+    public void Write_HeightsBeyond16Bits_SaysWhere()
+    {
+        SyntheticLdemOptions options = Options(8, ".") with { Base = FunctionGrid.OfHeights(4, (_, _) => 17_000.0) };
+        BadInputException exception = Assert.Throws<BadInputException>(
+            () => SyntheticLdemWriter.Write(options, null, CancellationToken.None));
+        Assert.Contains("does not fit 16 bits", exception.Message, StringComparison.Ordinal);
+        Assert.Empty(Directory.GetFiles(_folder));
+    }
+
+    [Fact]
+    public void Write_RegionThatIsNone_IsUsageError() =>
+        Assert.Throws<UsageException>(
+            () => SyntheticLdemWriter.Write(Options(4, ".") with { Region = default }, null, CancellationToken.None));
+
+    [Fact]
+    public void RequireSpace_FullDisk_SaysHowMuchIsNeeded()
+    {
+        ExternalPartException exception = Assert.Throws<ExternalPartException>(
+            () => SyntheticLdemWriter.RequireSpace("output", 530_841_600, 100_000_000));
+        Assert.StartsWith("output: the model needs 530.8 MB and the disk has 100.0 MB free.", exception.Message, StringComparison.Ordinal);
+    }
+
+    private static byte[] Image(SyntheticLdemOptions options) =>
+        File.ReadAllBytes(Path.ChangeExtension(SyntheticLdemWriter.Write(options, null, CancellationToken.None), ".IMG"));
+
+    private static string Value(string label, string keyword) =>
+        Regex.Match(label, $@"^\s*{keyword}\s*=\s*(.*?)\s*$", RegexOptions.Multiline).Groups[1].Value;
+
+    private static string[] Keywords(string label) => [.. KeywordPattern().Matches(label).Select(match => match.Groups[1].Value)];
+
+    [GeneratedRegex(@"^\s*([\^A-Z_]+)\s*=", RegexOptions.Multiline)]
+    private static partial Regex KeywordPattern();
+
+    private SyntheticLdemOptions Options(int pixelsPerDegree, string subfolder) =>
+        new(pixelsPerDegree, Seed: 1, Path.Combine(_folder, subfolder));
+
+    /// <summary>Reports at once, on the thread that works; System.Progress posts.</summary>
+    private sealed class Progress(Action<double> report) : IProgress<double>
+    {
+        private readonly Lock _gate = new();
+
+        public void Report(double value)
+        {
+            lock (_gate)
+            {
+                report(value);
+            }
+        }
+    }
+}

@@ -1,0 +1,15 @@
+using Msisf.App.Settings.Config;
+using Xunit;
+
+namespace Msisf.App.Tests.Settings.Config;
+
+public sealed class NearestNameTests
+{
+    [Theory]
+    [InlineData("fovv", "fov")]
+    [InlineData("hight", "height")]
+    [InlineData("outputdir", "output-dir")]
+    [InlineData("", "fov")]
+    public void To_MisspeltWord_IsFound(string word, string name) =>
+        Assert.Equal(name, NearestName.To(word, ["height", "output-dir", "fov", "width"]));
+}
