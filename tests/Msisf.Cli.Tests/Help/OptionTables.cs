@@ -1,0 +1,53 @@
+using System.Globalization;
+using System.Text;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Cli.Help;
+
+namespace Msisf.Cli.Tests.Help;
+
+/// <summary>The tables of docs/command-line.md, made from the program's table of options.</summary>
+internal static class OptionTables
+{
+    /// <summary>All tables: the groups of a run first, then each command with what is its own.</summary>
+    public static string Text()
+    {
+        StringBuilder page = new();
+        foreach (OptionGroup group in CommandTable.Render.Groups)
+        {
+            page.Append(CultureInfo.InvariantCulture, $"### {group.Title}\n\n{(group.Note is null ? string.Empty : $"{group.Note}\n\n")}");
+            AppendTable(page, group.Options);
+        }
+
+        foreach ((string path, CommandSpec command) in CommandTable.All.Where(
+            entry => entry.Path.Length > 0 && entry.Command.Commands.Count == 0))
+        {
+            page.Append(CultureInfo.InvariantCulture, $"### {HelpText.UsageOf(path, command).First().Replace(" [OPTIONS]", string.Empty, StringComparison.Ordinal)}\n\n");
+            page.Append(CultureInfo.InvariantCulture, $"{Cell($"{command.Summary} {command.Details}".TrimEnd())}\n\n");
+            AppendTable(page, [.. command.Options.Except(CommandTable.Render.Options)]);
+        }
+
+        return page.ToString();
+    }
+
+    private static void AppendTable(StringBuilder page, IReadOnlyList<OptionSpec> options)
+    {
+        if (options.Count == 0)
+        {
+            return;
+        }
+
+        page.Append("| option | value | what it does |\n|---|---|---|\n");
+        foreach (OptionSpec option in options)
+        {
+            string names = string.Join(", ", option.Aliases.Prepend(option.Name).Select(name => $"`{name}`"));
+            string value = option.ValueName is null ? string.Empty : $"`{option.ValueName}`";
+            string notes = option.Notes.Length == 0 ? string.Empty : $" ({option.Notes})";
+            page.Append(CultureInfo.InvariantCulture, $"| {names} | {Cell(value)} | {Cell(option.Help + notes)} |\n");
+        }
+
+        page.Append('\n');
+    }
+
+    private static string Cell(string text) => text.Replace("|", "\\|", StringComparison.Ordinal);
+}
