@@ -56,7 +56,8 @@ internal static partial class ClientOptionFile
                     {
                         throw new BadInputException(string.Create(
                             CultureInfo.InvariantCulture,
-                            $"{path}, line {i + 1}: the option {name} is not supported here. Leave it out; {Supported} say how to connect."));
+                            $"{path}, line {i + 1}: the option {name} is not supported here. "
+                                + $"Leave it out; {Supported} say how to connect."));
                     }
                 }
             }

@@ -7,7 +7,9 @@ namespace Msisf.Architecture.Tests
     public sealed class NamespaceCycleTests
     {
         [Theory]
-        [InlineData("Msisf.Adapters")]
+        [InlineData("Msisf.Core")]
+    [InlineData("Msisf.Synthesis")]
+    [InlineData("Msisf.Adapters")]
         [InlineData("Msisf.MySql")]
         [InlineData("Msisf.App")]
         [InlineData("msis")]

@@ -187,7 +187,8 @@ internal sealed class NamespaceGraph
             }
 
             OpCode instruction = OpCodesByValue[value];
-            if (instruction.OperandType is OperandType.InlineField or OperandType.InlineMethod or OperandType.InlineTok or OperandType.InlineType)
+            if (instruction.OperandType
+                is OperandType.InlineField or OperandType.InlineMethod or OperandType.InlineTok or OperandType.InlineType)
             {
                 tokens.Add(BitConverter.ToInt32(code, at));
             }

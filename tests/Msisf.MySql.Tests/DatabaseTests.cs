@@ -27,7 +27,10 @@ public sealed class DatabaseTests : IDisposable
             + "Is the server running, and are host, port or socket right?" },
         { "password", "Access denied for user 'x'@'y' (using password: YES) (error 1045). "
             + "Check user and password in the option file or in MSISF_DB_USER and MSISF_DB_PASSWORD." },
-        { "table", "Table 'msisf.ldem_import' doesn't exist (error 1146). Import the elevation model first (scripts/ldem_mysql_insert.php)." },
+        {
+            "table",
+            "Table 'msisf.ldem_import' doesn't exist (error 1146). Import the elevation model first (scripts/ldem_mysql_insert.php)."
+        },
         { "other error", "Something else (error 1234). The server's documentation explains the number." },
         { "time limit", "The Command Timeout expired before the operation completed. "
             + "Is the server running, and are host, port or socket right?" },

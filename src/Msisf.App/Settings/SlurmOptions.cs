@@ -75,7 +75,10 @@ internal static partial class SlurmOptions
     /// <summary>All of them.</summary>
     public static OptionGroup Group { get; } = new(
         "Slurm",
-        [CpusPerTask, Memory, TimeLimit, Partition, Account, Concurrency, Retries, MoreOptions, FolderOptions.ContactSheet, FolderOptions.Video]);
+        [
+            CpusPerTask, Memory, TimeLimit, Partition, Account, Concurrency, Retries, MoreOptions, FolderOptions.ContactSheet,
+            FolderOptions.Video,
+        ]);
 
     /// <summary>Reads and checks them.</summary>
     /// <exception cref="MsisfException">A value is wrong, or an option of sbatch is none of the user's.</exception>

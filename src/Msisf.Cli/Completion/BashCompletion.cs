@@ -25,7 +25,7 @@ internal static class BashCompletion
             for ((i = 1; i < COMP_CWORD && i < 3; i++)); do
                 path=$command${command:+ }${COMP_WORDS[i]}
                 case $path in
-                    {{string.Join(" | ", CommandTable.All.Where(entry => entry.Path.Length > 0).Select(entry => $"'{entry.Path}'"))}}) command=$path ;;
+                    {{CompletionScript.CommandPaths(" | ")}}) command=$path ;;
                     *) break ;;
                 esac
             done

@@ -8,6 +8,11 @@ namespace Msisf.Cli.Completion;
 /// </summary>
 internal static class CompletionScript
 {
+    /// <summary>All commands by the words that call them, each in quotes: 'ldem pyramid'.</summary>
+    /// <param name="separator">Stands between two.</param>
+    public static string CommandPaths(string separator) =>
+        string.Join(separator, CommandTable.All.Where(entry => entry.Path.Length > 0).Select(entry => $"'{entry.Path}'"));
+
     /// <summary>The script of a shell.</summary>
     /// <param name="shell">Its name.</param>
     /// <exception cref="UsageException">No script is made for it.</exception>

@@ -15,7 +15,7 @@ internal static class FishCompletion
             set -l path
             for word in $words
                 set -l next (string trim -- "$path $word")
-                contains -- $next {{string.Join(' ', CommandTable.All.Where(entry => entry.Path.Length > 0).Select(entry => $"'{entry.Path}'"))}}; or break
+                contains -- $next {{CompletionScript.CommandPaths(" ")}}; or break
                 set path $next
             end
             test "$path" = "$argv[1]"

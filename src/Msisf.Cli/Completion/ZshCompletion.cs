@@ -16,7 +16,7 @@ internal static class ZshCompletion
             while (( CURRENT > 2 )); do
                 next="$command${command:+ }$words[2]"
                 case $next in
-                    {{string.Join(" | ", CommandTable.All.Where(entry => entry.Path.Length > 0).Select(entry => $"'{entry.Path}'"))}}) command=$next ;;
+                    {{CompletionScript.CommandPaths(" | ")}}) command=$next ;;
                     *) break ;;
                 esac
                 shift words
@@ -40,7 +40,9 @@ internal static class ZshCompletion
         IEnumerable<string> specs = command.Options.SelectMany(Specs);
         if (command.Commands.Count > 0)
         {
-            specs = specs.Append(Quoted($"1:command:(({string.Join(' ', command.Commands.Select(inner => $"{inner.Name}\\:\"{Escaped(inner.Summary.TrimEnd('.'))}\""))}))"));
+            IEnumerable<string> choices = command.Commands.Select(
+                inner => $"{inner.Name}\\:\"{Escaped(inner.Summary.TrimEnd('.'))}\"");
+            specs = specs.Append(Quoted($"1:command:(({string.Join(' ', choices)}))"));
         }
         else if (command.Argument is { } argument)
         {
@@ -56,8 +58,10 @@ internal static class ZshCompletion
     {
         string[] names = [option.Name, .. option.Aliases];
         string value = option.ValueName is { } name ? $":{Escaped(name)}:{Action(option)}" : string.Empty;
-        return names.Select(called => Quoted(
-            $"({string.Join(' ', names)}){called}{(option.ValueName is not null && called.StartsWith("--", StringComparison.Ordinal) ? "=" : string.Empty)}[{Escaped(option.Help)}]{value}"));
+        string EqualsSign(string called) =>
+            option.ValueName is not null && called.StartsWith("--", StringComparison.Ordinal) ? "=" : string.Empty;
+        return names.Select(
+            called => Quoted($"({string.Join(' ', names)}){called}{EqualsSign(called)}[{Escaped(option.Help)}]{value}"));
     }
 
     private static string Action(OptionSpec option) => option switch

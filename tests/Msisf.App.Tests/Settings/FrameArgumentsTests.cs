@@ -17,7 +17,8 @@ public sealed class FrameArgumentsTests
         "--fov 40 --width 64 --height 1024 --gridH 50 --gridV 50 --surface terrain --res 4 --lod-error 0.35 --ephemeris cspice "
         + "--aberration lt+s --renderer native --reflectance lambert --sun point --samples 1 --shading facet --exposure 1 "
         + "--transfer srgb --bit-depth 16 --layers depth,mask --layers-format npy")]
-    [InlineData("--renderer native --reflectance hapke:w=0.3,b0=1.2 --samples 9 --sun disc --shading smooth --transfer linear --exposure 2.5",
+    [InlineData("--renderer native --reflectance hapke:w=0.3,b0=1.2 --samples 9 --sun disc --shading smooth --transfer linear "
+        + "--exposure 2.5",
         "--fov 40 --width 1024 --height 1024 --gridH 50 --gridV 50 --surface sphere --res 4 --lod-error 0.35 --ephemeris cspice "
         + "--aberration none --renderer native --reflectance hapke:b0=1.2,w=0.3 --sun disc --samples 9 --shading smooth --exposure 2.5 "
         + "--transfer linear --bit-depth 8")]

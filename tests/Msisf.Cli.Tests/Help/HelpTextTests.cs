@@ -32,8 +32,8 @@ public sealed class HelpTextTests
         string[] lines = CommandLineRun.Of(["--help"]).Output.Split('\n');
         string[] titles =
         [
-            "Examples:", "Where the camera is:", "Image:", "Light:", "Surface model:", "Output:", "Renderer:", "Native renderer:", "POV-Ray:",
-            "Run:", "Commands:",
+            "Examples:", "Where the camera is:", "Image:", "Light:", "Surface model:", "Output:", "Renderer:", "Native renderer:",
+            "POV-Ray:", "Run:", "Commands:",
         ];
 
         Assert.Equal(titles, lines.Where(line => line.Length > 0 && line[0] != ' ' && line.EndsWith(':')));

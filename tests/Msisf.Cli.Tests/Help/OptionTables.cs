@@ -22,7 +22,8 @@ internal static class OptionTables
         foreach ((string path, CommandSpec command) in CommandTable.All.Where(
             entry => entry.Path.Length > 0 && entry.Command.Commands.Count == 0))
         {
-            page.Append(CultureInfo.InvariantCulture, $"### {HelpText.UsageOf(path, command).First().Replace(" [OPTIONS]", string.Empty, StringComparison.Ordinal)}\n\n");
+            string call = HelpText.UsageOf(path, command).First().Replace(" [OPTIONS]", string.Empty, StringComparison.Ordinal);
+            page.Append(CultureInfo.InvariantCulture, $"### {call}\n\n");
             page.Append(CultureInfo.InvariantCulture, $"{Cell($"{command.Summary} {command.Details}".TrimEnd())}\n\n");
             AppendTable(page, [.. command.Options.Except(CommandTable.Render.Options)]);
         }
