@@ -8,8 +8,8 @@ namespace Msisf.Architecture.Tests
     {
         [Theory]
         [InlineData("Msisf.Core")]
-    [InlineData("Msisf.Synthesis")]
-    [InlineData("Msisf.Adapters")]
+        [InlineData("Msisf.Synthesis")]
+        [InlineData("Msisf.Adapters")]
         [InlineData("Msisf.MySql")]
         [InlineData("Msisf.App")]
         [InlineData("msis")]

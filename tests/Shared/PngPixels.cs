@@ -62,8 +62,15 @@ internal sealed class PngPixels
             }
         }
 
-        int channels = header[9] switch { 0 => 1, 2 => 3, 4 => 2, 6 => 4, byte code => throw new NotSupportedException(
-            $"colour type {code}") };
+        int channels = header[9] switch
+        {
+            0 => 1,
+            2 => 3,
+            4 => 2,
+            6 => 4,
+            byte code => throw new NotSupportedException(
+            $"colour type {code}")
+        };
         if (header[8] is not (8 or 16) || header[12] != 0)
         {
             throw new NotSupportedException($"{header[8]} bits, interlace {header[12]}");

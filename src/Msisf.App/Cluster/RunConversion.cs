@@ -1,7 +1,7 @@
 using System.Text;
 using Msisf.Adapters.Ephemeris;
-using Msisf.Adapters.IO;
 using Msisf.Adapters.Input;
+using Msisf.Adapters.IO;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;

@@ -22,9 +22,9 @@ internal static class ScriptText
         ScriptFormat.Bat => Bat(script),
         ScriptFormat.Parallel =>
             ScriptTemplate.Fill("parallel.sh", new Dictionary<string, string>(CommonValues(script), StringComparer.Ordinal)
-        {
-            ["JOBS"] = script.HasJobs ? string.Empty : "--jobs \"$MSISF_JOBS\"",
-        }),
+            {
+                ["JOBS"] = script.HasJobs ? string.Empty : "--jobs \"$MSISF_JOBS\"",
+            }),
         _ => ScriptTemplate.Fill("sh.sh", CommonValues(script)),
     };
 

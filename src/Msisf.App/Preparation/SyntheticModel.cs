@@ -19,7 +19,8 @@ internal static class SyntheticModel
     {
         using LdemImage? continued = settings.BaseModel is { } path ? LdemImage.Open(LdemCatalog.Read(path)) : null;
         SyntheticLdemOptions options = new(
-            settings.PixelsPerDegree, settings.Seed, settings.Folder) { Base = continued, Region = settings.Region };
+            settings.PixelsPerDegree, settings.Seed, settings.Folder)
+        { Base = continued, Region = settings.Region };
         using IRunProgress progress = host.Progress.Start("Synthesis", FractionProgress.Steps, settings.Unattended);
         return SyntheticLdemWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation);
     }

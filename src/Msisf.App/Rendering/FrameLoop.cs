@@ -82,8 +82,12 @@ internal sealed class FrameLoop
             _progress.Advance(frame.Name);
         }
 
-        ParallelOptions options = new() { MaxDegreeOfParallelism = Math.Min(
-            atOnce + _ahead, Math.Max(1, frames.Count)), CancellationToken = cancellation };
+        ParallelOptions options = new()
+        {
+            MaxDegreeOfParallelism = Math.Min(
+            atOnce + _ahead, Math.Max(1, frames.Count)),
+            CancellationToken = cancellation
+        };
         int[] missing = [.. Enumerable.Range(0, frames.Count).Where(index => known[index] is null)];
         foreach (int index in Enumerable.Range(0, frames.Count).Except(missing))
         {

@@ -11,12 +11,15 @@ internal static class ModelOptions
     /// <summary>Resolution of a new model, px/deg.</summary>
     public static WholeNumberSpec NewResolution { get; } = SurfaceOptions.Resolution with
     {
-        Help = "Resolution of the new model", Default = null, IsRequired = true,
+        Help = "Resolution of the new model",
+        Default = null,
+        IsRequired = true,
     };
 
     /// <summary>Seed of the terrain.</summary>
     public static TextSpec Seed { get; } = new(
-        "--seed", "N", "Number that the terrain is drawn from; the same number gives the same bytes") { IsRequired = true };
+        "--seed", "N", "Number that the terrain is drawn from; the same number gives the same bytes")
+    { IsRequired = true };
 
     /// <summary>Model that is continued.</summary>
     public static PathSpec Base { get; } = new(
@@ -27,12 +30,15 @@ internal static class ModelOptions
 
     /// <summary>Part of the Moon.</summary>
     public static TextSpec Region { get; } = new(
-        "--region", "latmin:latmax:lonmin:lonmax", "Part of the Moon in whole degrees") { DefaultNote = "all of it" };
+        "--region", "latmin:latmax:lonmin:lonmax", "Part of the Moon in whole degrees")
+    { DefaultNote = "all of it" };
 
     /// <summary>Folder of the new model.</summary>
     public static PathSpec NewFolder { get; } = OutputOptions.Folder with
     {
-        Help = "Folder of the new model", Default = "input/ldem", DefaultNote = "./input/ldem",
+        Help = "Folder of the new model",
+        Default = "input/ldem",
+        DefaultNote = "./input/ldem",
     };
 
     /// <summary>The model whose levels are made.</summary>
@@ -44,12 +50,14 @@ internal static class ModelOptions
     /// <summary>Resolution of that model, px/deg.</summary>
     public static WholeNumberSpec ModelResolution { get; } = SurfaceOptions.Resolution with
     {
-        Help = "Resolution of the model; needed for a folder", Default = null,
+        Help = "Resolution of the model; needed for a folder",
+        Default = null,
     };
 
     /// <summary>Compares instead of making.</summary>
     public static FlagSpec Verify { get; } = new(
-        "--verify", "Make nothing; read the model and its pyramid and compare them") { IsOfOneCall = true };
+        "--verify", "Make nothing; read the model and its pyramid and compare them")
+    { IsOfOneCall = true };
 
     /// <summary>Reads what msis ldem synthesize makes.</summary>
     /// <exception cref="BadInputException">A value is wrong.</exception>

@@ -102,8 +102,8 @@ public sealed class GetCSpiceScriptTests : IDisposable
 
     private ChildRun Run(string namedLibrary) =>
         ChildRun.Of("bash", [_script], _folder.FullName, environment: new Dictionary<string, string>
-    {
-        ["MSISF_CSPICE"] = namedLibrary,
-        ["PATH"] = $"{Path.Combine(_folder.FullName, "bin")}{Path.PathSeparator}{Environment.GetEnvironmentVariable("PATH")}",
-    });
+        {
+            ["MSISF_CSPICE"] = namedLibrary,
+            ["PATH"] = $"{Path.Combine(_folder.FullName, "bin")}{Path.PathSeparator}{Environment.GetEnvironmentVariable("PATH")}",
+        });
 }
