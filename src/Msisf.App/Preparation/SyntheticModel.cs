@@ -18,9 +18,11 @@ internal static class SyntheticModel
     public static string Write(SynthesisSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         using LdemImage? continued = settings.BaseModel is { } path ? LdemImage.Open(LdemCatalog.Read(path)) : null;
-        SyntheticLdemOptions options = new(
-            settings.PixelsPerDegree, settings.Seed, settings.Folder)
-        { Base = continued, Region = settings.Region };
+        SyntheticLdemOptions options = new(settings.PixelsPerDegree, settings.Seed, settings.Folder)
+        {
+            Base = continued,
+            Region = settings.Region,
+        };
         using IRunProgress progress = host.Progress.Start("Synthesis", FractionProgress.Steps, settings.Unattended);
         return SyntheticLdemWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation);
     }

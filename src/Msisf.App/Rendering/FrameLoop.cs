@@ -84,9 +84,8 @@ internal sealed class FrameLoop
 
         ParallelOptions options = new()
         {
-            MaxDegreeOfParallelism = Math.Min(
-            atOnce + _ahead, Math.Max(1, frames.Count)),
-            CancellationToken = cancellation
+            MaxDegreeOfParallelism = Math.Min(atOnce + _ahead, Math.Max(1, frames.Count)),
+            CancellationToken = cancellation,
         };
         int[] missing = [.. Enumerable.Range(0, frames.Count).Where(index => known[index] is null)];
         foreach (int index in Enumerable.Range(0, frames.Count).Except(missing))

@@ -36,7 +36,9 @@ internal static class CameraOptions
     /// <summary>Time of the orbit.</summary>
     public static NumberSpec Epoch { get; } = new(
         "--epoch", "MJD", "Time for which the orbit and the attitude are given (UTC)")
-    { Aliases = ["-e"] };
+    {
+        Aliases = ["-e"],
+    };
 
     /// <summary>One time.</summary>
     public static NumberSpec Time { get; } = new("--time", "MJD", "Time of one image (UTC)") { Aliases = ["-t"] };

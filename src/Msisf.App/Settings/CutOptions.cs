@@ -9,7 +9,9 @@ internal static class CutOptions
     /// <summary>How many pieces.</summary>
     public static WholeNumberSpec Pieces { get; } = new(
         "--pieces", "N", 1, int.MaxValue, "Cut the run into so many pieces")
-    { IsOfOneCall = true };
+    {
+        IsOfOneCall = true,
+    };
 
     /// <summary>How large they are.</summary>
     public static WholeNumberSpec FramesPerPiece { get; } = new(

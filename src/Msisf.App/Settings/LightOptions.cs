@@ -33,7 +33,9 @@ internal static class LightOptions
     /// <summary>Meta-kernel.</summary>
     public static PathSpec Kernels { get; } = new(
         "--kernels", PathKind.File, "SPICE meta-kernel")
-    { DefaultNote = "kernels/msisf.tm of the installation" };
+    {
+        DefaultNote = "kernels/msisf.tm of the installation",
+    };
 
     /// <summary>All of them.</summary>
     public static OptionGroup Group { get; } = new("Light", [IgnoreSun, Aberration, Ephemeris, Kernels]);

@@ -19,7 +19,9 @@ internal static class ModelOptions
     /// <summary>Seed of the terrain.</summary>
     public static TextSpec Seed { get; } = new(
         "--seed", "N", "Number that the terrain is drawn from; the same number gives the same bytes")
-    { IsRequired = true };
+    {
+        IsRequired = true,
+    };
 
     /// <summary>Model that is continued.</summary>
     public static PathSpec Base { get; } = new(
@@ -31,7 +33,9 @@ internal static class ModelOptions
     /// <summary>Part of the Moon.</summary>
     public static TextSpec Region { get; } = new(
         "--region", "latmin:latmax:lonmin:lonmax", "Part of the Moon in whole degrees")
-    { DefaultNote = "all of it" };
+    {
+        DefaultNote = "all of it",
+    };
 
     /// <summary>Folder of the new model.</summary>
     public static PathSpec NewFolder { get; } = OutputOptions.Folder with
@@ -57,7 +61,9 @@ internal static class ModelOptions
     /// <summary>Compares instead of making.</summary>
     public static FlagSpec Verify { get; } = new(
         "--verify", "Make nothing; read the model and its pyramid and compare them")
-    { IsOfOneCall = true };
+    {
+        IsOfOneCall = true,
+    };
 
     /// <summary>Reads what msis ldem synthesize makes.</summary>
     /// <exception cref="BadInputException">A value is wrong.</exception>

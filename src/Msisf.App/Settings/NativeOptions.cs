@@ -50,7 +50,9 @@ internal static class NativeOptions
     /// <summary>Grey of a radiance factor of 1.</summary>
     public static NumberSpec Exposure { get; } = new(
         "--exposure", "X", "Linear grey of a radiance factor of 1, where 1 is white")
-    { Default = 1.0 };
+    {
+        Default = 1.0,
+    };
 
     /// <summary>Curve of the grey levels.</summary>
     public static ChoiceSpec<GreyTransfer> Transfer { get; } = new(
@@ -63,7 +65,9 @@ internal static class NativeOptions
     /// <summary>Bits a pixel.</summary>
     public static ChoiceSpec<int> BitDepth { get; } = new(
         "--bit-depth", [("8", 8), ("16", 16)], "Bits of the image's grey levels")
-    { Default = 8 };
+    {
+        Default = 8,
+    };
 
     /// <summary>Ground truth to write.</summary>
     public static TextSpec Layers { get; } = new(

@@ -19,7 +19,9 @@ internal static class PovOptions
     /// <summary>The program.</summary>
     public static PathSpec Program { get; } = new(
         "--pov-path", PathKind.Any, "POV-Ray's program or its folder")
-    { DefaultNote = "searched along the PATH" };
+    {
+        DefaultNote = "searched along the PATH",
+    };
 
     /// <summary>The user's own options of POV-Ray.</summary>
     public static TextSpec MoreOptions { get; } = new(

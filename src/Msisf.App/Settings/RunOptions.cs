@@ -26,7 +26,9 @@ internal static class RunOptions
     /// <summary>Makes all again.</summary>
     public static FlagSpec Overwrite { get; } = new(
         "--overwrite", "Make all images again, also those that are there and complete")
-    { IsOfOneCall = true };
+    {
+        IsOfOneCall = true,
+    };
 
     /// <summary>Stops early.</summary>
     public static FlagSpec FailFast { get; } = new("--fail-fast", "Stop at the first image that fails instead of going on with the others");

@@ -28,7 +28,9 @@ internal static class ScriptOptions
     /// <summary>Follows the jobs of Slurm.</summary>
     public static FlagSpec Wait { get; } = new(
         "--wait", "Tell the progress, and end with the exit code of the whole")
-    { IsOfOneCall = true };
+    {
+        IsOfOneCall = true,
+    };
 
     /// <summary>Reads the format, and refuses options of Slurm with another one.</summary>
     /// <exception cref="MsisfException">An option is wrong, or forbidden.</exception>

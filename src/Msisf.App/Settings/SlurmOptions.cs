@@ -71,7 +71,9 @@ internal static partial class SlurmOptions
     /// <summary>How often missing frames are submitted again.</summary>
     public static WholeNumberSpec Retries { get; } = new(
         "--retries", "N", 0, MaxRetries, "How often missing images are submitted again")
-    { Default = 3 };
+    {
+        Default = 3,
+    };
 
     /// <summary>All of them.</summary>
     public static OptionGroup Group { get; } = new(
