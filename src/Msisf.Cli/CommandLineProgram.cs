@@ -9,10 +9,10 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Cli;
 
-/// <summary>From arguments to an exit code; the one place where failures end.</summary>
+/// <summary>Runs the program from its arguments to its exit code; all exceptions are caught here.</summary>
 internal sealed class CommandLineProgram
 {
-    /// <summary>A run that the user ended, as shells have it: 128 + SIGINT.</summary>
+    /// <summary>Exit code of a run that the user cancelled, by the convention of shells: 128 + SIGINT.</summary>
     private const int ExitCancelled = 130;
 
     private const int ExitUsage = 1;
@@ -29,8 +29,8 @@ internal sealed class CommandLineProgram
     }
 
     /// <summary>Runs one command.</summary>
-    /// <param name="arguments">As <c>main</c> gets them.</param>
-    /// <param name="host">The world.</param>
+    /// <param name="arguments">Arguments as passed to <c>main</c>.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Ends the run, as Ctrl-C does.</param>
     public static async Task<int> RunAsync(IReadOnlyList<string> arguments, ProgramHost host, CancellationToken cancellation = default)
     {

@@ -3,7 +3,7 @@ using Msisf.App.Host;
 using Msisf.Cli;
 using Msisf.Cli.Output;
 
-// System.CommandLine turns SIGINT and SIGTERM into a cancellation; a terminal that goes away ends a run as cleanly.
+// System.CommandLine converts SIGINT and SIGTERM to a cancellation; SIGHUP, sent when the terminal closes, is handled here.
 using CancellationTokenSource hangUp = new();
 using PosixSignalRegistration registration = PosixSignalRegistration.Create(PosixSignal.SIGHUP, context =>
 {

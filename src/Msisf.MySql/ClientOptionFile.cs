@@ -4,7 +4,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>Reads the [client] group of an option file of the MySQL and MariaDB clients. A message never shows a value.</summary>
+/// <summary>Reads the [client] group of an option file of the MySQL and MariaDB clients. Messages never contain a value.</summary>
 internal static partial class ClientOptionFile
 {
     private const UnixFileMode OfOthers = UnixFileMode.GroupRead | UnixFileMode.GroupWrite | UnixFileMode.GroupExecute
@@ -14,10 +14,10 @@ internal static partial class ClientOptionFile
 
     private static string Supported => $"host, port, socket, {string.Join(", ", Tls)}";
 
-    /// <summary>The options of the group by name, with "-" between words.</summary>
+    /// <summary>Reads the options of the group by name, with "-" between words.</summary>
     /// <exception cref="BadInputException">
-    /// The file can't be read, others can read its password, a line is no option, or an option that changes the connection is not
-    /// supported.
+    /// The file can't be read, other users can read the password in it, a line is no option, or an option that changes the connection is
+    /// not supported.
     /// </exception>
     public static IReadOnlyDictionary<string, string> Read(string path)
     {
@@ -73,8 +73,8 @@ internal static partial class ClientOptionFile
     }
 
     /// <summary>
-    /// Removes quotes, comments and escapes from a value by the rules of the clients: quotes around a value are dropped, " #" outside them
-    /// begins a comment, backslashes escape.
+    /// Removes quotes, comments and escapes from a value by the rules of the clients: quotes around a value are removed, " #" outside
+    /// quotes begins a comment, backslashes escape.
     /// </summary>
     private static string Unquoted(string value)
     {
@@ -95,7 +95,7 @@ internal static partial class ClientOptionFile
     private static partial Regex Option();
 
     /// <summary>
-    /// Options that change the connection: to leave one out unread could mean another server, or one that is not verified.
+    /// Matches options that change the connection: ignoring one could connect to another server, or to one that is not verified.
     /// </summary>
     [GeneratedRegex(@"\Aprotocol\z|(?:\A|-)(?:ssl|tls)(?:-|\z)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase)]
     private static partial Regex OfConnection();

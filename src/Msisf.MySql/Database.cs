@@ -3,11 +3,12 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>The database of the elevation tables. Safe for several threads: each query takes a connection of its own.</summary>
+/// <summary>The database of the elevation tables; each query uses its own connection. Thread-safe.</summary>
 public sealed class Database : IDisposable
 {
     /// <summary>
-    /// How long a cancelled query may take to end; a server that hangs would take as long as the provider's own limits add up to.
+    /// Maximum time for a cancelled query to end. Without it, a hanging server would delay the end by the sum of the provider's own time
+    /// limits.
     /// </summary>
     internal static readonly TimeSpan CancelPatience = TimeSpan.FromSeconds(2);
 
@@ -16,10 +17,10 @@ public sealed class Database : IDisposable
     private readonly CancellationToken _cancellation;
     private volatile bool _isAbandoned;
 
-    /// <summary>Over connections of any provider.</summary>
-    /// <param name="source">Connections; disposed of with the database.</param>
-    /// <param name="server">The server for messages.</param>
-    /// <param name="cancellation">Ends queries.</param>
+    /// <summary>Creates a database from connections of any provider.</summary>
+    /// <param name="source">Source of connections; disposed with this object.</param>
+    /// <param name="server">Name of the server, for messages.</param>
+    /// <param name="cancellation">Cancels queries.</param>
     internal Database(DbDataSource source, string server, CancellationToken cancellation)
     {
         _source = source;
@@ -27,11 +28,11 @@ public sealed class Database : IDisposable
         _cancellation = cancellation;
     }
 
-    /// <summary>Names the database; nothing is connected yet.</summary>
-    /// <param name="settings">Where it is and who asks.</param>
+    /// <summary>Prepares the database; no connection is opened yet.</summary>
+    /// <param name="settings">Server, user and encryption.</param>
     /// <param name="folder">Folder of the package MySqlConnector.</param>
-    /// <param name="cancellation">Ends queries, at the latest after 2 s.</param>
-    /// <exception cref="ExternalPartException">This build is without the package, or the server's socket is missing.</exception>
+    /// <param name="cancellation">Cancels queries, at the latest after 2 s.</param>
+    /// <exception cref="ExternalPartException">This build does not contain the package, or the server's socket is missing.</exception>
     public static Database Open(DatabaseSettings settings, string folder, CancellationToken cancellation)
     {
         DbProviderFactory provider = MySqlProvider.Load(folder);
@@ -45,7 +46,7 @@ public sealed class Database : IDisposable
         }
     }
 
-    /// <summary>Closes the connections. Those of a query that did not end are left to the end of the process.</summary>
+    /// <summary>Closes the connections, unless a cancelled query did not end; then they stay open until the process ends.</summary>
     public void Dispose()
     {
         if (!_isAbandoned)
@@ -54,13 +55,13 @@ public sealed class Database : IDisposable
         }
     }
 
-    /// <summary>Asks one question.</summary>
+    /// <summary>Runs one query.</summary>
     /// <param name="sql">The statement.</param>
-    /// <param name="values">Its parameters, by name.</param>
-    /// <param name="read">Reads the answer.</param>
-    /// <exception cref="MsisfException">Of <paramref name="read"/>.</exception>
+    /// <param name="values">Parameters of the statement, by name.</param>
+    /// <param name="read">Reads the result.</param>
+    /// <exception cref="MsisfException">An exception of <paramref name="read"/>.</exception>
     /// <exception cref="ExternalPartException">The database failed in any way.</exception>
-    /// <exception cref="OperationCanceledException">Cancelled, also if the query did not end.</exception>
+    /// <exception cref="OperationCanceledException">The query was cancelled, even if it did not end.</exception>
     internal T Query<T>(string sql, IEnumerable<(string Name, object Value)> values, Func<DbDataReader, T> read)
     {
         CancellationTokenSource stop = new();
@@ -71,7 +72,7 @@ public sealed class Database : IDisposable
         }
         catch (OperationCanceledException)
         {
-            // On another thread: to stop a query, the provider connects a second time, which can block too.
+            // On another thread: to stop a query, the provider opens a second connection, which can block too.
             _ = stop.CancelAsync();
             _isAbandoned |= Task.WaitAny([answer], CancelPatience) < 0;
             throw;

@@ -4,7 +4,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>Turns whatever the provider throws into an error that names the server and says what to do.</summary>
+/// <summary>Converts exceptions of the provider to an error that names the server and advises what to do.</summary>
 internal static class DatabaseFailure
 {
     private const string Connecting = "Is the server running, and are host, port or socket right?";
@@ -13,7 +13,7 @@ internal static class DatabaseFailure
 
     private const string Rights = "The user lacks rights; docs/database.md lists those that are needed.";
 
-    /// <summary>What to do, by the server's error number; the PHP scripts have the same advice.</summary>
+    /// <summary>Advice by the server's error number; the PHP scripts give the same advice.</summary>
     private static readonly Dictionary<int, string> Advice = new()
     {
         [1040] = "Try again later, or raise max_connections.",
@@ -26,9 +26,9 @@ internal static class DatabaseFailure
         [1698] = "This user logs in by the socket, not by a password (docs/database.md, In short).",
     };
 
-    /// <summary>A failure of the connection or of a statement.</summary>
+    /// <summary>Converts a failure of the connection or of a statement.</summary>
     /// <param name="exception">What the provider threw.</param>
-    /// <param name="server">The server for messages.</param>
+    /// <param name="server">Name of the server, for messages.</param>
     public static ExternalPartException Of(Exception exception, string server)
     {
         if (exception is BadImageFormatException or FileLoadException or FileNotFoundException
@@ -42,16 +42,16 @@ internal static class DatabaseFailure
         return new ExternalPartException($"database {server}: {What(exception)}{shown}. {AdviceFor(exception, number)}", exception);
     }
 
-    /// <summary>The provider's own files are damaged or do not fit.</summary>
-    /// <param name="exception">Why they can't be loaded.</param>
-    /// <param name="part">What is to be loaded, for the message.</param>
+    /// <summary>Makes the error for files of the provider that are damaged or incompatible.</summary>
+    /// <param name="exception">Exception of the loading.</param>
+    /// <param name="part">Name of the part to load, for the message.</param>
     public static ExternalPartException OfProvider(Exception exception, string part) =>
         new(
             $"{part}: can't be loaded: {What(exception)}. Its files beside msis are damaged or do not fit: "
                 + $"remove publish/ and run scripts/build.sh.",
             exception);
 
-    /// <summary>The exception's text and that of its innermost cause, on one line, without a full stop.</summary>
+    /// <summary>The exception's message and that of its innermost cause, on one line, without a full stop.</summary>
     private static string What(Exception exception)
     {
         string text = Clean(exception.Message);

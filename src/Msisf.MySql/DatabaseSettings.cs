@@ -6,11 +6,14 @@ using Msisf.Core.Errors;
 namespace Msisf.MySql;
 
 /// <summary>
-/// Where the database is and who asks, read as the PHP scripts read it (docs/database.md). The password is in no message.
+/// The server, user and encryption of the database connection, read as in the PHP scripts (docs/database.md). The password appears in no
+/// message.
 /// </summary>
 public sealed partial class DatabaseSettings
 {
-    /// <summary>Where servers put their socket: Debian's packages, Red Hat's, and a server built from source or on macOS.</summary>
+    /// <summary>
+    /// Default paths of the server's socket: packages of Debian, packages of Red Hat, and a server built from source or on macOS.
+    /// </summary>
     internal static readonly IReadOnlyList<string> DefaultSockets =
         ["/run/mysqld/mysqld.sock", "/var/lib/mysql/mysql.sock", "/tmp/mysql.sock"];
 
@@ -53,23 +56,24 @@ public sealed partial class DatabaseSettings
     /// <summary>Encryption of the connection.</summary>
     public TlsSettings Tls { get; }
 
-    /// <summary>The server for messages: its socket, or host and port.</summary>
+    /// <summary>Name of the server for messages: its socket, or host and port.</summary>
     public string Server => Socket ?? (Port is int port ? string.Create(CultureInfo.InvariantCulture, $"{Host}:{port}") : Host);
 
     /// <summary>Whether the server is on another computer and no option says whether to verify it.</summary>
     public bool IsUnverified => Socket is null && Tls.Mode == TlsMode.Default && Host != LocalHost
         && !(IPAddress.TryParse(Host, out IPAddress? address) && IPAddress.IsLoopback(address));
 
-    /// <summary>For the connection, never for a message.</summary>
+    /// <summary>Password for the connection; never part of a message.</summary>
     internal string Password { get; }
 
     /// <summary>
-    /// What the option file says; what it leaves out comes from the environment: MSISF_DB_HOST, _PORT, _SOCKET, ..., _SSL_CA.
+    /// Reads the settings from an option file, and those that it does not contain from the environment: MSISF_DB_HOST, _PORT, _SOCKET, ...,
+    /// _SSL_CA.
     /// </summary>
     /// <param name="optionFile">Path of a file with a [client] group, as the mysql client reads; null if there is none.</param>
-    /// <param name="environment">Gives a variable of the environment; null if it is not set.</param>
+    /// <param name="environment">Gets a variable of the environment; null if it is not set.</param>
     /// <exception cref="BadInputException">The file or a value is wrong.</exception>
-    /// <exception cref="UsageException">Nothing names a user.</exception>
+    /// <exception cref="UsageException">No user is given.</exception>
     public static DatabaseSettings Read(string? optionFile, Func<string, string?> environment)
     {
         IReadOnlyDictionary<string, string> file = optionFile is null
@@ -84,10 +88,10 @@ public sealed partial class DatabaseSettings
         });
     }
 
-    /// <summary>The first that is there; the first of all if none is.</summary>
+    /// <summary>The first path that exists; the first of all if none exists.</summary>
     internal static string DefaultSocket(IReadOnlyList<string> places) => places.FirstOrDefault(File.Exists, places[0]);
 
-    /// <summary>As for the clients, localhost is the socket; Windows has none.</summary>
+    /// <summary>The socket of a host: localhost means the socket, as for the clients, except on Windows, which has none.</summary>
     private string? SocketOf(string? named)
     {
         if (named is not null)

@@ -5,15 +5,15 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>Reads what the records of the imports (docs/database.md) say about a table, by the same rules as the PHP scripts.</summary>
+/// <summary>Reads the import records of a table (docs/database.md) by the same rules as the PHP scripts.</summary>
 internal static partial class ImportedModel
 {
     private const int FormatVersion = 1;
 
-    /// <summary>The model's name for the patterns; the parts of a model above 128 px/deg have the model's name.</summary>
-    /// <param name="database">That of the tables.</param>
+    /// <summary>The product name of the model for its patterns; the parts of a model above 128 px/deg share the model's name.</summary>
+    /// <param name="database">Database of the tables.</param>
     /// <param name="table">Name of the table.</param>
-    /// <exception cref="BadInputException">Nothing was imported, not all of it, or parts of several models.</exception>
+    /// <exception cref="BadInputException">The import is missing or incomplete, or has parts of several models.</exception>
     /// <exception cref="ExternalPartException">The database failed.</exception>
     public static string ReadProductId(Database database, string table) => database.Query(
         "SELECT product_id, state, format_version, rows_done, row_count FROM ldem_import WHERE table_name = @table ORDER BY first_row, "
@@ -69,7 +69,7 @@ internal static partial class ImportedModel
     /// <summary>Reads a whole number. The columns are unsigned and of several widths, for which providers use different types.</summary>
     private static int Number(DbDataReader reader, int column) => Convert.ToInt32(reader.GetValue(column), CultureInfo.InvariantCulture);
 
-    /// <summary>How NASA names the parts of a model: LDEM_512_00N_45N_000_090.</summary>
+    /// <summary>Matches the suffix in NASA's names for the parts of a model, e.g. LDEM_512_00N_45N_000_090.</summary>
     [GeneratedRegex(@"_\d{2}[NS]_\d{2}[NS]_\d{3}_\d{3}\z", RegexOptions.CultureInvariant)]
     private static partial Regex PartOfModel();
 

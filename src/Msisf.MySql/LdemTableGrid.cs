@@ -5,8 +5,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.MySql;
 
 /// <summary>
-/// The elevation model that scripts/ldem_mysql_insert.php has put into a table (docs/database.md). Samples are read in runs of a line
-/// and kept for a while, as neighbouring tiles share them. Safe for several threads.
+/// An elevation model in a table that scripts/ldem_mysql_insert.php has filled (docs/database.md). Samples are read in blocks of a line and
+/// cached, because neighbouring tiles share them. Thread-safe.
 /// </summary>
 public sealed class LdemTableGrid : IElevationGrid
 {
@@ -32,10 +32,10 @@ public sealed class LdemTableGrid : IElevationGrid
     private int LineSamples => 360 * PixelsPerDegree;
 
     /// <summary>Opens the model of a resolution.</summary>
-    /// <param name="database">That of the tables; the caller keeps it, and disposes of it last.</param>
-    /// <param name="pixelsPerDegree">The resolution, at least 1.</param>
-    /// <exception cref="BadInputException">The model was not imported, or not all of it.</exception>
-    /// <exception cref="ExternalPartException">The database can't be reached, or refuses.</exception>
+    /// <param name="database">Database of the tables; the caller disposes of it after this object.</param>
+    /// <param name="pixelsPerDegree">Resolution, px/deg, at least 1.</param>
+    /// <exception cref="BadInputException">The model was not imported, or only in part.</exception>
+    /// <exception cref="ExternalPartException">The database can't be reached, or rejects the query.</exception>
     public static LdemTableGrid Open(Database database, int pixelsPerDegree)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
@@ -92,7 +92,7 @@ public sealed class LdemTableGrid : IElevationGrid
                 radii[found++] = reader.GetDouble(0);
             }
 
-            // The key is (row, column): as many rows as samples are those samples.
+            // The primary key is (row, column), so a complete count means that every sample was found.
             return found == count ? radii : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"table {_table}: only {found} of {count} samples of line {line + 1} from sample {firstSample + 1} on are there. "

@@ -6,20 +6,22 @@ using Msisf.Core.Errors;
 namespace Msisf.MySql;
 
 /// <summary>
-/// The provider of connections to MySQL and MariaDB. The one place that names the package MySqlConnector: it is not in every registry, so
-/// it is looked for when it is needed, in a folder of its own beside the program; the build puts it there where the package restores.
+/// Loads the provider of connections to MySQL and MariaDB. Only this class names the package MySqlConnector. Not every package registry has
+/// it, so the build puts it into a folder beside the program if it can be restored, and it is loaded from there when needed.
 /// </summary>
 internal static class MySqlProvider
 {
     private const string Library = "MySqlConnector.dll";
     private const string Factory = "MySqlConnector.MySqlConnectorFactory";
 
-    /// <summary>Connections that lie in the pool for no longer than this are taken to be open, s; a server ends them after hours.</summary>
+    /// <summary>
+    /// Idle time, s, up to which a pooled connection is used without testing it; servers close idle connections only after hours.
+    /// </summary>
     private const string IdlePingSeconds = "30";
 
     /// <summary>Loads the package.</summary>
     /// <param name="folder">Folder of the package's files.</param>
-    /// <exception cref="ExternalPartException">This build is without the package, or its files are damaged.</exception>
+    /// <exception cref="ExternalPartException">This build does not contain the package, or its files are damaged.</exception>
     public static DbProviderFactory Load(string folder)
     {
         string path = Path.GetFullPath(Path.Combine(folder, Library));
@@ -41,10 +43,8 @@ internal static class MySqlProvider
         }
     }
 
-    /// <summary>The settings in the words of the provider.</summary>
-    /// <remarks>
-    /// No statement changes a session's state, so a connection from the pool is used as it is, without the two statements that reset it.
-    /// </remarks>
+    /// <summary>The connection string of the provider for some settings.</summary>
+    /// <remarks>No statement changes a session's state, so a pooled connection is used without the two statements that reset it.</remarks>
     public static string ConnectionString(DatabaseSettings settings)
     {
         DbConnectionStringBuilder builder = new()

@@ -1,16 +1,17 @@
 namespace Msisf.MySql;
 
 /// <summary>
-/// Caches the runs of samples that were read last. A run is a part of a line; each is read once, even if several threads want it.
+/// Caches the runs of samples that were read last. A run is a part of a line and is read once, even if several threads need it.
 /// </summary>
 internal sealed class RunCache
 {
     /// <summary>
-    /// Samples of a run: a query's fixed costs are small beside them, and a tile of 512 px/deg needs no more than two runs in a line.
+    /// Number of samples in a run: large enough that the fixed cost of a query is small, and that a tile at 512 px/deg needs at most two
+    /// runs per line.
     /// </summary>
     private const int RunSamples = 8192;
 
-    /// <summary>Bytes of the cache: enough for a row of tiles at 64 px/deg.</summary>
+    /// <summary>Maximum size of the cache, bytes: enough for a row of tiles at 64 px/deg.</summary>
     private const long Budget = 256L << 20;
 
     private readonly Lock _gate = new();
@@ -19,16 +20,16 @@ internal sealed class RunCache
     private readonly int _lineSamples;
     private readonly Func<int, int, int, double[]> _read;
 
-    /// <summary>Starts empty.</summary>
-    /// <param name="lineSamples">Samples a line.</param>
-    /// <param name="read">Reads a run: line, first sample, count.</param>
+    /// <summary>Creates an empty cache.</summary>
+    /// <param name="lineSamples">Number of samples per line.</param>
+    /// <param name="read">Reads a run; receives line, first sample and count.</param>
     public RunCache(int lineSamples, Func<int, int, int, double[]> read)
     {
         _lineSamples = lineSamples;
         _read = read;
     }
 
-    /// <summary>The samples from a given one to the end of its run; at least that one.</summary>
+    /// <summary>The samples from a given one to the end of its run, which are at least one.</summary>
     public ReadOnlySpan<double> From(int line, int sample)
     {
         int first = sample / RunSamples * RunSamples;

@@ -1,9 +1,9 @@
 namespace Msisf.MySql;
 
-/// <summary>What is asked of the encryption of a connection.</summary>
+/// <summary>The required encryption of a connection.</summary>
 public enum TlsMode
 {
-    /// <summary>Nothing is asked: the provider encrypts if the server can, and does not verify the server.</summary>
+    /// <summary>No requirement: the provider encrypts if the server supports it, and does not verify the server.</summary>
     Default,
 
     /// <summary>No encryption.</summary>
@@ -12,6 +12,6 @@ public enum TlsMode
     /// <summary>Encryption, without verifying the server.</summary>
     Required,
 
-    /// <summary>Encryption with a certificate of a trusted authority that names the host.</summary>
+    /// <summary>Encryption with a certificate that names the host and is signed by a trusted authority.</summary>
     VerifyIdentity,
 }

@@ -2,12 +2,16 @@ using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 
-/// <summary>Encryption of the connection, by ssl-mode, ssl-ca and ssl-verify-server-cert; the PHP scripts follow the same rules.</summary>
-/// <param name="Mode">What is asked for.</param>
-/// <param name="CertificateAuthority">PEM file of the trusted authority; null for those of the system.</param>
+/// <summary>
+/// The encryption of the connection, set by ssl-mode, ssl-ca and ssl-verify-server-cert; the PHP scripts follow the same rules.
+/// </summary>
+/// <param name="Mode">Required encryption.</param>
+/// <param name="CertificateAuthority">PEM file of the trusted authority; null for the authorities of the system.</param>
 public sealed record TlsSettings(TlsMode Mode, string? CertificateAuthority)
 {
-    /// <summary>PDO can't check a certificate without the host's name, so VERIFY_CA is for neither program.</summary>
+    /// <summary>
+    /// The supported values of ssl-mode. VERIFY_CA is not supported, because PHP's PDO can't check a certificate without the host's name.
+    /// </summary>
     private static readonly Dictionary<string, TlsMode> Modes = new(StringComparer.OrdinalIgnoreCase)
     {
         ["DISABLED"] = TlsMode.Disabled,
@@ -15,9 +19,9 @@ public sealed record TlsSettings(TlsMode Mode, string? CertificateAuthority)
         ["VERIFY_IDENTITY"] = TlsMode.VerifyIdentity,
     };
 
-    /// <summary>What the options ask for; a named authority asks to verify the server.</summary>
-    /// <param name="valueOf">Value of an option; null if it is not given.</param>
-    /// <exception cref="BadInputException">A value is wrong, or one option asks to verify the server and another one not to.</exception>
+    /// <summary>Reads the required encryption from the options; a given authority requires verification of the server.</summary>
+    /// <param name="valueOf">Gets the value of an option; null if it is not given.</param>
+    /// <exception cref="BadInputException">A value is wrong, or one option requires verification and another forbids it.</exception>
     internal static TlsSettings Read(Func<string, string?> valueOf)
     {
         TlsMode? mode = valueOf("ssl-mode") is string name ? ModeOf(name) : null;
@@ -45,7 +49,7 @@ public sealed record TlsSettings(TlsMode Mode, string? CertificateAuthority)
         ? mode
         : throw new BadInputException($"ssl-mode '{name}': one of {string.Join(", ", Modes.Keys)} is needed.");
 
-    /// <summary>As for the clients: the name alone switches an option on.</summary>
+    /// <summary>Whether a flag option is on; a name without a value means on, as for the clients.</summary>
     private static bool IsOn(string text) => text.ToUpperInvariant() switch
     {
         "" or "1" or "ON" or "TRUE" => true,

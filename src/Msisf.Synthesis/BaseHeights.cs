@@ -4,9 +4,10 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// The base's heights, ready to be interpolated. Towards the poles a model's samples crowd together along the parallels: means over pixels
-/// 8 km long and a few metres wide, interpolated as they are, make stripes that all run to the pole. So beyond 70 degrees they are smoothed
-/// along the parallel, by 80 degrees to the width that the pixels have along the meridian.
+/// The heights of the base model, prepared for interpolation. Towards the poles a model's samples are very close together along the
+/// parallels: a pixel may be 8 km long and a few metres wide, and interpolating such pixels gives stripes that run to the pole. So beyond
+/// 70 degrees of latitude the heights are smoothed along the parallel; from 80 degrees on, the smoothing is as wide as a pixel is along
+/// the meridian.
 /// </summary>
 internal sealed class BaseHeights
 {
@@ -31,9 +32,9 @@ internal sealed class BaseHeights
     public int PixelsPerDegree => _model.PixelsPerDegree;
 
     /// <summary>Heights of consecutive pixels of one line.</summary>
-    /// <param name="line">Also before 0 or after the last: beyond a pole the lines go on along the opposite meridian.</param>
-    /// <param name="pixel">Any; the run goes on over the prime meridian.</param>
-    /// <param name="heights">Filled with m over the reference radius; at most once around.</param>
+    /// <param name="line">May be below 0 or above the last line: beyond a pole the lines continue along the opposite meridian.</param>
+    /// <param name="pixel">First pixel, any number; the pixels continue across the prime meridian.</param>
+    /// <param name="heights">Filled with m over the reference radius; at most one whole line.</param>
     public void ReadHeights(int line, int pixel, Span<double> heights)
     {
         if (line < 0 || line >= _lines)
@@ -57,11 +58,13 @@ internal sealed class BaseHeights
         }
     }
 
-    /// <summary>1 where the means of the pixels of a line are kept, 0 where the detail is added as it is.</summary>
+    /// <summary>
+    /// Weight, 0 to 1, with which the mean of the detail is subtracted on a line: 1 keeps the pixels' means, 0 adds the detail unchanged.
+    /// </summary>
     public double HonouredPart(int line) =>
         Math.Clamp(1.0 - ((Math.Abs(LatitudeDegrees(line)) - HonouredDegrees) / FadeDegrees), 0.0, 1.0);
 
-    // Distances along a great circle through the pole: 90.1 degrees is as far from the equator as 89.9.
+    // Latitudes beyond a pole are folded back: 90.1 degrees is as far from the equator as 89.9.
     private double LatitudeDegrees(int line)
     {
         double latitude = 90.0 - ((line + 0.5) / PixelsPerDegree);
@@ -76,7 +79,8 @@ internal sealed class BaseHeights
         return latitude <= HonouredDegrees ? 1 : Math.Clamp((int)width, 1, _around / 4);
     }
 
-    // Triangular weights are two running means in a row. The sums always begin at longitude 0, so that they are the same for every tile.
+    // Two running means in succession give triangular weights. The sums always begin at longitude 0, so that they have the same bits for
+    // every tile.
     private void ReadSmoothed(int line, int pixel, int halfWidth, Span<double> heights)
     {
         double[] row = new double[_around];
@@ -86,7 +90,7 @@ internal sealed class BaseHeights
         RunningMean(first, row, halfWidth);
         for (int i = 0; i < heights.Length; i++)
         {
-            // Each of the two means looks ahead by half its width.
+            // Each of the two means is shifted by half its width.
             int centred = pixel + i - (halfWidth - 1);
             heights[i] = row[((centred % _around) + _around) % _around] - MoonConstants.ReferenceRadius;
         }

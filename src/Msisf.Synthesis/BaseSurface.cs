@@ -1,8 +1,8 @@
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// The base model over a block of its pixels, less the means of the detail, interpolated smoothly: the sum with the detail has the base's
-/// means (<see cref="BaseHeights"/>: but for the polar caps).
+/// The base model over a block of its pixels, less the mean of the detail in each pixel, smoothly interpolated. With the detail added,
+/// the mean of each pixel is again that of the base, except near the poles (<see cref="BaseHeights"/>).
 /// </summary>
 internal sealed class BaseSurface
 {
@@ -22,9 +22,9 @@ internal sealed class BaseSurface
     /// <summary>Reads the base's heights over a block of pixels and the margin that interpolation needs.</summary>
     /// <param name="terrain">The model.</param>
     /// <param name="firstPixelLine">Northernmost pixel line.</param>
-    /// <param name="pixelLines">How many.</param>
+    /// <param name="pixelLines">Number of pixel lines.</param>
     /// <param name="firstPixel">Westernmost pixel.</param>
-    /// <param name="pixels">How many.</param>
+    /// <param name="pixels">Number of pixels of a line.</param>
     public BaseSurface(SyntheticTerrain terrain, int firstPixelLine, int pixelLines, int firstPixel, int pixels)
     {
         _terrain = terrain;
@@ -43,8 +43,8 @@ internal sealed class BaseSurface
         }
     }
 
-    /// <summary>Takes the mean of the detail in each pixel off the base.</summary>
-    /// <param name="frame">The block of the detail: these pixels and the margin.</param>
+    /// <summary>Subtracts the mean of the detail in each pixel from the base.</summary>
+    /// <param name="frame">The block that the detail covers: these pixels and the margin.</param>
     /// <param name="detail">m, lines of the frame's stride.</param>
     public void TakeOffMeans(TileFrame frame, ReadOnlySpan<float> detail)
     {
@@ -76,7 +76,7 @@ internal sealed class BaseSurface
         }
     }
 
-    /// <summary>Turns means into spline coefficients; before the first <see cref="ReadLine"/>.</summary>
+    /// <summary>Turns means into spline coefficients; call it before the first <see cref="ReadLine"/>.</summary>
     public void Prepare()
     {
         double[] halfDone = new double[(_pixelLines + (2 * Reach)) * _coefficientWidth];
@@ -96,9 +96,9 @@ internal sealed class BaseSurface
     }
 
     /// <summary>One line of the surface plus the detail.</summary>
-    /// <param name="line">In the whole-Moon grid of samples.</param>
-    /// <param name="firstSample">In the whole-Moon grid of samples.</param>
-    /// <param name="detail">m, one a sample.</param>
+    /// <param name="line">Line in the whole-Moon grid of samples.</param>
+    /// <param name="firstSample">First sample in the whole-Moon grid of samples.</param>
+    /// <param name="detail">m, one value for each sample.</param>
     /// <param name="heights">Filled with m over the reference radius.</param>
     public void ReadLine(int line, int firstSample, ReadOnlySpan<float> detail, Span<float> heights)
     {

@@ -1,18 +1,18 @@
 namespace Msisf.Synthesis;
 
 /// <summary>One crater.</summary>
-/// <param name="SinLatitude">Of the centre.</param>
-/// <param name="LongitudeDegrees">Of the centre, [0, 360).</param>
+/// <param name="SinLatitude">Sine of the centre's latitude.</param>
+/// <param name="LongitudeDegrees">Longitude of the centre, degrees, [0, 360).</param>
 /// <param name="Radius">m, centre to rim crest.</param>
-/// <param name="Freshness">1 new; the depth is this part of a new crater's.</param>
+/// <param name="Freshness">Depth as a fraction of a new crater's depth; 1 for a new crater.</param>
 internal readonly record struct Crater(double SinLatitude, double LongitudeDegrees, double Radius, double Freshness)
 {
-    /// <summary>Radii to which the ejecta blanket is drawn.</summary>
+    /// <summary>Crater radii: distance from the centre to which the ejecta blanket extends.</summary>
     public const double Reach = 3.0;
 
     /// <summary>Cosine of the centre's latitude.</summary>
     public double CosLatitude => Math.Sqrt((1.0 - SinLatitude) * (1.0 + SinLatitude));
 
-    /// <summary>Latitude of the centre.</summary>
+    /// <summary>Latitude of the centre, degrees.</summary>
     public double LatitudeDegrees => Math.Atan2(SinLatitude, CosLatitude) * (180.0 / Math.PI);
 }

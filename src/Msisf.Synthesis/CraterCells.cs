@@ -4,8 +4,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// Cells of the sphere for craters of one octave of diameters (2^k to 2^(k+1) m): bands of latitude, each cut into as many equal columns as
-/// keep the cells about square. Within a cell every place is as likely as any other, at the poles too.
+/// Cells of the sphere for craters of one octave of diameters (2^k to 2^(k+1) m): bands of latitude, each cut into equal columns so that
+/// the cells are about square. Within a cell all places are equally likely, also at the poles.
 /// </summary>
 internal sealed class CraterCells
 {
@@ -21,12 +21,12 @@ internal sealed class CraterCells
         _bands = Math.Max(2, (int)(Math.PI * MoonConstants.ReferenceRadius / side));
     }
 
-    /// <summary>The cells from which something can reach into a block, by band and then by column.</summary>
+    /// <summary>The cells from which a crater can reach into a block, by band and then by column.</summary>
     /// <param name="southDegrees">Southern border of the block; below -90 beyond the pole.</param>
     /// <param name="northDegrees">Northern border; above 90 beyond the pole.</param>
     /// <param name="westDegrees">Western border.</param>
     /// <param name="widthDegrees">Width of the block.</param>
-    /// <param name="reachDegrees">How far it can reach, as an angle at the Moon's centre.</param>
+    /// <param name="reachDegrees">How far a crater can reach, as an angle at the Moon's centre, degrees.</param>
     public IEnumerable<CraterCell> Near(
         double southDegrees,
         double northDegrees,
@@ -37,7 +37,7 @@ internal sealed class CraterCells
         double south = southDegrees - reachDegrees;
         double north = northDegrees + reachDegrees;
 
-        // Lines beyond a pole are places of the opposite meridian: then every column of the bands that they fold back to.
+        // Lines beyond a pole lie on the opposite meridian, so all columns of the bands that they fold back to are taken.
         double allColumnsNorthOf = north > 90.0 ? 180.0 - north : 90.0;
         double allColumnsSouthOf = south < -90.0 ? -180.0 - south : -90.0;
         int firstBand = BandOf(Math.Min(south, allColumnsNorthOf));
@@ -50,7 +50,7 @@ internal sealed class CraterCells
             int columns = first.Columns;
             double cos = PortableMath.SinCosDegrees(Math.Max(Math.Abs(northBorder), Math.Abs(southBorder))).Cos;
 
-            // asin(sin(reach) / cos(latitude)) is the half width; pi/2 times its argument is never less.
+            // asin(sin(reach) / cos(latitude)) is the half width; pi/2 times its argument is an upper bound.
             double half = 0.5 * Math.PI * reachDegrees / cos;
             bool all = northBorder >= allColumnsNorthOf || southBorder <= allColumnsSouthOf
                 || (2.0 * half) + widthDegrees + (720.0 / columns) >= 360.0;
@@ -58,7 +58,7 @@ internal sealed class CraterCells
             int count = all ? columns : (int)Math.Floor((westDegrees + widthDegrees + half) * columns / 360.0) - west + 1;
             west = ((west % columns) + columns) % columns;
 
-            // Ascending, also over the prime meridian: sums of overlapping craters must not depend on the block.
+            // In ascending order, also across the prime meridian, because sums of overlapping craters must not depend on the block.
             for (int column = 0; column < west + count - columns; column++)
             {
                 yield return first with { Column = column };

@@ -4,8 +4,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// All craters of a seed: scattered evenly and independently, as many as stand on highlands in equilibrium, thinned out on the maria.
-/// They are made where and when a tile asks for them, from cells of the sphere; a crater is the same whatever asked for it.
+/// All craters of a seed: placed uniformly and independently, with the density of highlands in equilibrium and a lower density on the
+/// maria. They are generated cell by cell when a tile needs them; a crater is the same for every tile.
 /// </summary>
 /// <remarks>
 /// Equilibrium: N(&gt;D) = 0.079 D^-1.83 for each km2, D in km (N. J. Trask, JPL Tech. Rep. 32-800 (1966); it holds within a factor of 2 up
@@ -29,9 +29,9 @@ internal sealed class CraterPopulation
 
     /// <summary>The craters of a range of diameters.</summary>
     /// <param name="seed">The user's seed.</param>
-    /// <param name="maria">Where they are thinned out.</param>
-    /// <param name="smallest">m, diameter, included.</param>
-    /// <param name="largest">m, diameter, left out.</param>
+    /// <param name="maria">Where the density is lower.</param>
+    /// <param name="smallest">Minimum diameter, m, included.</param>
+    /// <param name="largest">Maximum diameter, m, excluded.</param>
     public CraterPopulation(ulong seed, MareMask maria, double smallest, double largest)
     {
         _seed = seed;
@@ -40,10 +40,10 @@ internal sealed class CraterPopulation
         _largest = largest;
     }
 
-    /// <summary>Craters larger than a diameter in m, for each m2 of highlands.</summary>
+    /// <summary>Number of craters larger than a diameter in m, per m2 of highlands.</summary>
     public static double HighlandsCountAbove(double diameter) => 1e-6 * Coefficient * PortableMath.Pow(1e-3 * diameter, -Exponent);
 
-    /// <summary>1: density of craters of a diameter in m on the maria, over that on highlands.</summary>
+    /// <summary>Density of craters of a diameter in m on the maria, as a fraction of the density on highlands.</summary>
     public static double MareDensity(double diameter) => Math.Clamp(
         MareCoefficient / Coefficient * PortableMath.Pow(1e-3 * diameter, Exponent - MareExponent),
         MinMareDensity,
@@ -79,7 +79,7 @@ internal sealed class CraterPopulation
         SplitMix64 random = SplitMix64.For(_seed, Purpose + ((ulong)octave << 8), cell.Band, cell.Column);
         double none = PortableMath.Exp2(-density * cell.Area / 0.69314718055994530942);
 
-        // Knuth: a Poisson count is how many uniform numbers multiply up to below e^-mean.
+        // Knuth: a Poisson count is the number of uniform numbers whose product is still above e^-mean.
         for (double product = random.NextUniform(); product > none; product *= random.NextUniform())
         {
             (double sinLatitude, double longitude) = cell.Place(random.NextUniform(), random.NextUniform());

@@ -5,8 +5,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// Height over the distance from a crater's centre: a parabolic bowl (a flat floor and parabolic walls above 15 km), ejecta that thin out
-/// with the third power of the distance, and a crest that is the rounder the older the crater.
+/// Height over the distance from a crater's centre: a parabolic bowl (a flat floor and parabolic walls above 15 km), ejecta whose
+/// thickness falls with the third power of the distance, and a crest that is rounder for older craters.
 /// </summary>
 /// <remarks>
 /// Depth, rim height and floor of fresh craters: R. J. Pike, "Size-dependence in the shape of fresh impact craters on the Moon", in: Impact
@@ -40,7 +40,7 @@ internal readonly struct CraterProfile
         _rounding = depth * (0.7 - (0.55 * crater.Freshness));
     }
 
-    /// <summary>m over the ground before the impact, at four distances.</summary>
+    /// <summary>Height over the ground before the impact, m, at four distances.</summary>
     /// <param name="square">Square of the distance in rim radii.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector256<double> HeightAt(Vector256<double> square)

@@ -10,7 +10,7 @@ internal static class CraterStamp
     private const int Lanes = 4;
 
     /// <summary>Adds one crater.</summary>
-    /// <param name="crater">Anywhere; nothing happens if it does not reach the block.</param>
+    /// <param name="crater">The crater, anywhere on the Moon; nothing is added if it does not reach the block.</param>
     /// <param name="frame">The block, at most 180 degrees wide.</param>
     /// <param name="heights">m, lines of the frame's stride.</param>
     public static void AddTo(Crater crater, TileFrame frame, Span<float> heights)
@@ -70,7 +70,7 @@ internal static class CraterStamp
 
     private static (int First, int Last) ColumnsReached(Crater crater, TileFrame frame, int line, double reach)
     {
-        // Reached where cos(longitude difference) >= bound.
+        // The crater reaches columns where cos(longitude difference) >= bound.
         double product = frame.CosLatitude[line] * crater.CosLatitude;
         double min = 1.0 - (0.5 * reach * reach * 1.01) - (crater.SinLatitude * frame.SinLatitude[line]);
         double bound = min / Math.Abs(product);
@@ -87,7 +87,7 @@ internal static class CraterStamp
         double half = Math.Atan2(Math.Sqrt((1.0 - bound) * (1.0 + bound)), bound) * (180.0 / Math.PI) * frame.PixelsPerDegree;
         double centre = ((crater.LongitudeDegrees + (product < 0.0 ? 180.0 : 0.0)) * frame.PixelsPerDegree) - 0.5 - frame.FirstSample;
 
-        // The turn of the centre that is nearest to the block's middle.
+        // Adds whole turns so that the centre is as near as possible to the block's middle.
         double around = 360.0 * frame.PixelsPerDegree;
         centre -= around * Math.Floor(((centre - (0.5 * frame.Samples)) / around) + 0.5);
         return (

@@ -4,15 +4,15 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// Gradient noise on a cubic lattice in space, eight points at a time; smooth (C2), of zero mean, about one lattice step to two in
-/// wavelength.
+/// Gradient noise on a cubic lattice in space, eight points at a time; smooth (C2), of zero mean, with wavelengths of about one to two
+/// lattice steps.
 /// </summary>
 /// <remarks>
 /// K. Perlin, "Improving noise", SIGGRAPH 2002; the gradients come from a hash instead of a table, each component uniform in [-1, 1].
 /// </remarks>
 internal static class GradientNoise
 {
-    /// <summary>1 per lattice step: root mean square of one component of the noise's gradient (measured, GradientNoiseTests).</summary>
+    /// <summary>Per lattice step: root mean square of one component of the noise's gradient (measured, GradientNoiseTests).</summary>
     public const double RmsSlope = 0.5;
 
     private const int PrimeX = 0x1B873593;
@@ -28,7 +28,7 @@ internal static class GradientNoise
     /// <param name="y1">The same of points 4 to 7.</param>
     /// <param name="z0">Third coordinate of points 0 to 3.</param>
     /// <param name="z1">The same of points 4 to 7.</param>
-    /// <param name="seed">Another seed is another noise.</param>
+    /// <param name="seed">Another seed gives another noise.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> At(
         Vector256<double> x0,
@@ -64,7 +64,7 @@ internal static class GradientNoise
         return Mix(lowZ, highZ, Fade(fz)) * GradientScale;
     }
 
-    // Doubles until the lattice cell is taken off: a float keeps only 1/128 of a step at the finest lattices.
+    // Doubles are used until the lattice cell is subtracted: a float resolves only 1/128 of a step at the finest lattices.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static (Vector256<int> Cell, Vector256<float> Fraction) Split(Vector256<double> low, Vector256<double> high)
     {

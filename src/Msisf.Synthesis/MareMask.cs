@@ -4,10 +4,11 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// Where the maria are: low ground of the near side, from a model's mean heights over cells of 1 degree. Mare is full below -1600 m,
-/// none above -900 m, and fades out towards the limb, so that the floor of the South Pole-Aitken basin stays highlands.
+/// The mare fraction of the ground, from a model's mean heights over cells of 1 degree: maria are low ground of the near side. The
+/// fraction is 1 below -1600 m and 0 above -900 m; it decreases to 0 towards the limb, so that the floor of the South Pole-Aitken basin
+/// counts as highlands.
 /// </summary>
-/// <remarks>A rule of thumb, not a geological map: low ground of the near side that is no mare is taken for one.</remarks>
+/// <remarks>A rule of thumb, not a geological map: all low ground of the near side counts as mare.</remarks>
 internal sealed class MareMask
 {
     private const int Rows = 180;
@@ -50,7 +51,7 @@ internal sealed class MareMask
         }
     }
 
-    /// <summary>0 (highlands) to 1 (mare) at a place.</summary>
+    /// <summary>Mare fraction at a place, 0 (highlands) to 1 (mare).</summary>
     /// <param name="latitudeDegrees">[-90, 90], or beyond on mirror lines.</param>
     /// <param name="longitudeDegrees">[0, 360).</param>
     public double At(double latitudeDegrees, double longitudeDegrees)
@@ -62,7 +63,7 @@ internal sealed class MareMask
         return Blend(north, south, down);
     }
 
-    /// <summary>The fractions along one line of a frame.</summary>
+    /// <summary>The mare fractions along one line of a frame.</summary>
     /// <param name="frame">The block.</param>
     /// <param name="line">Line of the block.</param>
     /// <param name="fractions">Filled for every column of the stride.</param>
@@ -90,7 +91,7 @@ internal sealed class MareMask
         }
     }
 
-    /// <summary>The rule: mare fraction of ground at a height.</summary>
+    /// <summary>The mare fraction that the rule gives for ground at a height.</summary>
     /// <param name="height">m over the reference radius.</param>
     /// <param name="nearSide">Cosine of the angle from the sub-Earth point (latitude 0, longitude 0).</param>
     public static double FractionOf(double height, double nearSide) =>
@@ -113,7 +114,7 @@ internal sealed class MareMask
 
     private static double Blend(double a, double b, double weightOfB) => a + (weightOfB * (b - a));
 
-    // Beyond a pole a row goes on along the opposite meridian.
+    // Beyond a pole a row continues along the opposite meridian.
     private double Cell(int row, int column)
     {
         if (row is < 0 or >= Rows)

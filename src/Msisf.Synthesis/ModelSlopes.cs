@@ -4,7 +4,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// Median slopes of the smooth surface through an elevation model's samples, as tangents; null where the model has too little of the
+/// Median slopes of the smooth surface through an elevation model's samples, as tangents; null where the model has too few samples of the
 /// terrain.
 /// </summary>
 /// <param name="Highlands">Tangent, where the mare fraction is 0.</param>
@@ -49,11 +49,11 @@ internal sealed record ModelSlopes(double? Highlands, double? Maria)
         return new ModelSlopes(Median(highlandSlopes), Median(mareSlopes));
     }
 
-    /// <summary>m between neighbouring lines of a model.</summary>
+    /// <summary>Distance between neighbouring lines of a model, m.</summary>
     public static double Spacing(double pixelsPerDegree) => MoonConstants.ReferenceRadius * Math.PI / (180.0 * pixelsPerDegree);
 
-    // Slope, in one spacing, of the cubic through the means, where the two middle pixels meet; a plain difference is too small by a
-    // quarter.
+    // Change of height per spacing where the two middle pixels meet, of the cubic with these four pixel means; a plain difference is too
+    // small by a quarter.
     private static double Derivative(double a, double b, double c, double d) => ((15.0 * (c - b)) - (d - a)) / 12.0;
 
     private static double At(double[] line, int sample) => line[(sample + line.Length) % line.Length];

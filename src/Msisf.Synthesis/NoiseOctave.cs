@@ -5,10 +5,12 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// One octave of roughness: noise of one wavelength on the sphere itself, so that poles and prime meridian are places like any other.
+/// One octave of roughness: noise of one wavelength, evaluated in space on the sphere, so that it has no seam at the poles or the prime
+/// meridian.
 /// </summary>
 /// <remarks>
-/// The lattice is turned at random, each octave by itself: aligned lattices show as a grid where the sphere is parallel to their planes.
+/// The lattice of each octave has its own random rotation, because aligned lattices show as a grid where the sphere is parallel to their
+/// planes.
 /// </remarks>
 internal sealed class NoiseOctave
 {
@@ -31,7 +33,7 @@ internal sealed class NoiseOctave
         _highlandsAmplitude = (float)highlandsAmplitude;
         _mariaExtraAmplitude = (float)(mariaAmplitude - highlandsAmplitude);
 
-        // Keyed by the spacing in mm, so that an octave is the same one in every product that has it.
+        // Keyed by the spacing in mm, so that an octave is the same in every product that contains it.
         SplitMix64 random = SplitMix64.For(seed, Purpose, (long)Math.Round(1000.0 * spacing), 0);
         _latticeSeed = (int)random.NextBits();
         Turn(ref random, MoonConstants.ReferenceRadius / spacing);
@@ -41,7 +43,7 @@ internal sealed class NoiseOctave
         }
     }
 
-    /// <summary>m between lattice points; the waves are one to two of these long.</summary>
+    /// <summary>Distance between lattice points, m; the wavelengths are one to two times this.</summary>
     public double Spacing { get; }
 
     /// <summary>

@@ -1,17 +1,17 @@
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// Smooth interpolation (C1) of pixel means: the mean of the n x n samples inside each pixel is again that pixel's value.
-/// It is local: three pixels each way, so a tile needs no more than that beside it.
+/// Smooth interpolation (C1) of pixel means: the mean of the n x n samples inside each pixel is again that pixel's value. It uses three
+/// pixels on each side, so a tile needs a margin of three pixels only.
 /// </summary>
 /// <remarks>
-/// Quadratic B-splines with knots at half pixels. Their weights are the only symmetric ones of this reach that give the pixel's own mean 1,
-/// every other pixel's mean 0, and reproduce constants, straight lines and parabolas; the sums are over the n midpoints of a pixel, not
-/// integrals, so the means are exact for any even n.
+/// Quadratic B-splines with knots at half pixels. Their weights are the only symmetric ones of this width that give 1 for the pixel's own
+/// mean and 0 for every other pixel's mean, and that reproduce constants, straight lines and parabolas; the sums are over the n midpoints
+/// of a pixel, not integrals, so the means are exact for any even n.
 /// </remarks>
 internal sealed class PixelMeanKernel
 {
-    /// <summary>Pixels that are needed beside the outermost one.</summary>
+    /// <summary>Number of pixels that are needed beyond the outermost one.</summary>
     public const int Reach = 3;
 
     private readonly double[] _taps;
@@ -45,8 +45,8 @@ internal sealed class PixelMeanKernel
     /// The pixels' means, with <see cref="Reach"/> more at each end; consecutive ones are <paramref name="step"/> apart.
     /// </param>
     /// <param name="coefficients">Filled with <see cref="CoefficientCount"/> values, also <paramref name="step"/> apart.</param>
-    /// <param name="pixels">How many pixels, without the ones at the ends.</param>
-    /// <param name="step">1 along a line, the length of a line along a column.</param>
+    /// <param name="pixels">Number of pixels, without the additional ones at the ends.</param>
+    /// <param name="step">Distance of consecutive values in the array: 1 along a line, the length of a line along a column.</param>
     public void Coefficients(ReadOnlySpan<double> means, Span<double> coefficients, int pixels, int step)
     {
         for (int k = 0; k < CoefficientCount(pixels); k++)
@@ -66,9 +66,9 @@ internal sealed class PixelMeanKernel
     public (int First, double Weight0, double Weight1, double Weight2) At(int pixel, int sample) =>
         ((2 * pixel) + _firstCoefficient[sample], _weights[3 * sample], _weights[(3 * sample) + 1], _weights[(3 * sample) + 2]);
 
-    // Unknown weights h0..h5 of the splines 0..5 half pixels away. tail: mean over the neighbour pixel of the spline at a pixel's centre;
-    // variance: mean of x^2 over a pixel's midpoints. The equations: sums over even and odd splines are 1; parabolas; means 0 two and three
-    // pixels away.
+    // Unknown weights h0..h5 of the splines 0..5 half pixels away. tail: mean, over the neighbouring pixel, of the spline at a pixel's
+    // centre; variance: mean of x^2 over a pixel's midpoints. The equations: sums over even and odd splines are 1; parabolas; means 0 two
+    // and three pixels away.
     private static double[] Taps(int n)
     {
         double tail = 0.0;

@@ -12,16 +12,17 @@ namespace Msisf.Synthesis;
 internal sealed record SlopeLaw(double TangentAt17Metres, double HurstExponent)
 {
     /// <summary>
-    /// m: beyond about a kilometre the Moon's slopes leave the law and fall faster (Rosenburg et al., figure of the breakover points).
+    /// m: longest baseline for which the law holds; beyond about a kilometre the Moon's slopes fall faster (Rosenburg et al., figure of
+    /// the breakover points).
     /// </summary>
     public const double LongestBaseline = 1000.0;
 
     private const double ReferenceBaseline = 17.0; // m: between LOLA's neighbouring spots
 
-    /// <summary>2.0 degrees and H = 0.76.</summary>
+    /// <summary>The maria: 2.0 degrees at 17 m and H = 0.76.</summary>
     public static SlopeLaw Maria { get; } = new(TangentOfDegrees(2.0), 0.76);
 
-    /// <summary>7.5 degrees and H = 0.95.</summary>
+    /// <summary>The highlands: 7.5 degrees at 17 m and H = 0.95.</summary>
     public static SlopeLaw Highlands { get; } = new(TangentOfDegrees(7.5), 0.95);
 
     /// <summary>Tangent of the median slope at a baseline in m.</summary>

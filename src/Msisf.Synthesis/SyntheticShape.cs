@@ -4,10 +4,12 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// A Moon out of nothing, 1 sample a degree: hills from a thousand km down to 60 km, a lower near side, and flat maria in its lows.
-/// Heights stay within 4.2 km; craters are not its business.
+/// An invented global shape of the Moon for models without a base, 1 sample a degree: hills from a thousand km down to 60 km, a lower
+/// near side, and flat maria in its low ground. Heights are within 4.2 km of the reference radius; it has no craters.
 /// </summary>
-/// <remarks>Slopes after LDEM_4: median 3.6 degrees at 7.6 km and 1.5 degrees at 61 km on highlands, so about baseline^-0.45.</remarks>
+/// <remarks>
+/// The slopes follow those of LDEM_4: median 3.6 degrees at 7.6 km and 1.5 degrees at 61 km on highlands, so about baseline^-0.45.
+/// </remarks>
 internal sealed class SyntheticShape : IElevationGrid
 {
     private const int Lines = 180;
@@ -107,7 +109,7 @@ internal sealed class SyntheticShape : IElevationGrid
         }
     }
 
-    // Lava fills the lows to about one level.
+    // Lava fills low ground to about the same level.
     private static double Flooded(double height, double mareFraction) => height + (mareFraction * FloodedPart * (LavaLevel - height));
 
     private static double Limited(double height) => height / Math.Sqrt(1.0 + (height * height / (LimitHeight * LimitHeight)));

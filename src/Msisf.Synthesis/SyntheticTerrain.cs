@@ -5,33 +5,35 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// A synthetic Moon: what a seed adds to a base model below the base's own resolution, or to a made-up global shape.
+/// A synthetic Moon: detail from a seed that is added to a base model below the base's own resolution, or to an invented global shape.
 /// Immutable and safe for several threads; each thread takes a <see cref="TileSynthesizer"/> of its own.
 /// </summary>
 /// <remarks>Method, sources and measurements: docs/synthetic-ldem.md.</remarks>
 public sealed class SyntheticTerrain
 {
-    /// <summary>Samples a degree: the finest product; above it a sample would be under 15 m.</summary>
+    /// <summary>Maximum resolution, samples a degree; the samples are then 15 m apart.</summary>
     public const int LargestResolution = 2048;
 
-    /// <summary>1: how many times finer than its base a model can be; a tile holds at least seven base pixels each way.</summary>
+    /// <summary>
+    /// Maximum ratio of a model's resolution to that of its base; a tile then still holds at least seven base pixels along each side.
+    /// </summary>
     public const int LargestRatio = 512;
 
-    // Three samples across are the minimum that show a bowl.
+    // Minimum crater diameter in samples: three samples are needed to show a bowl.
     private const double SmallestCraterInSamples = 3.0;
 
-    // The base shows what is larger than two of its samples.
+    // Maximum crater diameter in samples of the base, which shows larger craters itself.
     private const double LargestCraterInBaseSamples = 2.0;
 
-    // Without a base all craters are ours; larger ones would be basins, which the shape's lows stand for.
+    // Maximum crater diameter without a base; larger ones would be basins, which the low ground of the invented shape represents.
     private const double LargestCraterWithoutBase = 120_000.0; // m
 
     private readonly CraterPopulation _craters;
 
     /// <summary>Prepares a model: reads the base once, coarsely, for its maria and its slopes.</summary>
     /// <param name="pixelsPerDegree">1 to <see cref="LargestResolution"/>; with a base, an even multiple of its resolution.</param>
-    /// <param name="seed">Another seed is another terrain.</param>
-    /// <param name="baseModel">The model to continue; null for a made-up shape.</param>
+    /// <param name="seed">Another seed gives another terrain.</param>
+    /// <param name="baseModel">The model to refine; null for an invented shape.</param>
     /// <param name="cancellation">Stops the reading.</param>
     /// <exception cref="BadInputException">The resolution does not fit.</exception>
     public SyntheticTerrain(int pixelsPerDegree, ulong seed, IElevationGrid? baseModel, CancellationToken cancellation = default)
@@ -63,11 +65,12 @@ public sealed class SyntheticTerrain
     public int PixelsPerDegree { get; }
 
     /// <summary>
-    /// A base was given; between 70 degrees south and north the mean of the model's samples in each of its pixels is the base's value.
+    /// Whether a base was given. If so, between 70 degrees south and north the mean of the samples in each base pixel is the base's
+    /// value.
     /// </summary>
     public bool HasBase { get; }
 
-    /// <summary>The base, or the made-up shape.</summary>
+    /// <summary>The base, or the invented shape.</summary>
     internal BaseHeights Base { get; }
 
     /// <summary>Samples along one side of a base pixel.</summary>

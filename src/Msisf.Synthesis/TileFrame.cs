@@ -3,12 +3,12 @@ using Msisf.Core.Numerics;
 namespace Msisf.Synthesis;
 
 /// <summary>
-/// A block of samples of the whole-Moon grid with the directions of its lines and columns. Lines before 0 and after the last
-/// are the mirror lines beyond a pole (a latitude above 90 degrees: the opposite meridian); columns go on over the prime meridian.
+/// A block of samples of the whole-Moon grid with the directions of its lines and columns. Lines before 0 and after the last are the
+/// mirror lines beyond a pole (a latitude above 90 degrees: the opposite meridian); columns continue across the prime meridian.
 /// </summary>
 internal sealed class TileFrame
 {
-    /// <summary>Columns are padded to whole vectors of 8 floats.</summary>
+    /// <summary>Floats of a vector; the columns are padded to a multiple of it.</summary>
     public const int VectorWidth = 8;
 
     /// <summary>Makes the tables of a block.</summary>
@@ -58,7 +58,7 @@ internal sealed class TileFrame
     /// <summary>How many columns.</summary>
     public int Samples { get; }
 
-    /// <summary>Columns with the padding.</summary>
+    /// <summary>Number of columns including the padding.</summary>
     public int Stride { get; }
 
     /// <summary>Sine of each line's latitude.</summary>

@@ -13,7 +13,7 @@ public sealed class TileSynthesizer
     private readonly int _margin;
     private float[] _detail = [];
 
-    /// <summary>Makes one.</summary>
+    /// <summary>Prepares to compute blocks of a model.</summary>
     /// <param name="terrain">The model.</param>
     public TileSynthesizer(SyntheticTerrain terrain)
     {
@@ -21,7 +21,7 @@ public sealed class TileSynthesizer
         _margin = terrain.HasBase ? PixelMeanKernel.Reach : 0;
     }
 
-    /// <summary>Samples along the side of a good block: a multiple of a base pixel's.</summary>
+    /// <summary>Samples along the side of a block of efficient size: a multiple of the samples of a base pixel.</summary>
     public int PreferredSide
     {
         get
@@ -36,7 +36,9 @@ public sealed class TileSynthesizer
         }
     }
 
-    /// <summary>Bytes that a thread needs for a block of that side: the detail with its margins, and the heights.</summary>
+    /// <summary>
+    /// Memory, bytes, that a thread needs for a block of <see cref="PreferredSide"/>: the detail with its margins, and the heights.
+    /// </summary>
     public long PreferredBytes => sizeof(float) * BufferSamples(PreferredSide / _terrain.SamplesPerPixel);
 
     /// <summary>Computes one block.</summary>

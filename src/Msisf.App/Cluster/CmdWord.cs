@@ -3,16 +3,14 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Cluster;
 
-/// <summary>
-/// Words of a Windows batch file. Two readers take them apart: cmd, and the rules by which a program finds its arguments.
-/// </summary>
+/// <summary>Quotes words for a Windows batch file, which both cmd and the called program's own argument parser take apart.</summary>
 internal static class CmdWord
 {
     private static readonly SearchValues<char> Plain =
         SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:\\+@-");
 
-    /// <summary>A word in quotes, where it needs any; a percent sign is doubled, and a backslash before the closing quote.</summary>
-    /// <exception cref="BadInputException">cmd has no way to pass the text on.</exception>
+    /// <summary>Quotes a word if needed, doubling percent signs and a backslash before the closing quote.</summary>
+    /// <exception cref="BadInputException">cmd can't pass this text to a program.</exception>
     public static string Of(string text)
     {
         string inner = Inner(text);
@@ -20,8 +18,8 @@ internal static class CmdWord
         return text.Length > 0 && !text.AsSpan().ContainsAnyExcept(Plain) ? text : $"\"{inner}{new string('\\', backslashes)}\"";
     }
 
-    /// <summary>The text for a place between quotes that only cmd itself reads.</summary>
-    /// <exception cref="BadInputException">cmd has no way to hold the text.</exception>
+    /// <summary>The text for a place between quotes that only cmd reads.</summary>
+    /// <exception cref="BadInputException">cmd can't hold this text.</exception>
     public static string Inner(string text) => text.Contains('"') || text.Any(char.IsControl)
         ? throw new BadInputException(
             $"--format bat: {text.ReplaceLineEndings(" ")} has a quotation mark or a control character in it, "

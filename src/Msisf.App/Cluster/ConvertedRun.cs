@@ -1,9 +1,11 @@
 namespace Msisf.App.Cluster;
 
-/// <summary>A run as a script.</summary>
-/// <param name="Script">Full path.</param>
-/// <param name="StatesFile">Full path of the states that were written beside it; null if the run has a file of its own.</param>
-/// <param name="OutputFolder">Of the frames.</param>
-/// <param name="FrameCount">Frames of all pieces.</param>
-/// <param name="PieceCount">Pieces.</param>
+/// <summary>A run that was converted to a script.</summary>
+/// <param name="Script">Full path of the script.</param>
+/// <param name="StatesFile">
+/// Full path of the states file that was written beside the script; null if the run has a batch file of its own.
+/// </param>
+/// <param name="OutputFolder">Folder of the frames.</param>
+/// <param name="FrameCount">Number of frames in all pieces.</param>
+/// <param name="PieceCount">Number of pieces.</param>
 internal sealed record ConvertedRun(string Script, string? StatesFile, string OutputFolder, int FrameCount, int PieceCount);

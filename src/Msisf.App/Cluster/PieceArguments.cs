@@ -5,15 +5,17 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Cluster;
 
-/// <summary>The options of the pieces' calls: those of the whole run, also where they come from a file of arguments or settings.</summary>
+/// <summary>
+/// The options of the calls that make the pieces: the options of the whole run, including those from response and configuration files.
+/// </summary>
 internal sealed class PieceArguments
 {
     private readonly OptionValues _values;
 
-    /// <summary>Takes the run's options.</summary>
-    /// <param name="values">The options.</param>
-    /// <param name="endsWithCheck">Whether the script looks at all frames of the run in the end.</param>
-    /// <exception cref="UsageException">There is one that pieces can't have.</exception>
+    /// <summary>Collects the options of the run.</summary>
+    /// <param name="values">The options of the run.</param>
+    /// <param name="endsWithCheck">Whether the script checks all frames of the run at its end.</param>
+    /// <exception cref="UsageException">An option can't be used in pieces.</exception>
     public PieceArguments(OptionValues values, bool endsWithCheck)
     {
         _values = values;
@@ -29,11 +31,11 @@ internal sealed class PieceArguments
         Refuse(RunOptions.Overwrite, "would make all frames again each time a piece is run again; remove the outputs in place of it");
     }
 
-    /// <summary>Of each piece's call, but for <c>--frames</c>.</summary>
-    /// <param name="batchFile">The states.</param>
+    /// <summary>Arguments of the call that makes a piece, except <c>--frames</c>.</summary>
+    /// <param name="batchFile">File with the states of the run.</param>
     /// <param name="engine">
-    /// The ephemeris engine that this computer takes, null for none: a node that would take another one would give the Sun other last
-    /// digits.
+    /// The ephemeris engine that this computer uses; null for none. It is fixed because another engine changes the last digits of the Sun's
+    /// position.
     /// </param>
     public IReadOnlyList<string> OfPiece(string batchFile, EphemerisChoice? engine) =>
     [
@@ -43,9 +45,9 @@ internal sealed class PieceArguments
         .. Engine(engine),
     ];
 
-    /// <summary>Of the call of <c>msis patterns</c> that makes what all pieces need.</summary>
-    /// <param name="batchFile">The states.</param>
-    /// <param name="engine">As for the pieces.</param>
+    /// <summary>Arguments of the call of <c>msis patterns</c> that makes the patterns of all pieces.</summary>
+    /// <param name="batchFile">File with the states of the run.</param>
+    /// <param name="engine">The ephemeris engine, as for the pieces.</param>
     public IReadOnlyList<string> OfPatterns(string batchFile, EphemerisChoice? engine) =>
     [
         PatternsOptions.ForBatch.Name, batchFile,
@@ -74,7 +76,9 @@ internal sealed class PieceArguments
         return _values.Text(option) is { } text ? WordsOf(option, text) : [];
     }
 
-    /// <summary>One word, so that a value may begin with "-" or "@"; but an empty one is a word of its own.</summary>
+    /// <summary>
+    /// An option with its value as one word, because the value may begin with "-" or "@"; an empty value is a separate word.
+    /// </summary>
     private static string[] WordsOf(OptionSpec option, string value) =>
         value.Length > 0 ? [$"{option.Name}={value}"] : [option.Name, value];
 }

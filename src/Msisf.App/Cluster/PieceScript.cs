@@ -2,25 +2,25 @@ using Msisf.Core.Scene;
 
 namespace Msisf.App.Cluster;
 
-/// <summary>What a script of any format is made of.</summary>
+/// <summary>The content of a script that makes a run in pieces, independent of the script's format.</summary>
 internal sealed record PieceScript
 {
     /// <summary>Full path of the script itself.</summary>
     public required string Path { get; init; }
 
-    /// <summary>Which call made it, for its head; one line.</summary>
+    /// <summary>The call that made the script, as one line for the script's head.</summary>
     public required string Call { get; init; }
 
     /// <summary>Version of the program.</summary>
     public required string Version { get; init; }
 
-    /// <summary>Full path of what starts the program.</summary>
+    /// <summary>Full path of the file that starts the program.</summary>
     public required string Launcher { get; init; }
 
-    /// <summary>Full path of the folder in which the call was made: the relative paths of its options begin there.</summary>
+    /// <summary>Full path of the folder in which the call was made; relative paths in its options start there.</summary>
     public required string WorkingFolder { get; init; }
 
-    /// <summary>Of each piece's call, but for <c>--frames</c>.</summary>
+    /// <summary>Arguments of the call that makes a piece, except <c>--frames</c>.</summary>
     public required IReadOnlyList<string> Arguments { get; init; }
 
     /// <summary>Whether <see cref="Arguments"/> say how many frames are made at once.</summary>
@@ -29,10 +29,10 @@ internal sealed record PieceScript
     /// <summary>Whether the run needs patterns.</summary>
     public required bool NeedsPatterns { get; init; }
 
-    /// <summary>Of the call of <c>msis patterns</c> that makes them beforehand.</summary>
+    /// <summary>Arguments of the call of <c>msis patterns</c> that makes the patterns before the pieces.</summary>
     public required IReadOnlyList<string> PatternArguments { get; init; }
 
-    /// <summary>Folder of the outputs, as the options have it.</summary>
+    /// <summary>Folder of the outputs, as given in the options.</summary>
     public required string OutputFolder { get; init; }
 
     public required IReadOnlyList<StepRanges> Pieces { get; init; }

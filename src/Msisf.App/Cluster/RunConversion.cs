@@ -12,23 +12,23 @@ using Msisf.Core.Scene;
 
 namespace Msisf.App.Cluster;
 
-/// <summary>Turns a run into a script that makes it in pieces.</summary>
+/// <summary>Converts a run to a script that makes it in pieces.</summary>
 internal sealed class RunConversion
 {
-    /// <summary>Characters of the call in the head of a script: enough for any but one with a long list of times.</summary>
+    /// <summary>Maximum number of characters of the call in a script's head; only a call with a long list of times is longer.</summary>
     private const int LongestCall = 2000;
 
     private readonly ProgramHost _host;
 
     public RunConversion(ProgramHost host) => _host = host;
 
-    /// <summary>Checks the run, cuts it, and writes the script with what it needs beside it.</summary>
+    /// <summary>Checks the run, cuts it into pieces, and writes the script and the files that it needs.</summary>
     /// <param name="values">The options of the run, of the pieces, and of Slurm.</param>
     /// <param name="call">The words of the call, for the head of the script.</param>
-    /// <param name="format">For whom.</param>
-    /// <param name="scriptPath">The script, by the folder of the outputs; folders of it that are not there are made.</param>
-    /// <param name="cancellation">Ends it and leaves no file.</param>
-    /// <exception cref="MsisfException">What the run would refuse is refused here, before anything is written.</exception>
+    /// <param name="format">Format of the script.</param>
+    /// <param name="scriptPath">Path of the script, relative to the folder of the outputs; missing folders are created.</param>
+    /// <param name="cancellation">Cancels the work; no file is left.</param>
+    /// <exception cref="MsisfException">The run itself would fail; nothing has been written.</exception>
     public ConvertedRun Convert(
         OptionValues values, IReadOnlyList<string> call, ScriptFormat format, Func<RenderSettings, string> scriptPath,
         CancellationToken cancellation)
@@ -82,7 +82,7 @@ internal sealed class RunConversion
         return shown.Length <= LongestCall ? shown : $"{shown[..LongestCall]}...";
     }
 
-    /// <summary>Refuses what a piece would refuse for want of memory, and what the whole run would need of the disk.</summary>
+    /// <summary>Refuses a run whose pieces would lack memory or whose outputs would not fit on the disk.</summary>
     private static void CheckResources(RenderSettings settings, int frames, SlurmSettings? slurm)
     {
         int atOnce = settings.Jobs ?? slurm?.CpusPerTask ?? 1;
@@ -105,7 +105,7 @@ internal sealed class RunConversion
                 Directory.CreateDirectory($"{script.Path}.logs");
             }
 
-            // It counts the pieces of the script before: GNU parallel would leave out others.
+            // An old job log lists pieces of the previous script, and GNU parallel would skip the new pieces with the same numbers.
             File.Delete($"{script.Path}.joblog");
         });
 

@@ -5,10 +5,10 @@ namespace Msisf.App.Cluster;
 /// <summary>Cuts the steps of a run into contiguous pieces.</summary>
 internal static class RunCutter
 {
-    /// <summary>Pieces of equal counts.</summary>
-    /// <param name="steps">Ascending.</param>
-    /// <param name="pieces">How many; no more than there are steps are made.</param>
-    /// <returns>None is empty; the counts differ by 1 at most.</returns>
+    /// <summary>Cuts the steps into a given number of pieces of nearly equal size.</summary>
+    /// <param name="steps">The steps, ascending.</param>
+    /// <param name="pieces">Number of pieces; with fewer steps than this, one piece per step is made.</param>
+    /// <returns>The pieces; none is empty, and their sizes differ by 1 at most.</returns>
     public static IReadOnlyList<StepRanges> ByCount(IReadOnlyList<int> steps, int pieces)
     {
         int count = Math.Min(pieces, steps.Count);
@@ -17,7 +17,7 @@ internal static class RunCutter
         int StartOf(int piece) => (int)((long)steps.Count * piece / count);
     }
 
-    /// <summary>Pieces of a given count; the last one may have less.</summary>
+    /// <summary>Cuts the steps into pieces of a given size; the last one may be smaller.</summary>
     public static IReadOnlyList<StepRanges> BySize(IReadOnlyList<int> steps, int size) =>
         [.. steps.Chunk(size).Select(StepRanges.Of)];
 

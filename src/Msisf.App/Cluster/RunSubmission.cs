@@ -8,12 +8,14 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Cluster;
 
-/// <summary>A run that was given to Slurm in pieces.</summary>
+/// <summary>A run that was submitted to Slurm in pieces.</summary>
 internal sealed class RunSubmission
 {
     private static readonly TimeSpan Pause = TimeSpan.FromSeconds(5);
 
-    /// <summary>Network file systems show what another node wrote up to a minute late.</summary>
+    /// <summary>
+    /// How long to wait for the result file after all jobs ended; network file systems show another node's files up to a minute late.
+    /// </summary>
     private static readonly TimeSpan Patience = TimeSpan.FromMinutes(3);
 
     private readonly SlurmProgram _slurm;
@@ -21,15 +23,15 @@ internal sealed class RunSubmission
 
     private RunSubmission(ConvertedRun run, SlurmProgram slurm, ProgramHost host) => (Run, _slurm, _host) = (run, slurm, host);
 
-    /// <summary>The run and its script, in the folder of the outputs.</summary>
+    /// <summary>The run and its script, which lies in the folder of the outputs.</summary>
     public ConvertedRun Run { get; }
 
-    /// <summary>Checks the run, writes its script and submits that; the host's results get what Slurm says.</summary>
+    /// <summary>Checks the run, writes its script and submits it; Slurm's reply is written to the host's results.</summary>
     /// <param name="values">The options of the run, of the pieces, and of Slurm.</param>
     /// <param name="call">The words of the call, for the head of the script.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Ends it.</param>
-    /// <exception cref="MsisfException">The run could not be made, or Slurm is missing or takes no job.</exception>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <exception cref="MsisfException">The run can't be made, Slurm is missing, or Slurm refuses the job.</exception>
     public static async Task<RunSubmission> SubmitAsync(
         OptionValues values, IReadOnlyList<string> call, ProgramHost host, CancellationToken cancellation)
     {
@@ -51,9 +53,9 @@ internal sealed class RunSubmission
             : throw new ExternalPartException($"Slurm takes no job: {answer.Error.Trim().ReplaceLineEndings(" ")}");
     }
 
-    /// <summary>Tells the progress until the end.</summary>
-    /// <returns>The exit code of the whole.</returns>
-    /// <exception cref="ExternalPartException">All jobs are gone, and none said how it ended.</exception>
+    /// <summary>Reports the progress until all jobs have ended.</summary>
+    /// <returns>The exit code of the whole run.</returns>
+    /// <exception cref="ExternalPartException">All jobs have ended, and no job wrote a result.</exception>
     public Task<int> FollowAsync(CancellationToken cancellation) =>
         new SlurmWatch(Run, _slurm, _host, Pause, Patience).FollowAsync(cancellation);
 }

@@ -2,12 +2,14 @@ using System.Text.RegularExpressions;
 
 namespace Msisf.App.Cluster;
 
-/// <summary>The texts of the scripts, in the folder Templates: @NAME@ stands for a value that is already quoted for the place.</summary>
+/// <summary>
+/// The script templates in the folder Templates; @NAME@ in them is replaced by a value that is already quoted for its place.
+/// </summary>
 internal static partial class ScriptTemplate
 {
     /// <summary>Fills a template in.</summary>
-    /// <param name="name">File name.</param>
-    /// <param name="values">A value for each name in it.</param>
+    /// <param name="name">File name of the template.</param>
+    /// <param name="values">A value for each name in the template.</param>
     public static string Fill(string name, IReadOnlyDictionary<string, string> values)
     {
         using Stream stream = typeof(ScriptTemplate).Assembly.GetManifestResourceStream($"Templates/{name}")

@@ -5,18 +5,16 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Cluster;
 
-/// <summary>The text of a script that runs the pieces.</summary>
+/// <summary>Makes the text of a script that runs the pieces.</summary>
 internal static class ScriptText
 {
-    /// <summary>
-    /// Pieces of an array: a cluster's MaxArraySize is 1001 unless its administrator chose otherwise, which makes 1000 the maximum index.
-    /// </summary>
+    /// <summary>Maximum number of pieces in a job array: Slurm's default MaxArraySize is 1001, which allows indices up to 1000.</summary>
     private const int MaxSlurmPieces = 1000;
 
     /// <summary>The whole script.</summary>
-    /// <param name="format">For whom; <see cref="ScriptFormat.Slurm"/> has <see cref="Slurm"/>.</param>
-    /// <param name="script">What is in it.</param>
-    /// <exception cref="BadInputException">A name that a batch file can't hold.</exception>
+    /// <param name="format">Format of the script; for <see cref="ScriptFormat.Slurm"/> call <see cref="Slurm"/>.</param>
+    /// <param name="script">Content of the script.</param>
+    /// <exception cref="BadInputException">A batch file can't hold one of the names.</exception>
     public static string Of(ScriptFormat format, PieceScript script) => format switch
     {
         ScriptFormat.Bat => Bat(script),
@@ -29,9 +27,9 @@ internal static class ScriptText
     };
 
     /// <summary>The script for Slurm.</summary>
-    /// <param name="script">What is in it.</param>
-    /// <param name="slurm">What Slurm is asked for.</param>
-    /// <exception cref="BadInputException">More pieces than an array may have, or a path that sbatch does not take.</exception>
+    /// <param name="script">Content of the script.</param>
+    /// <param name="slurm">Settings of the Slurm jobs.</param>
+    /// <exception cref="BadInputException">There are more pieces than a job array can have, or sbatch does not accept a path.</exception>
     public static string Slurm(PieceScript script, SlurmSettings slurm)
     {
         if (script.Pieces.Count > MaxSlurmPieces)

@@ -3,7 +3,9 @@ using System.Text;
 
 namespace Msisf.App.Cluster;
 
-/// <summary>The name of a script's jobs: the same for all of them, and another for each script, so that squeue finds them.</summary>
+/// <summary>
+/// The name of a script's jobs: all jobs of a script share it and other scripts have other names, so that squeue can select them.
+/// </summary>
 internal static class SlurmJobName
 {
     /// <summary>"msis-" and eight digits of the path's checksum.</summary>

@@ -8,8 +8,8 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Cluster;
 
 /// <summary>
-/// Follows submitted jobs to their end. What is done stands in the manifest, and how it ended in the script's result file; Slurm is only
-/// asked whether there are jobs at all, and may be away.
+/// Follows submitted jobs to their end. The manifest says which frames are done, and the script's result file says how the run ended. Slurm
+/// is only asked whether jobs remain, and may be unavailable for a while.
 /// </summary>
 internal sealed class SlurmWatch
 {
@@ -20,18 +20,18 @@ internal sealed class SlurmWatch
     private readonly TimeSpan _patience;
     private int _lastDone = -1;
 
-    /// <summary>Takes the jobs.</summary>
-    /// <param name="run">The script, submitted.</param>
-    /// <param name="slurm">Slurm's commands.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="pause">Between two looks.</param>
-    /// <param name="patience">So long may all jobs be gone before the result is there: files of other nodes are seen late.</param>
+    /// <summary>Prepares to follow the jobs of a script.</summary>
+    /// <param name="run">The run whose script was submitted.</param>
+    /// <param name="slurm">Calls the commands of Slurm.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="pause">Time between two checks.</param>
+    /// <param name="patience">How long to wait for the result after all jobs ended, because files of other nodes may appear late.</param>
     public SlurmWatch(ConvertedRun run, SlurmProgram slurm, ProgramHost host, TimeSpan pause, TimeSpan patience) =>
         (_run, _slurm, _host, _pause, _patience) = (run, slurm, host, pause, patience);
 
-    /// <summary>Tells the progress until the end.</summary>
-    /// <returns>The exit code of the whole.</returns>
-    /// <exception cref="ExternalPartException">All jobs are gone, and none said how it ended.</exception>
+    /// <summary>Reports the progress until all jobs have ended.</summary>
+    /// <returns>The exit code of the whole run.</returns>
+    /// <exception cref="ExternalPartException">All jobs have ended, and no job wrote a result.</exception>
     public async Task<int> FollowAsync(CancellationToken cancellation)
     {
         try

@@ -1,10 +1,10 @@
 namespace Msisf.App.Host;
 
-/// <summary>Where the program keeps files that can be made again and have no other place.</summary>
+/// <summary>Finds the folder for files that can be made again and have no other place.</summary>
 internal static class CacheFolder
 {
     /// <summary>
-    /// $XDG_CACHE_HOME/msisf, else %LOCALAPPDATA%\msisf, else $HOME/.cache/msisf; null if the environment has none of them.
+    /// The folder: $XDG_CACHE_HOME/msisf, else %LOCALAPPDATA%\msisf, else $HOME/.cache/msisf; null if none of these variables is set.
     /// </summary>
     public static string? Of(ProgramHost host)
     {

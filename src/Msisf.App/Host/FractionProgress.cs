@@ -1,11 +1,11 @@
 namespace Msisf.App.Host;
 
-/// <summary>Turns a fraction into whole steps, from any thread.</summary>
-/// <param name="progress">Gets <see cref="Steps"/> steps.</param>
-/// <param name="name">What is going on.</param>
+/// <summary>Converts a fraction from 0 to 1, reported by any thread, to whole steps of a progress display.</summary>
+/// <param name="progress">The progress display; it receives <see cref="Steps"/> steps.</param>
+/// <param name="name">Name of the work, for the display.</param>
 internal sealed class FractionProgress(IRunProgress progress, string name) : IProgress<double>
 {
-    /// <summary>Steps in which progress is shown.</summary>
+    /// <summary>Number of steps from 0 to 1.</summary>
     public const int Steps = 100;
 
     private readonly Lock _gate = new();

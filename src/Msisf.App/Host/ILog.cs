@@ -1,17 +1,17 @@
 namespace Msisf.App.Host;
 
-/// <summary>Messages for the user, apart from results. Safe for several threads.</summary>
+/// <summary>Writes messages for the user, separate from the results. Thread-safe.</summary>
 internal interface ILog
 {
-    /// <summary>What is going on.</summary>
+    /// <summary>Writes information about the progress of the work.</summary>
     void Note(string text);
 
-    /// <summary>What may be wrong; the run goes on.</summary>
+    /// <summary>Writes a warning; the run continues.</summary>
     void Warning(string text);
 
-    /// <summary>What failed.</summary>
+    /// <summary>Writes an error.</summary>
     void Error(string text);
 
-    /// <summary>A line as it is, for machines.</summary>
+    /// <summary>Writes a line unchanged, for other programs to read.</summary>
     void Raw(string line);
 }

@@ -1,11 +1,11 @@
 namespace Msisf.App.Host;
 
-/// <summary>Shows how far runs are.</summary>
+/// <summary>Shows the progress of runs.</summary>
 internal interface IProgressDisplay
 {
-    /// <summary>Begins to show a run of several steps; disposing the result ends it.</summary>
-    /// <param name="title">What is going on.</param>
-    /// <param name="total">Steps.</param>
-    /// <param name="unattended">Nobody watches.</param>
+    /// <summary>Starts the display of a run with several steps; disposing the result ends it.</summary>
+    /// <param name="title">Name of the work.</param>
+    /// <param name="total">Number of steps.</param>
+    /// <param name="unattended">Whether the run is unattended, so that no progress bar is drawn.</param>
     IRunProgress Start(string title, int total, bool unattended);
 }

@@ -1,9 +1,9 @@
 namespace Msisf.App.Host;
 
-/// <summary>Tells the user how far a run with several steps is. Safe for several threads.</summary>
+/// <summary>Shows the progress of a run with several steps. Thread-safe.</summary>
 internal interface IRunProgress : IDisposable
 {
-    /// <summary>One step is done.</summary>
-    /// <param name="name">What it was.</param>
+    /// <summary>Reports that one step is done.</summary>
+    /// <param name="name">Name of the step.</param>
     void Advance(string name);
 }

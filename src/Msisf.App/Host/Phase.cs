@@ -1,47 +1,47 @@
 namespace Msisf.App.Host;
 
-/// <summary>The parts of a run that <c>--timing</c> tells apart.</summary>
+/// <summary>The parts of a run whose times <c>--timing</c> prints separately.</summary>
 internal enum Phase
 {
     /// <summary>From the start of the process to the first line of the program's own work.</summary>
     StartUp,
 
-    /// <summary>States of the spacecraft: reading, orbit, attitude.</summary>
+    /// <summary>Reading or computing the spacecraft's states: positions, times and attitudes.</summary>
     States,
 
-    /// <summary>Ephemeris engine, kernels, Sun positions.</summary>
+    /// <summary>Opening the ephemeris engine and its kernels, and computing the Sun's positions.</summary>
     Sun,
 
     /// <summary>Opening the elevation model and its summary.</summary>
     Model,
 
-    /// <summary>Checksums of the inputs, the manifest, and the check of frames that are there.</summary>
+    /// <summary>Checksums of the inputs, the manifest, and the check of existing frames.</summary>
     Manifest,
 
-    /// <summary>Choosing the tiles.</summary>
+    /// <summary>Selection of the tiles.</summary>
     Selection,
 
     /// <summary>Checking and making patterns.</summary>
     Patterns,
 
-    /// <summary>POV-Ray as a process, from start to exit.</summary>
+    /// <summary>Running POV-Ray, from the start of its process to its exit.</summary>
     PovRay,
 
-    /// <summary>What POV-Ray says of its parsing.</summary>
+    /// <summary>Parse time that POV-Ray reports.</summary>
     Parse,
 
-    /// <summary>What POV-Ray says of its tracing.</summary>
+    /// <summary>Trace time that POV-Ray reports.</summary>
     Trace,
 
     /// <summary>Drawing by the program's own renderer.</summary>
     Draw,
 
-    /// <summary>Image, scene and annotation files.</summary>
+    /// <summary>Writing the image, scene and annotation files.</summary>
     Output,
 
-    /// <summary>The meta file with its pixels.</summary>
+    /// <summary>Writing the meta file with its pixels.</summary>
     Xml,
 
-    /// <summary>The ground truth of every pixel.</summary>
+    /// <summary>Writing the layers: the ground truth of every pixel.</summary>
     Layers,
 }

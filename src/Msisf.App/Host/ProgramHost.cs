@@ -4,16 +4,15 @@ using Msisf.Adapters.IO;
 namespace Msisf.App.Host;
 
 /// <summary>
-/// What the application needs of the world: where results and messages go, clock, environment, the program's own files. Tests bring their
-/// own.
+/// The environment of the application: outputs, log, clock, environment variables and the program's own files. Tests provide their own.
 /// </summary>
 internal sealed class ProgramHost
 {
     private readonly Lazy<Installation> _installation = new(() => Installation.Above(AppContext.BaseDirectory));
     private readonly Func<string, string?> _environment;
 
-    /// <param name="clock">The time.</param>
-    /// <param name="environment">The variables of the environment.</param>
+    /// <param name="clock">Clock.</param>
+    /// <param name="environment">Gets a variable of the environment.</param>
     public ProgramHost(TimeProvider clock, Func<string, string?> environment)
     {
         _environment = environment;
@@ -39,6 +38,6 @@ internal sealed class ProgramHost
 
     public Installation Installation => _installation.Value;
 
-    /// <summary>A variable of the environment; null if it is not set or empty.</summary>
+    /// <summary>Gets a variable of the environment; null if it is not set or empty.</summary>
     public string? Environment(string name) => _environment(name) is { Length: > 0 } value ? value : null;
 }

@@ -2,7 +2,9 @@ using System.Diagnostics;
 
 namespace Msisf.App.Host;
 
-/// <summary>Where a run's time went, in s, summed over its frames; frames that run side by side add up. Safe for several threads.</summary>
+/// <summary>
+/// Measures the time of each part of a run, s, summed over all frames, also over frames that run concurrently. Thread-safe.
+/// </summary>
 internal sealed class RunTimes
 {
     private readonly Lock _gate = new();
@@ -43,7 +45,7 @@ internal sealed class RunTimes
         return true;
     });
 
-    /// <summary>Time of a part so far, s.</summary>
+    /// <summary>Time of a part up to now, s.</summary>
     public double SecondsOf(Phase phase)
     {
         lock (_gate)

@@ -14,11 +14,12 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>The elevation model of a run, with what is derived from it once. Safe for several threads.</summary>
+/// <summary>The elevation model of a run and the data derived from it, each computed once. Thread-safe.</summary>
 internal sealed class ElevationModel : IDisposable
 {
     /// <summary>
-    /// px/deg: up to here reading the whole model for its summary takes less time than an image; a finer one keeps it in a file.
+    /// Maximum resolution, px/deg, at which the summary is computed in every run, which takes less time than an image; the summary of a
+    /// finer model is kept in a file.
     /// </summary>
     private const int FinestSummarisedEachRun = 16;
 
@@ -38,20 +39,20 @@ internal sealed class ElevationModel : IDisposable
 
     public IElevationGrid Grid => _image;
 
-    /// <summary>Tells this model from others, the same on every computer.</summary>
+    /// <summary>Identifies the model; the fingerprint is the same on every computer.</summary>
     public LdemFingerprint Fingerprint() => LdemFingerprint.Of(_image.Set);
 
-    /// <summary>Traces single rays; made when it is first needed.</summary>
+    /// <summary>Traces single rays; created on first use.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
 
-    /// <summary>The model and its coarser levels; opened when they are first needed.</summary>
+    /// <summary>The model and its coarser levels of detail; opened on first use.</summary>
     public LodLevels Levels => _levels.Value.Levels;
 
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
     /// <param name="pixelsPerDegree">The resolution.</param>
-    /// <param name="isSparing">Take little memory rather than little time: POV-Ray, which is waited for anyway, needs much.</param>
-    /// <param name="host">Where the installation is, and where notes go.</param>
+    /// <param name="isSparing">Use less memory at the cost of time: POV-Ray needs much memory, and the program waits for it anyway.</param>
+    /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
     public static ElevationModel Open(string? explicitPath, int pixelsPerDegree, bool isSparing, ProgramHost host)
     {
         LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
@@ -62,7 +63,7 @@ internal sealed class ElevationModel : IDisposable
         return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, isSparing, host));
     }
 
-    /// <summary>Where models are looked for if none is named, first choice first.</summary>
+    /// <summary>Folders in which models are searched if no path is given, in the order of the search.</summary>
     public static string[] Folders(ProgramHost host) =>
         [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
 
@@ -97,14 +98,16 @@ internal sealed class ElevationModel : IDisposable
         return levels;
     }
 
-    /// <summary>The tiles that a frame needs, and why. The first call summarises the model.</summary>
+    /// <summary>The tiles that a frame needs, with reasons; the first call computes the summary of the model.</summary>
     public TileSelection Select(Frame frame) =>
         Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary.Value);
 
-    /// <summary>The pieces of surface that a frame needs.</summary>
+    /// <summary>The surface parts that a frame needs.</summary>
     /// <param name="frame">The frame.</param>
-    /// <param name="errorPixels">So far may levels of detail move what is seen; null for the tiles' whole patterns and no levels.</param>
-    /// <param name="rows">The rows of the image that matter; null for all.</param>
+    /// <param name="errorPixels">
+    /// px: how far levels of detail may shift a point in the image; null for the whole patterns of the tiles without levels of detail.
+    /// </param>
+    /// <param name="rows">The image rows to draw; null for all.</param>
     public IReadOnlyList<SurfacePart> SelectParts(Frame frame, double? errorPixels, PixelRows? rows = null) => errorPixels is double error
         ? _selectors.GetOrAdd(error, NewSelector).Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, rows).Parts
         : [.. Select(frame).Kept.Select(choice => SurfacePart.Whole(choice.Tile))];

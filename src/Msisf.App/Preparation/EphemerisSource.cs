@@ -16,10 +16,10 @@ internal sealed class EphemerisSource : IDisposable
 
     private string[] KernelNames => [_settings.Kernels ?? _host.Installation.MetaKernel];
 
-    /// <summary>What was opened; null if it was not needed yet.</summary>
+    /// <summary>The opened engine; null if it was not needed yet.</summary>
     public OpenedEphemeris? Opened { get; private set; }
 
-    /// <summary>The engine, opened when it is first needed.</summary>
+    /// <summary>The engine, opened on first use.</summary>
     public IEphemeris Engine()
     {
         if (Opened is null)
@@ -32,7 +32,7 @@ internal sealed class EphemerisSource : IDisposable
         return Opened.Engine;
     }
 
-    /// <summary>The kernels that the engine reads, in load order; nothing is opened for it.</summary>
+    /// <summary>The kernels that the engine reads, in load order; the call opens no kernel.</summary>
     public IReadOnlyList<string> KernelFiles() => LightOptions.Kernels.Concerned(() => KernelList.Expand(KernelNames));
 
     public void Dispose() => Opened?.Dispose();

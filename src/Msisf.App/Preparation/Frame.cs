@@ -4,10 +4,10 @@ using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>One image to make.</summary>
-/// <param name="Step">From 1, in the order of the input.</param>
+/// <summary>One image to render.</summary>
+/// <param name="Step">Number of the frame, from 1, in the order of the input.</param>
 /// <param name="Name">File name of its outputs, without extension.</param>
-/// <param name="Time">UTC.</param>
-/// <param name="Camera">Where from and how.</param>
+/// <param name="Time">Time, UTC.</param>
+/// <param name="Camera">Camera of the image.</param>
 /// <param name="Light">The Sun, or the lamp at the camera.</param>
 internal sealed record Frame(int Step, string Name, ModifiedJulianDate Time, PinholeCamera Camera, SceneLight Light);

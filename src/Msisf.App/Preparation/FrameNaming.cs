@@ -11,18 +11,18 @@ namespace Msisf.App.Preparation;
 /// <summary>The file names of a run's frames, from a pattern such as "orbit_{step:00000}_{mjd:0.000000}".</summary>
 internal sealed partial class FrameNaming
 {
-    /// <summary>The thesis's names.</summary>
+    /// <summary>The default pattern, as in the thesis.</summary>
     public const string DefaultPattern = "MoonSurfIllumSim_step_{step:00000}";
 
     /// <summary>
-    /// The longest file name that common file systems hold is 255 bytes; this leaves room for ".annotated.png" and temporary names.
+    /// Maximum length of a frame's name, bytes: file systems allow 255 bytes, and the rest is for ".annotated.png" and temporary names.
     /// </summary>
     private const int LongestName = 180;
 
     private readonly string _pattern;
 
     /// <summary>Checks a pattern.</summary>
-    /// <exception cref="BadInputException">It has a folder in it, an unknown or unclosed field, or a format that is none.</exception>
+    /// <exception cref="BadInputException">The pattern contains a folder, an unknown or unclosed field, or an invalid format.</exception>
     public FrameNaming(string pattern)
     {
         _pattern = pattern;
@@ -43,9 +43,9 @@ internal sealed partial class FrameNaming
         NameOf(1, default);
     }
 
-    /// <summary>The name, without extension, of one frame.</summary>
-    /// <param name="step">From 1.</param>
-    /// <param name="time">UTC.</param>
+    /// <summary>The file name of one frame, without extension.</summary>
+    /// <param name="step">Number of the step, from 1.</param>
+    /// <param name="time">Time, UTC.</param>
     public string NameOf(int step, ModifiedJulianDate time)
     {
         string name = Field().Replace(_pattern, field =>

@@ -9,18 +9,16 @@ using Msisf.Core.Scene;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>Turns the states of a run into its frames: cameras and lights.</summary>
+/// <summary>Converts the states of a run to frames with cameras and lights.</summary>
 internal static class FrameSetup
 {
-    /// <summary>
-    /// The frames that are to be made. The Sun's positions are computed here, one after another: CSPICE is not thread-safe.
-    /// </summary>
-    /// <param name="states">Of the whole run, in the order of the input.</param>
-    /// <param name="names">Of all its frames.</param>
-    /// <param name="settings">The options; they say which steps are to be made.</param>
-    /// <param name="sun">The ephemeris; not asked if the Sun is ignored.</param>
-    /// <param name="cancellation">Stops between two states.</param>
-    /// <exception cref="MsisfException">A step that the run does not have, a time outside the kernels' cover, ...</exception>
+    /// <summary>The frames to make. The Sun's positions are computed one after another, because CSPICE is not thread-safe.</summary>
+    /// <param name="states">The states of the whole run, in the order of the input.</param>
+    /// <param name="names">The names of all frames of the run.</param>
+    /// <param name="settings">The settings of the run, which also select the steps to make.</param>
+    /// <param name="sun">The ephemeris; not used if the Sun is ignored.</param>
+    /// <param name="cancellation">Cancels the work between two states.</param>
+    /// <exception cref="MsisfException">A step is not part of the run, a time lies outside the kernels' coverage, ...</exception>
     public static Frame[] Of(
         IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, Func<IEphemeris> sun,
         CancellationToken cancellation)

@@ -6,7 +6,7 @@ using Msisf.MySql;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>The elevation model that patterns are made of, from a file or the database.</summary>
+/// <summary>The elevation model from which patterns are made, read from a file or the database.</summary>
 internal sealed class GridSource : IDisposable
 {
     private readonly IDisposable _owner;
@@ -19,7 +19,7 @@ internal sealed class GridSource : IDisposable
 
     public IElevationGrid Grid { get; }
 
-    /// <summary>Opens it.</summary>
+    /// <summary>Opens the elevation model.</summary>
     public static GridSource Open(WholeMoonSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         if (settings.IsDatabase)

@@ -7,7 +7,7 @@ namespace Msisf.App.Preparation;
 /// <summary>Refuses cameras that lie below the terrain.</summary>
 internal static class GroundCheck
 {
-    /// <summary>Steps that a message names.</summary>
+    /// <summary>Maximum number of steps that a message names.</summary>
     private const int NamedSteps = 5;
 
     /// <summary>Checks the cameras of all frames.</summary>

@@ -6,14 +6,14 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>Makes or checks the file beside an elevation model that holds its coarser levels.</summary>
+/// <summary>Makes or checks the sidecar file of an elevation model that holds its coarser levels.</summary>
 internal static class ModelPyramid
 {
-    /// <summary>Makes it.</summary>
-    /// <param name="settings">Of which model.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Ends it and leaves no file.</param>
-    /// <returns>The file.</returns>
+    /// <summary>Makes the file.</summary>
+    /// <param name="settings">Names the model.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work; no file is left.</param>
+    /// <returns>Path of the file.</returns>
     /// <exception cref="MsisfException">There is no such model, or the file can't be written.</exception>
     public static string Make(PyramidSettings settings, ProgramHost host, CancellationToken cancellation)
     {
@@ -31,11 +31,11 @@ internal static class ModelPyramid
         return path;
     }
 
-    /// <summary>Reads the model and the file and compares them.</summary>
-    /// <param name="settings">Of which model.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Ends it.</param>
-    /// <returns>The file.</returns>
+    /// <summary>Checks the file against the model by reading both.</summary>
+    /// <param name="settings">Names the model.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <returns>Path of the file.</returns>
     /// <exception cref="MsisfException">There is no such model or no such file, or they differ.</exception>
     public static string Verify(PyramidSettings settings, ProgramHost host, CancellationToken cancellation)
     {

@@ -6,21 +6,23 @@ using Msisf.Core.Scene;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>A run that was read and checked down to its cameras: what could not be finished is refused before the first image.</summary>
-/// <param name="States">Of all frames of the run, in the order of the input.</param>
+/// <summary>
+/// A run whose input and cameras were read and checked; a run that could not be finished is rejected before the first image.
+/// </summary>
+/// <param name="States">The states of all frames of the run, in the order of the input.</param>
 /// <param name="Names">File names of all frames, without extension.</param>
-/// <param name="Frames">Those that are to be made.</param>
-/// <param name="Model">The elevation model; disposed with this.</param>
+/// <param name="Frames">The frames to make.</param>
+/// <param name="Model">The elevation model; disposed with this object.</param>
 internal sealed record PreparedRun(
     IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, IReadOnlyList<Frame> Frames, ElevationModel Model) : IDisposable
 {
     /// <summary>Reads the states, sets up the frames, opens the elevation model, and checks all of it.</summary>
-    /// <param name="camera">Where the camera is.</param>
+    /// <param name="camera">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
     /// <param name="ephemeris">Opened if the states or the Sun need it.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Ends it.</param>
-    /// <exception cref="MsisfException">The run could not be made.</exception>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <exception cref="MsisfException">The run can't be made.</exception>
     public static PreparedRun Of(
         CameraSettings camera, RenderSettings settings, EphemerisSource ephemeris, ProgramHost host, CancellationToken cancellation)
     {

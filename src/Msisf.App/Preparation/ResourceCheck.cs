@@ -7,49 +7,47 @@ using Msisf.Core.Render;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>Refuses images that this computer can't hold, and runs that its disk can't, before any work is done.</summary>
+/// <summary>Rejects images too large for this computer's memory, and runs too large for its disk, before any work is done.</summary>
 internal static class ResourceCheck
 {
     /// <summary>
-    /// POV-Ray 3.7 keeps an image of up to this size in memory and the rest of a larger one in a file (Max_Image_Buffer_Memory).
+    /// Maximum bytes of an image that POV-Ray 3.7 keeps in memory; it keeps the rest in a file (Max_Image_Buffer_Memory).
     /// </summary>
     private const long PovRayImageBuffer = 128L << 20;
 
-    /// <summary>Bytes that POV-Ray 3.7 keeps for a pixel: five floats.</summary>
+    /// <summary>Bytes per pixel in POV-Ray 3.7: five floats.</summary>
     private const long PovRayBytesPerPixel = 20;
 
-    /// <summary>
-    /// Bytes that the native renderer keeps for a pixel: what it shows, its light and radiance, receivers of shadows, facets at worst.
-    /// </summary>
+    /// <summary>Maximum bytes per pixel in the native renderer: the surface seen, light and radiance, shadow receivers, facets.</summary>
     private const long NativeBytesPerPixel = 200;
 
-    /// <summary>Bytes of a pixel that a layer's planes hold while it is written: three numbers.</summary>
+    /// <summary>Bytes per pixel in memory while a layer is written: three numbers.</summary>
     private const long LayerBytesPerPixel = 24;
 
-    /// <summary>Bytes of a pixel of all layers on disk.</summary>
+    /// <summary>Bytes per pixel of all layers on disk.</summary>
     private const long LayersBytesPerPixel = 160;
 
-    /// <summary>Bytes of a pixel of the annotated image: cairo's ARGB32, and the PNG beside it at worst.</summary>
+    /// <summary>Bytes per pixel of the annotated image in memory: cairo's ARGB32, and the PNG at its largest.</summary>
     private const long AnnotationBytesPerPixel = 8;
 
-    /// <summary>Bytes of a pixel on disk at worst: POV-Ray's buffer file, its PNG, and our copy.</summary>
+    /// <summary>Maximum bytes per pixel on disk: POV-Ray's buffer file, its PNG, and the program's copy of that.</summary>
     private const long DiskBytesPerPixel = PovRayBytesPerPixel + 3 + 3;
 
-    /// <summary>Bytes of a grid point in the meta file: the text of one Pixel element on the reference sphere.</summary>
+    /// <summary>Bytes per grid point in the meta file: the text of one Pixel element on the reference sphere.</summary>
     private const long MetaBytesPerPoint = 240;
 
-    /// <summary>The same on the terrain.</summary>
+    /// <summary>Bytes per grid point in the meta file: the text of one Pixel element on the terrain.</summary>
     private const long TerrainMetaBytesPerPoint = 1000;
 
     /// <summary>
-    /// Bytes of a pixel that an image of the Moon has in its PNG: 0.12 to 0.31 in the README's, twice that with the annotated one.
+    /// Typical bytes per pixel in the PNG of an image of the Moon: 0.12 to 0.31 in the README's images; an annotated image doubles it.
     /// </summary>
     private const double DefaultPngBytesPerPixel = 0.3;
 
-    /// <summary>How many frames to draw at once: as many as cores and memory allow, unless the user says otherwise.</summary>
-    /// <param name="settings">Of the run; <c>--jobs</c> is taken as it is.</param>
+    /// <summary>The number of frames to draw at once: as many as cores and memory allow, unless <c>--jobs</c> gives a number.</summary>
+    /// <param name="settings">Settings of the run; the number given by <c>--jobs</c> is not checked here.</param>
     /// <param name="frames">Frames to make.</param>
-    /// <param name="cores">That may be used.</param>
+    /// <param name="cores">Number of cores that may be used.</param>
     /// <param name="memoryThere">Bytes of memory that can be used.</param>
     public static int AtOnce(RenderSettings settings, int frames, int cores, long memoryThere)
     {
@@ -58,15 +56,15 @@ internal static class ResourceCheck
     }
 
     /// <summary>
-    /// Checks the images that are made at once, and what the whole run leaves on disk. The meta file is streamed: it needs disk, but no
-    /// memory.
+    /// Checks the memory for the images that are made at once, and the disk space for the whole run. The meta file is streamed, so it needs
+    /// disk space but no memory.
     /// </summary>
     /// <param name="settings">Size, grid and annotation of the images.</param>
     /// <param name="frames">Frames to make.</param>
-    /// <param name="atOnce">Images made side by side.</param>
+    /// <param name="atOnce">Number of images made at once.</param>
     /// <param name="memoryThere">Bytes of memory that can be used.</param>
     /// <param name="diskThere">Bytes that are free in the folder of the outputs.</param>
-    /// <exception cref="BadInputException">Memory or disk do not suffice.</exception>
+    /// <exception cref="BadInputException">Memory or disk space is not sufficient.</exception>
     public static void Check(RenderSettings settings, int frames, int atOnce, long memoryThere, long diskThere)
     {
         Refuse(settings, "memory", "Use a smaller --width and --height, or fewer --jobs.", atOnce * MemoryOfFrame(settings), memoryThere);

@@ -13,20 +13,20 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>The states of the spacecraft that a run takes images of; all are known before the first image.</summary>
+/// <summary>Reads the states of the spacecraft for the images of a run; all are known before the first image.</summary>
 internal sealed class StateReader
 {
     private readonly Func<IEphemeris> _ephemeris;
     private readonly ProgramHost _host;
 
     /// <param name="ephemeris">Opens the ephemeris, which not every orbit needs.</param>
-    /// <param name="host">The world.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
     public StateReader(Func<IEphemeris> ephemeris, ProgramHost host) => (_ephemeris, _host) = (ephemeris, host);
 
     /// <summary>Reads or computes all states.</summary>
-    /// <param name="camera">How they are given.</param>
-    /// <param name="cancellation">Ends the wait for a terminal or pipe too.</param>
-    /// <exception cref="NothingToRenderException">There is none.</exception>
+    /// <param name="camera">The source of the states.</param>
+    /// <param name="cancellation">Cancels the work, also while it waits for a terminal or pipe.</param>
+    /// <exception cref="NothingToRenderException">There is no state.</exception>
     public IReadOnlyList<SpacecraftState> Read(CameraSettings camera, CancellationToken cancellation)
     {
         IReadOnlyList<SpacecraftState> states = camera switch
@@ -44,7 +44,7 @@ internal sealed class StateReader
 
     private static string NameOf(BatchFileSettings file) => file.IsStandardInput ? "standard input" : file.Path;
 
-    // A read from a terminal or pipe can't be cancelled: it is left behind.
+    // A read from a terminal or pipe can't be cancelled, so its thread is abandoned.
     private IReadOnlyList<SpacecraftState> BatchFile(BatchFileSettings file, CancellationToken cancellation) =>
         Task.Run(() => BatchFile(file), CancellationToken.None).WaitAsync(cancellation).GetAwaiter().GetResult();
 

@@ -9,12 +9,12 @@ namespace Msisf.App.Preparation;
 /// <summary>Writes a synthetic elevation model.</summary>
 internal static class SyntheticModel
 {
-    /// <summary>Writes it.</summary>
-    /// <param name="settings">Which.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Ends it and leaves no file.</param>
-    /// <returns>Its label.</returns>
-    /// <exception cref="MsisfException">The model that it continues is unfit, or the folder can't be written.</exception>
+    /// <summary>Writes the model.</summary>
+    /// <param name="settings">Describes the model.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work; no file is left.</param>
+    /// <returns>Path of the model's label.</returns>
+    /// <exception cref="MsisfException">The base model is not suitable, or the folder can't be written.</exception>
     public static string Write(SynthesisSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         using LdemImage? continued = settings.BaseModel is { } path ? LdemImage.Open(LdemCatalog.Read(path)) : null;

@@ -15,8 +15,8 @@ using Msisf.Core.Tracing;
 namespace Msisf.App.Rendering;
 
 /// <summary>
-/// Writes a frame's files for any renderer. They appear when all are complete and the manifest knows them, the image last. Safe for several
-/// threads.
+/// Writes the files of a frame for all renderers. They appear when all are complete and recorded in the manifest, the image last.
+/// Thread-safe.
 /// </summary>
 internal sealed class FrameFiles
 {
@@ -36,10 +36,10 @@ internal sealed class FrameFiles
     }
 
     /// <summary>Writes the files.</summary>
-    /// <param name="frame">Which frame.</param>
-    /// <param name="rendered">What became of it.</param>
-    /// <param name="cancellation">Leaves no file.</param>
-    /// <returns>Their paths, in the order in which they are named to the user.</returns>
+    /// <param name="frame">The frame.</param>
+    /// <param name="rendered">The result of the renderer.</param>
+    /// <param name="cancellation">Cancels the work; no file is left.</param>
+    /// <returns>The paths of the files, in the order in which they are shown to the user.</returns>
     public IReadOnlyList<string> Write(Frame frame, RenderedFrame rendered, CancellationToken cancellation)
     {
         string stem = Path.Combine(_settings.OutputFolder, frame.Name);

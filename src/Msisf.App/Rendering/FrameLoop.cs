@@ -7,8 +7,8 @@ using Msisf.Core.Scene;
 namespace Msisf.App.Rendering;
 
 /// <summary>
-/// Makes many frames, several at once, so that what draws them uses the cores once. A frame that fails is recorded, and the rest goes on;
-/// one that another process is making is put off to the end.
+/// Makes many frames, several at once, so that the cores are neither idle nor shared by too many threads. A failed frame is recorded, and
+/// the other frames are still made. A frame that another process is making is handled last.
 /// </summary>
 internal sealed class FrameLoop
 {
@@ -19,12 +19,14 @@ internal sealed class FrameLoop
     private readonly TextWriter _results;
     private readonly ILog _log;
 
-    /// <param name="maker">Makes one frame; what draws keeps by itself to the number of frames that are drawn at once.</param>
-    /// <param name="ahead">So many frames more are begun (<see cref="IFrameRenderer.FramesAhead"/>).</param>
-    /// <param name="failFast">The first frame that fails ends all.</param>
-    /// <param name="progress">Is told of each frame.</param>
-    /// <param name="results">Gets the paths.</param>
-    /// <param name="log">Gets the errors of single frames.</param>
+    /// <param name="maker">Makes one frame; the renderer itself limits how many frames are drawn at once.</param>
+    /// <param name="ahead">
+    /// Number of frames to begin in addition to those that are drawn at once (<see cref="IFrameRenderer.FramesAhead"/>).
+    /// </param>
+    /// <param name="failFast">Whether the first failed frame ends the run.</param>
+    /// <param name="progress">Progress display; receives one step per frame.</param>
+    /// <param name="results">Receives the paths of the files.</param>
+    /// <param name="log">Receives the errors of single frames.</param>
     public FrameLoop(FrameMaker maker, int ahead, bool failFast, IRunProgress progress, TextWriter results, ILog log)
     {
         _maker = maker;
@@ -35,14 +37,15 @@ internal sealed class FrameLoop
         _log = log;
     }
 
-    /// <summary>Makes all frames; the paths of a frame's files are printed as soon as those of all frames before it are.</summary>
+    /// <summary>Makes all frames; the paths of a frame's files are printed when those of all earlier frames have been printed.</summary>
     /// <param name="frames">The frames.</param>
-    /// <param name="known">The outputs of each that is there and complete; null for each that is to be made.</param>
-    /// <param name="atOnce">So many are drawn at once.</param>
-    /// <param name="cores">Shared by them.</param>
-    /// <param name="cancellation">Leaves finished frames and no other files.</param>
+    /// <param name="known">For each frame, its outputs if it exists and is complete, or null if it must be made.</param>
+    /// <param name="atOnce">Number of frames drawn at once.</param>
+    /// <param name="cores">Number of cores, shared by the frames.</param>
+    /// <param name="cancellation">Cancels the work; finished frames are kept, and no other file is left.</param>
     /// <exception cref="MsisfException">
-    /// The only frame of the run failed: its own error. Several frames: an <see cref="ExternalPartException"/> that names them.
+    /// The only frame of the run failed, and the exception is its own. If several frames were to be made, it is an
+    /// <see cref="ExternalPartException"/> that names the failed ones.
     /// </exception>
     public async Task<IReadOnlyList<FrameOutputs>> RunAsync(
         IReadOnlyList<Frame> frames, IReadOnlyList<FrameOutputs?> known, int atOnce, int cores, CancellationToken cancellation)

@@ -6,14 +6,14 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Makes a frame if it is not there and complete, and no other process is making it. Safe for several threads.</summary>
+/// <summary>Makes a frame unless it already exists and is complete, or another process is making it. Thread-safe.</summary>
 internal sealed class FrameMaker
 {
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(50);
 
     /// <summary>
-    /// A process that dies gives its claims back at once; one that is stopped or hangs is not waited for: the frame is made twice then, the
-    /// same bytes.
+    /// Maximum time to wait for another process that has claimed a frame. A claim ends at once when its process dies; if the process hangs,
+    /// the frame is made a second time, with the same bytes.
     /// </summary>
     private static readonly TimeSpan LongestWait = TimeSpan.FromMinutes(10);
 
@@ -22,8 +22,8 @@ internal sealed class FrameMaker
     private readonly FrameTimes _times;
 
     /// <param name="render">Draws a frame with some threads and writes its files.</param>
-    /// <param name="ledger">Of the run.</param>
-    /// <param name="times">Gets the time of each frame that is made.</param>
+    /// <param name="ledger">Records of the run's frames.</param>
+    /// <param name="times">Receives the time of each frame that is made.</param>
     public FrameMaker(Func<Frame, int, CancellationToken, Task<FrameOutputs>> render, FrameLedger ledger, FrameTimes times)
     {
         _render = render;
@@ -33,10 +33,10 @@ internal sealed class FrameMaker
 
     /// <summary>Makes a frame, unless another process is making it.</summary>
     /// <param name="frame">The frame.</param>
-    /// <param name="threads">To draw it with.</param>
-    /// <param name="cancellation">Leaves no file.</param>
-    /// <returns>Its files; null if another process is making it.</returns>
-    /// <exception cref="MsisfException">It could not be made; the manifest knows why.</exception>
+    /// <param name="threads">Number of threads for drawing.</param>
+    /// <param name="cancellation">Cancels the work; no file is left.</param>
+    /// <returns>The frame's files; null if another process is making it.</returns>
+    /// <exception cref="MsisfException">The frame could not be made; the cause is in the manifest.</exception>
     public async Task<FrameOutputs?> TryMakeAsync(Frame frame, int threads, CancellationToken cancellation)
     {
         using IDisposable? claim = _ledger.TryClaim(frame);

@@ -4,23 +4,23 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Writes how long each frame took, a line each as soon as it is made. Safe for several threads.</summary>
+/// <summary>Writes the time of each frame to a file, one line per frame as soon as the frame is made. Thread-safe.</summary>
 internal sealed class FrameTimes : IDisposable
 {
     private readonly Lock _gate = new();
     private readonly StreamWriter? _file;
     private readonly string? _path;
 
-    /// <summary>Begins the file.</summary>
+    /// <summary>Creates the file.</summary>
     /// <param name="path">The file; null for none.</param>
-    /// <exception cref="ExternalPartException">It can't be written.</exception>
+    /// <exception cref="ExternalPartException">The file can't be written.</exception>
     public FrameTimes(string? path)
     {
         _path = path;
         _file = path is null ? null : Checked(() => new StreamWriter(path) { AutoFlush = true, NewLine = "\n" });
     }
 
-    /// <summary>Adds a frame.</summary>
+    /// <summary>Writes the line of a frame.</summary>
     public void Add(Frame frame, TimeSpan time)
     {
         lock (_gate)

@@ -2,17 +2,18 @@ using Msisf.App.Preparation;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Makes the images of a run and writes their files. Safe for several threads.</summary>
+/// <summary>Renders the images of a run and writes their files. Thread-safe.</summary>
 internal interface IFrameRenderer : IDisposable
 {
     /// <summary>
-    /// So many frames more than are drawn at once may be begun: their preparation needs little, and drawing then waits for nothing.
+    /// Number of frames that may be begun in addition to those that are drawn, so that drawing does not wait for their preparation, which
+    /// needs few resources.
     /// </summary>
     int FramesAhead { get; }
 
     /// <summary>Makes one frame. Its files appear when all are complete, the image last.</summary>
-    /// <param name="frame">Which.</param>
-    /// <param name="threads">Threads that it may use.</param>
-    /// <param name="cancellation">Ends it and leaves no file.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="threads">Number of threads that it may use.</param>
+    /// <param name="cancellation">Cancels the work; no file is left.</param>
     Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation);
 }

@@ -12,11 +12,15 @@ using Msisf.Core.Terrain;
 namespace Msisf.App.Rendering;
 
 /// <summary>
-/// The program's own way: draws from the elevation model, writes the files. Frames side by side write while others are drawn.
+/// Draws frames from the elevation model with the program's own renderer and writes their files. Files of some frames are written while
+/// other frames are drawn.
 /// </summary>
 internal sealed class NativeFrameRenderer : IFrameRenderer
 {
-    /// <summary>Mapping again what the next frames read takes some ms, a small part of so many frames' time.</summary>
+    /// <summary>
+    /// Number of frames after which the model's memory pages are released. Mapping the pages of the next frames again takes some ms, which
+    /// is little compared with the time of 16 frames.
+    /// </summary>
     private const int FramesBetweenReleases = 16;
 
     private readonly NativeSettings _settings;
@@ -41,7 +45,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
     /// <inheritdoc/>
     public int FramesAhead => 0;
 
-    /// <summary>Nothing is held between frames that must be given back.</summary>
+    /// <summary>Does nothing, because no resource is held between frames.</summary>
     public void Dispose()
     {
     }

@@ -6,9 +6,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>
-/// The renderers of a run: one for the model, and one for each coarser level that a frame is drawn with. Safe for several threads.
-/// </summary>
+/// <summary>The native renderers of a run: one for the model, and one for each coarser level that a frame needs. Thread-safe.</summary>
 internal sealed class NativeLevels
 {
     private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();
@@ -16,10 +14,12 @@ internal sealed class NativeLevels
     private readonly LodLevels? _levels;
     private readonly DetailRule? _rule;
 
-    /// <summary>Takes the model.</summary>
+    /// <summary>Prepares the renderers of a model.</summary>
     /// <param name="grid">The model.</param>
     /// <param name="levels">Opens its coarser levels.</param>
-    /// <param name="errorPixels">px: so far may they move what is seen; null to draw with the model itself, always.</param>
+    /// <param name="errorPixels">
+    /// px: how far coarser levels may shift a point in the image; null to draw from the full model always.
+    /// </param>
     public NativeLevels(IElevationGrid grid, Func<LodLevels> levels, double? errorPixels)
     {
         _grid = grid;

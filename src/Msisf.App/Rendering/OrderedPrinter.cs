@@ -1,7 +1,7 @@
 namespace Msisf.App.Rendering;
 
 /// <summary>
-/// Prints the results of steps that end in any order in the order of the steps, each as early as possible. Safe for several threads.
+/// Prints the results of steps in the order of the steps, each as early as possible, whatever order they end in. Thread-safe.
 /// </summary>
 internal sealed class OrderedPrinter
 {
@@ -16,9 +16,9 @@ internal sealed class OrderedPrinter
         _waiting = new IReadOnlyList<string>?[steps];
     }
 
-    /// <summary>A step is done.</summary>
-    /// <param name="index">From 0.</param>
-    /// <param name="lines">Its lines; none if it failed.</param>
+    /// <summary>Reports that a step is done.</summary>
+    /// <param name="index">Index of the step, from 0.</param>
+    /// <param name="lines">The lines of the step; empty if it failed.</param>
     public void Done(int index, IReadOnlyList<string> lines)
     {
         lock (_gate)

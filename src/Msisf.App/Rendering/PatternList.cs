@@ -7,15 +7,15 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Says which tiles the frames of a run take and which they leave out, and why.</summary>
+/// <summary>Lists the tiles that the frames of a run use or leave out, with reasons.</summary>
 internal static class PatternList
 {
-    /// <summary>Prints one line a tile of each frame: step, tile, taken or not, reason; separated by tabs.</summary>
-    /// <param name="camera">Where the camera is.</param>
+    /// <summary>Prints one line for each tile of each frame: step, tile, taken or not, reason; separated by tabs.</summary>
+    /// <param name="camera">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Stops between two frames.</param>
-    /// <exception cref="MsisfException">The run could not be made.</exception>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work between two frames.</param>
+    /// <exception cref="MsisfException">The run can't be made.</exception>
     public static void Print(CameraSettings camera, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(settings, host);

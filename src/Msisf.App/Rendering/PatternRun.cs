@@ -7,15 +7,15 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Makes patterns ahead of time; those that are there and complete are kept.</summary>
+/// <summary>Makes patterns before a run; patterns that exist and are complete are kept.</summary>
 internal static class PatternRun
 {
-    /// <summary>Makes what POV-Ray's frames of a run need: exactly the meshes that they include, and the summary of the model.</summary>
-    /// <param name="camera">Where the camera is.</param>
+    /// <summary>Makes the meshes that the POV-Ray frames of a run include, and the summary of the model.</summary>
+    /// <param name="camera">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Stops between two patterns.</param>
-    /// <returns>Their folder.</returns>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work between two patterns.</param>
+    /// <returns>Folder of the patterns.</returns>
     /// <exception cref="MsisfException">The run could not be made, or a pattern can't be written.</exception>
     public static async Task<string> MakeForFramesAsync(
         CameraSettings camera, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
@@ -42,11 +42,11 @@ internal static class PatternRun
         return patterns.Folder;
     }
 
-    /// <summary>Makes those of a whole Moon.</summary>
-    /// <param name="settings">Which.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Stops between two patterns.</param>
-    /// <returns>Their folder.</returns>
+    /// <summary>Makes all patterns of the whole Moon.</summary>
+    /// <param name="settings">Selects the model and the form of the patterns.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work between two patterns.</param>
+    /// <returns>Folder of the patterns.</returns>
     /// <exception cref="MsisfException">There is no such model, or a pattern can't be written.</exception>
     public static string MakeForWholeMoon(WholeMoonSettings settings, ProgramHost host, CancellationToken cancellation)
     {
@@ -59,7 +59,7 @@ internal static class PatternRun
         return repository.FolderOf(source.Grid.PixelsPerDegree);
     }
 
-    /// <summary>Passes each tile on at once, on the thread that made it.</summary>
+    /// <summary>Reports each tile at once, on the thread that made it.</summary>
     private sealed class TileProgress(IRunProgress progress) : IProgress<int>
     {
         public void Report(int value) => progress.Advance("tiles");

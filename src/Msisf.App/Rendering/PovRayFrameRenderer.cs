@@ -11,12 +11,14 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>POV-Ray's way: selection, patterns, scene, POV-Ray itself, files.</summary>
+/// <summary>
+/// Renders frames with POV-Ray: selects the surface parts, makes their patterns and the scene, runs POV-Ray, and writes the files.
+/// </summary>
 internal sealed class PovRayFrameRenderer : IFrameRenderer
 {
     /// <summary>
-    /// Below this a second process would cost more (0.65 s of sleeping, and what both parse) than it saves: a triangle takes some 2
-    /// microseconds.
+    /// Minimum number of triangles per strip. With fewer, a second process costs more (0.65 s of sleeping, and the parsing of shared parts)
+    /// than it saves: parsing a triangle takes about 2 microseconds.
     /// </summary>
     private const long MinFacesOfStrip = 250_000;
 
@@ -28,13 +30,13 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private readonly FrameFiles _files;
     private readonly RunTimes _times;
 
-    /// <param name="settings">Of the run.</param>
+    /// <param name="settings">Settings of the run.</param>
     /// <param name="model">The elevation model.</param>
-    /// <param name="patterns">The scenes' meshes; disposed with this.</param>
+    /// <param name="patterns">The scenes' meshes; disposed with this object.</param>
     /// <param name="povRay">Starts POV-Ray.</param>
-    /// <param name="processes">So many POV-Rays run at once; the next frame's meshes are made meanwhile.</param>
+    /// <param name="processes">Maximum number of POV-Ray processes at once; the meshes of the next frame are made while they run.</param>
     /// <param name="files">Writes a frame's files.</param>
-    /// <param name="times">Of the run's parts.</param>
+    /// <param name="times">Times of the parts of the run.</param>
     public PovRayFrameRenderer(
         RenderSettings settings,
         ElevationModel model,
@@ -90,14 +92,15 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     }
 
     /// <summary>
-    /// POV-Ray parses with one thread: a scene that takes long is drawn in strips, one a core, each with the parts that it needs.
+    /// The number of strips in which an image is drawn. POV-Ray parses with one thread, so a large scene is drawn in up to one strip per
+    /// thread, each with only the parts that it needs.
     /// </summary>
     private int StripsFor(IReadOnlyList<SurfacePart> parts, int threads) =>
         (int)Math.Clamp(_patterns.CountFaces(parts) / MinFacesOfStrip, 1, threads);
 
     /// <summary>
-    /// Each strip takes its parts from those of the whole image: by itself it could do with coarser levels where shadows fall beyond its
-    /// rows, and the pixels would depend on how many strips there are.
+    /// Makes one POV-Ray job per strip. Each strip uses parts selected for the whole image: parts selected for one strip could be coarser
+    /// where shadows fall outside its rows, and the pixels would depend on the number of strips.
     /// </summary>
     private PovRayJob[] Jobs(
         Frame frame, IReadOnlyList<SurfacePart> parts, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
@@ -126,13 +129,13 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private RenderScene SceneOf(Frame frame, IReadOnlyList<SurfacePart> parts) =>
         new(frame.Camera, frame.Light, _model.Grid.PixelsPerDegree, parts);
 
-    /// <returns>The whole image as PNG; the same bytes however many strips it was drawn in.</returns>
+    /// <returns>The whole image as PNG; its bytes do not depend on the number of strips.</returns>
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)
     {
         long start = System.Diagnostics.Stopwatch.GetTimestamp();
         PovRayImage[] images = new PovRayImage[jobs.Length];
 
-        // When one run fails, the others are ended, and its own error is thrown.
+        // If one process fails, the others are ended and its exception is thrown.
         ParallelOptions allAtOnce = new() { MaxDegreeOfParallelism = jobs.Length, CancellationToken = cancellation };
         await Parallel.ForAsync(0, jobs.Length, allAtOnce, async (strip, stop) =>
             images[strip] = await _povRay.RenderAsync(jobs[strip], stop).ConfigureAwait(false)).ConfigureAwait(false);

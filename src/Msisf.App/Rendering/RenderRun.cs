@@ -17,7 +17,7 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Renders the frames of a run that are not there and complete, by one of the two renderers.</summary>
+/// <summary>Renders the missing and incomplete frames of a run with the selected renderer.</summary>
 internal sealed class RenderRun
 {
     private readonly RenderSettings _settings;
@@ -26,13 +26,15 @@ internal sealed class RenderRun
 
     private RenderRun(RenderSettings settings, ProgramHost host) => (_settings, _host, _times) = (settings, host, host.Times);
 
-    /// <summary>Renders them; the paths of their files are written to the host's results.</summary>
-    /// <param name="camera">Where the camera is.</param>
+    /// <summary>Renders the frames; the paths of their files are written to the host's results.</summary>
+    /// <param name="camera">The positions of the camera.</param>
     /// <param name="settings">The other settings.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Ends POV-Ray and leaves no half file.</param>
-    /// <returns>The files of all frames, also of those that were there.</returns>
-    /// <exception cref="MsisfException">The run could not be made, or a frame failed; then the others are complete.</exception>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work and ends POV-Ray; no incomplete file is left.</param>
+    /// <returns>The files of all frames, including those that already existed.</returns>
+    /// <exception cref="MsisfException">
+    /// The run can't be made, or a frame failed; in the second case the other frames are complete.
+    /// </exception>
     public static Task<IReadOnlyList<FrameOutputs>> RunAsync(
         CameraSettings camera, RenderSettings settings, ProgramHost host, CancellationToken cancellation) =>
         new RenderRun(settings, host).RunAsync(camera, cancellation);
@@ -41,7 +43,7 @@ internal sealed class RenderRun
     {
         using EphemerisSource ephemeris = new(_settings, _host);
 
-        // What takes long and is needed late begins first.
+        // The checksums take long and are needed late, so they are started first.
         Task<IReadOnlyList<(string Name, string Sha256)>> kernels = Task.Run(
             () => RunIdentity.ChecksumsOf(_settings.IgnoreSun ? [] : ephemeris.KernelFiles()), cancellation);
         Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay
@@ -62,7 +64,7 @@ internal sealed class RenderRun
         return await RenderAsync(run.Frames, plan, run.Model, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>What some options need is looked for before any work is done.</summary>
+    /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
     private void RequireParts()
     {
         if (_settings.Annotate)
@@ -101,7 +103,10 @@ internal sealed class RenderRun
         return await loop.RunAsync(frames, known, atOnce, cores, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>The outputs of the frames that are there and complete; says how many of each there are if there is one.</summary>
+    /// <summary>
+    /// The outputs of the frames that exist and are complete, and null for the others; logs the number of frames in each state if any
+    /// exist.
+    /// </summary>
     private FrameOutputs?[] Known(IReadOnlyList<Frame> frames, FrameLedger ledger)
     {
         FrameState[] states = new FrameState[frames.Count];

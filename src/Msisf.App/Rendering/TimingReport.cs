@@ -5,12 +5,12 @@ using Msisf.App.Host;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>What <c>--timing</c> prints.</summary>
+/// <summary>Makes the report that <c>--timing</c> prints.</summary>
 internal static class TimingReport
 {
     /// <summary>All times as one line of JSON.</summary>
-    /// <param name="times">Of the run's parts.</param>
-    /// <param name="outputs">Of all frames.</param>
+    /// <param name="times">Times of the parts of the run.</param>
+    /// <param name="outputs">Outputs of all frames.</param>
     public static string Of(RunTimes times, IReadOnlyList<FrameOutputs> outputs)
     {
         using MemoryStream stream = new();

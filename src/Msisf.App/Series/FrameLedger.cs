@@ -7,8 +7,8 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Series;
 
 /// <summary>
-/// What a run knows of its frames: which are there and complete, which one another process is making, and what the manifest is told.
-/// Safe for several threads.
+/// The record of a run's frames: finds frames that are complete, claims frames against other processes, and writes to the manifest.
+/// Thread-safe.
 /// </summary>
 internal sealed class FrameLedger : IDisposable
 {
@@ -23,11 +23,11 @@ internal sealed class FrameLedger : IDisposable
     private readonly ClaimFile _claims;
     private readonly WorkFolder _staging;
 
-    /// <summary>Opens what the folder has; tells the manifest of the run if it does not know it.</summary>
+    /// <summary>Opens the manifest of a folder, and registers the run there if it is new.</summary>
     /// <param name="folder">Existing folder of the outputs.</param>
     /// <param name="plan">The run.</param>
-    /// <param name="overwrite">What is there does not count.</param>
-    /// <param name="log">Gets a warning of lines that can't be read.</param>
+    /// <param name="overwrite">Whether existing frames are to be made again.</param>
+    /// <param name="log">Receives a warning about lines of the manifest that can't be read.</param>
     public FrameLedger(string folder, RunPlan plan, bool overwrite, ILog log)
     {
         _folder = folder;
@@ -46,13 +46,13 @@ internal sealed class FrameLedger : IDisposable
         _staging = Stage(folder);
     }
 
-    /// <summary>Where files are until they are complete.</summary>
+    /// <summary>Folder of files that are not yet complete.</summary>
     public string Staging => _staging.Path;
 
     /// <summary>The run.</summary>
     public RunPlan Plan => _plan;
 
-    /// <summary>The state of a frame by now; also what another process made since the last call counts.</summary>
+    /// <summary>The current state of a frame, including work of other processes since the last call.</summary>
     public FrameCheck Check(Frame frame)
     {
         FrameRecord? made;
@@ -67,7 +67,7 @@ internal sealed class FrameLedger : IDisposable
         return _checker.Check(_plan.Expected(frame.Step), made, failed);
     }
 
-    /// <summary>The files of a frame that is complete, in the order in which they are named to the user.</summary>
+    /// <summary>The paths of a complete frame's files, in the order in which they are shown to the user.</summary>
     public IReadOnlyList<string> PathsOf(Frame frame)
     {
         lock (_gate)
@@ -76,14 +76,16 @@ internal sealed class FrameLedger : IDisposable
         }
     }
 
-    /// <summary>Claims a frame against other processes; does not wait.</summary>
-    /// <returns>Null if another one is making it.</returns>
+    /// <summary>Claims a frame, so that no other process makes it; does not wait.</summary>
+    /// <returns>The claim, released by disposal; null if another process has claimed the frame.</returns>
     public IDisposable? TryClaim(Frame frame) => _claims.TryTake(frame.Name);
 
-    /// <summary>Tells the manifest what a frame's files are, before they get their names: no file is ever there without its line.</summary>
+    /// <summary>
+    /// Records a frame's files in the manifest before they get their final names, so that no file exists without its record.
+    /// </summary>
     /// <param name="frame">The frame.</param>
-    /// <param name="files">Its files, written and not yet committed.</param>
-    /// <param name="paths">Their names, in the order in which they are named to the user.</param>
+    /// <param name="files">The frame's files, written but not yet renamed to their final names.</param>
+    /// <param name="paths">The paths of the files, in the order in which they are shown to the user.</param>
     public void Made(Frame frame, AtomicFileSet files, IReadOnlyList<string> paths)
     {
         IEnumerable<OutputFile> made = paths.Select(path =>
@@ -94,7 +96,7 @@ internal sealed class FrameLedger : IDisposable
         _manifest.Append(new FrameRecord(frame.Step, frame.Name, _plan.FrameKey(frame.Step), _plan.Identity.Record.Key, [.. made]));
     }
 
-    /// <summary>Tells the manifest that a frame could not be made.</summary>
+    /// <summary>Records in the manifest that a frame could not be made.</summary>
     public void Failed(Frame frame, string cause) =>
         _manifest.Append(new FailedRecord(frame.Step, frame.Name, _plan.FrameKey(frame.Step), cause));
 

@@ -9,22 +9,25 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Series;
 
-/// <summary>All that decides a run's frames but their states: equal identities and states make equal bytes, on any computer.</summary>
-/// <param name="Version">Of the program.</param>
-/// <param name="Arguments">See <see cref="FrameArguments.OfSettings"/>.</param>
-/// <param name="Record">The same for the manifest, with checksums of the inputs.</param>
+/// <summary>
+/// Everything except the states that determines the frames of a run: runs with equal identities and states have identical files on any
+/// computer.
+/// </summary>
+/// <param name="Version">Version of the program.</param>
+/// <param name="Arguments">Arguments of the frames as text; see <see cref="FrameArguments.OfSettings"/>.</param>
+/// <param name="Record">The same settings as a record of the manifest, with checksums of the inputs.</param>
 internal sealed record RunIdentity(string Version, string Arguments, SettingsRecord Record)
 {
-    /// <summary>Hexadecimal digits of a key: half of SHA-256.</summary>
+    /// <summary>Length of a key, hexadecimal digits: half of a SHA-256 hash.</summary>
     private const int KeyLength = 32;
 
-    /// <summary>Collects it.</summary>
-    /// <param name="version">Of the program.</param>
-    /// <param name="arguments">See <see cref="FrameArguments.OfSettings"/>.</param>
+    /// <summary>Collects the identity of a run.</summary>
+    /// <param name="version">Version of the program.</param>
+    /// <param name="arguments">Arguments of the frames as text; see <see cref="FrameArguments.OfSettings"/>.</param>
     /// <param name="model">The elevation model.</param>
     /// <param name="engine">Name and version of the ephemeris engine; null if the Sun is ignored.</param>
-    /// <param name="kernels">See <see cref="ChecksumsOf"/>.</param>
-    /// <param name="povRay">Version of POV-Ray; null if it draws nothing.</param>
+    /// <param name="kernels">Names and checksums of the kernels; see <see cref="ChecksumsOf"/>.</param>
+    /// <param name="povRay">Version of POV-Ray; null if POV-Ray is not used.</param>
     public static RunIdentity Of(
         string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<(string Name, string Sha256)> kernels,
         string? povRay)
@@ -58,10 +61,10 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
         return new RunIdentity(version, arguments, new SettingsRecord(KeyOf(stream.ToArray()), Encoding.UTF8.GetString(stream.ToArray())));
     }
 
-    /// <summary>The key of some content.</summary>
+    /// <summary>The key of a content: the first half of its SHA-256 hash, hexadecimal.</summary>
     public static string KeyOf(ReadOnlySpan<byte> content) => Convert.ToHexStringLower(SHA256.HashData(content))[..KeyLength];
 
-    /// <summary>Names and checksums of kernels; reads some 20 MB, so it is begun early.</summary>
+    /// <summary>Names and checksums of kernels; the call is started early because it reads about 20 MB.</summary>
     /// <param name="kernels">Their paths, in load order.</param>
     public static IReadOnlyList<(string Name, string Sha256)> ChecksumsOf(IReadOnlyList<string> kernels) => FileErrors.ToExternalPart(
         "a kernel can't be read",

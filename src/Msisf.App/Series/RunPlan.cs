@@ -7,7 +7,7 @@ using Msisf.Core.Scene;
 
 namespace Msisf.App.Series;
 
-/// <summary>The frames that a whole run is to have, whichever of them this call makes. Immutable.</summary>
+/// <summary>The frames of a whole run, including those that this call does not make. Immutable.</summary>
 internal sealed class RunPlan
 {
     private readonly IReadOnlyList<SpacecraftState> _states;
@@ -23,27 +23,28 @@ internal sealed class RunPlan
 
     public RunIdentity Identity { get; }
 
-    /// <summary>Names the run in the manifest.</summary>
+    /// <summary>Key of the run in the manifest.</summary>
     public string Key { get; }
 
-    /// <summary>Names a frame with its settings in the manifest.</summary>
-    /// <param name="step">From 1.</param>
+    /// <summary>The key of a frame and its settings in the manifest.</summary>
+    /// <param name="step">Number of the step, from 1.</param>
     public string FrameKey(int step) =>
         RunIdentity.KeyOf(
             [.. Encoding.ASCII.GetBytes(Identity.Record.Key), .. MemoryMarshal.AsBytes<double>(_states[step - 1].ToNumbers())]);
 
-    /// <summary>What the manifest is to know of a frame.</summary>
-    /// <param name="step">From 1.</param>
+    /// <summary>The manifest's record of a frame that the run should make.</summary>
+    /// <param name="step">Number of the step, from 1.</param>
     public ExpectedRecord Expected(int step) => new(Key, step, _names[step - 1], FrameKey(step));
 
-    /// <summary>The frame's own arguments, for its meta data.</summary>
-    /// <param name="step">From 1.</param>
+    /// <summary>The arguments that describe one frame, for its metadata.</summary>
+    /// <param name="step">Number of the step, from 1.</param>
     public string ArgumentsOf(int step) => FrameArguments.Of(_states[step - 1], Identity.Arguments);
 
     /// <summary>
-    /// The lines that tell a manifest of the run; none if it knows it, and no run that wants other frames of the same names since.
+    /// The records to add to a manifest for this run; empty if the manifest contains the run and no later run expects other frames of the
+    /// same names.
     /// </summary>
-    /// <param name="known">What the manifest says.</param>
+    /// <param name="known">Content of the manifest.</param>
     public IReadOnlyList<ManifestRecord> Registration(ManifestContent known)
     {
         if (_names.All(name => known.Expected.TryGetValue(name, out ExpectedRecord? expected) && expected.Run == Key))

@@ -7,9 +7,9 @@ namespace Msisf.App.Series;
 /// <summary>Finds and reads the manifest of a folder that should hold one.</summary>
 internal static class SeriesManifest
 {
-    /// <summary>The manifest of a folder.</summary>
-    /// <param name="folder">Of the outputs.</param>
-    /// <exception cref="BadInputException">There is no folder, or no manifest in it.</exception>
+    /// <summary>Finds the manifest of a folder.</summary>
+    /// <param name="folder">Folder of the outputs.</param>
+    /// <exception cref="BadInputException">The folder or its manifest does not exist.</exception>
     public static ManifestFile Find(string folder)
     {
         if (!Directory.Exists(folder))
@@ -23,12 +23,12 @@ internal static class SeriesManifest
             : throw new BadInputException($"{manifest.FilePath}: missing. Name the --output-dir of a run.");
     }
 
-    /// <summary>What the manifest of a folder says.</summary>
+    /// <summary>Reads the manifest of a folder.</summary>
     /// <inheritdoc cref="Read(ManifestFile, ILog)"/>
     public static ManifestContent Read(string folder, ILog log) => Read(Find(folder), log);
 
-    /// <summary>What a manifest says.</summary>
-    /// <exception cref="MsisfException">No run is in it, or it can't be read.</exception>
+    /// <summary>Reads a manifest.</summary>
+    /// <exception cref="MsisfException">The manifest contains no run, or can't be read.</exception>
     public static ManifestContent Read(ManifestFile manifest, ILog log)
     {
         using ManifestReader reader = new(manifest);

@@ -8,21 +8,22 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Series;
 
-/// <summary>What is done once when all pieces of a run are done.</summary>
+/// <summary>The final work when all pieces of a run are done.</summary>
 internal static class SeriesMerge
 {
     private const string SheetName = "contact-sheet.png";
     private const string VideoName = "video.mp4";
 
     /// <summary>
-    /// Sorts the manifest, and makes a contact sheet and a video of the last run if asked to; the paths are written to the host's results.
+    /// Sorts the manifest and, if requested, makes a contact sheet and a video of the last run; their paths are written to the host's
+    /// results.
     /// </summary>
-    /// <param name="folder">Of the outputs.</param>
-    /// <param name="settings">What is made.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Ends the work and leaves no half file.</param>
+    /// <param name="folder">Folder of the outputs.</param>
+    /// <param name="settings">The files to make.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work; no incomplete file is left.</param>
     /// <returns>The state of the frames.</returns>
-    /// <exception cref="MsisfException">There is no run in the folder, or it can't be written.</exception>
+    /// <exception cref="MsisfException">The folder contains no run, or can't be written.</exception>
     public static async Task<SeriesStatus> RunAsync(string folder, MergeSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         ManifestFile manifest = SeriesManifest.Find(folder);

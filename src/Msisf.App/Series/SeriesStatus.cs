@@ -12,24 +12,24 @@ internal sealed class SeriesStatus
 
     private SeriesStatus(string folder, IReadOnlyList<FrameCheck> frames) => (_folder, Frames) = (folder, frames);
 
-    /// <summary>All frames, those of the last run at the end, each run's in the order of their steps.</summary>
+    /// <summary>All frames, grouped by run with the last run at the end, in the order of their steps.</summary>
     public IReadOnlyList<FrameCheck> Frames { get; }
 
-    /// <summary>Those that are missing, damaged, failed or of other settings.</summary>
+    /// <summary>The frames that are missing, damaged, failed or of other settings.</summary>
     public IEnumerable<FrameCheck> Incomplete => Frames.Where(frame => frame.State != FrameState.Complete);
 
     /// <summary>Whether all frames are complete.</summary>
     public bool IsComplete => !Incomplete.Any();
 
-    /// <summary>Looks at a folder quickly: whether the files are there in the lengths that were written.</summary>
-    /// <param name="folder">Of the outputs.</param>
-    /// <param name="host">The world.</param>
-    /// <param name="cancellation">Ends the work.</param>
-    /// <exception cref="MsisfException">There is no folder, or no manifest of a run in it.</exception>
+    /// <summary>Checks a folder quickly: compares the existence and lengths of the files with the manifest.</summary>
+    /// <param name="folder">Folder of the outputs.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <exception cref="MsisfException">The folder does not exist or contains no manifest of a run.</exception>
     public static SeriesStatus Read(string folder, ProgramHost host, CancellationToken cancellation) =>
         Of(folder, SeriesManifest.Read(folder, host.Log), new FrameChecker(folder, CheckDepth.Lengths), cancellation);
 
-    /// <summary>Reads every file of a folder: checksums, images whole, meta files valid.</summary>
+    /// <summary>Checks a folder by reading every file: checksums, complete images, valid meta files.</summary>
     /// <inheritdoc cref="Read"/>
     public static SeriesStatus Verify(string folder, ProgramHost host, CancellationToken cancellation) => Of(
         folder,
@@ -38,10 +38,10 @@ internal sealed class SeriesStatus
         cancellation);
 
     /// <summary>The state of the frames that a manifest expects.</summary>
-    /// <param name="folder">Of the outputs.</param>
-    /// <param name="manifest">What its manifest says.</param>
-    /// <param name="checker">Looks at single frames.</param>
-    /// <param name="cancellation">Ends the work.</param>
+    /// <param name="folder">Folder of the outputs.</param>
+    /// <param name="manifest">Content of the folder's manifest.</param>
+    /// <param name="checker">Checks single frames.</param>
+    /// <param name="cancellation">Cancels the work.</param>
     public static SeriesStatus Of(string folder, ManifestContent manifest, FrameChecker checker, CancellationToken cancellation) => new(
         folder,
         [.. manifest.Expected.Values
@@ -53,11 +53,11 @@ internal sealed class SeriesStatus
             .Select(expected => checker.Check(
                 expected, manifest.Frames.GetValueOrDefault(expected.Name), manifest.Failed.GetValueOrDefault(expected.Name)))]);
 
-    /// <summary>How many frames are in a state.</summary>
+    /// <summary>The number of frames in a state.</summary>
     public int CountOf(FrameState state) => Frames.Count(frame => frame.State == state);
 
-    /// <summary>The steps that are to be made again.</summary>
-    /// <exception cref="BadInputException">They belong to several runs, so that their numbers do not say which they are.</exception>
+    /// <summary>The steps to make again.</summary>
+    /// <exception cref="BadInputException">The steps belong to several runs, so their numbers are ambiguous.</exception>
     public StepRanges StepsToMake()
     {
         ExpectedRecord[] incomplete = [.. Incomplete.Select(frame => frame.Expected)];

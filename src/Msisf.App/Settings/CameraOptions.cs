@@ -75,7 +75,7 @@ internal static class CameraOptions
         Default = Core.Orbit.OrbitFrame.MoonMe,
     };
 
-    /// <summary>All of them.</summary>
+    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Where the camera is",
         [FixedState, BatchFile, KeplerSet, StateVectors, Epoch, Time, Times, TimeInterval, Attitude, AttitudeTransition, OrbitFrame])

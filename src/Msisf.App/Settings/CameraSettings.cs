@@ -23,11 +23,11 @@ internal sealed record BatchFileSettings(string Path, PathSpec Option) : CameraS
 }
 
 /// <summary>Images along an orbit.</summary>
-/// <param name="Elements">At the epoch.</param>
-/// <param name="Epoch">UTC.</param>
-/// <param name="Frame">Of the elements.</param>
-/// <param name="Attitude">From the epoch on; null to look at the nadir.</param>
-/// <param name="Times">Of the images, UTC; possibly none.</param>
+/// <param name="Elements">Orbital elements at the epoch.</param>
+/// <param name="Epoch">Epoch of the elements, UTC.</param>
+/// <param name="Frame">Reference frame of the elements.</param>
+/// <param name="Attitude">Attitude from the epoch on; null to point the camera at the nadir.</param>
+/// <param name="Times">Times of the images, UTC; may be empty.</param>
 internal sealed record OrbitSettings(
     KeplerElements Elements, ModifiedJulianDate Epoch, OrbitFrame Frame, AttitudeTransition? Attitude,
     IEnumerable<ModifiedJulianDate> Times) : CameraSettings;

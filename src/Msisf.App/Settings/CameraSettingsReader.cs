@@ -9,7 +9,9 @@ using Msisf.Core.Time;
 
 namespace Msisf.App.Settings;
 
-/// <summary>Reads where the camera is, after thesis table 6.1: which option goes with which of the four ways.</summary>
+/// <summary>
+/// Reads the positions of the camera, given in one of the four ways of thesis table 6.1, and checks which options are combined.
+/// </summary>
 internal sealed class CameraSettingsReader
 {
     private static readonly OptionSpec[] TimeOptions = [CameraOptions.Time, CameraOptions.Times, CameraOptions.TimeInterval];
@@ -19,13 +21,17 @@ internal sealed class CameraSettingsReader
 
     private CameraSettingsReader(OptionValues values, PathSpec batchFile) => (_values, _batchFile) = (values, batchFile);
 
-    /// <summary>The options of which exactly one says where the camera is.</summary>
+    /// <summary>The four options for the position of the camera, of which exactly one must be given.</summary>
     private OptionSpec[] Ways => [CameraOptions.KeplerSet, CameraOptions.StateVectors, CameraOptions.FixedState, _batchFile];
 
-    /// <summary>Reads and checks them.</summary>
+    /// <summary>Reads and checks the options.</summary>
     /// <param name="values">The options.</param>
-    /// <param name="batchFile">The option of the batch file, which msis patterns calls by another name; null for that of a run.</param>
-    /// <exception cref="MsisfException">None or two ways, an option that is missing or forbidden, or a wrong value.</exception>
+    /// <param name="batchFile">
+    /// The option that names the batch file, which has another name in msis patterns; null for the option of a run.
+    /// </param>
+    /// <exception cref="MsisfException">
+    /// No way or several ways are given, an option is missing or not allowed, or a value is wrong.
+    /// </exception>
     public static CameraSettings Read(OptionValues values, PathSpec? batchFile = null)
     {
         CameraSettingsReader reader = new(values, batchFile ?? CameraOptions.BatchFile);
@@ -33,7 +39,7 @@ internal sealed class CameraSettingsReader
             ?? throw new UsageException($"nothing says where the camera is. Give exactly one of {Names(reader.Ways)}.");
     }
 
-    /// <summary>The same; null if there is none of the four ways.</summary>
+    /// <summary>Reads and checks the options; null if none of the four ways is given.</summary>
     /// <inheritdoc cref="Read"/>
     public static CameraSettings? ReadIfGiven(OptionValues values, PathSpec batchFile) =>
         new CameraSettingsReader(values, batchFile).ReadIfGiven();

@@ -3,25 +3,25 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 
-/// <summary>The options that say into which pieces a run is cut.</summary>
+/// <summary>The options that define how a run is cut into pieces.</summary>
 internal static class CutOptions
 {
-    /// <summary>How many pieces.</summary>
+    /// <summary>Number of pieces.</summary>
     public static WholeNumberSpec Pieces { get; } = new(
         "--pieces", "N", 1, int.MaxValue, "Cut the run into so many pieces")
     {
         IsOfOneCall = true,
     };
 
-    /// <summary>How large they are.</summary>
+    /// <summary>Number of frames per piece.</summary>
     public static WholeNumberSpec FramesPerPiece { get; } = new(
         "--frames-per-piece", "N", 1, int.MaxValue, "Cut the run into pieces of so many images")
     {
         IsOfOneCall = true,
     };
 
-    /// <summary>Reads and checks them.</summary>
-    /// <exception cref="MsisfException">None of the two, both, or one that is no number.</exception>
+    /// <summary>Reads and checks the options.</summary>
+    /// <exception cref="MsisfException">Neither or both options are given, or a value is no number.</exception>
     public static CutSettings Read(OptionValues values)
     {
         bool hasPieces = values.IsGiven(Pieces);

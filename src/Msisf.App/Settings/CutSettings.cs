@@ -1,6 +1,6 @@
 namespace Msisf.App.Settings;
 
-/// <summary>Into which pieces a run is cut.</summary>
-/// <param name="Pieces">How many; null if the number of frames is given.</param>
-/// <param name="FramesPerPiece">Frames of each but the last; null if the number of pieces is given.</param>
+/// <summary>How a run is cut into pieces.</summary>
+/// <param name="Pieces">Number of pieces; null if the number of frames is given.</param>
+/// <param name="FramesPerPiece">Frames of each piece except the last; null if the number of pieces is given.</param>
 internal sealed record CutSettings(int? Pieces, int? FramesPerPiece);

@@ -4,23 +4,23 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 
-/// <summary>The options of the commands that look at a folder of outputs.</summary>
+/// <summary>The options of the commands that check a folder of outputs.</summary>
 internal static class FolderOptions
 {
-    /// <summary>Frames a second: more than any display shows.</summary>
+    /// <summary>Maximum frame rate of a video, frames per second: faster than any display.</summary>
     private const double MaxFrameRate = 1000.0;
 
-    /// <summary>The folder.</summary>
+    /// <summary>The folder of the outputs.</summary>
     public static ArgumentSpec Folder { get; } = new("DIR", "The --output-dir of the runs");
 
-    /// <summary>Steps instead of lines.</summary>
+    /// <summary>Whether to print step numbers instead of lines.</summary>
     public static FlagSpec PrintFrames { get; } = new(
         "--print-frames", "Print only the steps that have to be made again, as --frames takes them; an empty line if none")
     {
         IsOfOneCall = true,
     };
 
-    /// <summary>One image of many small ones.</summary>
+    /// <summary>Whether to make a contact sheet: one image of many small images.</summary>
     public static FlagSpec ContactSheet { get; } = new(
         "--contact-sheet",
         string.Create(
@@ -28,14 +28,14 @@ internal static class FolderOptions
             $"When all images are there, make contact-sheet.png: small images of up to {Adapters.Metadata.ContactSheet.MaxImages} frames "
                 + $"of the last run"));
 
-    /// <summary>Frames a second of a video.</summary>
+    /// <summary>Frame rate of a video, frames per second.</summary>
     public static NumberSpec Video { get; } = new(
         "--video", "FPS", "When all images are there, make video.mp4 of the last run with so many frames a second, by ffmpeg")
     {
         Limits = new NumberRange(0.0, MaxFrameRate) { ExcludesMin = true },
     };
 
-    /// <summary>Reads what msis merge makes.</summary>
+    /// <summary>Reads the files that msis merge should make.</summary>
     /// <exception cref="BadInputException">A value is wrong.</exception>
     public static MergeSettings ReadMerge(OptionValues values) => new(ContactSheet.Read(values), Video.ReadIfGiven(values));
 }

@@ -7,14 +7,15 @@ using Msisf.Core.Scene;
 namespace Msisf.App.Settings;
 
 /// <summary>
-/// The arguments that make a frame what it is, all of them and in a fixed order, whatever the user's own call said of it, by config file,
-/// batch file or orbit. What only says where files are and how a run goes is left out: it changes no byte.
+/// The canonical arguments of a frame: all arguments that determine its content, in a fixed order, however the user gave them
+/// (configuration file, batch file or orbit). Arguments for paths and for the course of the run are omitted, because they do not change the
+/// content.
 /// </summary>
 internal static class FrameArguments
 {
-    /// <summary>All but the state.</summary>
-    /// <param name="settings">Of the run.</param>
-    /// <param name="engine">The ephemeris engine that gives the Sun; null if none is asked.</param>
+    /// <summary>The arguments of the settings, without the state.</summary>
+    /// <param name="settings">Settings of the run.</param>
+    /// <param name="engine">The ephemeris engine for the Sun's position; null if none is used.</param>
     public static string OfSettings(RenderSettings settings, EphemerisChoice? engine)
     {
         List<string> words =
@@ -52,9 +53,9 @@ internal static class FrameArguments
         return string.Join(' ', words);
     }
 
-    /// <summary>The arguments that make this frame alone.</summary>
-    /// <param name="state">Its state.</param>
-    /// <param name="settings">What <see cref="OfSettings"/> gives.</param>
+    /// <summary>The canonical arguments of one frame: its state and the settings.</summary>
+    /// <param name="state">State of the frame.</param>
+    /// <param name="settings">The result of <see cref="OfSettings"/>.</param>
     public static string Of(SpacecraftState state, string settings) =>
         $"{CameraOptions.FixedState.Name} '{{{string.Join(',', state.ToNumbers().Select(NumberSpec.TextOf))}}}' {settings}";
 

@@ -5,7 +5,7 @@ namespace Msisf.App.Settings;
 /// <summary>The options of the image itself.</summary>
 internal static class ImageOptions
 {
-    /// <summary>px: the largest side of an image.</summary>
+    /// <summary>Maximum width and height of an image, px.</summary>
     private const int MaxSide = 16384;
 
     /// <summary>Horizontal field of view, degrees.</summary>
@@ -22,6 +22,6 @@ internal static class ImageOptions
     /// <summary>Height, px.</summary>
     public static WholeNumberSpec Height { get; } = new("--height", "PX", 1, MaxSide, "Image height") { Aliases = ["-h"], Default = 1024 };
 
-    /// <summary>All of them.</summary>
+    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Image", [FieldOfView, Width, Height]);
 }

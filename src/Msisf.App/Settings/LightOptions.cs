@@ -4,13 +4,13 @@ using Msisf.Core.Ephemeris;
 
 namespace Msisf.App.Settings;
 
-/// <summary>The options that say where the light comes from.</summary>
+/// <summary>The options of the light and the ephemeris.</summary>
 internal static class LightOptions
 {
-    /// <summary>Light from the camera.</summary>
+    /// <summary>Whether the light comes from the camera instead of the Sun.</summary>
     public static FlagSpec IgnoreSun { get; } = new("--ignore-sun", "Light the scene from the camera instead of the Sun");
 
-    /// <summary>Ephemeris engine.</summary>
+    /// <summary>Engine for the Sun's position.</summary>
     public static ChoiceSpec<EphemerisChoice> Ephemeris { get; } = new(
         "--ephemeris",
         [("cspice", EphemerisChoice.CSpice), ("builtin", EphemerisChoice.BuiltIn), ("auto", EphemerisChoice.Auto)],
@@ -20,7 +20,7 @@ internal static class LightOptions
         DefaultNote = "auto: CSPICE if its library loads, else built-in",
     };
 
-    /// <summary>Corrections for the time that light takes.</summary>
+    /// <summary>Corrections of the Sun's position for light time and aberration.</summary>
     public static ChoiceSpec<Aberration> Aberration { get; } = new(
         "--aberration",
         [("none", Core.Ephemeris.Aberration.None), ("lt", Core.Ephemeris.Aberration.LightTime), (
@@ -30,13 +30,13 @@ internal static class LightOptions
         Default = Core.Ephemeris.Aberration.None,
     };
 
-    /// <summary>Meta-kernel.</summary>
+    /// <summary>SPICE meta-kernel to load.</summary>
     public static PathSpec Kernels { get; } = new(
         "--kernels", PathKind.File, "SPICE meta-kernel")
     {
         DefaultNote = "kernels/msisf.tm of the installation",
     };
 
-    /// <summary>All of them.</summary>
+    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Light", [IgnoreSun, Aberration, Ephemeris, Kernels]);
 }

@@ -1,6 +1,6 @@
 namespace Msisf.App.Settings;
 
-/// <summary>What is made of the images of a run when all are there.</summary>
-/// <param name="ContactSheet">One image of many small ones.</param>
-/// <param name="FrameRate">Frames a second of a video; null for none.</param>
+/// <summary>The files to make when all images of a run are complete.</summary>
+/// <param name="ContactSheet">Whether to make one image of many small images.</param>
+/// <param name="FrameRate">Frame rate of a video, frames per second; null for no video.</param>
 internal sealed record MergeSettings(bool ContactSheet, double? FrameRate);

@@ -16,21 +16,21 @@ internal static class ModelOptions
         IsRequired = true,
     };
 
-    /// <summary>Seed of the terrain.</summary>
+    /// <summary>Seed of the random terrain.</summary>
     public static TextSpec Seed { get; } = new(
         "--seed", "N", "Number that the terrain is drawn from; the same number gives the same bytes")
     {
         IsRequired = true,
     };
 
-    /// <summary>Model that is continued.</summary>
+    /// <summary>Base model, which the new model continues to smaller scales.</summary>
     public static PathSpec Base { get; } = new(
         "--base", PathKind.File, "Model that the new one continues to smaller scales: its label or image")
     {
         DefaultNote = "none, an invented Moon",
     };
 
-    /// <summary>Part of the Moon.</summary>
+    /// <summary>Part of the Moon that the new model covers.</summary>
     public static TextSpec Region { get; } = new(
         "--region", "latmin:latmax:lonmin:lonmax", "Part of the Moon in whole degrees")
     {
@@ -45,27 +45,27 @@ internal static class ModelOptions
         DefaultNote = "./input/ldem",
     };
 
-    /// <summary>The model whose levels are made.</summary>
+    /// <summary>The model whose coarser levels are made.</summary>
     public static ArgumentSpec Model { get; } = new("MODEL", "The model: its label or image, or with --res the folder that it lies in")
     {
         IsOptional = true,
     };
 
-    /// <summary>Resolution of that model, px/deg.</summary>
+    /// <summary>Resolution of the model whose coarser levels are made, px/deg.</summary>
     public static WholeNumberSpec ModelResolution { get; } = SurfaceOptions.Resolution with
     {
         Help = "Resolution of the model; needed for a folder",
         Default = null,
     };
 
-    /// <summary>Compares instead of making.</summary>
+    /// <summary>Whether to compare an existing file with the model instead of making it.</summary>
     public static FlagSpec Verify { get; } = new(
         "--verify", "Make nothing; read the model and its pyramid and compare them")
     {
         IsOfOneCall = true,
     };
 
-    /// <summary>Reads what msis ldem synthesize makes.</summary>
+    /// <summary>Reads the options of msis ldem synthesize.</summary>
     /// <exception cref="BadInputException">A value is wrong.</exception>
     public static SynthesisSettings ReadSynthesis(OptionValues values) => new(
         NewResolution.Read(values),
@@ -78,7 +78,7 @@ internal static class ModelOptions
         NewFolder.Read(values),
         RunOptions.Batch.Read(values));
 
-    /// <summary>Reads which model's levels are made.</summary>
+    /// <summary>Reads the options of msis ldem pyramid.</summary>
     /// <exception cref="BadInputException">A value is wrong.</exception>
     public static PyramidSettings ReadPyramid(OptionValues values) =>
         new(values.Argument, ModelResolution.ReadIfGiven(values), RunOptions.Batch.Read(values));

@@ -5,10 +5,10 @@ using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Settings;
 
-/// <summary>What only the program's own renderer can do.</summary>
+/// <summary>The options of the program's own renderer.</summary>
 internal static class NativeOptions
 {
-    /// <summary>Samples a pixel.</summary>
+    /// <summary>Number of samples per pixel.</summary>
     public static WholeNumberSpec Samples { get; } = new(
         "--samples", "N", 1, NativeRenderOptions.MaxSubsamplesPerAxis * NativeRenderOptions.MaxSubsamplesPerAxis,
         "Samples a pixel on a regular grid, a square number: 1, 4, 9, 16, ...")
@@ -16,7 +16,7 @@ internal static class NativeOptions
         Default = 1,
     };
 
-    /// <summary>Normals of the facets.</summary>
+    /// <summary>Model of the surface normals.</summary>
     public static ChoiceSpec<NormalModel> Shading { get; } = new(
         "--shading", [("facet", NormalModel.Facet), ("smooth", NormalModel.Smooth)],
         "Normals of the facets, or interpolated between those of the samples")
@@ -24,14 +24,14 @@ internal static class NativeOptions
         Default = NormalModel.Facet,
     };
 
-    /// <summary>The light source.</summary>
+    /// <summary>Model of the Sun as a light source.</summary>
     public static ChoiceSpec<SunModel> Sun { get; } = new(
         "--sun", [("point", SunModel.Point), ("disc", SunModel.Disc)], "The Sun as a point, or as its disc with penumbras")
     {
         Default = SunModel.Point,
     };
 
-    /// <summary>Law of reflectance with its parameters.</summary>
+    /// <summary>Reflectance law and its parameters.</summary>
     public static TextSpec Reflectance { get; } = new(
         "--reflectance", "LAW",
         "Law of reflectance: lambert, lommel-seeliger, lunar-lambert or hapke; parameters after a colon: hapke:w=0.3,b0=1.2")
@@ -40,21 +40,21 @@ internal static class NativeOptions
         Words = ReflectanceFactory.Laws,
     };
 
-    /// <summary>Albedo of the law.</summary>
+    /// <summary>Albedo of the reflectance law.</summary>
     public static NumberSpec Albedo { get; } = new("--albedo", "A", "Albedo of the law")
     {
         Limits = new NumberRange(0.0, 1.0),
         Default = ReflectanceFactory.DefaultAlbedo,
     };
 
-    /// <summary>Grey of a radiance factor of 1.</summary>
+    /// <summary>Grey level of a radiance factor of 1.</summary>
     public static NumberSpec Exposure { get; } = new(
         "--exposure", "X", "Linear grey of a radiance factor of 1, where 1 is white")
     {
         Default = 1.0,
     };
 
-    /// <summary>Curve of the grey levels.</summary>
+    /// <summary>Transfer curve of the grey levels.</summary>
     public static ChoiceSpec<GreyTransfer> Transfer { get; } = new(
         "--transfer", [("srgb", GreyTransfer.Srgb), ("linear", GreyTransfer.Linear)],
         "Grey levels along sRGB's curve, as POV-Ray's, or in proportion to the radiance")
@@ -62,14 +62,14 @@ internal static class NativeOptions
         Default = GreyTransfer.Srgb,
     };
 
-    /// <summary>Bits a pixel.</summary>
+    /// <summary>Bits per pixel of the image.</summary>
     public static ChoiceSpec<int> BitDepth { get; } = new(
         "--bit-depth", [("8", 8), ("16", 16)], "Bits of the image's grey levels")
     {
         Default = 8,
     };
 
-    /// <summary>Ground truth to write.</summary>
+    /// <summary>Layers of ground truth to write.</summary>
     public static TextSpec Layers { get; } = new(
         "--layers", "LIST|all", "Ground truth of every pixel, as names separated by commas: depth,position,incidence,mask, ...")
     {
@@ -77,7 +77,7 @@ internal static class NativeOptions
         Words = [LayerSet.AllText, .. LayerCatalogue.All.Select(layer => layer.Name)],
     };
 
-    /// <summary>Format of the ground truth.</summary>
+    /// <summary>File format of the layers.</summary>
     public static ChoiceSpec<LayersFormat> LayersFormat { get; } = new(
         "--layers-format", [("fits", Settings.LayersFormat.Fits), ("npy", Settings.LayersFormat.Npy)],
         "Format of the layers: one file, or one a layer")
@@ -85,7 +85,7 @@ internal static class NativeOptions
         Default = Settings.LayersFormat.Fits,
     };
 
-    /// <summary>All of them.</summary>
+    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Native renderer", [Samples, Shading, Sun, Reflectance, Albedo, Exposure, Transfer, BitDepth, Layers, LayersFormat])
     {

@@ -10,9 +10,9 @@ namespace Msisf.App.Settings;
 /// <summary>Reads the options of the program's own renderer.</summary>
 internal static class NativeSettingsReader
 {
-    /// <summary>Reads all.</summary>
+    /// <summary>Reads and checks all options.</summary>
     /// <param name="values">The options.</param>
-    /// <param name="needsTruth">The meta file wants the terrain.</param>
+    /// <param name="needsTruth">Whether the meta file needs ground truth, because its pixels lie on the terrain.</param>
     /// <exception cref="MsisfException">A value is wrong.</exception>
     public static NativeSettings Read(OptionValues values, bool needsTruth)
     {
@@ -56,7 +56,7 @@ internal static class NativeSettingsReader
                 .About(NativeOptions.Samples);
     }
 
-    /// <summary>"hapke:w=0.3,b0=1.2": the law, and its parameters by name.</summary>
+    /// <summary>Parses a text such as "hapke:w=0.3,b0=1.2" to the law and its named parameters.</summary>
     private static (string Law, SortedDictionary<string, double> Parameters) Reflectance(string text)
     {
         string[] parts = text.Split(':', 2);

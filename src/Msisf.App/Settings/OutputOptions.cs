@@ -4,7 +4,7 @@ using Msisf.Core.Metadata;
 
 namespace Msisf.App.Settings;
 
-/// <summary>The options of the files that are written, but for those of one renderer.</summary>
+/// <summary>The options of the output files, except those of a single renderer.</summary>
 internal static class OutputOptions
 {
     /// <summary>Folder of the outputs.</summary>
@@ -15,7 +15,7 @@ internal static class OutputOptions
         DefaultNote = "./output",
     };
 
-    /// <summary>File names.</summary>
+    /// <summary>Pattern of the file names.</summary>
     public static TextSpec Name { get; } = new(
         "--output-name", "PATTERN",
         "File names without extension; {step}, {step:00000}, {mjd} and {mjd:0.000} stand for the image's number and time")
@@ -23,7 +23,7 @@ internal static class OutputOptions
         Default = "MoonSurfIllumSim_step_{step:00000}",
     };
 
-    /// <summary>Spacing of the meta file's pixels, both ways.</summary>
+    /// <summary>Spacing of the meta file's pixels in both directions, px.</summary>
     public static WholeNumberSpec Grid { get; } = new(
         "--grid", "PX", 1, int.MaxValue, "Spacing of the pixels that the meta file lists, both ways")
     {
@@ -31,14 +31,14 @@ internal static class OutputOptions
         Default = PixelGrid.DefaultSpacing,
     };
 
-    /// <summary>The same, horizontally.</summary>
+    /// <summary>Horizontal spacing of the meta file's pixels, px.</summary>
     public static WholeNumberSpec GridHorizontal { get; } = new("--gridH", "PX", 1, int.MaxValue, "The same, horizontally")
     {
         Aliases = ["-gH"],
         DefaultNote = "--grid",
     };
 
-    /// <summary>The same, vertically.</summary>
+    /// <summary>Vertical spacing of the meta file's pixels, px.</summary>
     public static WholeNumberSpec GridVertical { get; } = new("--gridV", "PX", 1, int.MaxValue, "The same, vertically")
     {
         Aliases = ["-gV"],
@@ -54,10 +54,10 @@ internal static class OutputOptions
         Default = PixelSurface.Sphere,
     };
 
-    /// <summary>A second image.</summary>
+    /// <summary>Whether to write a second image with annotations.</summary>
     public static FlagSpec Annotation { get; } = new(
         "--rendering-annotation", "Make a second image with the illumination directions and the scene's data drawn on it");
 
-    /// <summary>All of them.</summary>
+    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Output", [Folder, Name, Annotation, Surface, Grid, GridHorizontal, GridVertical]);
 }

@@ -4,10 +4,12 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 
-/// <summary>The options of msis patterns. There is none for a password: every user sees the arguments of a program.</summary>
+/// <summary>
+/// The options of msis patterns. None takes a password, because all users of a computer can see the arguments of a program.
+/// </summary>
 internal static class PatternsOptions
 {
-    /// <summary>Where the samples come from; the value is true for the database.</summary>
+    /// <summary>Source of the elevation samples; the value is true for the database.</summary>
     public static ChoiceSpec<bool> Source { get; } = new(
         "--source", [("ldem", false), ("mysql", true)],
         "Where the samples come from: the elevation model's file, or the database of scripts/ldem_mysql_insert.php")
@@ -15,21 +17,21 @@ internal static class PatternsOptions
         Default = false,
     };
 
-    /// <summary>Connection to the database.</summary>
+    /// <summary>Option file with the connection to the database.</summary>
     public static PathSpec DefaultsFile { get; } = new(
         "--defaults-file",
         PathKind.File,
         "With --source mysql: option file with the connection in its [client] group; "
             + "what it leaves out comes from MSISF_DB_HOST, _PORT, _SOCKET, _USER, _PASSWORD, _DATABASE and _SSL_CA");
 
-    /// <summary>Overlap of the patterns, degrees.</summary>
+    /// <summary>Overlap of neighbouring patterns, degrees.</summary>
     public static NumberSpec Margin { get; } = new("--margin", "DEGREES", "Overlap with the neighbours, for scenes of 2012")
     {
         Limits = new NumberRange(0.0, PatternOptions.MaxMarginDegrees),
         Default = 0.0,
     };
 
-    /// <summary>Form of the patterns.</summary>
+    /// <summary>Mesh format of the patterns.</summary>
     public static ChoiceSpec<PatternFormat> Format { get; } = new(
         "--format", [("mesh2", PatternFormat.Mesh2), ("mesh", PatternFormat.Mesh)],
         "Form of the patterns: exact and compact, or the thesis's text form for old scenes")
@@ -37,7 +39,7 @@ internal static class PatternsOptions
         Default = PatternFormat.Mesh2,
     };
 
-    /// <summary>The run whose patterns are made, by its batch file.</summary>
+    /// <summary>Batch file of the run whose patterns are made.</summary>
     public static PathSpec ForBatch { get; } = CameraOptions.BatchFile with
     {
         Name = "--for-batch",
@@ -45,23 +47,21 @@ internal static class PatternsOptions
         Help = "Only the patterns that the images of this batch file need",
     };
 
-    /// <summary>Options that have a meaning for the whole Moon only.</summary>
+    /// <summary>Options that apply only to the patterns of the whole Moon.</summary>
     public static OptionGroup WholeMoon { get; } = new("All patterns of the Moon", [Source, DefaultsFile, Margin, Format]);
 
-    /// <summary>Options that have a meaning for both.</summary>
+    /// <summary>Options that apply both to the whole Moon and to a run.</summary>
     public static OptionGroup Model { get; } = new(
         "Surface model", [SurfaceOptions.Resolution, SurfaceOptions.Ldem, PovOptions.PatternRepository]);
 
-    /// <summary>
-    /// Options of a run on which the choice of its patterns depends, but for the camera, the ephemeris, and which frames.
-    /// </summary>
+    /// <summary>Options of a run that determine its patterns, except for the camera, the ephemeris and the selection of frames.</summary>
     public static IReadOnlyList<OptionSpec> Deciding { get; } =
     [
         ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height, SurfaceOptions.LevelOfDetail, SurfaceOptions.LevelOfDetailError,
         LightOptions.IgnoreSun, .. Model.Options, LightOptions.Aberration, LightOptions.Kernels,
     ];
 
-    /// <summary>Options that have a meaning for the patterns of a run only.</summary>
+    /// <summary>Options that apply only to the patterns of a run.</summary>
     public static OptionGroup OfRun { get; } = new(
         "Patterns of a run",
         [ForBatch, .. CameraOptions.Group.Options.Where(option => option != CameraOptions.BatchFile), .. Deciding.Except(
@@ -71,7 +71,7 @@ internal static class PatternsOptions
     };
 
     /// <summary>Reads the run whose patterns are made; null if none is given.</summary>
-    /// <exception cref="MsisfException">An option is wrong, or has no meaning with or without a run.</exception>
+    /// <exception cref="MsisfException">An option is wrong, or can't be used with or without a run.</exception>
     public static (CameraSettings Camera, RenderSettings Settings)? ReadRun(OptionValues values)
     {
         if (CameraSettingsReader.ReadIfGiven(values, ForBatch) is not { } camera)
@@ -84,7 +84,7 @@ internal static class PatternsOptions
         return (camera, RenderSettingsReader.Read(values));
     }
 
-    /// <summary>Reads which patterns of the whole Moon are made.</summary>
+    /// <summary>Reads the options for the patterns of the whole Moon.</summary>
     /// <exception cref="MsisfException">An option is wrong, or contradicts another.</exception>
     public static WholeMoonSettings ReadWholeMoon(OptionValues values)
     {

@@ -2,10 +2,10 @@ using Msisf.App.Settings.Specs;
 
 namespace Msisf.App.Settings;
 
-/// <summary>What has a meaning with POV-Ray only.</summary>
+/// <summary>The options that apply to POV-Ray only.</summary>
 internal static class PovOptions
 {
-    /// <summary>s: what a timer takes.</summary>
+    /// <summary>Maximum time limit, s: the longest that a .NET timer accepts.</summary>
     private const int MaxTimeout = int.MaxValue / 1000;
 
     /// <summary>Folder of the surface patterns.</summary>
@@ -16,35 +16,35 @@ internal static class PovOptions
         DefaultNote = "./pattern-repository",
     };
 
-    /// <summary>The program.</summary>
+    /// <summary>Path of the POV-Ray program.</summary>
     public static PathSpec Program { get; } = new(
         "--pov-path", PathKind.Any, "POV-Ray's program or its folder")
     {
         DefaultNote = "searched along the PATH",
     };
 
-    /// <summary>The user's own options of POV-Ray.</summary>
+    /// <summary>Further command-line options for POV-Ray.</summary>
     public static TextSpec MoreOptions { get; } = new(
         "--pov-options", "TEXT", "More POV-Ray options, separated by spaces, which overrule those of msis, e.g. \"Antialias=Off\"")
     {
         Separator = " ",
     };
 
-    /// <summary>Time limit, s.</summary>
+    /// <summary>Time limit of one POV-Ray process, s.</summary>
     public static NumberSpec Timeout { get; } = new("--timeout", "SECONDS", "Longest time of one POV-Ray run")
     {
         Limits = new NumberRange(0.0, MaxTimeout) { ExcludesMin = true },
         DefaultNote = "no limit",
     };
 
-    /// <summary>Prints, and renders nothing.</summary>
+    /// <summary>Whether to list the tiles and render nothing.</summary>
     public static FlagSpec ListPatterns { get; } = new(
         "--list-patterns", "Print the tiles of each image and why each is taken or left out; render nothing")
     {
         IsOfOneCall = true,
     };
 
-    /// <summary>All of them.</summary>
+    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("POV-Ray", [PatternRepository, Program, MoreOptions, Timeout, ListPatterns])
     {
         Note = "Only with --renderer povray.",

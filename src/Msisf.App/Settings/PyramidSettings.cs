@@ -1,7 +1,9 @@
 namespace Msisf.App.Settings;
 
-/// <summary>Which elevation model's coarser levels are made or checked.</summary>
-/// <param name="Model">Its label, its image, or its folder; null for the default folders.</param>
-/// <param name="PixelsPerDegree">Its resolution, which a folder needs; null if <paramref name="Model"/> says it.</param>
-/// <param name="Unattended">Draw no progress bar.</param>
+/// <summary>Selects the elevation model whose coarser levels are made or checked.</summary>
+/// <param name="Model">Label, image or folder of the model; null for the default folders.</param>
+/// <param name="PixelsPerDegree">
+/// Resolution of the model, px/deg, needed for a folder; null if <paramref name="Model"/> determines it.
+/// </param>
+/// <param name="Unattended">Whether to draw no progress bar.</param>
 internal sealed record PyramidSettings(string? Model, int? PixelsPerDegree, bool Unattended);

@@ -6,7 +6,7 @@ using Msisf.Core.Scene;
 
 namespace Msisf.App.Settings;
 
-/// <summary>The checked options of a render run, but for where the camera is.</summary>
+/// <summary>The checked options of a render run, except for the camera.</summary>
 internal sealed record RenderSettings
 {
     public required double FieldOfViewDegrees { get; init; }
@@ -25,10 +25,10 @@ internal sealed record RenderSettings
 
     public required RendererKind Renderer { get; init; }
 
-    /// <summary>For the program's own renderer; defaults otherwise.</summary>
+    /// <summary>Settings of the program's own renderer; defaults if POV-Ray is used.</summary>
     public required NativeSettings Native { get; init; }
 
-    /// <summary>px: so far may coarser levels of the model move what is seen; null to show the model itself everywhere.</summary>
+    /// <summary>px: how far coarser levels of the model may shift a point in the image; null to use the full model everywhere.</summary>
     public required double? LevelOfDetailError { get; init; }
 
     public required bool IgnoreSun { get; init; }
@@ -64,7 +64,7 @@ internal sealed record RenderSettings
 
     public required bool FailFast { get; init; }
 
-    /// <summary>File for the times of single frames; null for none.</summary>
+    /// <summary>Path of the file for the times of single frames; null for none.</summary>
     public required string? FrameTimes { get; init; }
 
     public required bool Unattended { get; init; }

@@ -9,11 +9,11 @@ using Msisf.Core.Scene;
 
 namespace Msisf.App.Settings;
 
-/// <summary>Reads the options of a run, but for where the camera is.</summary>
+/// <summary>Reads the options of a run, except for the camera.</summary>
 internal static class RenderSettingsReader
 {
-    /// <summary>Reads and checks all.</summary>
-    /// <exception cref="MsisfException">A value is wrong, or an option has no meaning beside another.</exception>
+    /// <summary>Reads and checks all options.</summary>
+    /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
     public static RenderSettings Read(OptionValues values)
     {
         PixelSurface surface = OutputOptions.Surface.Read(values);

@@ -4,7 +4,7 @@ using Msisf.Core.Render;
 
 namespace Msisf.App.Settings;
 
-/// <summary>The choice of the renderer, and which options have a meaning with which one.</summary>
+/// <summary>The option that selects the renderer, and the lists of options that each renderer supports.</summary>
 internal static class RendererOptions
 {
     /// <summary>The renderer.</summary>
@@ -16,15 +16,15 @@ internal static class RendererOptions
         Default = RendererKind.PovRay,
     };
 
-    /// <summary>It alone.</summary>
+    /// <summary>This option as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Renderer", [Renderer]);
 
-    /// <summary>The options that a renderer could only ignore.</summary>
+    /// <summary>The options that a renderer does not support and would ignore.</summary>
     public static IReadOnlyList<OptionSpec> WithoutMeaning(RendererKind renderer) =>
         (renderer == RendererKind.PovRay ? NativeOptions.Group : PovOptions.Group).Options;
 
-    /// <summary>Refuses what the chosen renderer could only ignore.</summary>
-    /// <exception cref="UsageException">An option of the other renderer, or one without the one that it belongs to.</exception>
+    /// <summary>Rejects options that the selected renderer would ignore.</summary>
+    /// <exception cref="UsageException">An option belongs to the other renderer, or the option that it depends on is missing.</exception>
     public static void Check(OptionValues values)
     {
         RendererKind renderer = Renderer.Read(values);

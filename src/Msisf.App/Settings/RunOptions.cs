@@ -2,20 +2,20 @@ using Msisf.App.Settings.Specs;
 
 namespace Msisf.App.Settings;
 
-/// <summary>The options that say how a run goes; none of them changes an image.</summary>
+/// <summary>The options for the course of a run; none of them changes an image.</summary>
 internal static class RunOptions
 {
-    /// <summary>More frames at once than any computer runs.</summary>
+    /// <summary>Maximum number of frames at once: more than any computer can run.</summary>
     private const int MaxJobs = 1024;
 
-    /// <summary>Frames at once.</summary>
+    /// <summary>Number of frames drawn at once.</summary>
     public static WholeNumberSpec Jobs { get; } = new("--jobs", "N", 1, MaxJobs, "Images at once")
     {
         Aliases = ["-j"],
         DefaultNote = "as many as cores and memory allow",
     };
 
-    /// <summary>Part of the run.</summary>
+    /// <summary>Steps of the run to make.</summary>
     public static TextSpec Frames { get; } = new(
         "--frames", "LIST", "Only these steps of the run, e.g. 1001:2000 or 3:5,17; numbers and names stay those of the whole run")
     {
@@ -23,30 +23,30 @@ internal static class RunOptions
         DefaultNote = "all",
     };
 
-    /// <summary>Makes all again.</summary>
+    /// <summary>Whether to make existing frames again.</summary>
     public static FlagSpec Overwrite { get; } = new(
         "--overwrite", "Make all images again, also those that are there and complete")
     {
         IsOfOneCall = true,
     };
 
-    /// <summary>Stops early.</summary>
+    /// <summary>Whether to stop at the first frame that fails.</summary>
     public static FlagSpec FailFast { get; } = new("--fail-fast", "Stop at the first image that fails instead of going on with the others");
 
-    /// <summary>Report of times.</summary>
+    /// <summary>File for the times of single frames.</summary>
     public static PathSpec FrameTimes { get; } = new(
         "--frame-times", PathKind.File, "Write a line for each image made: step, name, seconds; separated by tabs")
     {
         IsOfOneCall = true,
     };
 
-    /// <summary>Times of the parts of the run.</summary>
+    /// <summary>Whether to print the times of the parts of the run.</summary>
     public static FlagSpec Timing { get; } = new("--timing", "Print run times as one line of JSON on standard error");
 
-    /// <summary>No progress bars.</summary>
+    /// <summary>Whether the run is unattended: no questions and no progress bars.</summary>
     public static FlagSpec Batch { get; } = new("--batch", "Unattended: ask nothing, draw no progress bars") { Aliases = ["-b"] };
 
-    /// <summary>Settings of every call; every command takes it.</summary>
+    /// <summary>Configuration file; all commands have this option.</summary>
     public static PathSpec Config { get; } = new(
         "--config", PathKind.File,
         "Settings for options that are not given, one \"key: value\" a line; they go before those of ~/.config/msisf/config.yaml")
@@ -60,6 +60,6 @@ internal static class RunOptions
     /// <summary>Prints the version.</summary>
     public static FlagSpec Version { get; } = new("--version", "Show the version of msis") { IsOfOneCall = true };
 
-    /// <summary>All of a run's own.</summary>
+    /// <summary>The options of a run as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Run", [Jobs, Frames, Overwrite, FailFast, Batch, FrameTimes, Timing, Config]);
 }

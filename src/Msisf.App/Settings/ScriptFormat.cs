@@ -1,6 +1,6 @@
 namespace Msisf.App.Settings;
 
-/// <summary>Who runs the pieces of a run.</summary>
+/// <summary>The format of a script: which program runs the pieces of a run.</summary>
 internal enum ScriptFormat
 {
     /// <summary>A POSIX shell, one after another.</summary>

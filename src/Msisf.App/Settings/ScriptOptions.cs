@@ -6,7 +6,7 @@ namespace Msisf.App.Settings;
 /// <summary>The options of a script that makes a run in pieces.</summary>
 internal static class ScriptOptions
 {
-    /// <summary>What runs the pieces.</summary>
+    /// <summary>Format of the script.</summary>
     public static ChoiceSpec<ScriptFormat> Format { get; } = new(
         "--format",
         [("sh", ScriptFormat.Sh), ("bat", ScriptFormat.Bat), ("parallel", ScriptFormat.Parallel), ("slurm", ScriptFormat.Slurm)],
@@ -15,24 +15,24 @@ internal static class ScriptOptions
         IsRequired = true,
     };
 
-    /// <summary>The script.</summary>
+    /// <summary>Path of the script.</summary>
     public static PathSpec Script { get; } = new("--script", PathKind.File, "The script")
     {
         IsOfOneCall = true,
         DefaultNote = "./msis-pieces with the format's ending",
     };
 
-    /// <summary>The script of msis submit, in the folder of the outputs.</summary>
+    /// <summary>File name of the script of msis submit, in the folder of the outputs.</summary>
     public static string SlurmScriptName { get; } = NameOf(ScriptFormat.Slurm);
 
-    /// <summary>Follows the jobs of Slurm.</summary>
+    /// <summary>Whether to follow the jobs of Slurm to their end.</summary>
     public static FlagSpec Wait { get; } = new(
         "--wait", "Tell the progress, and end with the exit code of the whole")
     {
         IsOfOneCall = true,
     };
 
-    /// <summary>Reads the format, and refuses options of Slurm with another one.</summary>
+    /// <summary>Reads the format, and rejects options of Slurm with any other format.</summary>
     /// <exception cref="MsisfException">An option is wrong, or forbidden.</exception>
     public static ScriptFormat ReadFormat(OptionValues values)
     {
@@ -42,7 +42,7 @@ internal static class ScriptOptions
             : throw new UsageException($"{wrong.Name} is for --format slurm only. Choose that, or leave it out.").About(wrong);
     }
 
-    /// <summary>Where the script goes.</summary>
+    /// <summary>Reads the path of the script.</summary>
     /// <exception cref="BadInputException">The path is empty.</exception>
     public static string ReadPath(OptionValues values) => Script.ReadIfGiven(values) ?? NameOf(Format.Read(values));
 

@@ -4,15 +4,15 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 
-/// <summary>What Slurm is asked for.</summary>
+/// <summary>The options of a run on Slurm.</summary>
 internal static partial class SlurmOptions
 {
-    /// <summary>More would only hide what is wrong.</summary>
+    /// <summary>Maximum number of retries: more would only hide a permanent error.</summary>
     private const int MaxRetries = 100;
 
     private const int MaxCpus = 1024;
 
-    /// <summary>Options of sbatch that the script sets by itself, or that have an option here.</summary>
+    /// <summary>Options of sbatch that the script sets itself, or that have an own option here.</summary>
     private static readonly string[] OwnOptions =
     [
         "account", "array", "chdir", "cpus-per-task", "dependency", "error", "help", "input", "job-name", "mem", "no-requeue", "open-mode",
@@ -20,62 +20,62 @@ internal static partial class SlurmOptions
         "parsable", "partition", "quiet", "requeue", "test-only", "time", "usage", "version", "wait", "wrap",
     ];
 
-    /// <summary>Pieces at once.</summary>
+    /// <summary>Maximum number of pieces at once.</summary>
     public static WholeNumberSpec Concurrency { get; } = new("--concurrency", "N", 1, int.MaxValue, "Pieces at once")
     {
         DefaultNote = "as many as there is room for",
     };
 
-    /// <summary>CPUs of a piece.</summary>
+    /// <summary>Number of CPUs per piece.</summary>
     public static WholeNumberSpec CpusPerTask { get; } = new(
         "--cpus-per-task", "N", 1, MaxCpus, "CPUs of a piece, and its images at once if --jobs does not say otherwise")
     {
         Default = 1,
     };
 
-    /// <summary>Memory of a piece.</summary>
+    /// <summary>Memory per piece.</summary>
     public static TextSpec Memory { get; } = new("--memory", "SIZE", "Memory of a piece, e.g. 4G")
     {
         Form = (SizeText(), "a size is needed, e.g. 4G or 500M"),
         DefaultNote = "the cluster's",
     };
 
-    /// <summary>Longest time of a piece.</summary>
+    /// <summary>Time limit of a piece.</summary>
     public static TextSpec TimeLimit { get; } = new("--time-limit", "TIME", "Longest time of a piece as sbatch takes it, e.g. 2:00:00")
     {
         Form = (TimeText(), "a time is needed: minutes, or as in 2:00:00 and 1-12:00:00"),
         DefaultNote = "the partition's",
     };
 
-    /// <summary>Partition.</summary>
+    /// <summary>Partition of the cluster.</summary>
     public static TextSpec Partition { get; } = new("--partition", "NAME", "Partition")
     {
         Form = (NameText(), "a name without blanks is needed"),
         DefaultNote = "the cluster's",
     };
 
-    /// <summary>Account.</summary>
+    /// <summary>Account that is charged.</summary>
     public static TextSpec Account { get; } = new("--account", "NAME", "Account")
     {
         Form = (NameText(), "a name without blanks is needed"),
         DefaultNote = "the user's",
     };
 
-    /// <summary>More options of sbatch.</summary>
+    /// <summary>Further options of sbatch.</summary>
     public static TextSpec MoreOptions { get; } = new(
         "--sbatch-options", "TEXT", "More options of sbatch without their dashes, separated by spaces, e.g. \"qos=long constraint=avx2\"")
     {
         Separator = " ",
     };
 
-    /// <summary>How often missing frames are submitted again.</summary>
+    /// <summary>How many times missing frames are submitted again.</summary>
     public static WholeNumberSpec Retries { get; } = new(
         "--retries", "N", 0, MaxRetries, "How often missing images are submitted again")
     {
         Default = 3,
     };
 
-    /// <summary>All of them.</summary>
+    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Slurm",
         [
@@ -83,8 +83,8 @@ internal static partial class SlurmOptions
             FolderOptions.Video,
         ]);
 
-    /// <summary>Reads and checks them.</summary>
-    /// <exception cref="MsisfException">A value is wrong, or an option of sbatch is none of the user's.</exception>
+    /// <summary>Reads and checks the options.</summary>
+    /// <exception cref="MsisfException">A value is wrong, or users can't set one of the options of sbatch.</exception>
     public static SlurmSettings Read(OptionValues values) => new()
     {
         Concurrency = Concurrency.ReadIfGiven(values),

@@ -2,16 +2,16 @@ using System.Globalization;
 
 namespace Msisf.App.Settings;
 
-/// <summary>What Slurm is asked for, and what its last job does.</summary>
+/// <summary>Settings of the Slurm jobs, and of the last job, which merges the run.</summary>
 internal sealed record SlurmSettings
 {
-    /// <summary>Pieces at once; null for as many as Slurm likes.</summary>
+    /// <summary>Maximum number of pieces at once; null for no limit.</summary>
     public required int? Concurrency { get; init; }
 
-    /// <summary>CPUs of a piece; if the run does not say --jobs, as many frames at once.</summary>
+    /// <summary>Number of CPUs per piece, which is also the number of frames at once unless the run has --jobs.</summary>
     public required int CpusPerTask { get; init; }
 
-    /// <summary>As sbatch takes it, e.g. "4G"; null for the cluster's default.</summary>
+    /// <summary>Memory per piece in the syntax of sbatch, e.g. "4G"; null for the cluster's default.</summary>
     public required string? Memory { get; init; }
 
     /// <summary><see cref="Memory"/> in bytes; null for the cluster's default.</summary>
@@ -24,20 +24,20 @@ internal sealed record SlurmSettings
         _ => Count(Memory, 20),
     };
 
-    /// <summary>As sbatch takes it, e.g. "2:00:00"; null for the partition's default.</summary>
+    /// <summary>Time limit of a piece in the syntax of sbatch, e.g. "2:00:00"; null for the partition's default.</summary>
     public required string? TimeLimit { get; init; }
 
     public required string? Partition { get; init; }
 
     public required string? Account { get; init; }
 
-    /// <summary>More options of sbatch, without their dashes.</summary>
+    /// <summary>Further options of sbatch, without their dashes.</summary>
     public required IReadOnlyList<string> MoreOptions { get; init; }
 
-    /// <summary>How often missing frames are submitted again.</summary>
+    /// <summary>How many times missing frames are submitted again.</summary>
     public required int Retries { get; init; }
 
-    /// <summary>Options of <c>msis merge</c> at the end.</summary>
+    /// <summary>Options of <c>msis merge</c>, which the last job runs.</summary>
     public required IReadOnlyList<string> MergeOptions { get; init; }
 
     private static long Count(string digits, int powerOfTwo) => long.Parse(digits, CultureInfo.InvariantCulture) << powerOfTwo;

@@ -7,20 +7,20 @@ namespace Msisf.App.Settings;
 /// <summary>The options of the elevation model and its levels of detail.</summary>
 internal static class SurfaceOptions
 {
-    /// <summary>px/deg: the finest product that NASA offers (LDEM_1024).</summary>
+    /// <summary>Maximum resolution, px/deg: that of NASA's finest product (LDEM_1024).</summary>
     public const int MaxResolution = 1024;
 
-    /// <summary>px: from here on nothing of the Moon would be left to see.</summary>
+    /// <summary>Maximum error of levels of detail, px: with a larger one the Moon would not be recognisable.</summary>
     private const double MaxLevelOfDetailError = 100.0;
 
-    /// <summary>Resolution, px/deg.</summary>
+    /// <summary>Resolution of the elevation model, px/deg.</summary>
     public static WholeNumberSpec Resolution { get; } = new("--res", "PX/DEG", 1, MaxResolution, "Resolution of the elevation model")
     {
         Aliases = ["-r"],
         Default = 4,
     };
 
-    /// <summary>The model.</summary>
+    /// <summary>Path of the elevation model.</summary>
     public static PathSpec Ldem { get; } = new(
         "--ldem", PathKind.Any, "Elevation model: its label, its image (of a split model any of them), or a folder of models")
     {
@@ -43,6 +43,6 @@ internal static class SurfaceOptions
             CultureInfo.InvariantCulture, $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native"),
     };
 
-    /// <summary>All of them.</summary>
+    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Surface model", [Resolution, Ldem, LevelOfDetail, LevelOfDetailError]);
 }

@@ -4,10 +4,10 @@ using Msisf.App.Settings;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary><c>msis batchconvert</c>: turns a run into a script that makes it in pieces.</summary>
+/// <summary><c>msis batchconvert</c>: converts a run to a script that makes it in pieces.</summary>
 internal static class BatchConvertCommand
 {
-    /// <summary>Does it.</summary>
+    /// <summary>Runs the command.</summary>
     public static int Run(CommandCall call, CancellationToken cancellation)
     {
         ScriptFormat format = ScriptOptions.ReadFormat(call.Values);

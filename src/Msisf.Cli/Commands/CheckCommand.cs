@@ -6,18 +6,18 @@ using Msisf.App.Settings;
 namespace Msisf.Cli.Commands;
 
 /// <summary>
-/// <c>msis status</c> and <c>msis verify</c>: whether a folder holds all frames of its runs, quickly or by reading every file.
+/// <c>msis status</c> and <c>msis verify</c>: check whether a folder holds all frames of its runs, quickly or by reading every file.
 /// </summary>
 internal static class CheckCommand
 {
-    /// <summary>Frames are missing, damaged, failed or of other settings.</summary>
+    /// <summary>Exit code if frames are missing, damaged, failed or of other settings.</summary>
     public const int ExitNotComplete = 5;
 
-    /// <summary>The quick one.</summary>
+    /// <summary>Runs <c>msis status</c>, the quick check.</summary>
     public static int Status(CommandCall call, CancellationToken cancellation) =>
         Report(call, SeriesStatus.Read(call.Values.Argument!, call.Host, cancellation));
 
-    /// <summary>The thorough one.</summary>
+    /// <summary>Runs <c>msis verify</c>, which reads every file.</summary>
     public static int Verify(CommandCall call, CancellationToken cancellation) =>
         Report(call, SeriesStatus.Verify(call.Values.Argument!, call.Host, cancellation));
 
@@ -35,7 +35,7 @@ internal static class CheckCommand
         return status.IsComplete ? 0 : ExitNotComplete;
     }
 
-    /// <summary>A line for each frame that is not complete (step, name, state, reason; separated by tabs), and a summary.</summary>
+    /// <summary>Prints a summary, and one line for each incomplete frame (step, name, state, reason; separated by tabs).</summary>
     private static void Print(SeriesStatus status, TextWriter results)
     {
         foreach (FrameCheck frame in status.Incomplete)

@@ -1,7 +1,7 @@
 namespace Msisf.Cli.Commands;
 
-/// <summary>What a command does.</summary>
-/// <param name="call">Its options.</param>
-/// <param name="cancellation">Ends it, as Ctrl-C does.</param>
+/// <summary>The action of a command.</summary>
+/// <param name="call">Options of the call.</param>
+/// <param name="cancellation">Cancels the work, as Ctrl-C does.</param>
 /// <returns>The exit code.</returns>
 internal delegate Task<int> CommandAction(CommandCall call, CancellationToken cancellation);

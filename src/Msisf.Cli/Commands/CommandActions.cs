@@ -6,7 +6,7 @@ using Msisf.Cli.Help;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary>What each command of the table does.</summary>
+/// <summary>The actions of the commands in the table.</summary>
 internal static class CommandActions
 {
     private static readonly Dictionary<CommandSpec, CommandAction> Actions = new(ReferenceEqualityComparer.Instance)
@@ -25,10 +25,10 @@ internal static class CommandActions
         [CommandTable.Man] = Printing(call => call.Host.Results.Write(ManualPage.Text(call.Host.Version))),
     };
 
-    /// <summary>What a command does that has none below it, or is the program itself.</summary>
+    /// <summary>The action of a command without subcommands, or of the program itself.</summary>
     public static CommandAction Of(CommandSpec command) => Actions[command];
 
-    /// <summary>Work that takes time, off the thread that waits for Ctrl-C.</summary>
+    /// <summary>Runs long work on another thread, so that the main thread can react to Ctrl-C.</summary>
     private static CommandAction InBackground(Func<CommandCall, CancellationToken, int> work) =>
         (call, cancellation) => Task.Run(() => work(call, cancellation), cancellation);
 

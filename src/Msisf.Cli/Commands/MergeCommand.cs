@@ -3,10 +3,10 @@ using Msisf.App.Settings;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary><c>msis merge</c>: what is done once when all pieces of a run are done.</summary>
+/// <summary><c>msis merge</c>: does the final work when all pieces of a run are done.</summary>
 internal static class MergeCommand
 {
-    /// <summary>Does it.</summary>
+    /// <summary>Runs the command.</summary>
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         string folder = call.Values.Argument!;

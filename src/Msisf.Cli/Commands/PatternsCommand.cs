@@ -3,10 +3,10 @@ using Msisf.App.Settings;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary><c>msis patterns</c>: makes patterns ahead of time, those of a whole Moon or those that the frames of a run need.</summary>
+/// <summary><c>msis patterns</c>: makes patterns before a run, either for the whole Moon or for the frames of a run.</summary>
 internal static class PatternsCommand
 {
-    /// <summary>Does it.</summary>
+    /// <summary>Runs the command.</summary>
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         string folder = PatternsOptions.ReadRun(call.Values) is (CameraSettings camera, RenderSettings settings)

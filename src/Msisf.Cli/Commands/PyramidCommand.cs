@@ -6,7 +6,7 @@ namespace Msisf.Cli.Commands;
 /// <summary><c>msis ldem pyramid</c>: makes or checks the sidecar with a model's levels of detail.</summary>
 internal static class PyramidCommand
 {
-    /// <summary>Does it.</summary>
+    /// <summary>Runs the command.</summary>
     public static int Run(CommandCall call, CancellationToken cancellation)
     {
         PyramidSettings settings = ModelOptions.ReadPyramid(call.Values);

@@ -3,10 +3,10 @@ using Msisf.App.Settings;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary>The program's main job: <c>msis</c> without a command.</summary>
+/// <summary><c>msis</c> without a command: renders a run.</summary>
 internal static class RenderCommand
 {
-    /// <summary>Does it.</summary>
+    /// <summary>Runs the command.</summary>
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         CameraSettings camera = CameraSettingsReader.Read(call.Values);

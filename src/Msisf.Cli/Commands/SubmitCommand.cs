@@ -4,10 +4,10 @@ using Msisf.App.Settings;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary><c>msis submit</c>: gives a run to Slurm, and follows it if asked to.</summary>
+/// <summary><c>msis submit</c>: submits a run to Slurm, and follows its jobs if requested.</summary>
 internal static class SubmitCommand
 {
-    /// <summary>Does it.</summary>
+    /// <summary>Runs the command.</summary>
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         RunSubmission submission = await RunSubmission.SubmitAsync(call.Values, call.Words, call.Host, cancellation).ConfigureAwait(false);

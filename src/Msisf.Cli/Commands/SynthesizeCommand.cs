@@ -6,7 +6,7 @@ namespace Msisf.Cli.Commands;
 /// <summary><c>msis ldem synthesize</c>: writes a synthetic elevation model.</summary>
 internal static class SynthesizeCommand
 {
-    /// <summary>Does it.</summary>
+    /// <summary>Runs the command.</summary>
     public static int Run(CommandCall call, CancellationToken cancellation)
     {
         call.Host.Results.WriteLine(SyntheticModel.Write(ModelOptions.ReadSynthesis(call.Values), call.Host, cancellation));

@@ -3,7 +3,7 @@ using Msisf.App.Settings.Specs;
 
 namespace Msisf.Cli.Completion;
 
-/// <summary>The script for bash.</summary>
+/// <summary>Makes the completion script for bash.</summary>
 internal static class BashCompletion
 {
     /// <summary>The whole script.</summary>
@@ -48,7 +48,9 @@ internal static class BashCompletion
 
         """.ReplaceLineEndings("\n");
 
-    /// <summary>A case for each option with a value; those of one name stand for all commands where they do not differ.</summary>
+    /// <summary>
+    /// The case branches that complete option values; an option whose values are the same in all commands has one branch for all of them.
+    /// </summary>
     private static IEnumerable<string> Values()
     {
         var options = CommandTable.All.SelectMany(
@@ -76,7 +78,10 @@ internal static class BashCompletion
         _ => $"COMPREPLY=($(compgen -W '{string.Join(' ', option.Suggestions)}' -- \"$cur\")); return",
     };
 
-    /// <summary>What may come where no option's value is due: options, and commands or the words of the argument.</summary>
+    /// <summary>
+    /// The case branch of one command with the words that are possible where no option value is expected: options, subcommands, or values
+    /// of the argument.
+    /// </summary>
     private static string Command(string path, CommandSpec command)
     {
         string others = string.Join(' ', command.Commands.Select(inner => inner.Name).Concat(command.Argument?.Words ?? []));

@@ -4,18 +4,18 @@ using Msisf.Core.Errors;
 namespace Msisf.Cli.Completion;
 
 /// <summary>
-/// The scripts that let shells complete commands, options and values; all of it is made from the table, and stands in the script.
+/// Makes the scripts with which shells complete commands, options and values; each script contains all data that it needs.
 /// </summary>
 internal static class CompletionScript
 {
-    /// <summary>All commands by the words that call them, each in quotes: 'ldem pyramid'.</summary>
-    /// <param name="separator">Stands between two.</param>
+    /// <summary>The names of all commands, each in quotes, e.g. 'ldem pyramid'.</summary>
+    /// <param name="separator">Separator between two names.</param>
     public static string CommandPaths(string separator) =>
         string.Join(separator, CommandTable.All.Where(entry => entry.Path.Length > 0).Select(entry => $"'{entry.Path}'"));
 
     /// <summary>The script of a shell.</summary>
-    /// <param name="shell">Its name.</param>
-    /// <exception cref="UsageException">No script is made for it.</exception>
+    /// <param name="shell">Name of the shell.</param>
+    /// <exception cref="UsageException">The shell is not supported.</exception>
     public static string For(string shell) => shell switch
     {
         "bash" => BashCompletion.Script(),

@@ -3,7 +3,7 @@ using Msisf.App.Settings.Specs;
 
 namespace Msisf.Cli.Completion;
 
-/// <summary>The script for fish.</summary>
+/// <summary>Makes the completion script for fish.</summary>
 internal static class FishCompletion
 {
     /// <summary>The whole script.</summary>

@@ -3,10 +3,10 @@ using Msisf.App.Settings.Specs;
 
 namespace Msisf.Cli.Completion;
 
-/// <summary>The script for zsh.</summary>
+/// <summary>Makes the completion script for zsh.</summary>
 internal static class ZshCompletion
 {
-    /// <summary>The whole script; it may be sourced, or stand in a folder of $fpath as _msis.</summary>
+    /// <summary>The whole script; it can be sourced or stored as _msis in a folder of $fpath.</summary>
     public static string Script() => $$"""
         #compdef msis
         # Completion of msis for zsh; made by: msis completion zsh
@@ -53,7 +53,7 @@ internal static class ZshCompletion
         return $"        '{path}') _arguments {string.Join(' ', specs)} ;;";
     }
 
-    /// <summary>An option under each of its names, which exclude each other.</summary>
+    /// <summary>The specifications of an option's names, which exclude each other.</summary>
     private static IEnumerable<string> Specs(OptionSpec option)
     {
         string[] names = [option.Name, .. option.Aliases];
@@ -73,7 +73,7 @@ internal static class ZshCompletion
         _ => $"({string.Join(' ', option.Suggestions)})",
     };
 
-    /// <summary>Without what has a meaning in the specifications of _arguments.</summary>
+    /// <summary>Escapes the characters with a special meaning in the specifications of _arguments.</summary>
     private static string Escaped(string text) => text
         .Replace(
             "\\",

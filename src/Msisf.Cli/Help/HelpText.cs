@@ -2,14 +2,14 @@ using Msisf.App.Settings.Specs;
 
 namespace Msisf.Cli.Help;
 
-/// <summary>The help of a command, for a terminal of 80 columns.</summary>
+/// <summary>Prints the help of a command for a terminal of 80 columns.</summary>
 internal static class HelpText
 {
-    /// <summary>Column at which descriptions begin.</summary>
+    /// <summary>Column of the descriptions: names longer than this are followed by a line break.</summary>
     private const int Column = 27;
 
-    /// <summary>Prints it.</summary>
-    /// <param name="output">Where to.</param>
+    /// <summary>Prints the help.</summary>
+    /// <param name="output">Receives the text.</param>
     /// <param name="path">The words by which the command is called; empty for the render command.</param>
     /// <param name="command">The command.</param>
     public static void Write(TextWriter output, string path, CommandSpec command)
@@ -20,11 +20,11 @@ internal static class HelpText
         }
     }
 
-    /// <summary>How an option is called: "-f, --fov DEGREES".</summary>
+    /// <summary>The names and value of an option, e.g. "-f, --fov DEGREES".</summary>
     public static string CallOf(OptionSpec option) =>
         string.Join(", ", option.Aliases.Append(option.Name)) + (option.ValueName is null ? string.Empty : $" {option.ValueName}");
 
-    /// <summary>How a command is called, a line for each way.</summary>
+    /// <summary>The usage of a command, one line for each form of the call.</summary>
     public static IEnumerable<string> UsageOf(string path, CommandSpec command)
     {
         string call = $"msis {path}".TrimEnd();

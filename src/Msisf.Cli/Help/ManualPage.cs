@@ -5,11 +5,11 @@ using Msisf.App.Settings.Specs;
 
 namespace Msisf.Cli.Help;
 
-/// <summary>The manual page msis(1), in the language of man pages (roff, macro package man).</summary>
+/// <summary>Makes the manual page msis(1) in roff with the macro package man.</summary>
 internal static class ManualPage
 {
     /// <summary>The whole page.</summary>
-    /// <param name="version">Of the program.</param>
+    /// <param name="version">Version of the program.</param>
     public static string Text(string version)
     {
         CommandSpec program = CommandTable.Render;
@@ -90,7 +90,7 @@ internal static class ManualPage
     private static void Line(StringBuilder page, string line) => page.Append(line).Append('\n');
 
     /// <summary>
-    /// A text in which nothing is a command of roff: hyphens can be copied, and no line begins with a dot or an apostrophe.
+    /// Escapes a text for roff: hyphens can be copied, and no line begins with a dot or an apostrophe, which would make it a request.
     /// </summary>
     private static string Escaped(string text)
     {

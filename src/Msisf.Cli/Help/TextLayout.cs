@@ -3,12 +3,12 @@ namespace Msisf.Cli.Help;
 /// <summary>Breaks text into lines for a terminal of 80 columns.</summary>
 internal static class TextLayout
 {
-    /// <summary>Columns of a line, but for the last one, at which some terminals break.</summary>
+    /// <summary>Maximum length of a line, columns: the last of 80 columns is unused because some terminals break there.</summary>
     public const int Width = 79;
 
-    /// <summary>Lines of a text, each indented; a word longer than a line has one of its own.</summary>
-    /// <param name="text">Words, separated by blanks.</param>
-    /// <param name="indent">Columns before each line.</param>
+    /// <summary>Breaks a text into indented lines; a word longer than a line gets its own line.</summary>
+    /// <param name="text">The text: words separated by blanks.</param>
+    /// <param name="indent">Indentation of each line, columns.</param>
     public static IEnumerable<string> Lines(string text, int indent)
     {
         string line = string.Empty;
@@ -26,9 +26,9 @@ internal static class TextLayout
         yield return new string(' ', indent) + line;
     }
 
-    /// <summary>Lines of a call of the program, continued by a backslash before an option.</summary>
+    /// <summary>Breaks a call of the program into lines, each continued by a backslash before an option.</summary>
     /// <param name="call">The call.</param>
-    /// <param name="indent">Columns before the first line.</param>
+    /// <param name="indent">Indentation of the first line, columns.</param>
     public static IEnumerable<string> CallLines(string call, int indent)
     {
         const string BeforeOption = " --";

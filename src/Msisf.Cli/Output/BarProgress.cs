@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace Msisf.Cli.Output;
 
-/// <summary>A bar with the time left, for a terminal.</summary>
+/// <summary>A progress bar with the remaining time, for a terminal.</summary>
 internal sealed class BarProgress : IRunProgress
 {
     private readonly ManualResetEventSlim _finished = new();
@@ -26,7 +26,7 @@ internal sealed class BarProgress : IRunProgress
                 _finished.Wait(); // as long as the run takes: Dispose ends it
             }));
 
-        // Where the terminal can't be drawn on, the drawing fails before it has begun.
+        // On a terminal without support for bars, the drawing task fails before it signals its start.
         if (Task.WaitAny(started.Task, _drawing) != 0)
         {
             _drawing.GetAwaiter().GetResult();

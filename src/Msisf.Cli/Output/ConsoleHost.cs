@@ -2,15 +2,15 @@ using Msisf.App.Host;
 
 namespace Msisf.Cli.Output;
 
-/// <summary>The world of a command line: results on standard output, all else on standard error.</summary>
+/// <summary>Makes the host of the command-line program: results go to standard output, everything else to standard error.</summary>
 internal static class ConsoleHost
 {
-    /// <summary>Makes it.</summary>
+    /// <summary>Creates the host.</summary>
     /// <param name="results">Standard output.</param>
     /// <param name="error">Standard error.</param>
     /// <param name="standardInput">Opens standard input.</param>
-    /// <param name="clock">The time.</param>
-    /// <param name="environment">The variables of the environment.</param>
+    /// <param name="clock">Clock.</param>
+    /// <param name="environment">Gets a variable of the environment.</param>
     public static ProgramHost Create(
         TextWriter results, TextWriter error, Func<TextReader> standardInput, TimeProvider clock, Func<string, string?> environment)
     {

@@ -3,7 +3,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Output;
 
-/// <summary>Lines on standard error; standard output is for results only. Safe for several threads.</summary>
+/// <summary>Writes log lines to standard error, because standard output is for results only. Thread-safe.</summary>
 internal sealed class ConsoleLog(TextWriter error) : ILog
 {
     private readonly Lock _gate = new();
@@ -19,7 +19,8 @@ internal sealed class ConsoleLog(TextWriter error) : ILog
     public void Error(string text) => Raw($"msis: error: {text.ReplaceLineEndings(" ")}");
 
     /// <summary>
-    /// A line as it is. One that can't be written is lost: there is no other place to tell, and the run and its exit code are worth more.
+    /// Writes a line unchanged. If writing fails, the line is lost: there is no other place for it, and the run and its exit code are more
+    /// important.
     /// </summary>
     public void Raw(string line)
     {
@@ -42,7 +43,7 @@ internal sealed class ConsoleLog(TextWriter error) : ILog
         }
     }
 
-    /// <summary>Keeps lines back until <see cref="Release"/>.</summary>
+    /// <summary>Holds lines back until <see cref="Release"/>.</summary>
     public void Hold()
     {
         lock (_gate)
@@ -51,7 +52,7 @@ internal sealed class ConsoleLog(TextWriter error) : ILog
         }
     }
 
-    /// <summary>Writes the lines that were kept back.</summary>
+    /// <summary>Writes the lines that were held back.</summary>
     public void Release()
     {
         lock (_gate)

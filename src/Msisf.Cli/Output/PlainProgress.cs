@@ -2,7 +2,9 @@ using System.Globalization;
 
 namespace Msisf.App.Host;
 
-/// <summary>Plain lines with the time left, for files and unattended runs; not more than one every few seconds.</summary>
+/// <summary>
+/// Shows progress as plain lines with the remaining time, for files and unattended runs; at most one line every few seconds.
+/// </summary>
 internal sealed class PlainProgress : IRunProgress
 {
     private static readonly TimeSpan MinPause = TimeSpan.FromSeconds(2.0);

@@ -19,8 +19,8 @@ internal sealed class ProgressDisplay(ResultsWriter results, ConsoleLog log, Tim
         return unattended || Console.IsErrorRedirected ? new PlainProgress(log, clock, total) : StartBar(title, total);
     }
 
-    // Apart, so that Spectre.Console is only loaded when a bar is drawn. A bar overwrites what is printed on its terminal: that follows
-    // when it is done.
+    // A separate method, so that Spectre.Console is only loaded when a bar is drawn. A bar would overwrite other output on its terminal,
+    // so that output is held back until the bar ends.
     private BarProgress StartBar(string title, int total)
     {
         log.Hold();

@@ -3,7 +3,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Output;
 
-/// <summary>Standard output; that it is closed or its disk is full is told as what it is, and not as a bug.</summary>
+/// <summary>
+/// Writes to standard output; if that is closed or its disk is full, the error message says so and does not report a bug.
+/// </summary>
 internal sealed class ResultsWriter : TextWriter
 {
     private readonly TextWriter _output;
@@ -41,10 +43,10 @@ internal sealed class ResultsWriter : TextWriter
 
     public override void Flush() => Checked(_output.Flush);
 
-    /// <summary>Keeps text back until <see cref="Release"/>.</summary>
+    /// <summary>Holds text back until <see cref="Release"/>.</summary>
     public void Hold() => _held = new StringBuilder();
 
-    /// <summary>Writes the text that was kept back.</summary>
+    /// <summary>Writes the text that was held back.</summary>
     public void Release()
     {
         string? held = _held?.ToString();

@@ -6,36 +6,37 @@ using Msisf.App.Settings.Specs;
 namespace Msisf.Cli.Parsing;
 
 /// <summary>
-/// The table of commands as System.CommandLine takes it; their values stay text, so that files and command line are read alike.
+/// The table of commands as a System.CommandLine tree; option values stay text, so that configuration files and the command line are parsed
+/// alike.
 /// </summary>
 internal sealed class CommandTree
 {
     private readonly Dictionary<Command, ParsedCommand> _commands = new(ReferenceEqualityComparer.Instance);
 
-    /// <summary>Makes it.</summary>
-    /// <param name="showHelp">Prints the help of a command, given with the words by which it is called.</param>
-    /// <param name="run">Does what a call asks for; gets a command that does something.</param>
+    /// <summary>Builds the tree.</summary>
+    /// <param name="showHelp">Prints the help of a command; receives its path, e.g. "ldem pyramid", and the command.</param>
+    /// <param name="run">Runs a call; receives a command that has an action.</param>
     public CommandTree(Action<string, CommandSpec> showHelp, Func<CommandSpec, ParseResult, CancellationToken, Task<int>> run)
     {
         Root = (RootCommand)Create(string.Empty, CommandTable.Render, new RootCommand(), run);
 
-        // -h is the image's height (thesis appendix A).
+        // -h is the image height (thesis appendix A), so it can't stand for --help.
         HelpOption help = Root.Options.OfType<HelpOption>().Single();
         help.Aliases.Remove("-h");
         help.Aliases.Remove("/h");
         help.Action = new ShowHelp(line => showHelp(PathOf(line), SpecOf(line)));
     }
 
-    /// <summary>The program itself.</summary>
+    /// <summary>The root command, which is the program itself.</summary>
     public RootCommand Root { get; }
 
-    /// <summary>The words by which the command of a line is called, e.g. "ldem pyramid"; empty for the render command.</summary>
+    /// <summary>The path of a parsed line's command, e.g. "ldem pyramid"; empty for the render command.</summary>
     public string PathOf(ParseResult line) => _commands[line.CommandResult.Command].Path;
 
-    /// <summary>The command of a line.</summary>
+    /// <summary>The command of a parsed line.</summary>
     public CommandSpec SpecOf(ParseResult line) => _commands[line.CommandResult.Command].Spec;
 
-    /// <summary>What a line gives.</summary>
+    /// <summary>The option values of a parsed line.</summary>
     public OptionValues ValuesOf(ParseResult line)
     {
         ParsedCommand command = _commands[line.CommandResult.Command];

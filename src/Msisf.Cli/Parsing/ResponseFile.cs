@@ -4,15 +4,15 @@ using Msisf.Core.Errors;
 namespace Msisf.Cli.Parsing;
 
 /// <summary>
-/// Reads <c>@file</c>: the arguments in a file, one or more a line, quoted with '"' where they hold blanks; '#' begins a comment line.
-/// A file of arguments names no other: System.CommandLine's own reader runs out of stack on one that names itself.
+/// Reads the arguments of <c>@file</c> from a file: one or more per line, quoted with '"' if they contain blanks; '#' begins a comment
+/// line. Response files can't be nested: System.CommandLine's own reader overflows the stack if a file names itself.
 /// </summary>
 internal static class ResponseFile
 {
-    /// <summary>As <see cref="System.CommandLine.Parsing.TryReplaceToken"/> has it.</summary>
-    /// <param name="path">What stands behind the '@'.</param>
+    /// <summary>Reads a response file; the signature is that of <see cref="System.CommandLine.Parsing.TryReplaceToken"/>.</summary>
+    /// <param name="path">Text after the '@'.</param>
     /// <param name="arguments">The arguments in the file.</param>
-    /// <param name="error">What is wrong with it.</param>
+    /// <param name="error">Error message.</param>
     public static bool TryRead(string path, out IReadOnlyList<string>? arguments, out string? error)
     {
         (arguments, error) = (null, null);

@@ -5,14 +5,12 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Parsing;
 
-/// <summary>
-/// Catches what the parser lets pass in silence: an option given twice, and options before a command that has none of them.
-/// </summary>
+/// <summary>Rejects errors that the parser ignores: an option given twice, and options before a command that does not have them.</summary>
 internal static class StrayOptions
 {
-    /// <summary>Checks a parsed line.</summary>
-    /// <param name="line">The line.</param>
-    /// <exception cref="UsageException">An option twice, or one that does not belong to the command.</exception>
+    /// <summary>Checks a parsed command line.</summary>
+    /// <param name="line">The parsed command line.</param>
+    /// <exception cref="UsageException">An option is given twice, or does not belong to the command.</exception>
     public static void Refuse(ParseResult line)
     {
         foreach (OptionResult option in OptionsOf(line.CommandResult))
@@ -22,8 +20,8 @@ internal static class StrayOptions
                 throw new UsageException($"{option.Option.Name} is given {option.IdentifierTokenCount} times. Give it once.");
             }
 
-            // A value in braces takes all words up to the next option, and so a misspelt option too; that of --pov-options is made of
-            // switches.
+            // A value in braces takes all words up to the next option, including a misspelt option. The value of --pov-options may
+            // contain words that look like options.
             if (option.Option.Name != PovOptions.MoreOptions.Name
                 && option.Tokens.Select(token => token.Value).FirstOrDefault(IsNoValue) is string word)
             {
@@ -46,7 +44,9 @@ internal static class StrayOptions
         word.StartsWith("--", StringComparison.Ordinal)
         || (word.Length > 1 && word[0] == '-' && char.IsAsciiLetter(word[1]) && !IsNotFiniteByName(word));
 
-    /// <summary>Such a "number" gets the message of the numbers.</summary>
+    /// <summary>
+    /// Whether a word such as -Infinity or -NaN is a number that is not finite, for which the number parser has its own error message.
+    /// </summary>
     private static bool IsNotFiniteByName(string word) =>
         word.StartsWith("-Inf", StringComparison.OrdinalIgnoreCase) || word.StartsWith("-NaN", StringComparison.OrdinalIgnoreCase);
 

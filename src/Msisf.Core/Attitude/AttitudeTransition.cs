@@ -5,8 +5,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Attitude;
 
 /// <summary>
-/// An attitude that turns at a constant rate about the spacecraft's own axes: q(t) = q0 exp(w dt / 2) (docs/deviations.md, row 18).
-/// In closed form, so nothing drifts.
+/// An attitude that turns at a constant rate about the spacecraft's own axes: q(t) = q0 exp(w dt / 2) (docs/deviations.md, row 18). It is
+/// computed in closed form, so errors do not build up.
 /// </summary>
 public sealed class AttitudeTransition
 {
@@ -54,7 +54,7 @@ public sealed class AttitudeTransition
                     + $"check the angular velocity and the epoch."));
         }
 
-        // The digits that length and product lose are turns after some years.
+        // The rounding errors of length and product grow with the angle, so they are added again.
         double angleError = Math.FusedMultiplyAdd(_rate, secondsSinceEpoch, -angle) + (_rateCorrection * secondsSinceEpoch);
         return _moonFromCameraAtEpoch
             * UnitQuaternion.FromAxisAngle(_angularVelocityCamera, AngleReduction.ToHalfTurn(angle, angleError));

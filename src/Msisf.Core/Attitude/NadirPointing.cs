@@ -28,7 +28,7 @@ public static class NadirPointing
                 "The spacecraft is in the Moon's centre, where no direction is nadir; give an attitude or another position.");
         }
 
-        // Without the test, atan2 of two zeros with signs may be pi.
+        // Without the test, atan2 of two signed zeros may be pi.
         double longitude = horizontal == 0.0 ? 0.0 : Math.Atan2(positionMoonMe.Y, positionMoonMe.X);
         double latitude = Math.Atan2(positionMoonMe.Z, horizontal);
         return UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, longitude) * UnitQuaternion.FromAxisAngle(Vector3D.UnitY, -latitude);

@@ -92,7 +92,7 @@ public sealed class PinholeCamera
     /// <summary>Tangent of the angle of a pixel in the middle of the image; pixels are square.</summary>
     public double PixelTangent { get; }
 
-    /// <summary>How much the pixels cover.</summary>
+    /// <summary>The width that the pixels cover at a distance.</summary>
     public PixelFootprint Footprint { get; }
 
     /// <summary>

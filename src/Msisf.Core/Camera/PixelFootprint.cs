@@ -2,7 +2,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Camera;
 
-/// <summary>How much a pixel of an image covers of what is seen at a distance.</summary>
+/// <summary>The width that a pixel of an image covers at a distance.</summary>
 public sealed class PixelFootprint
 {
     private readonly Vector3D _forward;
@@ -27,14 +27,14 @@ public sealed class PixelFootprint
     /// <summary>Tangent of the angle of a pixel in the middle of the image.</summary>
     public double Tangent { get; }
 
-    /// <summary>m: what a pixel covers, at least, across the line of sight to anything in a ball; 0 if the camera is in it.</summary>
+    /// <summary>Minimum width that a pixel covers across the line of sight anywhere in a ball, m; 0 if the camera is in it.</summary>
     /// <param name="ball">Centre (m, MOON_ME) and radius (m).</param>
     public double MinWidth((Vector3D CentreMoonMe, double Radius) ball)
     {
         Vector3D toCentre = ball.CentreMoonMe - PositionMoonMe;
         double distance = toCentre.Length;
 
-        // Towards the corners of a flat image an angle takes more pixels, by the square of the cosine along the radius.
+        // Towards the corners of a flat image a pixel covers a smaller angle: along the radius, by the square of the cosine.
         double cos = Math.Clamp(Vector3D.Dot(toCentre, _forward) / distance, _cosCorner, 1.0);
         return Math.Max(0.0, distance - ball.Radius) * Tangent * cos * cos;
     }

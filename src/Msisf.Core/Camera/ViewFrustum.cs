@@ -2,7 +2,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Camera;
 
-/// <summary>The space that an image, or some rows of it, shows: a cone with four sides about the camera, widened by a margin.</summary>
+/// <summary>The space that an image, or some of its rows, shows: a four-sided cone from the camera, widened by a margin.</summary>
 internal sealed class ViewFrustum
 {
     private readonly Vector3D _forward;
@@ -127,7 +127,7 @@ internal sealed class ViewFrustum
     }
 
     /// <summary>Cuts off the part of a polygon that is outside.</summary>
-    /// <param name="polygon">Corners, m, MOON_ME; convex. Replaced by those of the part inside, which can be four more.</param>
+    /// <param name="polygon">Corners, m, MOON_ME; convex. Replaced by the corners of the part inside; there can be four more.</param>
     /// <param name="count">Corners before; after: 0 if nothing is inside.</param>
     public void Clip(Span<Vector3D> polygon, ref int count)
     {

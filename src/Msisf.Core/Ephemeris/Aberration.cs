@@ -1,6 +1,6 @@
 namespace Msisf.Core.Ephemeris;
 
-/// <summary>Which of the effects of light's finite speed a position of the Sun takes in; the values are those of SPICE.</summary>
+/// <summary>Which effects of light's finite speed the Sun's position includes; the values are those of SPICE.</summary>
 public enum Aberration
 {
     /// <summary>None: where the Sun is at the time (SPICE "NONE"; the thesis).</summary>

@@ -13,7 +13,9 @@ public sealed class BuiltInEphemeris : IEphemeris
     private const int Moon = 301;
     private const double MetresPerKilometre = 1000.0;
 
-    /// <summary>SPICE allows as many links (CHLEN in SPKGEO); more means that centres name each other in a ring.</summary>
+    /// <summary>
+    /// Maximum number of links in a chain of centres, as in SPICE (CHLEN in SPKGEO); more links mean that the chain is a ring.
+    /// </summary>
     private const int MaximumLinks = 20;
 
     private readonly TdbScale _scale;
@@ -37,7 +39,7 @@ public sealed class BuiltInEphemeris : IEphemeris
     /// <inheritdoc/>
     public string EngineName => "built-in kernel reader";
 
-    /// <summary>When the Sun, the Moon and the Moon's orientation are all known; computed anew at each call.</summary>
+    /// <summary>Times at which the Sun, the Moon and the Moon's orientation are all known; computed anew at each call.</summary>
     public KernelCover Cover => new(
         _scale,
         _positions.CoverOfChain(Sun).Intersect(_positions.CoverOfChain(Moon)).Intersect(_orientations.CoverOf(_moonMe.OrientationBody)));
@@ -73,10 +75,10 @@ public sealed class BuiltInEphemeris : IEphemeris
     /// <inheritdoc/>
     public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Rotation(_scale.FromUtc(time), time);
 
-    /// <summary>Relative to the solar system's barycentre, J2000; null at a time that the kernels do not hold.</summary>
+    /// <summary>Position in km relative to the solar system's barycentre, J2000; null at a time that the kernels do not cover.</summary>
     private Vector3D? PositionKm(int body, double tdbSeconds) => SumOfChain(body, tdbSeconds, segment => segment.ValueAt(tdbSeconds));
 
-    /// <summary>km/s relative to the solar system's barycentre, J2000.</summary>
+    /// <summary>Velocity of the Moon in km/s relative to the solar system's barycentre, J2000.</summary>
     private Vector3D MoonVelocity(double tdbSeconds, ModifiedJulianDate time) =>
         SumOfChain(Moon, tdbSeconds, segment => segment.RateAt(tdbSeconds)) ?? throw Cover.Outside(time);
 
@@ -115,8 +117,8 @@ public sealed class BuiltInEphemeris : IEphemeris
     }
 
     /// <summary>
-    /// CSPICE takes whole turns of the double nearest to 2 pi off the angle (DMOD in PCKMAT, as f2c writes it). Sine and cosine need
-    /// no such help, but without it the engines differ by 7e-13; either way it is about one unit in the angle's last place.
+    /// Subtracts whole turns of the double nearest to 2 pi, as CSPICE does (DMOD in PCKMAT, as f2c writes it). Sine and cosine do not
+    /// need it, but without it the engines differ by 7e-13, about one unit in the angle's last place.
     /// </summary>
     private static double ReduceAngle(double angle)
     {

@@ -5,7 +5,7 @@ using Msisf.Core.Time;
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>
-/// Where the Sun is and how the Moon's ME/PA frame is turned; the port that the ephemeris engines fill. Safe for several threads.
+/// Gives the Sun's position and the orientation of MOON_ME; every ephemeris engine implements it. Safe for several threads.
 /// </summary>
 public interface IEphemeris
 {
@@ -14,10 +14,10 @@ public interface IEphemeris
 
     /// <summary>Position of the Sun relative to the Moon's centre.</summary>
     /// <param name="time">UTC, when the light arrives at the Moon.</param>
-    /// <param name="aberration">What of light's finite speed is taken in.</param>
-    /// <returns>m, in the axes that MOON_ME has at the time, whatever the light time.</returns>
+    /// <param name="aberration">Which effects of light's finite speed are included.</param>
+    /// <returns>m, in MOON_ME at <paramref name="time"/>, with or without light time.</returns>
     /// <exception cref="SpiceException">
-    /// The time, or with light time that of the light's start, is outside the kernels' cover, which the message names.
+    /// The time, or with light time the time when the light left the Sun, is outside the kernels' cover, which the message names.
     /// </exception>
     Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None);
 

@@ -12,7 +12,7 @@ public interface IEphemerisSegment
     /// <summary>NAIF's number of the body that a position is relative to; 0 for an orientation.</summary>
     int Center { get; }
 
-    /// <summary>When the data hold.</summary>
+    /// <summary>Times for which the data are valid.</summary>
     TdbInterval Interval { get; }
 
     /// <summary>
@@ -23,7 +23,7 @@ public interface IEphemerisSegment
     /// <exception cref="SpiceException">The kernel is damaged, or holds the data in a form that can't be read.</exception>
     Vector3D ValueAt(double tdbSeconds);
 
-    /// <summary>How fast that changes: km/s, or rad/s.</summary>
+    /// <summary>Rate of change of <see cref="ValueAt"/>: km/s, or rad/s.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000, inside <see cref="Interval"/>.</param>
     /// <exception cref="SpiceException">The kernel is damaged, or holds the data in a form that can't be read.</exception>
     Vector3D RateAt(double tdbSeconds);

@@ -4,27 +4,27 @@ using Msisf.Core.Time;
 
 namespace Msisf.Core.Ephemeris;
 
-/// <summary>What the loaded kernels cover, for the message to a user who asked for a time outside.</summary>
+/// <summary>The times that the loaded kernels cover; the message for a time outside the cover is made from it.</summary>
 /// <param name="Scale">Turns the cover's TDB into UTC.</param>
-/// <param name="Times">When the Sun, the Moon and the Moon's orientation are all known.</param>
+/// <param name="Times">Times at which the Sun, the Moon and the Moon's orientation are all known.</param>
 public sealed record KernelCover(TdbScale Scale, TdbCover Times)
 {
     private static readonly DateTime J2000Utc = new(2000, 1, 1, 12, 0, 0, DateTimeKind.Utc);
 
-    /// <summary>Whether the kernels hold a time.</summary>
+    /// <summary>Whether the kernels cover a time.</summary>
     /// <param name="time">UTC.</param>
     public bool Contains(ModifiedJulianDate time) => Times.Contains(Scale.FromUtc(time));
 
-    /// <summary>The failure for a time inside whose sunlight left the Sun before.</summary>
+    /// <summary>The failure for a time inside the cover whose sunlight left the Sun before the cover begins.</summary>
     /// <param name="time">UTC, when the light arrives.</param>
     public SpiceException LightFromOutside(ModifiedJulianDate time) => new(string.Create(
         CultureInfo.InvariantCulture,
         $"The sunlight of {time.ToIsoUtc()} (MJD {time.Days:R}) left the Sun some 500 s earlier, outside the kernels' cover: "
             + $"the kernels cover {Describe()}. Choose a later time, other kernels, or --aberration none."));
 
-    /// <summary>The failure for a time outside.</summary>
+    /// <summary>The failure for a time outside the cover.</summary>
     /// <param name="time">UTC.</param>
-    /// <param name="inner">What the engine said, if it said something.</param>
+    /// <param name="inner">The engine's exception, if there is one.</param>
     public SpiceException Outside(ModifiedJulianDate time, Exception? inner = null) => new(
         string.Create(
             CultureInfo.InvariantCulture,

@@ -14,8 +14,8 @@ public static class LightSpeed
     public static double TimeOver(double distanceKm) => distanceKm / KilometresPerSecond;
 
     /// <summary>
-    /// Where a moving observer sees a body: its position, turned towards the observer's motion by the angle whose sine is
-    /// (v/c) sin(angle between them). The distance stays.
+    /// Where a moving observer sees a body: its position, turned towards the observer's motion by the angle whose sine is (v/c) sin(angle
+    /// between them). The distance does not change.
     /// </summary>
     /// <param name="positionKm">Of the body relative to the observer, km, inertial axes.</param>
     /// <param name="observerVelocity">Relative to the solar system's barycentre, km/s, the same axes; slower than light.</param>
@@ -23,7 +23,7 @@ public static class LightSpeed
     /// <remarks>
     /// STELAB of CSPICE, of first order in v/c: for the Moon (1e-4) its angle is within 5e-5 arcseconds of special relativity's
     /// (tests/reference/sun_aberration.py). With h the cross product of direction and v/c, STELAB turns by asin|h| about h; cosine and
-    /// sine of that angle are known without it.
+    /// sine of that angle are computed without the angle itself.
     /// </remarks>
     public static Vector3D SeenFromMoving(Vector3D positionKm, Vector3D observerVelocity)
     {

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Ephemeris;
 
-/// <summary>Segments of loaded kernels. Where several hold for a body and a time, the one loaded last wins, as in SPICE.</summary>
+/// <summary>Segments of loaded kernels. Where several cover the same body and time, the one loaded last is used, as in SPICE.</summary>
 public sealed class SegmentTable
 {
     /// <summary>NAIF's number of the solar system's barycentre, at which every chain of centres ends.</summary>
@@ -9,7 +9,7 @@ public sealed class SegmentTable
     private readonly Dictionary<int, List<IEphemerisSegment>> _inLoadOrder = [];
 
     /// <summary>Sorts segments by body.</summary>
-    /// <param name="segmentsInLoadOrder">By kernel, and as they stand in it.</param>
+    /// <param name="segmentsInLoadOrder">In the order of loading; within a kernel, in the order of the file.</param>
     public SegmentTable(IEnumerable<IEphemerisSegment> segmentsInLoadOrder)
     {
         foreach (IEphemerisSegment segment in segmentsInLoadOrder)
@@ -24,7 +24,7 @@ public sealed class SegmentTable
         }
     }
 
-    /// <summary>The segment to use, or null if no kernel holds that body at that time.</summary>
+    /// <summary>The segment to use, or null if no kernel covers that body at that time.</summary>
     /// <param name="body">NAIF's number.</param>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     public IEphemerisSegment? Find(int body, double tdbSeconds)

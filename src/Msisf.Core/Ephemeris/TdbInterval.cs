@@ -7,7 +7,7 @@ namespace Msisf.Core.Ephemeris;
 /// <param name="End">TDB seconds past J2000, not before <paramref name="Start"/>.</param>
 public readonly record struct TdbInterval(double Start, double End)
 {
-    /// <summary>Both ends belong to it.</summary>
+    /// <summary>Whether a time is in the interval; both ends belong to it.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     public bool Contains(double tdbSeconds) => tdbSeconds >= Start && tdbSeconds <= End;
 }

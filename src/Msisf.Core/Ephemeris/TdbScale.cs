@@ -6,13 +6,15 @@ namespace Msisf.Core.Ephemeris;
 /// <remarks>The formula and the meaning of the constants stand in NAIF's leap seconds kernels (naif0012.tls, "Explanation").</remarks>
 public sealed class TdbScale
 {
-    /// <summary>The day in whose middle J2000 lies, 2000-01-01.</summary>
+    /// <summary>MJD of 2000-01-01; J2000 is noon of that day.</summary>
     private const int DayOfJ2000 = 51544;
 
-    /// <summary>SPICE's rule for the years before the first entry of the table: one second less than its first value.</summary>
+    /// <summary>s: before the first entry of the table, TAI - UTC is its first value less this, as in SPICE.</summary>
     private const double StepBeforeTable = 1.0;
 
-    /// <summary>The correction changes by under 1e-9 of the time it is taken at, so each pass gains nine digits.</summary>
+    /// <summary>
+    /// Number of passes of the inversion: TDB - UTC changes by less than 1e-9 s per second, so each pass gains nine digits.
+    /// </summary>
     private const int InversionPasses = 3;
 
     private readonly TdbScaleConstants _constants;
@@ -71,8 +73,8 @@ public sealed class TdbScale
             }
         }
 
-        // CSPICE's DELTET takes the anomaly at the nearest whole second. It changes TDB by 2e-10 s at most, but that much put one
-        // time in 5000 on the other side of a rounding; so the two agree in every bit (20 000 random times).
+        // CSPICE's DELTET takes the anomaly at the nearest whole second. This changes TDB by at most 2e-10 s. Without it, one time in
+        // 5000 was rounded to another double; with it, both engines agree in every bit (20 000 random times).
         double nearestSecond = Math.Round(utcSeconds + _constants.TtMinusTai + taiMinusUtc, MidpointRounding.AwayFromZero);
         double meanAnomaly = _constants.MeanAnomalyAtJ2000 + (_constants.MeanMotion * nearestSecond);
         double eccentricAnomaly = meanAnomaly + (_constants.Eccentricity * Math.Sin(meanAnomaly));

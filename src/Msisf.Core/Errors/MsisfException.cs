@@ -14,7 +14,7 @@ public abstract class MsisfException : Exception
     public int ExitCode { get; }
 
     /// <summary>
-    /// Long names of the options that the failure is about, e.g. "--fov"; empty if none is, or if whoever knows has not said so yet.
+    /// Long names of the options that the failure is about, e.g. "--fov"; empty if there are none or they are not set yet.
     /// </summary>
     public IReadOnlyList<string> Options { get; set; } = [];
 }

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Errors;
 
-/// <summary>Valid input without a frame in it: an empty batch file or interval (exit code 4).</summary>
+/// <summary>Valid input that contains no frame: an empty batch file or interval (exit code 4).</summary>
 public sealed class NothingToRenderException : MsisfException
 {
     /// <summary>Makes the failure.</summary>

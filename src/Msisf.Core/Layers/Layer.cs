@@ -3,9 +3,7 @@ namespace Msisf.Core.Layers;
 /// <summary>One kind of ground truth, an image of numbers. Immutable; docs/formats.md has the definitions.</summary>
 public sealed class Layer
 {
-    /// <summary>
-    /// Stands for "undefined" in layers of whole numbers that have such pixels; -1 will not do, as it is a line of cells.
-    /// </summary>
+    /// <summary>Value of undefined pixels in layers of whole numbers; -1 is not used, because it is a valid line of cells.</summary>
     public const int UndefinedNumber = int.MinValue;
 
     internal Layer(string name, LayerType type, string unit, string description, LayerValue value, params string[] planeNames)
@@ -18,7 +16,7 @@ public sealed class Layer
         PlaneNames = planeNames;
     }
 
-    /// <summary>As in <c>--layers</c>: "pixel-scale".</summary>
+    /// <summary>Name of the layer as in <c>--layers</c>, e.g. "pixel-scale".</summary>
     public string Name { get; }
 
     /// <summary>EXTNAME in FITS: the name in capitals, with underscores: "PIXEL_SCALE".</summary>
@@ -27,7 +25,7 @@ public sealed class Layer
     /// <summary>How the values are stored.</summary>
     public LayerType Type { get; }
 
-    /// <summary>"m", "deg", or empty for a pure number.</summary>
+    /// <summary>Unit of the values: "m", "deg", or empty for a pure number.</summary>
     public string Unit { get; }
 
     /// <summary>The definition in one or two sentences, ASCII.</summary>
@@ -36,7 +34,7 @@ public sealed class Layer
     /// <summary>What each plane holds ("x", "y", "z"); empty for a layer of one number a pixel.</summary>
     public IReadOnlyList<string> PlaneNames { get; }
 
-    /// <summary>Numbers a pixel: 1, or one for each of <see cref="PlaneNames"/>.</summary>
+    /// <summary>Number of values of a pixel: 1, or one for each of <see cref="PlaneNames"/>.</summary>
     public int Planes => Math.Max(1, PlaneNames.Count);
 
     internal LayerValue Value { get; }

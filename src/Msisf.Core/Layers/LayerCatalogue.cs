@@ -1,6 +1,6 @@
 namespace Msisf.Core.Layers;
 
-/// <summary>All layers that there are, in the order in which files hold them.</summary>
+/// <summary>All layers, in the order in which files hold them.</summary>
 public static class LayerCatalogue
 {
     /// <summary>All layers.</summary>

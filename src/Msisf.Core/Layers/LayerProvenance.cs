@@ -1,10 +1,10 @@
 namespace Msisf.Core.Layers;
 
-/// <summary>What the layers' files say of a frame beyond its metadata.</summary>
+/// <summary>Facts about a frame that the layers' files hold beyond its metadata.</summary>
 /// <param name="ElevationProduct">Name of the elevation model, e.g. "LDEM_64".</param>
 /// <param name="MeshPixelsPerDegree">
-/// px/deg of the grid in which cells are counted: the model's own, or that of its level of detail.
+/// Resolution, px/deg, of the grid whose cells are counted: the model's own, or that of its level of detail.
 /// </param>
-/// <param name="LevelOfDetail">0 is the model itself.</param>
-/// <param name="Renderer">E.g. "native".</param>
+/// <param name="LevelOfDetail">Level of detail; 0 is the model itself.</param>
+/// <param name="Renderer">Name of the renderer, e.g. "native".</param>
 public sealed record LayerProvenance(string ElevationProduct, int MeshPixelsPerDegree, int LevelOfDetail, string Renderer);

@@ -4,7 +4,7 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Layers;
 
-/// <summary>Computes the layers of a frame, row by row; nothing is kept. Safe for several threads.</summary>
+/// <summary>Computes the layers of a frame, row by row; no row is kept. Safe for several threads.</summary>
 public sealed class LayerSampler
 {
     private readonly IGroundTruth _truth;
@@ -27,7 +27,7 @@ public sealed class LayerSampler
 
     /// <summary>Computes one row of some layers; each pixel is looked up once for all of them.</summary>
     /// <param name="row">0 (top) to <see cref="Height"/> - 1.</param>
-    /// <param name="layers">Which.</param>
+    /// <param name="layers">The layers to compute.</param>
     /// <param name="planes">
     /// Filled: the planes of the first layer, then those of the second, ...; values from left to right, in the layer's unit; NaN
     /// marks the undefined ones. Whole numbers are exact.

@@ -3,7 +3,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Layers;
 
-/// <summary>How light falls on the point that a pixel shows, and leaves it for the camera.</summary>
+/// <summary>Layer values of how the surface point of a pixel is lit, and of the angles to light and camera.</summary>
 internal static class LightValues
 {
     public static double? Incidence(in PixelTruth pixel, int plane) => DegreesBetween(pixel.Hit.NormalMoonMe, pixel.ToLightMoonMe);
@@ -12,7 +12,7 @@ internal static class LightValues
 
     public static double? Phase(in PixelTruth pixel, int plane) => DegreesBetween(pixel.ToLightMoonMe, -pixel.LineOfSightMoonMe);
 
-    /// <summary>As the meta file has it for the same point.</summary>
+    /// <summary>Illumination direction in degrees, the same as in the meta file.</summary>
     public static double? Direction(in PixelTruth pixel, int plane) =>
         IlluminationDirection.At(pixel.Camera, pixel.LineOfSightMoonMe, pixel.Hit.PointMoonMe, pixel.LightPositionMoonMe) is double angle
             ? double.RadiansToDegrees(angle)
@@ -22,7 +22,7 @@ internal static class LightValues
 
     public static double? VisibleFraction(in PixelTruth pixel, int plane) => pixel.Light.VisibleFraction;
 
-    /// <summary>[0, 180]. As good as <see cref="Vector3D.AngleBetween"/> to 1e-15 rad, and three times as fast.</summary>
+    /// <summary>Angle in degrees, [0, 180]; within 1e-15 rad of <see cref="Vector3D.AngleBetween"/>, and three times as fast.</summary>
     private static double DegreesBetween(Vector3D u, Vector3D v)
     {
         // Lengths lie between 1e-12 (a camera of the narrowest field) and 1e20, so squares neither overflow nor vanish.

@@ -24,13 +24,13 @@ internal readonly struct PixelTruth
 
     public PinholeCamera Camera => _frame.Camera;
 
-    /// <summary>m: the Sun, or the lamp that stands for it.</summary>
+    /// <summary>Position of the Sun, or of the lamp that replaces it, m.</summary>
     public Vector3D LightPositionMoonMe => _frame.LightPositionMoonMe;
 
-    /// <summary>px/deg: the grid in which <see cref="SurfaceHit.Facet"/> counts.</summary>
+    /// <summary>px/deg: resolution of the grid whose cells <see cref="SurfaceHit.Facet"/> counts.</summary>
     public int MeshPixelsPerDegree { get; }
 
-    /// <summary>From the camera to the point; the hit's ray parameter counts in its length.</summary>
+    /// <summary>From the camera to the point; its length is the unit of the hit's ray parameter.</summary>
     public Vector3D LineOfSightMoonMe { get; }
 
     public SurfaceHit Hit { get; }

@@ -4,7 +4,7 @@ using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Layers;
 
-/// <summary>Where the point is that a pixel shows.</summary>
+/// <summary>Layer values of the position and shape of the surface at a pixel.</summary>
 internal static class SurfaceValues
 {
     /// <summary>m, along the ray; from the ray's parameter, so it keeps its digits when the ground is near.</summary>

@@ -8,9 +8,9 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Lod;
 
 /// <summary>
-/// Halves the resolution of a model any number of times: a sample is the mean of the two by two samples that it covers, ((NW + SW) + (NE +
-/// SE)) / 4, and its height over the reference radius is rounded to a 32-bit float. The steps are the same for any number of halvings at
-/// once, so a level has the same bits by whatever way it is computed. Safe for several threads.
+/// Halves the resolution of a model any number of times: a sample is the mean of the two by two samples that it covers, ((NW + SW) + (NE
+/// + SE)) / 4, and its height over the reference radius is rounded to a 32-bit float. The steps are the same for any number of halvings
+/// at once, so a level has the same bits whichever finer level it is computed from. Safe for several threads.
 /// </summary>
 /// <remarks>
 /// Rounding: a height below 16 km is off by at most 2^-11 m a level, after ten levels by less than 2^-7 m, the step of the vertices.
@@ -38,7 +38,7 @@ public sealed class BlockReducer
     /// <param name="blockRow">From the north.</param>
     /// <param name="blockColumn">From the west.</param>
     /// <param name="heights">
-    /// Filled with m over the reference radius, <see cref="LodLayout.Side"/> a line; what a smaller block lacks stays as it is.
+    /// Filled with m over the reference radius, <see cref="LodLayout.Side"/> a line; where a block is smaller, the rest is not changed.
     /// </param>
     /// <exception cref="BadInputException">A sample of the model can't be right.</exception>
     public void Reduce(int blockRow, int blockColumn, Span<float> heights)

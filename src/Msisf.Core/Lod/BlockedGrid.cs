@@ -6,17 +6,17 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Lod;
 
-/// <summary>A level whose samples come in blocks of heights. Safe for several threads if its blocks are.</summary>
+/// <summary>A level of detail whose samples are kept in blocks of heights. Safe for several threads if its blocks are.</summary>
 public abstract class BlockedGrid : IElevationGrid
 {
-    /// <summary>Takes the level's place.</summary>
+    /// <summary>Describes the level.</summary>
     /// <param name="source">The model: its name and limits are the level's.</param>
     /// <param name="pixelsPerDegree">Samples a degree of the level.</param>
     protected BlockedGrid(IElevationGrid source, int pixelsPerDegree)
     {
         ProductId = source.ProductId;
 
-        // Means lie between the samples, but for the rounding of their heights.
+        // A mean lies between the minimum and maximum of its samples, except for the rounding of its height.
         (double min, double max) = source.RadiusLimits;
         RadiusLimits = (min - Tolerances.VertexLattice, max + Tolerances.VertexLattice);
         Layout = new LodLayout(pixelsPerDegree);

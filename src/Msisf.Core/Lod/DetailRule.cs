@@ -4,15 +4,15 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Lod;
 
 /// <summary>
-/// Chooses levels of detail, for both renderers: a cell is at most twice as wide as what may move in the image. It is a mean over its
-/// width, so nothing moves by more than half of that.
+/// Chooses levels of detail, for both renderers: a cell is at most twice as wide as the allowed error in the image. A coarse sample is
+/// the mean over its cell, so a point moves by at most half a cell.
 /// </summary>
 public sealed class DetailRule
 {
     /// <summary>
-    /// px: the default error where a whole image is drawn with one level, beside a sample of the nearest ground. Measured
-    /// (docs/native-renderer.md): the image is as near to the mean of many samples of the full model as one of the full model with as many
-    /// samples is.
+    /// px: the default error where a whole image is drawn with one level, in units of the distance between samples on the nearest ground.
+    /// Measured (docs/native-renderer.md): the image is as close to the mean of many samples of the full model as an image of the full
+    /// model with the same number of samples.
     /// </summary>
     public const double DefaultErrorOfImage = 0.35;
 
@@ -22,8 +22,8 @@ public sealed class DetailRule
     private const double ErrorsPerCell = 2.0;
 
     /// <summary>
-    /// A coarser ridge lies somewhat lower than the true one, and what is behind it somewhat higher. Differences in height are mostly below
-    /// half a cell, the error; the rest is reserve.
+    /// Allowed errors: in a coarser level a ridge may be lower and the ground behind it higher, so hidden ground may come into view.
+    /// Differences in height are mostly below half a cell, which is one error; the rest is reserve.
     /// </summary>
     private const double ErrorsOfSlack = 8.0;
 
@@ -47,9 +47,7 @@ public sealed class DetailRule
     /// <summary>px: ground that is hidden by less than this may be seen with a coarser level.</summary>
     public double SlackPixels => ErrorsOfSlack * _errorPixels;
 
-    /// <summary>
-    /// The level of a whole image, by the height over the reference sphere: no ground in the image is nearer but for mountains.
-    /// </summary>
+    /// <summary>The level of a whole image, from the camera's height over the reference sphere; only mountains can be nearer.</summary>
     /// <param name="footprint">Of the image's pixels.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
     /// <returns>0 for the model itself; each further level has half the resolution.</returns>
@@ -59,16 +57,16 @@ public sealed class DetailRule
         return LevelOfPixel(height * footprint.Tangent / subsamplesPerAxis);
     }
 
-    /// <summary>The coarsest level that is allowed where a pixel covers so much.</summary>
-    /// <param name="metresPerPixel">m.</param>
+    /// <summary>The coarsest level that is allowed for a pixel of this size.</summary>
+    /// <param name="metresPerPixel">Width that a pixel covers, m.</param>
     public int LevelOfPixel(double metresPerPixel) => LevelOfCell(WidestCell(metresPerPixel));
 
-    /// <summary>m: the widest cell that is allowed where a pixel covers so much.</summary>
-    /// <param name="metresPerPixel">m.</param>
+    /// <summary>m: the widest cell that is allowed for a pixel of this size.</summary>
+    /// <param name="metresPerPixel">Width that a pixel covers, m.</param>
     public double WidestCell(double metresPerPixel) => ErrorsPerCell * _errorPixels * metresPerPixel;
 
-    /// <summary>m: how far the edge of a shadow may move where a pixel covers so much.</summary>
-    /// <param name="metresPerPixel">m.</param>
+    /// <summary>m: how far the edge of a shadow may move for a pixel of this size.</summary>
+    /// <param name="metresPerPixel">Width that a pixel covers, m.</param>
     public double MaxShift(double metresPerPixel) => _errorPixels * metresPerPixel;
 
     /// <summary>The coarsest level with cells no wider than a limit; the model itself, 0, if even its cells are wider.</summary>

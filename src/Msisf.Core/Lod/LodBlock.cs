@@ -8,7 +8,7 @@ internal sealed class LodBlock
 
     /// <summary>Takes the samples and the place that the block will have.</summary>
     /// <param name="heights">m over the reference radius, <see cref="LodLayout.Side"/> a line.</param>
-    /// <param name="slots">The array that the block is to be found in.</param>
+    /// <param name="slots">The array that will hold the block.</param>
     /// <param name="slot">Index in it.</param>
     public LodBlock(float[] heights, LodBlock?[] slots, int slot)
     {
@@ -19,12 +19,12 @@ internal sealed class LodBlock
 
     public float[] Heights { get; }
 
-    /// <summary>The cache's time when the block was last used. Several threads may set it; any of their values will do.</summary>
+    /// <summary>The cache's time when the block was last used. Several threads may set it; any of their values is good enough.</summary>
     public long LastUse { get; set; }
 
     /// <summary>Makes the block known to all threads.</summary>
     public void Publish() => Volatile.Write(ref _slots[_slot], this);
 
-    /// <summary>Takes the block away; who reads it goes on with its samples.</summary>
+    /// <summary>Removes the block from the array; threads that already have it can still read its samples.</summary>
     public void Withdraw() => Volatile.Write(ref _slots[_slot], null);
 }

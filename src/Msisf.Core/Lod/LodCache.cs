@@ -1,14 +1,16 @@
 namespace Msisf.Core.Lod;
 
 /// <summary>
-/// Bounds the memory of the computed blocks of all levels of a model: those used longest ago go first. Time counts the blocks that were
-/// added, so a look-up writes nothing that threads share except a block's own time. Safe for several threads.
+/// Bounds the memory of the computed blocks of all levels of a model: the least recently used are removed first. Time counts the blocks
+/// that were added, so a look-up writes nothing that threads share except a block's own time. Safe for several threads.
 /// </summary>
 internal sealed class LodCache
 {
     private const int BlockBytes = sizeof(float) * LodLayout.BlockSamples;
 
-    /// <summary>Parts of the capacity that are freed at once: sorting all blocks for each new one would be slow.</summary>
+    /// <summary>
+    /// A full cache frees one part in this many of its capacity at once, because sorting all blocks for each new one would be slow.
+    /// </summary>
     private const int PartsFreed = 8;
 
     private readonly int _capacity;
@@ -16,7 +18,7 @@ internal sealed class LodCache
     private readonly List<LodBlock> _blocks = [];
     private long _now;
 
-    /// <param name="capacityBytes">Bytes of the samples that are kept; at least a few blocks are.</param>
+    /// <param name="capacityBytes">Maximum size of the samples that are kept, bytes; at least a few blocks are always kept.</param>
     public LodCache(long capacityBytes) => _capacity = (int)Math.Clamp(capacityBytes / BlockBytes, PartsFreed, int.MaxValue);
 
     /// <summary>The blocks that are kept now.</summary>

@@ -7,10 +7,10 @@ namespace Msisf.Core.Lod;
 /// <param name="PixelsPerDegree">Samples a degree.</param>
 public readonly record struct LodLayout(int PixelsPerDegree)
 {
-    /// <summary>Lines and samples of a block, as a shift: 64 x 64 floats are four pages.</summary>
+    /// <summary>Binary logarithm of the side of a block: 64 x 64 floats fill four memory pages.</summary>
     public const int SideShift = 6;
 
-    /// <summary>Lines and samples of a block.</summary>
+    /// <summary>Number of lines, and of samples of a line, of a block.</summary>
     public const int Side = 1 << SideShift;
 
     /// <summary>Samples of a block.</summary>

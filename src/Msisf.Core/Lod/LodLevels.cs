@@ -4,27 +4,30 @@ namespace Msisf.Core.Lod;
 
 /// <summary>
 /// A model at its own resolution and at coarser ones: level k has res / 2^k samples a degree, each the mean of 2^k by 2^k samples of the
-/// model. Pixel-registered grids nest, so a coarse sample lies in the middle of those that it stands for. The bits of a level don't depend
-/// on whether it is stored or computed. Safe for several threads.
+/// model. Pixel-registered grids nest, so a coarse sample lies in the middle of the samples that it replaces. The bits of a level don't
+/// depend on whether it is stored or computed. Safe for several threads.
 /// </summary>
 public sealed class LodLevels
 {
-    /// <summary>Bytes of computed blocks that are kept if nothing else is asked for.</summary>
+    /// <summary>Default size of the computed blocks that are kept, bytes.</summary>
     public const long DefaultCacheBytes = 256L << 20;
 
     /// <summary>
-    /// 128 MB of 16-bit samples: reading goes on at full speed. The system maps several times that, as it reads around what is asked for.
+    /// Default number of samples between releases of memory: 128 MB of 16-bit samples, with no loss of reading speed. The system maps
+    /// several times as much, as it also reads the neighbouring pages.
     /// </summary>
     public const int DefaultSamplesBetweenReleases = 1 << 26;
 
-    /// <summary>8 MB of 16-bit samples: the levels take little memory, and more time to compute.</summary>
+    /// <summary>
+    /// Number of samples between releases where memory is short: 8 MB of 16-bit samples; the levels take longer to compute.
+    /// </summary>
     public const int SparingSamplesBetweenReleases = 1 << 22;
 
     private readonly IElevationGrid[] _levels;
 
     private LodLevels(IElevationGrid[] levels) => _levels = levels;
 
-    /// <summary>How many levels there are, the model itself included: the resolution stays whole.</summary>
+    /// <summary>Number of levels, the model itself included; the resolution of every level is a whole number.</summary>
     public int Count => _levels.Length;
 
     /// <summary>Takes a model; nothing is read or computed yet.</summary>
@@ -33,7 +36,7 @@ public sealed class LodLevels
     /// Levels that were made before, in any order (their resolutions say which); those without one are computed when they are read.
     /// </param>
     /// <param name="cacheBytes">Memory for computed blocks, all levels together.</param>
-    /// <param name="samplesBetweenReleases">Samples of the model that are read before their memory is given back.</param>
+    /// <param name="samplesBetweenReleases">Number of samples of the model that are read before their memory is released.</param>
     public static LodLevels Open(
         IElevationGrid source,
         IReadOnlyList<IElevationGrid>? stored = null,

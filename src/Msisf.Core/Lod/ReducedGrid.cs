@@ -23,10 +23,10 @@ public sealed class ReducedGrid : BlockedGrid
     /// <param name="source">The model that is reduced.</param>
     /// <param name="halvings">At least 1.</param>
     /// <param name="below">
-    /// The level of one halving less, if it is computed from the same source; its blocks are used if they are there.
+    /// The level of one halving less, if it is computed from the same source; its blocks are used if they are in memory.
     /// </param>
     /// <param name="cache">Bounds the memory.</param>
-    /// <param name="samplesBetweenReleases">Samples of the model after which it may give their memory back.</param>
+    /// <param name="samplesBetweenReleases">Number of samples of the model that are read before their memory is released.</param>
     internal ReducedGrid(IElevationGrid source, int halvings, ReducedGrid? below, LodCache cache, int samplesBetweenReleases)
         : base(source, source.PixelsPerDegree >> halvings)
     {
@@ -82,7 +82,8 @@ public sealed class ReducedGrid : BlockedGrid
     }
 
     /// <summary>
-    /// All blocks of the level below that the block covers are there; if one goes before it is read, it is computed again.
+    /// Whether all blocks of the level below that the block covers are in memory; one that is removed before it is read is computed
+    /// again.
     /// </summary>
     private bool IsKnownBelow(int row, int column)
     {

@@ -8,8 +8,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// The vertices of one cell block, one array for each coordinate; one object is loaded again and again. The positions are those of
-/// <see cref="LatticePoint.Nearest"/>, the scalar reference, bit for bit: the same products in the same order, none of them fused.
+/// The vertices of one cell block, with one array for each coordinate; one object is loaded for many blocks. The positions are bit for bit
+/// those of <see cref="LatticePoint.Nearest"/>, the scalar reference: the same products in the same order, none of them fused.
 /// </summary>
 /// <remarks>
 /// Why reading without range checks is safe: a line has up to 33 vertices in <see cref="Stride"/> = 40 elements, so vectors of eight from
@@ -18,23 +18,26 @@ namespace Msisf.Core.Mesh;
 /// </remarks>
 internal sealed class BlockVertices
 {
-    /// <summary>Elements from one line of vertices to the next: 33, rounded up to whole vectors.</summary>
+    /// <summary>Number of array elements from one line of vertices to the next: 33, rounded up to whole vectors.</summary>
     public const int Stride = 40;
 
     private const int Rows = CellBlock.Size + 1;
 
     private readonly double[] _radii = new double[Stride];
 
-    /// <summary>Lines of vertices that are loaded.</summary>
+    /// <summary>Number of lines of vertices that are loaded.</summary>
     public int Lines { get; private set; }
 
-    /// <summary>Vertices a line that are loaded; the elements behind them repeat the last one's neighbours and mean nothing.</summary>
+    /// <summary>Number of vertices per line that are loaded; the elements after them, up to the end of the line, are undefined.</summary>
     public int Samples { get; private set; }
 
     /// <summary>The block's cells.</summary>
     public CellRange Cells { get; private set; }
 
-    /// <summary>m, MOON_ME from the origin of the last <see cref="Load"/>; line by line, <see cref="Stride"/> elements each.</summary>
+    /// <summary>
+    /// Coordinate of each vertex, m, MOON_ME, relative to the origin of the last <see cref="Load"/>; line by line with <see cref="Stride"/>
+    /// elements each.
+    /// </summary>
     public double[] X { get; } = new double[Rows * Stride];
 
     /// <inheritdoc cref="X"/>
@@ -43,7 +46,7 @@ internal sealed class BlockVertices
     /// <inheritdoc cref="X"/>
     public double[] Z { get; } = new double[Rows * Stride];
 
-    /// <summary>Position of a vertex, m, MOON_ME from the origin.</summary>
+    /// <summary>Position of a vertex, m, MOON_ME, relative to the origin of the last <see cref="Load"/>.</summary>
     public Vector3D this[int line, int sample]
     {
         get
@@ -54,7 +57,7 @@ internal sealed class BlockVertices
     }
 
     /// <summary>
-    /// The place of a cell's north-western corner in an array as long as <see cref="X"/>: the corners of the cell and of the seven after it
+    /// Reference to a cell's north-western corner in an array as long as <see cref="X"/>; the corners of that cell and of the next seven
     /// may be read from there.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -67,8 +70,8 @@ internal sealed class BlockVertices
 
     /// <summary>Reads the vertices of a block.</summary>
     /// <param name="surface">The model.</param>
-    /// <param name="block">Which.</param>
-    /// <param name="originMoonMe">m, MOON_ME; is subtracted from each vertex, one rounding a component.</param>
+    /// <param name="block">The block.</param>
+    /// <param name="originMoonMe">Origin, m, MOON_ME; it is subtracted from each vertex with one rounding per component.</param>
     public void Load(SurfaceModel surface, CellBlock block, Vector3D originMoonMe)
     {
         Cells = block.Cells(surface.Mesh);

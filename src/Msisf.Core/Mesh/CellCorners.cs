@@ -2,7 +2,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Mesh;
 
-/// <summary>The vertices of a cell, MOON_ME; two of them are the same on the polar side of a fan.</summary>
+/// <summary>The four vertices of a cell, m, MOON_ME; two of them coincide on the polar side of a fan.</summary>
 /// <param name="NorthWest">m.</param>
 /// <param name="NorthEast">m.</param>
 /// <param name="SouthWest">m.</param>
@@ -14,8 +14,8 @@ internal readonly record struct CellCorners(Vector3D NorthWest, Vector3D NorthEa
         ? (NorthWest, SouthWest, SouthEast)
         : (NorthWest, SouthEast, NorthEast);
 
-    /// <summary>Outward normal of a facet, longer the larger the facet is; zero if it has no area.</summary>
-    /// <remarks>Corners are whole numbers of 2^-7 m and edges short, so the products are exact.</remarks>
+    /// <summary>Outward normal of a facet; its length grows with the facet's area and is zero if it has no area.</summary>
+    /// <remarks>The corners are multiples of 2^-7 m and the edges are short, so the products are exact.</remarks>
     public Vector3D NormalOf(FacetHalf half)
     {
         (Vector3D a, Vector3D b, Vector3D c) = Facet(half);

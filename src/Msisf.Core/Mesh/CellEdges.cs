@@ -4,8 +4,8 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// The edges of cells in a plane as a point sees them: of each edge from a to b the cross product (a - p) x (b - p). Eight cells and eight
-/// points, one cell and eight points, or eight cells and one point.
+/// Edge functions of cells in a plane: for each edge from a to b and a point p the cross product (a - p) x (b - p). One object holds eight
+/// cells and eight points, one cell and eight points, or eight cells and one point.
 /// </summary>
 /// <remarks>
 /// Nothing is fused, so an edge that is run through the other way, as in the neighbouring cell, has exactly the opposite value: no point
@@ -16,7 +16,7 @@ namespace Msisf.Core.Mesh;
 /// </remarks>
 internal readonly struct CellEdges
 {
-    /// <summary>From the corners as seen from the points.</summary>
+    /// <summary>Computes the products from the positions of the corners relative to the points.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public CellEdges(
         Vector512<double> xNorthWest,
@@ -35,31 +35,31 @@ internal readonly struct CellEdges
         North = Cross(xNorthEast, yNorthEast, xNorthWest, yNorthWest);
     }
 
-    /// <summary>From north-west to south-east.</summary>
+    /// <summary>Product of the edge from north-west to south-east.</summary>
     public Vector512<double> Diagonal { get; }
 
-    /// <summary>From north-west to south-west.</summary>
+    /// <summary>Product of the edge from north-west to south-west.</summary>
     public Vector512<double> West { get; }
 
-    /// <summary>From south-west to south-east.</summary>
+    /// <summary>Product of the edge from south-west to south-east.</summary>
     public Vector512<double> South { get; }
 
-    /// <summary>From south-east to north-east.</summary>
+    /// <summary>Product of the edge from south-east to north-east.</summary>
     public Vector512<double> East { get; }
 
-    /// <summary>From north-east to north-west.</summary>
+    /// <summary>Product of the edge from north-east to north-west.</summary>
     public Vector512<double> North { get; }
 
     /// <summary>Maximum of the south-western facet's products; at most 0 for a point in it, if the y axis points down.</summary>
     public Vector512<double> MaxOfSouthWest => Vector512.MaxNative(Vector512.MaxNative(West, South), -Diagonal);
 
-    /// <summary>Maximum of the north-eastern facet's products.</summary>
+    /// <summary>Maximum of the north-eastern facet's products; at most 0 for a point in it, if the y axis points down.</summary>
     public Vector512<double> MaxOfNorthEast => Vector512.MaxNative(Vector512.MaxNative(East, North), Diagonal);
 
     /// <summary>Minimum of the south-western facet's products; at least 0 for a point in it, if the y axis points up.</summary>
     public Vector512<double> MinOfSouthWest => Vector512.MinNative(Vector512.MinNative(West, South), -Diagonal);
 
-    /// <summary>Minimum of the north-eastern facet's products.</summary>
+    /// <summary>Minimum of the north-eastern facet's products; at least 0 for a point in it, if the y axis points up.</summary>
     public Vector512<double> MinOfNorthEast => Vector512.MinNative(Vector512.MinNative(East, North), Diagonal);
 
     /// <summary>The cross product of two vectors, without FMA.</summary>
@@ -67,9 +67,7 @@ internal readonly struct CellEdges
     public static Vector512<double> Cross(Vector512<double> xa, Vector512<double> ya, Vector512<double> xb, Vector512<double> yb) =>
         (xa * yb) - (xb * ya);
 
-    /// <summary>
-    /// Twice the signed area of facets with the corners a, b, c; those of a cell's facets begin with the north-western one.
-    /// </summary>
+    /// <summary>Twice the signed area of facets with the corners a, b, c; a is the north-western corner of the cell.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector512<double> Area(
         Vector512<double> xa, Vector512<double> ya, Vector512<double> xb, Vector512<double> yb, Vector512<double> xc,

@@ -11,15 +11,15 @@ namespace Msisf.Core.Mesh;
 /// <param name="EndSample">One past the easternmost cell; may lie beyond the prime meridian.</param>
 internal readonly record struct CellRange(int FirstLine, int EndLine, int FirstSample, int EndSample)
 {
-    /// <summary>Cells from north to south.</summary>
+    /// <summary>Number of cells from north to south.</summary>
     public int Lines => EndLine - FirstLine;
 
-    /// <summary>Cells from west to east.</summary>
+    /// <summary>Number of cells from west to east.</summary>
     public int Samples => EndSample - FirstSample;
 
     /// <summary>
-    /// Western and eastern part. The cut is at a power of two, so that what comes of a whole mesh by such cuts and has at most 2^k cells a
-    /// side never lies across a multiple of 2^k.
+    /// Splits the range into a western and an eastern part, of which the western one is a power of two wide. Repeated cuts of a whole mesh
+    /// therefore give parts that never cross a multiple of 2^k once they have at most 2^k cells per side.
     /// </summary>
     public (CellRange West, CellRange East) CutAlongMeridian()
     {
@@ -27,13 +27,15 @@ internal readonly record struct CellRange(int FirstLine, int EndLine, int FirstS
         return (this with { EndSample = middle }, this with { FirstSample = middle });
     }
 
-    /// <summary>Northern and southern part, cut as by <see cref="CutAlongMeridian"/>; lines count from the northern fan.</summary>
+    /// <summary>
+    /// Splits the range into a northern and a southern part, as <see cref="CutAlongMeridian"/> does; lines count from the northern fan.
+    /// </summary>
     public (CellRange North, CellRange South) CutAlongParallel()
     {
         int middle = FirstLine + CutOf(Lines);
         return (this with { EndLine = middle }, this with { FirstLine = middle });
     }
 
-    /// <summary>The largest power of two below a number from 2 on.</summary>
+    /// <summary>The largest power of two below a number that is at least 2.</summary>
     private static int CutOf(int cells) => 1 << BitOperations.Log2((uint)(cells - 1));
 }

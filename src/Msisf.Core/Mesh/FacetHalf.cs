@@ -1,6 +1,6 @@
 namespace Msisf.Core.Mesh;
 
-/// <summary>Which facet of a cell; the diagonal runs from north-west to south-east.</summary>
+/// <summary>Which of the two facets of a cell; the diagonal between them runs from north-west to south-east.</summary>
 public enum FacetHalf
 {
     /// <summary>(NW, SW, SE); the one facet of a cell of the northern fan.</summary>

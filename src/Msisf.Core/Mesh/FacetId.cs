@@ -1,8 +1,9 @@
 namespace Msisf.Core.Mesh;
 
-/// <summary>One facet of the closed surface that the pattern files draw (docs/pattern-format.md).</summary>
+/// <summary>Identifies one facet of the closed surface that the pattern files draw (docs/pattern-format.md).</summary>
 /// <param name="Line">
-/// Line of the cell's northern samples, 0 northernmost; -1 is the fan around the north pole, 180 res - 1 that around the south pole.
+/// Line of the cell's northern samples, 0 for the northernmost; -1 is the fan around the north pole and 180 res - 1 the fan around the
+/// south pole.
 /// </param>
 /// <param name="Sample">Column of the cell's western samples, 0 to 360 res - 1.</param>
 /// <param name="Half">Which of the cell's two facets.</param>

@@ -3,16 +3,16 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// The closed surface that the pattern files draw (docs/pattern-format.md): a vertex on every sample and one on each pole. Cell (i, j)
-/// joins the samples (i, j) and (i + 1, j + 1) by the facets (NW, SW, SE) and (NW, SE, NE); line -1 is the north pole and line
-/// 180 res the south pole, so the fans that close the poles are cells too. Safe for several threads.
+/// The closed surface that the pattern files draw (docs/pattern-format.md), with a vertex on every sample and one on each pole. Cell (i, j)
+/// joins the samples (i, j) and (i + 1, j + 1) by the facets (NW, SW, SE) and (NW, SE, NE). Line -1 is the north pole and line 180 res the
+/// south pole, so the fans that close the poles are cells too. Safe for several threads.
 /// </summary>
 internal sealed class FacetMesh
 {
     private readonly Lazy<double> _northPoleRadius;
     private readonly Lazy<double> _southPoleRadius;
 
-    /// <summary>Takes the model; reads nothing of it.</summary>
+    /// <summary>Makes the mesh of a model; nothing of the model is read yet.</summary>
     public FacetMesh(IElevationGrid grid)
     {
         Grid = grid;
@@ -25,16 +25,16 @@ internal sealed class FacetMesh
     /// <summary>The model.</summary>
     public IElevationGrid Grid { get; }
 
-    /// <summary>Lines of samples; vertex lines go from -1 to this number.</summary>
+    /// <summary>Number of lines of samples; vertex lines go from -1 to this number.</summary>
     public int Lines { get; }
 
-    /// <summary>Samples a line.</summary>
+    /// <summary>Number of samples per line.</summary>
     public int Samples { get; }
 
-    /// <summary>m: mean of the first line, which is read when this is first asked for.</summary>
+    /// <summary>m: mean radius of the first line, which is read at the first request.</summary>
     public double NorthPoleRadius => _northPoleRadius.Value;
 
-    /// <summary>m: mean of the last line, which is read when this is first asked for.</summary>
+    /// <summary>m: mean radius of the last line, which is read at the first request.</summary>
     public double SouthPoleRadius => _southPoleRadius.Value;
 
     /// <summary>Latitude of a vertex line, rad; the poles for -1 and <paramref name="lines"/>.</summary>
@@ -46,8 +46,8 @@ internal sealed class FacetMesh
 
     /// <summary>Radii of consecutive vertices of a line, m.</summary>
     /// <param name="line">-1 (north pole) to <see cref="Lines"/> (south pole).</param>
-    /// <param name="firstSample">Any whole number; the run goes on over the prime meridian.</param>
-    /// <param name="radii">Filled.</param>
+    /// <param name="firstSample">First sample, any whole number; the samples continue across the prime meridian.</param>
+    /// <param name="radii">Receives the radii.</param>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         if (line < 0 || line >= Lines)
@@ -66,7 +66,8 @@ internal sealed class FacetMesh
     }
 
     /// <summary>
-    /// Radius of the pole vertex, m: the sum of its line from west to east, one rounding an addition, divided by the count.
+    /// Radius of the pole vertex, m: the sum of the line's radii from west to east, with one rounding per addition, divided by their
+    /// number.
     /// </summary>
     /// <param name="grid">The model.</param>
     /// <param name="line">The first or the last line.</param>

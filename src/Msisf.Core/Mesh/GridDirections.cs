@@ -3,13 +3,15 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Mesh;
 
 /// <summary>Sines and cosines of every latitude and longitude of an elevation grid; safe for several threads.</summary>
-/// <remarks>All of them are sines of (2k + 1) / (2 res) degrees in the first quarter: one table serves the whole Moon.</remarks>
+/// <remarks>
+/// All of them follow from the sines of (2k + 1) / (2 res) degrees in the first quadrant, so one table serves the whole Moon.
+/// </remarks>
 public sealed class GridDirections
 {
     private readonly double[] _sines;
 
     /// <summary>Computes the table.</summary>
-    /// <param name="pixelsPerDegree">Samples a degree, at least 1.</param>
+    /// <param name="pixelsPerDegree">Samples per degree, at least 1.</param>
     public GridDirections(int pixelsPerDegree)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
@@ -21,7 +23,8 @@ public sealed class GridDirections
     }
 
     /// <summary>
-    /// The latitude of a line of vertices: 90 - (2 line + 1) / (2 res) degrees; -1 is the north pole, 180 res the south pole.
+    /// Sine and cosine of the latitude of a vertex line, 90 - (2 line + 1) / (2 res) degrees; line -1 is the north pole and line 180 res
+    /// the south pole.
     /// </summary>
     public SineCosine Latitude(int line)
     {
@@ -36,7 +39,7 @@ public sealed class GridDirections
             : new SineCosine(-_sines[line - _sines.Length], _sines[lines - 1 - line]);
     }
 
-    /// <summary>The longitude of a sample: (2 sample + 1) / (2 res) degrees.</summary>
+    /// <summary>Sine and cosine of the longitude of a sample, (2 sample + 1) / (2 res) degrees.</summary>
     public SineCosine Longitude(int sample)
     {
         int k = sample % _sines.Length;

@@ -10,13 +10,13 @@ namespace Msisf.Core.Mesh;
 /// <param name="Z">MOON_ME z in steps of 2^-7 m.</param>
 public readonly record struct LatticePoint(int X, int Y, int Z)
 {
-    /// <summary>Steps in a metre.</summary>
+    /// <summary>Lattice steps per metre.</summary>
     public const int StepsPerMetre = 128;
 
-    /// <summary>m: a radius from here on does not fit (its steps would pass 2^30).</summary>
+    /// <summary>m: radii must be below this, so that their number of steps stays below 2^30.</summary>
     public const double RadiusLimit = 1 << 23;
 
-    /// <summary>m, MOON_ME.</summary>
+    /// <summary>Position, m, MOON_ME.</summary>
     public Vector3D PositionMoonMe => new((double)X / StepsPerMetre, (double)Y / StepsPerMetre, (double)Z / StepsPerMetre);
 
     /// <summary>The lattice point nearest to a point of the surface; the order of the products is part of the pattern format.</summary>
@@ -33,6 +33,8 @@ public readonly record struct LatticePoint(int X, int Y, int Z)
             Round(steps * latitude.Sine));
     }
 
-    /// <summary>Half steps go up, also below zero: <c>floor(x + 0.5)</c>, which every language has.</summary>
+    /// <summary>
+    /// Rounds to the nearest whole number, half steps upwards also below zero: <c>floor(x + 0.5)</c>, which every programming language has.
+    /// </summary>
     private static int Round(double steps) => (int)Math.Floor(steps + 0.5);
 }

@@ -5,15 +5,15 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// An elevation model as the surface that is drawn and traced: the mesh of the pattern files, each vertex on their lattice, with tables of
-/// the directions of its vertices and of its bounds. Nothing of the model is read before it is needed. Safe for several threads.
+/// An elevation model as the surface that is drawn and traced: the mesh of the pattern files with each vertex on their lattice, and tables
+/// of the vertices' directions and of the surface's bounds. The model is read only where it is needed. Safe for several threads.
 /// </summary>
 internal sealed class SurfaceModel
 {
     private readonly SineCosine[] _latitudes;
 
-    /// <summary>Takes the model; reads nothing of it yet.</summary>
-    /// <param name="grid">The whole Moon.</param>
+    /// <summary>Makes the surface of a model; nothing of the model is read yet.</summary>
+    /// <param name="grid">The elevation model of the whole Moon.</param>
     public SurfaceModel(IElevationGrid grid)
     {
         Grid = grid;
@@ -25,7 +25,7 @@ internal sealed class SurfaceModel
             _latitudes[line + 1] = directions.Latitude(line);
         }
 
-        // The last cell block reads on over the prime meridian, in whole vectors.
+        // The last cell block is read in whole vectors, which extend beyond the prime meridian.
         LongitudeSines = new double[Mesh.Samples + BlockVertices.Stride];
         LongitudeCosines = new double[LongitudeSines.Length];
         for (int sample = 0; sample < LongitudeSines.Length; sample++)
@@ -39,23 +39,25 @@ internal sealed class SurfaceModel
     /// <summary>The model.</summary>
     public IElevationGrid Grid { get; }
 
-    /// <summary>Its facets.</summary>
+    /// <summary>The mesh of the model's facets.</summary>
     public FacetMesh Mesh { get; }
 
-    /// <summary>Its bounds in the nodes of <see cref="SquareLayout"/>, found when they are first asked for.</summary>
+    /// <summary>The surface's bounds in the nodes of <see cref="SquareLayout"/>, computed at the first request.</summary>
     public BoundsTree Bounds { get; }
 
-    /// <summary>Sine of the longitude of each sample, and of <see cref="BlockVertices.Stride"/> more beyond the prime meridian.</summary>
+    /// <summary>
+    /// Sine of the longitude of each sample, and of <see cref="BlockVertices.Stride"/> more samples beyond the prime meridian.
+    /// </summary>
     public double[] LongitudeSines { get; }
 
-    /// <summary>The cosines.</summary>
+    /// <summary>Cosine of the longitude of each sample; as long as <see cref="LongitudeSines"/>.</summary>
     public double[] LongitudeCosines { get; }
 
     /// <summary>Latitude of a vertex line.</summary>
     /// <param name="line">-1 (north pole) to the mesh's lines (south pole).</param>
     public SineCosine Latitude(int line) => _latitudes[line + 1];
 
-    /// <summary>Longitude of a sample, 0 to the mesh's samples, which is 0 again.</summary>
+    /// <summary>Longitude of a sample, from 0 to the mesh's number of samples, which is sample 0 again.</summary>
     public SineCosine Longitude(int sample) => new(LongitudeSines[sample], LongitudeCosines[sample]);
 
     /// <summary>Position of a vertex whose radius is known, m, MOON_ME, on the lattice.</summary>
@@ -65,7 +67,7 @@ internal sealed class SurfaceModel
     public Vector3D Vertex(int line, int sample, double radius) =>
         LatticePoint.Nearest(radius, Latitude(line), Longitude(sample)).PositionMoonMe;
 
-    /// <summary>The corners of a cell; line from -1 on.</summary>
+    /// <summary>The corners of a cell; lines count from -1.</summary>
     public CellCorners Corners(int line, int sample)
     {
         Span<double> radii = stackalloc double[4];

@@ -5,12 +5,12 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh;
 
-/// <summary>Where the surface of the mesh is, exactly: on its facets, not on a sphere.</summary>
+/// <summary>Computes the exact radius of the surface of the mesh, on its facets and not on a sphere.</summary>
 public static class TerrainHeight
 {
     /// <summary>
-    /// m: a facet with a shorter edge has no area. The pole vertex is computed for each sample and scatters by 1e-9 m; the narrowest
-    /// real edges, beside a pole at 1024 px/deg, have 2e-4 m.
+    /// m: a facet with a shorter edge has no area. The pole vertex is computed for each sample and scatters by 1e-9 m. The shortest real
+    /// edges, beside a pole at 1024 px/deg, have 2e-4 m.
     /// </summary>
     private const double ShortestEdge = 1e-6;
 
@@ -27,7 +27,7 @@ public static class TerrainHeight
         int line = (int)Math.Floor(((0.5 - (point.Latitude / Math.PI)) * mesh.Lines) - 0.5);
         int sample = (int)Math.Floor((point.Longitude / (2.0 * Math.PI) * mesh.Samples) - 0.5);
 
-        // Straight edges bulge over their parallel, so the facet can be one of the cells around.
+        // Straight edges bulge beyond their parallel, so the facet can belong to one of the neighbouring cells.
         TerrainPatch patch = new(mesh);
         patch.Load(new CellRange(
             Math.Clamp(line - 1, -1, mesh.Lines - 1), Math.Clamp(line + 2, 0, mesh.Lines), sample - 1, sample + 2));
@@ -49,7 +49,7 @@ public static class TerrainHeight
             : throw new InvalidOperationException($"No facet below {positionMoonMe}.");
     }
 
-    /// <summary>Refuses a position inside the Moon.</summary>
+    /// <summary>Throws an exception for a position that is not above the surface.</summary>
     /// <param name="grid">The model.</param>
     /// <param name="positionMoonMe">m, MOON_ME.</param>
     /// <exception cref="BadInputException">The position is not above the surface.</exception>
@@ -66,7 +66,10 @@ public static class TerrainHeight
         }
     }
 
-    /// <summary>Intersects the line from the centre with one facet; of several the one that is met farthest inside counts.</summary>
+    /// <summary>
+    /// Intersects the line from the centre with one facet. If several facets are met, the one with the largest minimum barycentric
+    /// coordinate of the intersection counts.
+    /// </summary>
     /// <remarks>
     /// T. Moeller, B. Trumbore, J. Graphics Tools 2 (1997) 21, with edges as differences of neighbours, so that facets a fraction
     /// of a millimetre wide keep their digits.

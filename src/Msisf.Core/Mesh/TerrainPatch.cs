@@ -2,7 +2,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Mesh;
 
-/// <summary>The vertices of a block of cells, read from the model; one object is loaded again and again.</summary>
+/// <summary>The vertices of a block of cells, read from the model; one object is loaded for many blocks.</summary>
 internal sealed class TerrainPatch
 {
     private readonly FacetMesh _mesh;
@@ -12,16 +12,16 @@ internal sealed class TerrainPatch
 
     public TerrainPatch(FacetMesh mesh) => _mesh = mesh;
 
-    /// <summary>Vertices from north to south.</summary>
+    /// <summary>Number of vertices from north to south.</summary>
     public int Lines { get; private set; }
 
-    /// <summary>Vertices from west to east.</summary>
+    /// <summary>Number of vertices from west to east.</summary>
     public int Samples { get; private set; }
 
-    /// <summary>m, MOON_ME, line by line.</summary>
+    /// <summary>Positions of the vertices, m, MOON_ME, line by line.</summary>
     public ReadOnlySpan<Vector3D> Positions => _positions.AsSpan(0, Lines * Samples);
 
-    /// <summary>Position of a vertex, m, MOON_ME; indices within the patch.</summary>
+    /// <summary>Position of a vertex, m, MOON_ME; the indices are within the patch.</summary>
     public Vector3D this[int line, int sample] => _positions[(line * Samples) + sample];
 
     /// <summary>Reads the vertices of the cells [firstLine, endLine) x [firstSample, endSample), borders included.</summary>

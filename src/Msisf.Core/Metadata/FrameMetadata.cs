@@ -6,7 +6,7 @@ using Msisf.Core.Time;
 
 namespace Msisf.Core.Metadata;
 
-/// <summary>What holds for a whole frame: the file's GeneralInformation (thesis section 9.2). Immutable.</summary>
+/// <summary>Metadata of a whole frame: the file's GeneralInformation (thesis section 9.2). Immutable.</summary>
 /// <param name="SimulationTime">UTC.</param>
 /// <param name="Camera">Position and orientation.</param>
 /// <param name="FieldOfViewDegrees">Horizontal field of view as the user gave it.</param>
@@ -14,7 +14,7 @@ namespace Msisf.Core.Metadata;
 /// <param name="PixelsPerDegree">Resolution of the elevation model, px/deg.</param>
 /// <param name="Version">Version of the program.</param>
 /// <param name="CommandLine">The arguments of the call.</param>
-/// <param name="Renderer">Who made the image.</param>
+/// <param name="Renderer">The renderer that made the image.</param>
 public sealed record FrameMetadata(
     ModifiedJulianDate SimulationTime,
     PinholeCamera Camera,

@@ -9,7 +9,7 @@ internal interface IPixelView
     /// <summary>The record of a pixel.</summary>
     /// <param name="h">The pixel's x, from 1, to the right.</param>
     /// <param name="v">The pixel's y, from 1, down.</param>
-    /// <param name="record">What it shows; <c>default</c> if that is not the Moon.</param>
+    /// <param name="record">What it shows; <c>default</c> if it does not show the Moon.</param>
     /// <returns>Whether it shows the Moon.</returns>
     bool TryGet(int h, int v, out PixelRecord record);
 }

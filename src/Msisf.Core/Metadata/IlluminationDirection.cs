@@ -15,20 +15,20 @@ public static class IlluminationDirection
     /// <param name="pointMoonMe">The ground point, m, on that line; the tangent plane is that of the sphere through it.</param>
     /// <param name="sunPositionMoonMe">The Sun, or the light that stands for it, m.</param>
     /// <returns>
-    /// rad, [0, 2 pi); null where there is none: the Sun in the zenith or nadir of the point, or its ground line seen end on.
+    /// rad, [0, 2 pi); null where it is undefined: the Sun is in the zenith or nadir of the point, or its ground line is seen end on.
     /// </returns>
     /// <remarks>
-    /// The thesis goes 1000 m along the ground towards the Sun and projects that point. A straight line's image is straight, so
-    /// the direction at the point itself is the same, has a meaning when that second point lies behind the camera, and
-    /// needs no difference of two nearby projections: the plane through the line of sight and the ground line cuts the
-    /// image plane in the wanted direction, and its normal is one cross product (docs/deviations.md, rows 9 and 10).
+    /// The thesis goes 1000 m along the ground towards the Sun and projects that point. A straight line's image is straight, so the
+    /// direction at the point itself is the same, is defined even when that second point lies behind the camera, and needs no difference
+    /// of two nearby projections: the plane through the line of sight and the ground line cuts the image plane in the wanted direction,
+    /// and its normal is one cross product (docs/deviations.md, rows 9 and 10).
     /// </remarks>
     public static double? At(PinholeCamera camera, Vector3D lineOfSightMoonMe, Vector3D pointMoonMe, Vector3D sunPositionMoonMe)
     {
         Vector3D lineOfSight = lineOfSightMoonMe.Normalized();
 
-        // The point as the place on the line of sight: what its rounding moves it aside (1e-10 m) would turn the direction to a
-        // lamp at a camera 1 m above the ground by 1e-7 degrees.
+        // The point is taken on the line of sight: rounding moves it aside by 1e-10 m, which would turn the direction to a lamp at a
+        // camera 1 m above the ground by 1e-7 degrees.
         double distance = Vector3D.Dot(pointMoonMe - camera.PositionMoonMe, lineOfSight);
         Vector3D toSun = sunPositionMoonMe - camera.PositionMoonMe - (distance * lineOfSight);
         double sunDistance = toSun.Length;

@@ -5,7 +5,7 @@ namespace Msisf.Core.Metadata;
 /// <summary>What one pixel of the grid shows (thesis section 9.3).</summary>
 /// <param name="H">The pixel's x, from 1, to the right.</param>
 /// <param name="V">The pixel's y, from 1, down.</param>
-/// <param name="Point">The ground point on the pixel's ray: of the reference sphere, or below the terrain point.</param>
+/// <param name="Point">The point of the reference sphere on the pixel's ray; for terrain, the place of the terrain point.</param>
 /// <param name="IlluminationDirection">
 /// rad, [0, 2 pi), see <see cref="Metadata.IlluminationDirection"/>; null where it is undefined.
 /// </param>

@@ -7,7 +7,7 @@ using Msisf.Core.Tracing;
 namespace Msisf.Core.Metadata;
 
 /// <summary>
-/// Computes the records of a frame's grid, row by row; nothing is kept, so any image size streams. Safe for several threads.
+/// Computes the records of a frame's grid, row by row; nothing is kept, so memory does not grow with the image. Safe for several threads.
 /// </summary>
 public sealed class PixelSampler
 {
@@ -15,7 +15,7 @@ public sealed class PixelSampler
 
     /// <summary>Prepares a frame on the reference sphere.</summary>
     /// <param name="camera">The frame's camera.</param>
-    /// <param name="grid">Laid over the camera's image.</param>
+    /// <param name="grid">The grid of pixels in the camera's image.</param>
     /// <param name="surface">What the pixels show.</param>
     /// <param name="sunPositionMoonMe">The Sun, or the light that stands for it, m.</param>
     /// <exception cref="BadInputException">The Sun's position is not finite.</exception>
@@ -26,7 +26,7 @@ public sealed class PixelSampler
     }
 
     /// <summary>Prepares a frame on the terrain.</summary>
-    /// <param name="grid">Laid over the image of the truth's camera.</param>
+    /// <param name="grid">The grid of pixels in the image of the truth's camera.</param>
     /// <param name="truth">What the pixels show.</param>
     /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg, at least 1.</param>
     public PixelSampler(PixelGrid grid, IGroundTruth truth, int pixelsPerDegree)

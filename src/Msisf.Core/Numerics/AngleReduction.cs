@@ -1,6 +1,6 @@
 namespace Msisf.Core.Numerics;
 
-/// <summary>Takes full turns off an angle without losing digits that the angle has.</summary>
+/// <summary>Reduces an angle by full turns without loss of digits.</summary>
 public static class AngleReduction
 {
     /// <summary>2 pi is this plus <see cref="TurnMiddle"/> plus <see cref="TurnLow"/>, to 160 bits (mpmath, 80 digits).</summary>
@@ -8,7 +8,9 @@ public static class AngleReduction
     private const double TurnMiddle = 2.4492935982947064e-16;
     private const double TurnLow = -5.989539619436679e-33;
 
-    /// <summary>Turns; up to here turns * <see cref="TurnHigh"/> fits twice the digits of a double with room to spare.</summary>
+    /// <summary>
+    /// Maximum number of turns for the reduction in parts; up to here turns * <see cref="TurnHigh"/> fits into two doubles.
+    /// </summary>
     private const double MaxTurnsByParts = 1L << 40;
 
     /// <summary>The same direction in [-pi, pi].</summary>

@@ -5,7 +5,7 @@ namespace Msisf.Core.Numerics;
 /// <param name="Cosine">Cosine.</param>
 public readonly record struct SineCosine(double Sine, double Cosine)
 {
-    /// <summary>Of numerator / denominator degrees, by <see cref="DegreeTrigonometry"/>.</summary>
+    /// <summary>Sine and cosine of numerator / denominator degrees, by <see cref="DegreeTrigonometry"/>.</summary>
     public static SineCosine OfDegrees(long numerator, long denominator) =>
         new(DegreeTrigonometry.Sin(numerator, denominator), DegreeTrigonometry.Cos(numerator, denominator));
 }

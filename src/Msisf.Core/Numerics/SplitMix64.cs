@@ -1,8 +1,8 @@
 namespace Msisf.Core.Numerics;
 
 /// <summary>
-/// A short run of random numbers that belongs to a place: the same seed and keys give the same numbers in whatever order places are
-/// visited. <c>default</c> is the run of state 0.
+/// A short sequence of random numbers that belongs to a place: the same seed and keys give the same numbers, in whatever order places are
+/// visited. <c>default</c> is the sequence of state 0.
 /// </summary>
 /// <remarks>G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.</remarks>
 internal struct SplitMix64
@@ -13,7 +13,7 @@ internal struct SplitMix64
 
     private SplitMix64(ulong state) => _state = state;
 
-    /// <summary>The run of one place.</summary>
+    /// <summary>The sequence of one place.</summary>
     /// <param name="seed">The user's seed.</param>
     /// <param name="purpose">What the numbers are for; keeps the uses of one seed apart.</param>
     /// <param name="row">First key of the place.</param>

@@ -4,13 +4,14 @@ namespace Msisf.Core.Numerics;
 public static class Tolerances
 {
     /// <summary>
-    /// 1: how far a quaternion's length may be from 1. Users print 7 digits; a real slip (a swapped or missing component) is far larger.
+    /// 1: how far a quaternion's length may be from 1. Users print 7 digits; a real mistake (a swapped or missing component) is far
+    /// larger.
     /// </summary>
     public const double UnitQuaternionLength = 1e-6;
 
     /// <summary>
-    /// How far four components that were divided by their length may be from length 1: half a unit of the last place each, and the
-    /// roundings of the length itself.
+    /// 1: how far from 1 the length may be after four components were divided by it. Each component is rounded by half a unit in the last
+    /// place, and the length is rounded too.
     /// </summary>
     public const double RoundedUnitLength = 4.0 / (1L << 52);
 
@@ -18,21 +19,22 @@ public static class Tolerances
     public const double IntervalSteps = 1e-9;
 
     /// <summary>
-    /// 1: how far a frame kernel's matrix may be from a rotation. The engines shall agree to 1e-12, and CSPICE mends a worse matrix before
-    /// use.
+    /// 1: how far a frame kernel's matrix may be from a rotation. The engines must agree to 1e-12, and CSPICE corrects a worse matrix
+    /// before use.
     /// </summary>
     public const double FrameMatrix = 1e-12;
 
     /// <summary>
-    /// rad: the minimum field of view. A viewing direction is rounded by about 4e-16 rad; an image 2500 times that wide still has digits.
+    /// rad: the minimum field of view. A viewing direction is rounded by about 4e-16 rad; an image 2500 times as wide still has distinct
+    /// directions.
     /// </summary>
     public const double MinFieldOfView = 1e-12;
 
     /// <summary>
-    /// 1: sine of the Sun's zenith angle times the sine between ground line and line of sight, as much as the image shows of it (the
-    /// component across the viewing axis of the normal of their plane), below which a pixel's illumination direction counts as undefined.
-    /// Hit point and Sun direction are rounded by about 1e-15 rad, so the angle that is left would be wrong by up to 1e-8 rad; on the
-    /// ground it is 0.17 m around the sub-solar point.
+    /// 1: below this, a pixel's illumination direction counts as undefined. It limits the sine of the Sun's zenith angle times the sine
+    /// of the angle between ground line and line of sight; only the component that the image shows counts (of the normal of their plane,
+    /// the part perpendicular to the viewing axis). Hit point and Sun direction are rounded by about 1e-15 rad, so at the limit the angle
+    /// is wrong by up to 1e-8 rad. On the ground the limit is 0.17 m around the sub-solar point.
     /// </summary>
     public const double IlluminationDirectionSine = 1e-7;
 
@@ -45,32 +47,38 @@ public static class Tolerances
     public const double FloatSampleLimits = 1e-3;
 
     /// <summary>
-    /// 1, sine of an angle: vectors this near to parallel count as parallel. Rounding their components to doubles turns them by up to a
-    /// quarter of it.
+    /// 1, sine of an angle: vectors with a smaller angle between them count as parallel. Rounding their components to doubles turns them
+    /// by up to a quarter of this.
     /// </summary>
     public const double ParallelSine = 1e-15;
 
     /// <summary>
-    /// m: twice the 2^-7 m step of the lattice on which mesh vertices lie (docs/pattern-format.md), so more than rounding moves one.
+    /// m: limits how far rounding moves a mesh vertex; twice the 2^-7 m step of the lattice on which vertices lie
+    /// (docs/pattern-format.md).
     /// </summary>
     public const double VertexLattice = 0.016;
 
-    /// <summary>rad: the same at the lunar radius, and the rounding of a cap's own sine and cosine.</summary>
+    /// <summary>
+    /// rad: limits the error of a cap's radius: <see cref="VertexLattice"/> seen from the Moon's centre (9.2e-9 rad), and the rounding of
+    /// the cap's own sine and cosine.
+    /// </summary>
     public const double CapRadius = 2e-8;
 
     /// <summary>
-    /// rad: added to the azimuths of an image for what lies within <see cref="VertexLattice"/> of its border, 20 m and more from the axis.
+    /// rad: widens the range of azimuths of an image, so that points within <see cref="VertexLattice"/> of its border are included at 20
+    /// m or more from the axis.
     /// </summary>
     public const double WindowMargin = 1e-3;
 
     /// <summary>
-    /// m: a point of the surface in light space, a sum of two of its components, and a line through two such points are rounded by less.
+    /// m: limits the rounding error of a surface point in light space, of a sum of two of its components, and of a line through two such
+    /// points.
     /// </summary>
     public const double LightPoint = 4e-9;
 
     /// <summary>
-    /// 1: cosine of an incidence or emission angle below which Hapke's roughness takes this one. Towards 0 its quotients become 0 / 0;
-    /// here 7 digits are left, and the radiance factor is 1e-9 or no longer changes.
+    /// 1: minimum cosine of an incidence or emission angle in Hapke's roughness correction; smaller ones are replaced by it. Towards 0
+    /// the quotients become 0 / 0; at this value 7 digits are left, and the radiance factor is 1e-9 or no longer changes.
     /// </summary>
     public const double GrazingCosine = 1e-9;
 }

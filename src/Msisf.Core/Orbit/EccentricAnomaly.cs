@@ -3,8 +3,9 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Orbit;
 
 /// <summary>
-/// A place on an ellipse by its eccentric anomaly, with all that follows from it in units of the semi-major axis a. Nothing here
-/// cancels for e near 1 and small angles, where 1 - e cos E and E - e sin E lose every digit. <c>default</c> is the periapsis of a circle.
+/// A place on an ellipse by its eccentric anomaly, with the position and velocity that follow from it in units of the semi-major axis a.
+/// No digits are lost for e near 1 and small angles, where the plain formulas 1 - e cos E and E - e sin E lose all. <c>default</c> is the
+/// periapsis of a circle.
 /// </summary>
 /// <param name="Angle">Eccentric anomaly E, rad, [-pi, pi].</param>
 /// <param name="Eccentricity">e, 0 &lt;= e &lt; 1.</param>
@@ -60,7 +61,7 @@ public readonly record struct EccentricAnomaly(double Angle, double Eccentricity
             return Math.FusedMultiplyAdd(-Eccentricity, Math.Sin(Angle), Angle - meanAnomaly);
         }
 
-        // For e near 1 a unit of E is up to 3 of M by itself: roundings of the sum would come on top of it.
+        // For e near 1 a unit in the last place of E is by itself up to 3 units of M, so the sum is computed without further rounding.
         DoubleDouble linear = new DoubleDouble(1.0 - Eccentricity, 0.0) * new DoubleDouble(Angle, 0.0);
         DoubleDouble curved = new DoubleDouble(Eccentricity, 0.0) * AngleMinusSine(Angle);
         return (linear + curved + new DoubleDouble(-meanAnomaly, 0.0)).High;

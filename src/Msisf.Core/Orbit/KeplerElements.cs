@@ -3,15 +3,15 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Core.Orbit;
 
-/// <summary>An elliptic orbit about the Moon's centre; <c>default</c> is none and is refused where it is used.</summary>
+/// <summary>An elliptic orbit about the Moon's centre; <c>default</c> is not an orbit and is refused where it is used.</summary>
 /// <remarks>
-/// Where an angle has no meaning the usual convention holds: the node is the x axis if the inclination is 0 or pi, the periapsis is
-/// the node if the eccentricity is 0 (docs/deviations.md, row 3).
+/// Where an angle is undefined, the usual convention holds: the node is the x axis if the inclination is 0 or pi, the periapsis is the
+/// node if the eccentricity is 0 (docs/deviations.md, row 3).
 /// </remarks>
 public readonly record struct KeplerElements
 {
     /// <summary>
-    /// Checks the elements. Angles may have any finite value: full turns, and an inclination outside [0, pi], mean what the rotations do.
+    /// Checks the elements. Angles may have any finite value; full turns, and an inclination outside [0, pi], are applied as rotations.
     /// </summary>
     /// <param name="semiMajorAxis">a, m, above 0.</param>
     /// <param name="eccentricity">e, 0 &lt;= e &lt; 1.</param>

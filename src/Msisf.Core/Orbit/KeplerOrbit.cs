@@ -3,7 +3,7 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Orbit;
 
 /// <summary>
-/// The undisturbed two-body motion that elements describe, in the frame in which they are given. Immutable, safe for several threads.
+/// The unperturbed two-body motion that elements describe, in the frame in which they are given. Immutable, safe for several threads.
 /// </summary>
 /// <remarks>Thesis eq. 6.1-6.9; the y rows of eq. 6.8 and 6.9 are corrected (docs/deviations.md, row 1).</remarks>
 public sealed class KeplerOrbit

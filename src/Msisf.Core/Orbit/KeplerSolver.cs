@@ -6,14 +6,16 @@ namespace Msisf.Core.Orbit;
 /// <summary>Solves Kepler's equation M = E - e sin E for elliptic orbits.</summary>
 public static class KeplerSolver
 {
-    /// <summary>1: enough for bisection alone to reach neighbouring doubles; Newton's method needs about 6.</summary>
+    /// <summary>
+    /// Maximum number of steps: enough for bisection alone to reach neighbouring doubles; Newton's method needs about 6.
+    /// </summary>
     private const int MaxIterations = 100;
 
-    /// <summary>1: how far rounding may put an upper bound of the root below it.</summary>
+    /// <summary>Factor that raises an upper bound of the root, because rounding may put the bound below the root.</summary>
     private const double BoundRounding = 1.0 + 2e-15;
 
     /// <summary>The eccentric anomaly, right to the last digit (within one unit of it) for the M and e given.</summary>
-    /// <param name="meanAnomaly">M, rad, any finite number; full turns are taken off without loss.</param>
+    /// <param name="meanAnomaly">M, rad, any finite number; full turns are removed without loss.</param>
     /// <param name="eccentricity">e, 0 &lt;= e &lt; 1.</param>
     /// <returns>E in [-pi, pi], with position and velocity in units of the semi-major axis.</returns>
     /// <exception cref="ArgumentOutOfRangeException">
@@ -26,7 +28,7 @@ public static class KeplerSolver
     /// </remarks>
     public static EccentricAnomaly Solve(double meanAnomaly, double eccentricity) => Solve(meanAnomaly, eccentricity, out _);
 
-    /// <summary>The same, and how many Newton steps it took; the stress test watches them.</summary>
+    /// <summary>The same, with the number of Newton steps, which the stress test checks.</summary>
     internal static EccentricAnomaly Solve(double meanAnomaly, double eccentricity, out int steps)
     {
         if (!double.IsFinite(meanAnomaly))

@@ -6,8 +6,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Orbit;
 
 /// <summary>
-/// The mean motion n = sqrt(mu / a^3) about the Moon to twice the digits of a double, so that M = M0 + n dt stays right after
-/// years: with a plain double the position is off by up to 0.3 mm after 30 years in a low orbit. <c>default</c> stands still.
+/// The mean motion n = sqrt(mu / a^3) about the Moon to twice the digits of a double, so that M = M0 + n dt stays right after years: with
+/// a plain double the position is off by up to 0.3 mm after 30 years in a low orbit. <c>default</c> is a rate of zero.
 /// </summary>
 public readonly record struct MeanMotion
 {

@@ -38,8 +38,8 @@ public sealed class OrbitPropagator
     }
 
     /// <summary>
-    /// Minimum distance from the Moon's centre on the whole orbit, m. Whether the spacecraft is in the ground is a matter of the terrain
-    /// below it.
+    /// Minimum distance from the Moon's centre on the whole orbit, m. It does not tell whether the spacecraft is below the ground, which
+    /// depends on the terrain.
     /// </summary>
     public double PeriapsisRadius => _orbit.Elements.PeriapsisRadius;
 

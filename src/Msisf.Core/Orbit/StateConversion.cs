@@ -8,8 +8,8 @@ namespace Msisf.Core.Orbit;
 /// <summary>From a state vector to Kepler elements (thesis section 6.2.3); the way back is <see cref="KeplerOrbit.StateAt"/>.</summary>
 /// <remarks>
 /// Thesis eq. 6.12-6.22, with atan2 in place of each arccos (docs/deviations.md, rows 2 and 3). The angles are measured so that their
-/// sums keep their digits where one alone is undefined: omega is the spacecraft's angle from the node minus its true anomaly,
-/// so for e near 0 both may be anything but the position is not touched.
+/// sums keep their digits where one alone is undefined: omega is the spacecraft's angle from the node minus its true anomaly, so for e
+/// near 0 both may have any value, but the position is not affected.
 /// </remarks>
 public static class StateConversion
 {

@@ -9,8 +9,8 @@ using Msisf.Core.Tracing;
 namespace Msisf.Core.Render;
 
 /// <summary>
-/// Draws one frame after another: what each pixel shows, what of it the Sun reaches, how bright that is; once for each sample of a
-/// pixel. Keeps its memory from frame to frame. One frame at a time; the finished one may be read by several threads.
+/// Draws frames one at a time: for each sample of a pixel it finds the surface point, the sunlight on it and its brightness. It keeps its
+/// memory from frame to frame. A finished frame may be read by several threads.
 /// </summary>
 internal sealed class FramePass
 {
@@ -38,7 +38,7 @@ internal sealed class FramePass
     /// <summary>Of the last frame.</summary>
     public SceneLight Light { get; private set; }
 
-    /// <summary>I/F of each pixel, row by row.</summary>
+    /// <summary>Radiance factor I/F of each pixel, row by row from the top.</summary>
     public ReadOnlySpan<double> RadianceFactors => _radianceFactors.AsSpan(0, Camera.Width * Camera.Height);
 
     /// <summary>Draws a frame.</summary>
@@ -56,7 +56,8 @@ internal sealed class FramePass
         int across = options.SubsamplesPerAxis;
         double weight = 1.0 / (across * across);
 
-        // The middle sample of an odd number is the pixel's centre: drawn last, it stays as what the pixel shows.
+        // With an odd number of samples per edge, the middle sample is the pixel's centre. It is drawn last, so that its result remains as
+        // the ground truth of the pixel.
         int middle = across % 2 == 1 ? across * across / 2 : -1;
         for (int sample = 0; sample < across * across; sample++)
         {
@@ -76,7 +77,7 @@ internal sealed class FramePass
         }
     }
 
-    /// <summary>What the centre of a pixel shows.</summary>
+    /// <summary>Gets the surface point at a pixel's centre and its illumination.</summary>
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light)
     {
         if (_options is not { KeepGroundTruth: true } || _visible is null)

@@ -6,17 +6,17 @@ public enum IlluminationState : byte
     /// <summary>The pixel shows no surface.</summary>
     NoSurface = 0,
 
-    /// <summary>The whole Sun, or the point that stands for it, shines on the point.</summary>
+    /// <summary>The whole Sun, or the point light that replaces it, is visible from the point.</summary>
     Lit = 1,
 
-    /// <summary>A part of the Sun's disc shines on it.</summary>
+    /// <summary>A part of the Sun's disc is visible from the point.</summary>
     Penumbra = 2,
 
     /// <summary>
-    /// The Sun's centre is above the point's horizontal plane, but its facet turns away from it or other terrain hides it.
+    /// The Sun's centre is above the point's horizontal plane, but the point's facet faces away from the Sun or other terrain hides it.
     /// </summary>
     Shadow = 3,
 
-    /// <summary>No part of the Sun shines on the point, and its centre is below the point's horizontal plane.</summary>
+    /// <summary>No part of the Sun is visible from the point, and the Sun's centre is below the point's horizontal plane.</summary>
     Night = 4,
 }

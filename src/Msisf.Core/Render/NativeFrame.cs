@@ -4,7 +4,7 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render;
 
-/// <summary>A drawn frame. Reading it is safe for several threads; don't use it after it is disposed.</summary>
+/// <summary>A finished frame. Reading it is safe for several threads. It must not be used after it is disposed.</summary>
 public sealed class NativeFrame : IGroundTruth, IDisposable
 {
     private readonly Action<FramePass> _giveBack;
@@ -35,7 +35,7 @@ public sealed class NativeFrame : IGroundTruth, IDisposable
     /// </exception>
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light) => Pass.TryGet(x, y, out hit, out light);
 
-    /// <summary>Gives the frame's memory back.</summary>
+    /// <summary>Returns the frame's memory to the renderer for later frames.</summary>
     public void Dispose()
     {
         if (Interlocked.Exchange(ref _pass, null) is FramePass pass)

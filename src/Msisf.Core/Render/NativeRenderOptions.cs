@@ -2,26 +2,26 @@ using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Core.Render;
 
-/// <summary>How the program's own renderer draws. Immutable.</summary>
+/// <summary>Settings of the program's own renderer. Immutable.</summary>
 public sealed record NativeRenderOptions
 {
-    /// <summary>The most samples along a pixel's edge: 256 samples a pixel.</summary>
+    /// <summary>Maximum number of samples along a pixel's edge: 16 x 16 = 256 samples per pixel.</summary>
     public const int MaxSubsamplesPerAxis = 16;
 
     private readonly int _subsamplesPerAxis = 1;
 
-    /// <summary>Law that turns angles into radiance.</summary>
+    /// <summary>Reflectance law, which gives the radiance factor from the angles of light and view.</summary>
     public required IReflectance Reflectance { get; init; }
 
-    /// <summary>Point or disc.</summary>
+    /// <summary>Whether the Sun is a point or a disc.</summary>
     public SunModel Sun { get; init; } = SunModel.Point;
 
-    /// <summary>Facet or smooth.</summary>
+    /// <summary>Whether facet normals or smooth normals shade the surface.</summary>
     public NormalModel Normals { get; init; } = NormalModel.Facet;
 
     /// <summary>
-    /// Samples along a pixel's edge, 1 to <see cref="MaxSubsamplesPerAxis"/>; their squares lie regularly in the pixel, and their mean is
-    /// the pixel.
+    /// Number of samples along a pixel's edge, 1 to <see cref="MaxSubsamplesPerAxis"/>. The square of this number of samples lies on a
+    /// regular grid in the pixel, and the pixel's value is their mean.
     /// </summary>
     public int SubsamplesPerAxis
     {
@@ -35,7 +35,8 @@ public sealed record NativeRenderOptions
     }
 
     /// <summary>
-    /// Whether the frame shall know what its pixels' centres show; an image of an even number of samples has to look again for it.
+    /// Whether the frame keeps the ground truth of its pixels' centres. With an even number of samples along a pixel's edge this takes one
+    /// more pass.
     /// </summary>
     public bool KeepGroundTruth { get; init; }
 }

@@ -1,11 +1,11 @@
 namespace Msisf.Core.Render;
 
-/// <summary>Which normal shades a point of a facet. The point itself and its shadow are the facet's either way.</summary>
+/// <summary>The normal with which a point of a facet is shaded. The point and its shadow always belong to the facet itself.</summary>
 public enum NormalModel
 {
-    /// <summary>The facet's own.</summary>
+    /// <summary>The normal of the facet.</summary>
     Facet,
 
-    /// <summary>Between those of the samples around, so that edges between facets are not seen.</summary>
+    /// <summary>A normal interpolated between those of the surrounding samples, so that edges between facets are not visible.</summary>
     Smooth,
 }

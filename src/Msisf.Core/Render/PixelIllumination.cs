@@ -3,17 +3,17 @@ using Msisf.Core.Scene;
 
 namespace Msisf.Core.Render;
 
-/// <summary>The Sun as a pixel's surface point sees it; <c>default</c> is a pixel without surface.</summary>
+/// <summary>The illumination of a pixel's surface point; <c>default</c> is a pixel without surface.</summary>
 /// <param name="State">Lit, penumbra, shadow or night.</param>
-/// <param name="VisibleFraction">Part of the Sun's disc that is not hidden by terrain, 0 to 1.</param>
+/// <param name="VisibleFraction">Fraction of the Sun's disc that terrain does not hide, 0 to 1.</param>
 public readonly record struct PixelIllumination(IlluminationState State, double VisibleFraction)
 {
-    /// <summary>The light at a point of the surface that a camera sees.</summary>
-    /// <param name="pointMoonMe">m, MOON_ME.</param>
+    /// <summary>The illumination of a surface point that a camera sees.</summary>
+    /// <param name="pointMoonMe">The surface point, m, MOON_ME.</param>
     /// <param name="visibleFraction">
-    /// Of the Sun, 0 to 1; a Sun that is a point is seen wholly or not at all. Means nothing with a lamp.
+    /// Visible fraction of the Sun, 0 to 1; for a Sun that is a point it is 0 or 1. It is ignored for a lamp.
     /// </param>
-    /// <param name="light">The Sun, or the lamp at the camera, which lights all that the camera sees.</param>
+    /// <param name="light">The Sun, or the lamp at the camera, which illuminates everything that the camera sees.</param>
     public static PixelIllumination At(Vector3D pointMoonMe, double visibleFraction, SceneLight light)
     {
         if (!light.IsSun || visibleFraction >= 1.0)

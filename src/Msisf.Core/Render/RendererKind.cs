@@ -1,11 +1,11 @@
 namespace Msisf.Core.Render;
 
-/// <summary>Who made an image.</summary>
+/// <summary>The renderer that makes an image.</summary>
 public enum RendererKind
 {
-    /// <summary>POV-Ray, from the pattern files.</summary>
+    /// <summary>POV-Ray, which draws the pattern files.</summary>
     PovRay,
 
-    /// <summary>The program itself, from the elevation model.</summary>
+    /// <summary>The program's own renderer, which draws the elevation model.</summary>
     Native,
 }

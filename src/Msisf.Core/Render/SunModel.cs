@@ -1,6 +1,6 @@
 namespace Msisf.Core.Render;
 
-/// <summary>What the Sun is to the renderer.</summary>
+/// <summary>How the renderer models the Sun.</summary>
 public enum SunModel
 {
     /// <summary>A point at the Sun's centre: shadows have sharp borders, as in POV-Ray's scene.</summary>

@@ -6,7 +6,7 @@ using Msisf.Core.Tracing;
 namespace Msisf.Core.Render;
 
 /// <summary>
-/// The truth of a frame that another renderer draws: each pixel is traced when it is asked for. The light is a point. Safe for several
+/// Ground truth of a frame that another renderer draws. Each pixel is traced when it is requested. The light is a point. Safe for several
 /// threads.
 /// </summary>
 public sealed class TracedFrameTruth : IGroundTruth
@@ -14,10 +14,10 @@ public sealed class TracedFrameTruth : IGroundTruth
     private readonly SceneLight _light;
     private readonly ITerrainTracer _tracer;
 
-    /// <summary>Prepares a frame.</summary>
+    /// <summary>Prepares the ground truth of a frame.</summary>
     /// <param name="camera">The frame's camera, above the surface.</param>
-    /// <param name="light">The Sun, or the lamp at the camera, which lights all that is seen.</param>
-    /// <param name="tracer">Knows the surface.</param>
+    /// <param name="light">The Sun, or the lamp at the camera, which illuminates everything that the camera sees.</param>
+    /// <param name="tracer">Traces rays on the surface.</param>
     public TracedFrameTruth(PinholeCamera camera, SceneLight light, ITerrainTracer tracer)
     {
         Camera = camera;
@@ -41,7 +41,8 @@ public sealed class TracedFrameTruth : IGroundTruth
             return false;
         }
 
-        // A lamp at the camera lights what the camera sees; traced back, rounding could hide the edges of facets.
+        // A lamp at the camera illuminates everything that the camera sees. It is not traced, because rounding on the way back could hide
+        // the edges of facets.
         bool isDark = _light.IsSun && _tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light.PositionMoonMe);
         light = PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, _light);
         return true;

@@ -2,14 +2,16 @@ using System.Runtime.ExceptionServices;
 
 namespace Msisf.Core.Render;
 
-/// <summary>Shares items of work among threads; who does which is open, so items must not depend on each other.</summary>
+/// <summary>
+/// Distributes items of work among threads. Which thread does which item is not defined, so items must not depend on each other.
+/// </summary>
 internal static class WorkerTeam
 {
-    /// <summary>Does every item once.</summary>
-    /// <param name="threads">Workers at most, at least 1.</param>
-    /// <param name="items">How many items.</param>
-    /// <param name="work">Gets the worker (from 0) and the item; a worker does one item at a time.</param>
-    /// <param name="cancellation">Ends the work between two items.</param>
+    /// <summary>Runs the work once for every item.</summary>
+    /// <param name="threads">Maximum number of workers, at least 1.</param>
+    /// <param name="items">Number of items.</param>
+    /// <param name="work">Is called with the worker's index (from 0) and the item's index; a worker does one item at a time.</param>
+    /// <param name="cancellation">Stops the work between two items.</param>
     public static void Run(int threads, int items, Action<int, int> work, CancellationToken cancellation)
     {
         int next = -1;
@@ -35,7 +37,7 @@ internal static class WorkerTeam
         }
         catch (AggregateException exception)
         {
-            // The first worker's error is the one to report: a damaged file is met by all of them.
+            // Only the first worker's error is reported: all workers fail in the same way on a damaged file.
             ExceptionDispatchInfo.Throw(exception.InnerExceptions[0]);
         }
     }

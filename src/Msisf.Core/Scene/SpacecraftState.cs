@@ -5,7 +5,7 @@ using Msisf.Core.Time;
 namespace Msisf.Core.Scene;
 
 /// <summary>
-/// All that one frame needs to know of the spacecraft: the thesis's fixed state. <c>default</c> has no attitude and is none.
+/// All that one frame needs to know of the spacecraft: the thesis's fixed state. <c>default</c> has no attitude and is not a state.
 /// </summary>
 /// <param name="Time">UTC.</param>
 /// <param name="PositionMoonMe">m, MOON_ME.</param>

@@ -3,7 +3,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Core.Scene;
 
-/// <summary>Some steps of a run, as text "3:5,17": single steps and ranges with both ends, from 1. Sorted, without doubles.</summary>
+/// <summary>Some steps of a run, as text "3:5,17": single steps and ranges with both ends, from 1. Sorted, without duplicates.</summary>
 public sealed class StepRanges
 {
     private readonly (int First, int Last)[] _ranges;
@@ -41,7 +41,7 @@ public sealed class StepRanges
 
     /// <summary>Reads the text form.</summary>
     /// <param name="text">E.g. "1001:2000" or "3:5,17".</param>
-    /// <exception cref="BadInputException">It is none.</exception>
+    /// <exception cref="BadInputException">The text names no steps.</exception>
     public static StepRanges Parse(string text) =>
         new(text.Split(',', StringSplitOptions.TrimEntries).Select(word => ParseRange(word, text)));
 

@@ -4,14 +4,14 @@ namespace Msisf.Core.Terrain;
 public static class MoonConstants
 {
     /// <summary>
-    /// m: LOLA's reference radius; heights are over it and the pixels' rays meet it (D. E. Smith et al., LRO-L-LOLA-4-GDR-V1.0;
-    /// docs/deviations.md, row 8).
+    /// m: LOLA's reference radius; heights are measured from it, and the pixels' rays are intersected with it (D. E. Smith et al.,
+    /// LRO-L-LOLA-4-GDR-V1.0; docs/deviations.md, row 8).
     /// </summary>
     public const double ReferenceRadius = 1_737_400.0;
 
     /// <summary>
-    /// m: how far the surface may be from the reference radius. The Moon keeps within -9.2 and +10.8 km; the pattern files hold no more
-    /// than this either (docs/pattern-format.md, section 4).
+    /// m: how far the surface may be from the reference radius. The Moon's relief is from -9.2 to +10.8 km; the pattern files hold no
+    /// more than this either (docs/pattern-format.md, section 4).
     /// </summary>
     public const double MaxRelief = 20_000.0;
 

@@ -14,7 +14,7 @@ public readonly record struct MoonRegion(int SouthDegrees, int NorthDegrees, int
     public const string ValidValues =
         "latmin:latmax:lonmin:lonmax in whole degrees, -90 <= latmin < latmax <= 90, 0 <= lonmin < lonmax <= 360";
 
-    /// <summary>All of it.</summary>
+    /// <summary>The whole Moon.</summary>
     public static MoonRegion WholeMoon { get; } = new(-90, 90, 0, 360);
 
     /// <summary>Reads "latmin:latmax:lonmin:lonmax".</summary>
@@ -35,7 +35,7 @@ public readonly record struct MoonRegion(int SouthDegrees, int NorthDegrees, int
         return region.IsValid ? region : throw Wrong(text);
     }
 
-    /// <summary>The borders are in range and in order.</summary>
+    /// <summary>Whether the borders are in range and in order.</summary>
     public bool IsValid =>
         SouthDegrees >= -90 && SouthDegrees < NorthDegrees && NorthDegrees <= 90
         && WestDegrees >= 0 && WestDegrees < EastDegrees && EastDegrees <= 360;

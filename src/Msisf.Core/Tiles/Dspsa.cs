@@ -8,19 +8,19 @@ using Msisf.Core.Tiles.Selection;
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// The Dynamical Surface Pattern Selection Algorithm: which tiles an image needs (thesis chapter 8). Other than the thesis's, which
-/// shoots a ray for each pixel at a sphere, it works with bounds of the real surface and misses nothing (docs/tile-selection.md).
+/// The Dynamical Surface Pattern Selection Algorithm: which tiles an image needs (thesis chapter 8). The thesis intersects a ray for each
+/// pixel with a sphere; this version works with bounds of the real surface and misses no tile (docs/tile-selection.md).
 /// </summary>
 public static class Dspsa
 {
-    /// <summary>px: antialiasing's rays stay within this of the image.</summary>
+    /// <summary>px: margin around the image that contains all rays of antialiasing.</summary>
     internal const double AntialiasingPixels = 1.0;
 
     /// <summary>Selects the tiles.</summary>
     /// <param name="camera">The camera, above the surface.</param>
-    /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it throws no shadow that is seen.</param>
+    /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it casts no visible shadow.</param>
     /// <param name="grid">The model.</param>
-    /// <param name="summary">Of the same model.</param>
+    /// <param name="summary">Summary of the same model.</param>
     /// <exception cref="BadInputException">
     /// The camera is inside the Moon, the Sun is no higher than the terrain, or the summary is of another model.
     /// </exception>
@@ -30,7 +30,7 @@ public static class Dspsa
         return new DspsaRun(new ViewFrustum(camera, AntialiasingPixels), sunPositionMoonMe, grid, summary).Select();
     }
 
-    /// <summary>Refuses what no selection can be made of.</summary>
+    /// <summary>Refuses input for which no selection is possible.</summary>
     internal static void Check(PinholeCamera camera, Vector3D? sunPositionMoonMe, IElevationGrid grid, ElevationSummary summary)
     {
         summary.CheckFits(grid);

@@ -6,8 +6,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// Bounds of a model's facets in tiles and parts of tiles (<see cref="TileLayout"/>), all of them known. Immutable, safe for several
-/// threads.
+/// Bounds of a model's facets in all tiles and parts of tiles (<see cref="TileLayout"/>). Immutable, safe for several threads.
 /// </summary>
 public sealed class ElevationSummary
 {
@@ -28,13 +27,13 @@ public sealed class ElevationSummary
     /// <summary>Samples a degree of the model.</summary>
     public int PixelsPerDegree => _layout.PixelsPerDegree;
 
-    /// <summary>m: no vertex is lower.</summary>
+    /// <summary>Minimum radius of a vertex, m.</summary>
     public double MinRadius { get; }
 
-    /// <summary>m: no vertex is higher.</summary>
+    /// <summary>Maximum radius of a vertex, m.</summary>
     public double MaxRadius { get; }
 
-    /// <summary>Coarsest (tiles) first.</summary>
+    /// <summary>Levels of the summary, coarsest (tiles) first.</summary>
     public IReadOnlyList<SummaryLevel> Levels { get; }
 
     /// <summary>Reads the whole model once, line by line.</summary>
@@ -46,10 +45,10 @@ public sealed class ElevationSummary
         return new ElevationSummary(tree, layout);
     }
 
-    /// <summary>Makes a summary again from what <see cref="ToValues"/> gave.</summary>
+    /// <summary>Restores a summary from the numbers of <see cref="ToValues"/>.</summary>
     /// <param name="pixelsPerDegree">Samples a degree of the model.</param>
     /// <param name="values">Three a block: minimum and maximum radius (m), tangent of the steepest slope.</param>
-    /// <exception cref="BadInputException">The count is not that of a model of this resolution, or a value can't be.</exception>
+    /// <exception cref="BadInputException">The count is not that of a model of this resolution, or a value is impossible.</exception>
     public static ElevationSummary FromValues(int pixelsPerDegree, ReadOnlySpan<float> values)
     {
         TileLayout layout = new(pixelsPerDegree);
@@ -75,7 +74,9 @@ public sealed class ElevationSummary
         return new ElevationSummary(tree, layout);
     }
 
-    /// <summary>The bounds of the finest blocks, row by row, three numbers a block; all else follows from them.</summary>
+    /// <summary>
+    /// The bounds of the finest blocks, row by row, three numbers a block; the whole summary can be restored from them.
+    /// </summary>
     public float[] ToValues()
     {
         float[] values = new float[3 * _layout.Rows(0) * _layout.Columns(0)];

@@ -7,7 +7,7 @@ namespace Msisf.Core.Tiles;
 /// <summary>How far the surface of a coarser level lies from the model's.</summary>
 public static class LevelDeviation
 {
-    /// <summary>The maximum difference in height between a part's facets and the model's samples under or over them, m.</summary>
+    /// <summary>The maximum difference in height between a part's facets and the model's samples below or above them, m.</summary>
     /// <param name="levels">The model and its levels.</param>
     /// <param name="part">A part of any level; 0 for the model itself.</param>
     public static double Of(LodLevels levels, SurfacePart part)
@@ -67,6 +67,6 @@ public static class LevelDeviation
         return worst;
     }
 
-    /// <summary>m: a flat facet lies by up to this below the sphere through its corners.</summary>
+    /// <summary>Maximum distance by which a flat facet lies below the sphere through its corners, m.</summary>
     private static double Sagitta(int pixelsPerDegree) => MoonConstants.ReferenceRadius * (1.0 - MeshBounds.SagittaFactor(pixelsPerDegree));
 }

@@ -15,7 +15,7 @@ public sealed class LevelMeshBuilders
 
     /// <summary>Takes the model.</summary>
     /// <param name="grid">The model.</param>
-    /// <param name="levels">Gives its levels, when one is first needed; from any thread.</param>
+    /// <param name="levels">Gives its levels; called when one is first needed, from any thread.</param>
     public LevelMeshBuilders(IElevationGrid grid, Func<LodLevels> levels)
     {
         _grid = grid;

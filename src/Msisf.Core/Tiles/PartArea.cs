@@ -1,6 +1,6 @@
 namespace Msisf.Core.Tiles;
 
-/// <summary>The squares that some parts cover, whatever their levels.</summary>
+/// <summary>The squares that a set of parts covers, at any level.</summary>
 public sealed class PartArea
 {
     private readonly HashSet<SurfacePart> _squares = [];
@@ -15,12 +15,12 @@ public sealed class PartArea
             _squares.Add(square);
             while (square.Subdivisions > 1 && _around.Add(square = square.Around()))
             {
-                // Up to the tile, or to a square whose surroundings are known.
+                // Goes up to the tile, or to a square that was already added.
             }
         }
     }
 
-    /// <summary>Whether the part's square has a piece in common with one of them.</summary>
+    /// <summary>Whether the part's square overlaps one of these squares.</summary>
     public bool Overlaps(SurfacePart part)
     {
         SurfacePart square = part with { Level = 0 };

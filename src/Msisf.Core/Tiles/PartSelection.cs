@@ -2,5 +2,7 @@ namespace Msisf.Core.Tiles;
 
 /// <summary>The pieces of surface that an image needs, each at a level of detail.</summary>
 /// <param name="Tiles">The tiles from which they were taken.</param>
-/// <param name="Parts">By tile, then fineness, then place; they do not overlap but for the rings of coarser levels.</param>
+/// <param name="Parts">
+/// By tile, then fineness, then place; they do not overlap, except for the additional rings of cells of coarser levels.
+/// </param>
 public sealed record PartSelection(TileSelection Tiles, IReadOnlyList<SurfacePart> Parts);

@@ -9,8 +9,8 @@ using Msisf.Core.Tiles.Selection;
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// Chooses what of the surface an image needs, and how fine: parts of the tiles that <see cref="Dspsa"/> keeps, each at the coarsest level
-/// of detail that the image does not show (docs/levels-of-detail.md). Safe for several threads.
+/// Chooses the parts of the surface that an image needs, and how fine they are: parts of the tiles that <see cref="Dspsa"/> keeps, each
+/// at the coarsest level of detail that the image does not show (docs/levels-of-detail.md). Safe for several threads.
 /// </summary>
 public sealed class PartSelector
 {
@@ -23,12 +23,11 @@ public sealed class PartSelector
 
     /// <summary>Takes the model.</summary>
     /// <param name="levels">The model and its levels of detail.</param>
-    /// <param name="summary">Of the same model.</param>
+    /// <param name="summary">Summary of the same model.</param>
     /// <param name="errorPixels">
-    /// So far, in pixels, a coarser level may move what is seen, or the edge of a shadow that falls on it; 0 for the model itself
-    /// everywhere.
+    /// How far, in pixels, a coarser level may move visible ground or the edge of a shadow on it; 0 for the model itself everywhere.
     /// </param>
-    /// <param name="cells">Cells to a part's edge.</param>
+    /// <param name="cells">Number of cells along a part's edge.</param>
     /// <exception cref="BadInputException">The summary is of another model.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The error is negative or not finite, or there are no cells.</exception>
     public PartSelector(LodLevels levels, ElevationSummary summary, double errorPixels, int cells = SurfacePart.DefaultCells)
@@ -50,14 +49,14 @@ public sealed class PartSelector
 
     /// <summary>Selects the parts.</summary>
     /// <param name="camera">The camera, above the surface.</param>
-    /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it throws no shadow that is seen.</param>
+    /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it casts no visible shadow.</param>
     /// <param name="rows">The rows of the image that matter; null for all.</param>
     /// <exception cref="BadInputException">The camera is inside the Moon, or the Sun is no higher than the terrain.</exception>
     public PartSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows = null)
     {
         Dspsa.Check(camera, sunPositionMoonMe, _grid, _summary);
 
-        // Where all that is in sight is the model itself, the selection is exact: nothing has to be kept in reserve.
+        // Where all visible ground is drawn from the model itself, the selection is exact and needs no margin.
         bool isExact = CoarsestLevelInSight(camera.Footprint) == 0;
         ViewFrustum frame = new(camera, Dspsa.AntialiasingPixels + (isExact ? 0.0 : _rule.MarginPixels), rows);
         DspsaRun run = new(frame, sunPositionMoonMe, _grid, _summary, isExact ? 0.0 : _rule.SlackPixels * camera.Footprint.Tangent);
@@ -72,7 +71,7 @@ public sealed class PartSelector
         return new PartSelection(tiles, division.Divide(tiles));
     }
 
-    /// <summary>The coarsest level that any ground in sight may be drawn with.</summary>
+    /// <summary>The coarsest level that is allowed for any visible ground.</summary>
     internal int CoarsestLevelInSight(PixelFootprint footprint)
     {
         double distance = footprint.PositionMoonMe.Length;

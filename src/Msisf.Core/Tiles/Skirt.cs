@@ -6,12 +6,14 @@ namespace Msisf.Core.Tiles;
 internal static class Skirt
 {
     /// <summary>
-    /// m: depth of the skirt's foot below the lowest sample of the model; a facet's middle lies at most 140 m below its corners (1 px/deg).
+    /// m: depth of the skirt's foot below the lowest sample of the model; it must be below all facets, whose middles are at most 140 m
+    /// below their corners (1 px/deg).
     /// </summary>
     public const double DepthBelowLowest = 1000.0;
 
     /// <summary>
-    /// Edges of the border, and vertices on it; a pole is one vertex where its line would be <see cref="TileMeshLayout.Samples"/>.
+    /// Number of edges, and of vertices, of the border; a pole is one vertex where its line would be
+    /// <see cref="TileMeshLayout.Samples"/>.
     /// </summary>
     public static int Edges(TileMeshLayout layout)
     {
@@ -58,7 +60,7 @@ internal static class Skirt
     }
 
     /// <summary>The triangles, counter-clockwise seen from beside the part.</summary>
-    /// <param name="border">What <see cref="Border"/> gave.</param>
+    /// <param name="border">The vertices of <see cref="Border"/>.</param>
     /// <param name="firstFoot">Number of the vertex below the border's first one; the others follow in order.</param>
     public static IEnumerable<int> Faces(IReadOnlyList<int> border, int firstFoot)
     {

@@ -4,8 +4,8 @@ using Msisf.Core.Mesh.Bounds;
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// A level of an elevation summary: blocks of equal size, a whole number of them to a tile's edge. Rows run from north to south, columns
-/// from longitude 0 to the east, as lines and samples do.
+/// A level of an elevation summary: blocks of equal size, with a whole number of them along a tile's edge. Rows run from north to south,
+/// columns from longitude 0 to the east, as lines and samples do.
 /// </summary>
 public sealed class SummaryLevel
 {
@@ -20,7 +20,7 @@ public sealed class SummaryLevel
         _level = level;
     }
 
-    /// <summary>Blocks to a tile's edge.</summary>
+    /// <summary>Number of blocks along a tile's edge.</summary>
     public int Subdivisions => _layout.Subdivisions(_level);
 
     /// <summary>Rows of blocks from pole to pole.</summary>
@@ -32,7 +32,7 @@ public sealed class SummaryLevel
     /// <summary>Blocks of the level.</summary>
     internal int Count => Rows * Columns;
 
-    /// <summary>Cells to a tile's edge.</summary>
+    /// <summary>Number of cells along a tile's edge.</summary>
     internal int TileCells => _layout.TileCells;
 
     /// <summary>Lines of the model.</summary>
@@ -44,7 +44,7 @@ public sealed class SummaryLevel
     /// <summary>A block with its place and bounds.</summary>
     internal TerrainNode Node(int row, int column) => _tree.Node(_level, row, column);
 
-    /// <summary>Several neighbours of one row as one node.</summary>
+    /// <summary>Several neighbouring blocks of one row as one node.</summary>
     /// <param name="row">Row of blocks.</param>
     /// <param name="column">Westernmost block.</param>
     /// <param name="count">How many.</param>
@@ -53,7 +53,7 @@ public sealed class SummaryLevel
     /// <summary>A tile's block with its place and bounds.</summary>
     /// <param name="tile">The tile.</param>
     /// <param name="block">
-    /// Row of the block in its tile times <see cref="Subdivisions"/> plus its column; of the tiles themselves there is one block each.
+    /// Row of the block in its tile times <see cref="Subdivisions"/> plus its column; in the level of tiles each tile is one block.
     /// </param>
     internal TerrainNode NodeOf(TileId tile, int block = 0)
     {
@@ -72,7 +72,7 @@ public sealed class SummaryLevel
     internal CellRange Cells(int row, int column, int count = 1) =>
         _layout.Cells(_level, row, column) with { EndSample = Start(column + count) };
 
-    /// <summary>Half of the minimum extent of a block as an angle; rad.</summary>
+    /// <summary>Half of the minimum extent of a block as an angle at the Moon's centre, rad.</summary>
     internal double InnerRadius(int row) =>
         MeshBounds.InnerRadius(Cells(row, 0) with { EndSample = TileCells / Subdivisions }, Lines, _layout.Samples);
 

@@ -5,27 +5,27 @@ namespace Msisf.Core.Tiles;
 
 /// <summary>
 /// A piece of the surface that a scene includes as one mesh: a tile, or a square part of it, at one level of detail. <c>default</c> is
-/// none.
+/// not a part.
 /// </summary>
 /// <param name="Tile">The tile.</param>
 /// <param name="Level">0: the model itself; each further level has half the resolution (<see cref="LodLevels"/>).</param>
-/// <param name="Subdivisions">Parts to the tile's edge, a power of two; 1: the whole tile.</param>
+/// <param name="Subdivisions">Number of parts along the tile's edge, a power of two; 1 for the whole tile.</param>
 /// <param name="Row">Row of the part in its tile, 0 northernmost.</param>
 /// <param name="Column">Column of the part in its tile, 0 westernmost.</param>
 public readonly record struct SurfacePart(TileId Tile, int Level, int Subdivisions, int Row, int Column) : IComparable<SurfacePart>
 {
     /// <summary>
-    /// Cells to a part's edge: a tile of 16 px/deg has as many. Smaller parts follow the image's borders better, but each costs a file and,
-    /// where levels meet, a skirt.
+    /// Default number of cells along a part's edge; a whole tile of 16 px/deg has two times as many. Smaller parts follow the image's
+    /// borders better, but each costs a file and, where levels meet, a skirt.
     /// </summary>
     public const int DefaultCells = 40;
 
     /// <summary>The tile as its pattern draws it.</summary>
     public static SurfacePart Whole(TileId tile, int level = 0) => new(tile, level, 1, 0, 0);
 
-    /// <summary>Parts to a tile's edge at a resolution.</summary>
+    /// <summary>Number of parts along a tile's edge at a resolution.</summary>
     /// <param name="pixelsPerDegree">Samples a degree of the level.</param>
-    /// <param name="cells">Cells to a part's edge that are wanted.</param>
+    /// <param name="cells">Wanted number of cells along a part's edge.</param>
     public static int SubdivisionsAt(int pixelsPerDegree, int cells = DefaultCells)
     {
         int wanted = 1 << int.Log2(Math.Max(1, TileId.SizeDegrees * pixelsPerDegree / cells));

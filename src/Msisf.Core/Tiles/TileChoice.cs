@@ -1,8 +1,8 @@
 namespace Msisf.Core.Tiles;
 
-/// <summary>What was decided for a tile.</summary>
+/// <summary>The decision whether a scene needs a tile.</summary>
 /// <param name="Tile">The tile.</param>
-/// <param name="Reason">Why.</param>
+/// <param name="Reason">Reason for the decision.</param>
 public readonly record struct TileChoice(TileId Tile, TileReason Reason)
 {
     /// <summary>Whether the scene needs the tile.</summary>

@@ -3,11 +3,13 @@ using Msisf.Core.Mesh.Bounds;
 
 namespace Msisf.Core.Tiles;
 
-/// <summary>Tiles, squares of a quarter of a tile's edge and, for fine models, of a twentieth.</summary>
+/// <summary>
+/// The levels of an elevation summary: tiles, squares of a quarter of a tile's edge and, for fine models, of a twentieth.
+/// </summary>
 /// <param name="pixelsPerDegree">Samples a degree of the model.</param>
 internal sealed class TileLayout(int pixelsPerDegree) : BoundsLayout(180 * pixelsPerDegree, 360 * pixelsPerDegree)
 {
-    /// <summary>Below this many cells to a node's edge, reading the cells is as quick as one more level.</summary>
+    /// <summary>Minimum number of cells along a node's edge; with fewer, reading the cells is as fast as one more level.</summary>
     private const int MinCells = 4;
 
     private readonly int[] _subdivisions = TileId.SizeDegrees * pixelsPerDegree >= 20 * MinCells ? [20, 4, 1] : [4, 1];
@@ -15,7 +17,7 @@ internal sealed class TileLayout(int pixelsPerDegree) : BoundsLayout(180 * pixel
     /// <summary>Samples a degree of the model.</summary>
     public int PixelsPerDegree { get; } = pixelsPerDegree;
 
-    /// <summary>Cells to a tile's edge.</summary>
+    /// <summary>Number of cells along a tile's edge.</summary>
     public int TileCells { get; } = TileId.SizeDegrees * pixelsPerDegree;
 
     /// <inheritdoc/>

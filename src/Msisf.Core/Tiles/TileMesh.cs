@@ -10,14 +10,16 @@ namespace Msisf.Core.Tiles;
 /// <param name="Layout">Which samples are joined, and the order of the vertices.</param>
 /// <param name="Radii">m, one a vertex; a pole's is the mean of the line beside it.</param>
 /// <param name="Offsets">
-/// x, y, z of each vertex in lattice steps from <see cref="Origin"/>, MOON_ME axes, each below 2^24 in size; those of the skirt's foot
-/// last.
+/// x, y, z of each vertex in lattice steps from <see cref="Origin"/>, MOON_ME axes, each below 2^24 in size; the vertices of the skirt's
+/// foot are last.
 /// </param>
-/// <param name="Faces">Three vertex numbers a triangle (<see cref="TileMeshLayout.CreateFaces"/>); those of the skirt last.</param>
+/// <param name="Faces">
+/// Three vertex numbers a triangle (<see cref="TileMeshLayout.CreateFaces"/>); the triangles of the skirt are last.
+/// </param>
 /// <param name="SkirtFootRadius">m: the radius at which its skirt ends, if it has one.</param>
 public sealed record TileMesh(TileMeshLayout Layout, double[] Radii, int[] Offsets, int[] Faces, double SkirtFootRadius)
 {
-    /// <summary>From this size on an offset would not be exact as a 32-bit float, which is how POV-Ray keeps vertices.</summary>
+    /// <summary>Offsets must be smaller than this in size to be exact as 32-bit floats, in which POV-Ray stores vertices.</summary>
     public const int OffsetLimit = 1 << 24;
 
     /// <summary>The point from which the offsets count.</summary>
@@ -37,7 +39,7 @@ public sealed record TileMesh(TileMeshLayout Layout, double[] Radii, int[] Offse
     }
 
     /// <summary>
-    /// The lattice point nearest to the part's middle on the sphere of the reference radius; the heights play no part in it.
+    /// The lattice point nearest to the part's middle on the sphere of the reference radius; it does not depend on the heights.
     /// </summary>
     public static LatticePoint OriginOf(SurfacePart part)
     {

@@ -7,7 +7,10 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Tiles;
 
 /// <summary>Makes the tiles' meshes from an elevation grid; safe for several threads.</summary>
-/// <remarks>Each vertex depends on its sample alone, so tiles meet bit for bit. All steps are in docs/pattern-format.md.</remarks>
+/// <remarks>
+/// Each vertex depends on its sample alone, so the shared vertices of neighbouring tiles have the same bits. All steps are in
+/// docs/pattern-format.md.
+/// </remarks>
 public sealed class TileMeshBuilder
 {
     private readonly FacetMesh _mesh;
@@ -53,7 +56,7 @@ public sealed class TileMeshBuilder
 
     /// <summary>The mesh of a tile or part.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
-    /// <param name="radii">What <see cref="ReadRadii"/> gave for it.</param>
+    /// <param name="radii">The radii from <see cref="ReadRadii"/> for this layout.</param>
     /// <exception cref="BadInputException">
     /// A radius is too far from the reference radius for the mesh's lattice (more than about 20 km).
     /// </exception>

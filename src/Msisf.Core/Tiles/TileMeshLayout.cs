@@ -1,10 +1,10 @@
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// Which samples the mesh of a tile or a part of it joins and in which order; <c>default</c> means nothing: use
+/// Which samples the mesh of a tile or a part of it joins and in which order; <c>default</c> is not a layout: use
 /// <see cref="For(TileId, int, int)"/>. Vertices: the north pole, if the mesh reaches it; then the samples line by line from the north,
-/// each from the west; then the south pole. A cell of four samples belongs to the tile (and the part) that holds its north-west sample, so
-/// each cell of the Moon belongs to exactly one tile.
+/// each from the west; then the south pole. A cell of four samples belongs to the tile (and the part) that holds its north-west sample,
+/// so each cell of the Moon belongs to exactly one tile.
 /// </summary>
 /// <param name="Part">The tile or part.</param>
 /// <param name="PixelsPerDegree">Resolution of the grid.</param>
@@ -12,19 +12,19 @@ namespace Msisf.Core.Tiles;
 /// <param name="FirstLine">Northernmost line of the grid.</param>
 /// <param name="Lines">How many lines.</param>
 /// <param name="FirstSample">Westernmost sample of the grid, in [0, 360 res).</param>
-/// <param name="Samples">How many samples a line; they go on over the prime meridian.</param>
+/// <param name="Samples">Number of samples of a line; they continue across the prime meridian.</param>
 public readonly record struct TileMeshLayout(
     SurfacePart Part, int PixelsPerDegree, int MarginSamples, int FirstLine, int Lines, int FirstSample, int Samples)
 {
-    /// <summary>The mesh ends in a fan around the north pole.</summary>
+    /// <summary>Whether the mesh ends in a fan around the north pole.</summary>
     public bool HasNorthPole => FirstLine == 0;
 
-    /// <summary>The mesh ends in a fan around the south pole.</summary>
+    /// <summary>Whether the mesh ends in a fan around the south pole.</summary>
     public bool HasSouthPole => FirstLine + Lines == 180 * PixelsPerDegree;
 
     /// <summary>
-    /// Parts of coarser levels have a skirt that goes down below the lowest ground of the Moon: where levels meet their surfaces differ,
-    /// and no ray can pass between.
+    /// Whether the part has a skirt that reaches below the lowest ground of the Moon. Parts of coarser levels have one: where levels
+    /// meet, their surfaces differ, and the skirt closes the gap to all rays.
     /// </summary>
     public bool HasSkirt => Part.Level > 0;
 
@@ -48,8 +48,8 @@ public readonly record struct TileMeshLayout(
 
     /// <summary>
     /// The layout of a part. The cells of a coarser level lie half a cell farther to the south and east than the tile's borders: such a
-    /// part has a ring of cells more in the north and west, so that it covers at least what the parts of any other level in its place
-    /// cover.
+    /// part has one more ring of cells in the north and west, so that it covers at least the area of the parts of any other level in its
+    /// place.
     /// </summary>
     /// <param name="part">The part.</param>
     /// <param name="modelPixelsPerDegree">Samples a degree of the model itself, level 0.</param>

@@ -6,10 +6,10 @@ public enum TileReason
     /// <summary>Kept: some of it can be seen, perhaps in sunlight.</summary>
     Visible,
 
-    /// <summary>Kept: it can be seen and is dark, but without it something behind it would show.</summary>
+    /// <summary>Kept: it can be seen and is dark, but without it ground behind it would show.</summary>
     DarkButCovering,
 
-    /// <summary>Kept: its shadow can fall on something that is seen.</summary>
+    /// <summary>Kept: its shadow can fall on visible ground.</summary>
     CastsShadow,
 
     /// <summary>Dropped: no ray of the image passes through it.</summary>
@@ -18,6 +18,6 @@ public enum TileReason
     /// <summary>Dropped: nearer terrain or the limb hides all of it that is in the image.</summary>
     Hidden,
 
-    /// <summary>Dropped: what can be seen of it is certainly dark, as black as the sky.</summary>
+    /// <summary>Dropped: all of it that can be seen is certainly dark, as black as the sky.</summary>
     Night,
 }

@@ -9,10 +9,10 @@ namespace Msisf.Core.Time;
 /// </summary>
 public readonly record struct ModifiedJulianDate
 {
-    /// <summary>0001-01-01, the first day that a calendar date can name.</summary>
+    /// <summary>MJD of 0001-01-01, the first day that a calendar date can name.</summary>
     private const double FirstDay = -678575.0;
 
-    /// <summary>9999-12-31 24:00, past the last day that a calendar date can name.</summary>
+    /// <summary>MJD of 9999-12-31 24:00, past the last day that a calendar date can name.</summary>
     private const double EndOfLastDay = 2973484.0;
 
     private static readonly DateTime DayZero = new(1858, 11, 17, 0, 0, 0, DateTimeKind.Utc);
@@ -29,7 +29,7 @@ public readonly record struct ModifiedJulianDate
                 $"The MJD {days:R} is not a date; a number from {FirstDay:R} (year 1) to below {EndOfLastDay:R} (year 10000) is needed."));
         }
 
-        // A day's fraction below half a spacing of 1 rounds to a whole day: then it is the next midnight.
+        // Just before midnight the fraction of the day may round to 1; the date is then set to the next midnight.
         double midnight = Math.Floor(days);
         Days = days - midnight < 1.0 ? days : midnight + 1.0;
     }

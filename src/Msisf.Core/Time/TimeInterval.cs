@@ -11,7 +11,7 @@ namespace Msisf.Core.Time;
 /// </summary>
 public sealed class TimeInterval : IReadOnlyList<ModifiedJulianDate>
 {
-    /// <summary>1: more frames than anybody renders; far more is a slip in the step.</summary>
+    /// <summary>Maximum number of times, above the number of frames of any real run; a larger number is a mistake in the step.</summary>
     public const int MaxTimes = 10_000_000;
 
     private readonly double _start;

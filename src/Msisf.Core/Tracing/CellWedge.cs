@@ -3,13 +3,14 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Tracing;
 
-/// <summary>Cuts a ray down to the wedge from the Moon's centre in which the facets of a rectangle of cells lie.</summary>
+/// <summary>Limits a ray to the wedge from the Moon's centre in which the facets of a rectangle of cells lie.</summary>
 /// <remarks>
-/// The vertices decide: what half space holds them holds the facets. East and west border are meridian planes. Along a parallel the
-/// vertices bend out of each plane through the centre, so the border is the plane through the two corners on one side
-/// of the equator and the plane that touches the parallel in the middle on the other: with half the rectangle's width D and the longitude d
-/// from its middle, a vertex at latitude p is north of the plane with slope q if tan p >= cos d tan q, and cos D &lt;= cos d &lt;= 1.
-/// Rounding to the lattice moves a vertex by up to 7 mm, less than <see cref="Tolerances.VertexLattice"/>.
+/// A half space that holds the vertices also holds the facets, so the borders are planes that bound the vertices. The western and eastern
+/// borders are meridian planes. The vertices of a parallel do not lie in one plane through the centre. So the border is the plane through
+/// the two corners on one side of the equator, and the plane that touches the parallel in the middle on the other. With half the
+/// rectangle's width D and the longitude d from its middle, a vertex at latitude p is north of the plane with slope q if tan p >= cos d tan
+/// q, and cos D &lt;= cos d &lt;= 1. Rounding to the lattice moves a vertex by up to 7 mm, less than
+/// <see cref="Tolerances.VertexLattice"/>.
 /// </remarks>
 internal readonly struct CellWedge
 {
@@ -17,9 +18,9 @@ internal readonly struct CellWedge
     private readonly Vector3D _start;
     private readonly Vector3D _direction;
 
-    /// <summary>Takes the ray.</summary>
-    /// <param name="surface">Where lines and samples are.</param>
-    /// <param name="start">m, MOON_ME: where a piece's parameter is 0.</param>
+    /// <summary>Prepares the cuts of a ray.</summary>
+    /// <param name="surface">The surface, which gives the directions of lines and samples.</param>
+    /// <param name="start">Point of the ray at which a piece's position is 0, m, MOON_ME.</param>
     /// <param name="direction">Unit vector, MOON_ME.</param>
     public CellWedge(SurfaceModel surface, Vector3D start, Vector3D direction)
     {
@@ -28,7 +29,7 @@ internal readonly struct CellWedge
         _direction = direction;
     }
 
-    /// <summary>Widest rectangle that two planes through the axis can bound well, in degrees.</summary>
+    /// <summary>Maximum width, in degrees, of a rectangle that two planes through the axis can bound well.</summary>
     public static int WidestDegrees => 90;
 
     /// <summary>The part of a piece between the rectangle's western and eastern border.</summary>
@@ -52,7 +53,8 @@ internal readonly struct CellWedge
         SineCosine west = _surface.Longitude(cells.FirstSample);
         SineCosine east = _surface.Longitude(cells.EndSample);
 
-        // Towards the rectangle's middle; the length is the cosine of half its width, by which the normals below are shortened too.
+        // Direction of the rectangle's middle. Its length is the cosine of half the rectangle's width, which shortens the normals below by
+        // the same factor.
         double x = 0.5 * (west.Cosine + east.Cosine);
         double y = 0.5 * (west.Sine + east.Sine);
         double squaredCosine = (x * x) + (y * y);

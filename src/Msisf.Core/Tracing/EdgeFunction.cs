@@ -3,8 +3,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tracing;
 
 /// <summary>
-/// On which side of a ray an edge of the mesh passes, without a wrong sign: the two facets of an edge always agree, and the facets
-/// around a vertex leave no gap.
+/// Computes on which side of a ray an edge of the mesh passes. The sign is never wrong: the two facets of an edge always agree, and the
+/// facets around a vertex leave no gap.
 /// </summary>
 /// <remarks>
 /// The volume det(direction, b - origin, a - origin), twice, as direction . ((b - a) x (a + b - 2 origin)): b - a is exact for points of
@@ -14,10 +14,12 @@ namespace Msisf.Core.Tracing;
 /// </remarks>
 internal readonly struct EdgeFunction
 {
-    /// <summary>1: seven roundings of 2^-53 on the way to the result, and one to spare.</summary>
+    /// <summary>Relative rounding error of the result in double: seven roundings of 2^-53, and one more as a margin.</summary>
     private const double DoubleRounding = 8.0 / (1L << 53);
 
-    /// <summary>1: the same with 106 bits, with a hundred times as much to spare; a smaller result is zero.</summary>
+    /// <summary>
+    /// Relative rounding error of the result with 106 bits, with a margin of about a factor of 100; a smaller result counts as zero.
+    /// </summary>
     private const double DoubleDoubleRounding = 1024.0 / (1L << 53) / (1L << 53);
 
     private readonly Vector3D _origin;
@@ -32,8 +34,8 @@ internal readonly struct EdgeFunction
     }
 
     /// <summary>
-    /// Above 0: a ray that enters the ground has the edge from a to b, and the facet on its left seen from outside, on the side where it
-    /// may hit the facet; 0: it meets the edge's line.
+    /// Above 0 if a ray that enters the ground passes on the left side of the edge from a to b as seen from outside, where it may hit the
+    /// facet on that side; 0 if the ray meets the edge's line.
     /// </summary>
     /// <param name="a">m, MOON_ME, on the lattice.</param>
     /// <param name="b">m, MOON_ME, on the lattice.</param>

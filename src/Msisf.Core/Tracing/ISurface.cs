@@ -3,12 +3,12 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Tracing;
 
-/// <summary>What a pixel's ray can meet: the reference sphere, or the terrain itself. Safe for several threads.</summary>
+/// <summary>A surface that a pixel's ray can meet: the reference sphere, or the terrain itself. Safe for several threads.</summary>
 public interface ISurface
 {
-    /// <summary>The first point of the surface in front of the ray's origin.</summary>
-    /// <param name="ray">MOON_ME.</param>
-    /// <param name="pointMoonMe">m, MOON_ME; the zero vector if there is none.</param>
-    /// <returns>Whether the ray shows the surface.</returns>
+    /// <summary>Finds the first point of the surface in front of the ray's origin.</summary>
+    /// <param name="ray">The ray, MOON_ME.</param>
+    /// <param name="pointMoonMe">The point, m, MOON_ME; the zero vector if there is none.</param>
+    /// <returns>Whether the ray meets the surface.</returns>
     bool TryFirstHit(Ray ray, out Vector3D pointMoonMe);
 }

@@ -1,18 +1,19 @@
 namespace Msisf.Core.Tracing;
 
 /// <summary>
-/// A part of a ray, in m along it from its nearest approach to the Moon's centre; empty if <see cref="Near"/> is beyond <see cref="Far"/>.
+/// A part of a ray, given by positions along it in m from its nearest approach to the Moon's centre; it is empty if <see cref="Near"/> is
+/// beyond <see cref="Far"/>.
 /// </summary>
-/// <param name="Near">m.</param>
-/// <param name="Far">m.</param>
+/// <param name="Near">Start of the piece, m.</param>
+/// <param name="Far">End of the piece, m.</param>
 internal readonly record struct RayPiece(double Near, double Far)
 {
-    /// <summary>Nothing is left.</summary>
+    /// <summary>Whether the piece is empty.</summary>
     public bool IsEmpty => !(Near <= Far);
 
     private static RayPiece Nothing => new(double.PositiveInfinity, double.NegativeInfinity);
 
-    /// <summary>The part where value + slope s is not below 0.</summary>
+    /// <summary>The part of the piece where value + slope s is not below 0, with the position s in m.</summary>
     public RayPiece WhereNotNegative(double value, double slope)
     {
         if (slope > 0.0)

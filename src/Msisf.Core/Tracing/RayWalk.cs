@@ -7,13 +7,13 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Tracing;
 
 /// <summary>
-/// One ray on its way through the surface: down to ever smaller rectangles of cells, nearest first, to the facets through which it enters
-/// the ground. Pieces of the ray, in m from its nearest approach to the Moon's centre, only say where to look; what is hit is decided on
+/// Walks one ray through the surface: into ever smaller rectangles of cells, nearest first, down to the facet through which the ray enters
+/// the ground. Pieces of the ray, in m from its nearest approach to the Moon's centre, only select the cells to test. Hits are decided on
 /// <see cref="_near"/>.
 /// </summary>
 internal ref struct RayWalk
 {
-    /// <summary>m: all of the surface is nearer to the Moon's centre.</summary>
+    /// <summary>m: a radius that is above the whole surface.</summary>
     private const double Top = MoonConstants.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
 
     private readonly SurfaceModel _surface;
@@ -34,9 +34,9 @@ internal ref struct RayWalk
 
     /// <summary>Prepares a walk.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="ray">MOON_ME; finite, and not without direction.</param>
-    /// <param name="endParameter">Hits from this parameter on don't count.</param>
-    /// <param name="stopsAtAnyHit">Whether any hit will do, or the first is wanted.</param>
+    /// <param name="ray">The ray, MOON_ME; it must be finite and have a direction.</param>
+    /// <param name="endParameter">Hits at this parameter of the ray or beyond do not count.</param>
+    /// <param name="stopsAtAnyHit">Whether the walk stops at any hit instead of finding the first one.</param>
     public RayWalk(SurfaceModel surface, Ray ray, double endParameter, bool stopsAtAnyHit)
     {
         _surface = surface;
@@ -56,21 +56,21 @@ internal ref struct RayWalk
         _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
     }
 
-    /// <summary>Parameter of the hit on the ray.</summary>
+    /// <summary>Parameter of the hit on the original ray.</summary>
     public readonly double Parameter => _offset + _parameter;
 
     /// <summary>The point that is hit, m, MOON_ME.</summary>
     public readonly Vector3D Point => _near.Origin + (_parameter * _near.Direction);
 
-    /// <summary>The facet that is hit; null before.</summary>
+    /// <summary>The facet that is hit; null if none has been hit.</summary>
     public FacetId? Facet { get; private set; }
 
-    /// <summary>Normal of the facet that is hit, outward, not of length 1.</summary>
+    /// <summary>Outward normal of the facet that is hit, MOON_ME; its length is not 1.</summary>
     public Vector3D Normal { get; private set; }
 
     private readonly bool IsOver => _stopsAtAnyHit && Facet is not null;
 
-    /// <summary>Walks until the hit is sure.</summary>
+    /// <summary>Walks along the ray until the hit is certain.</summary>
     public void Run()
     {
         double distance = _start.Length;
@@ -81,7 +81,8 @@ internal ref struct RayWalk
             RayPiece piece = new(Math.Max(-halfChord, origin - Tolerances.VertexLattice), Math.Min(halfChord, _farthest));
             if (origin < 0.0 && distance < _bottom)
             {
-                // Deeper than all of the surface the ray has entered the ground; around the Moon's centre all wedges would meet.
+                // The piece ends below the whole surface, where the ray has certainly entered the ground: near the Moon's centre the wedges
+                // of all cells would meet.
                 piece = piece with { Far = Math.Min(piece.Far, -HalfChord(_bottom, distance)) };
             }
 
@@ -89,10 +90,12 @@ internal ref struct RayWalk
         }
     }
 
-    /// <summary>Half the chord of a sphere that has such a distance from the centre.</summary>
+    /// <summary>Half the length, m, of the chord of a sphere at a distance from its centre.</summary>
     private static double HalfChord(double radius, double distance) => Math.Sqrt((radius - distance) * (radius + distance));
 
-    /// <summary>Where a parameter of the shifted ray lies on the scale of the pieces.</summary>
+    /// <summary>
+    /// Converts a parameter of the shifted ray to the scale of the pieces, m from the nearest approach to the Moon's centre.
+    /// </summary>
     private readonly double PlaceOf(double parameter) => (parameter * _length) - _startParameter;
 
     private void VisitIfMet(CellRange cells, RayPiece piece, int level)
@@ -104,7 +107,7 @@ internal ref struct RayWalk
     }
 
     /// <summary>
-    /// Looks into a rectangle of cells, of which the bounds of the levels above <paramref name="level"/> have been looked at.
+    /// Tests a rectangle of cells for which the bounds of the levels above <paramref name="level"/> have already been tested.
     /// </summary>
     private void Visit(CellRange cells, RayPiece piece, int level)
     {
@@ -139,7 +142,7 @@ internal ref struct RayWalk
         VisitIfMet(second, secondPiece, level);
     }
 
-    /// <summary>Whether a piece is anywhere as high as facets whose vertices have such radii.</summary>
+    /// <summary>Whether a piece of the ray reaches the heights of facets whose vertex radii lie within limits (m).</summary>
     private readonly bool MayMeet(RayPiece piece, double min, double max)
     {
         double top = max + Tolerances.VertexLattice;
@@ -174,7 +177,7 @@ internal ref struct RayWalk
         }
     }
 
-    /// <summary>Takes a facet if the ray enters the ground through it, nearer than what was found before.</summary>
+    /// <summary>Records a facet as the hit if the ray enters the ground through it and it is nearer than the hit found before.</summary>
     private void TryFacet(FacetId facet, in CellCorners corners, double diagonal)
     {
         (Vector3D a, Vector3D b, Vector3D c) = corners.Facet(facet.Half);
@@ -182,7 +185,7 @@ internal ref struct RayWalk
         double second = isSouthWest ? _edge.Of(a, b) : _edge.Of(c, a);
         double third = _edge.Of(b, c);
 
-        // All three are 0 for a facet without area and for one that the ray sees edge on: its neighbours are entered instead.
+        // All three are 0 for a facet without area and for one that the ray sees edge-on: the ray enters through its neighbours instead.
         if (!(second >= 0.0 && third >= 0.0 && diagonal + second + third > 0.0))
         {
             return;
@@ -199,7 +202,10 @@ internal ref struct RayWalk
         }
     }
 
-    /// <summary>Where the ray meets a facet's plane; seen nearly edge on, the quotient is kept between the facet's corners.</summary>
+    /// <summary>
+    /// Parameter at which the ray meets a facet's plane. If the facet is nearly edge-on, the quotient is limited to the range of the
+    /// facet's corners.
+    /// </summary>
     private readonly double ParameterOn(Vector3D normal, Vector3D a, Vector3D b, Vector3D c)
     {
         double alongA = AlongRay(a);

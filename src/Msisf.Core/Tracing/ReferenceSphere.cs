@@ -5,15 +5,15 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Tracing;
 
 /// <summary>
-/// A sphere about the Moon's centre, seen from outside. An origin inside it (a camera in a crater below the reference radius) sees
-/// no point of it: the far wall, thousands of kilometres behind the ground, is not what the pixel shows. Immutable.
+/// A sphere around the Moon's centre, seen from outside. A ray from inside it (a camera in a crater below the reference radius) meets no
+/// point of it: the far side, thousands of kilometres behind the ground, is not what the pixel shows. Immutable.
 /// </summary>
 public sealed class ReferenceSphere : ISurface
 {
     private readonly double _radius;
 
     /// <summary>Makes a sphere.</summary>
-    /// <param name="radius">m, above 0.</param>
+    /// <param name="radius">Radius, m, above 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">The radius is not finite or not above 0.</exception>
     public ReferenceSphere(double radius)
     {
@@ -25,13 +25,14 @@ public sealed class ReferenceSphere : ISurface
         _radius = radius;
     }
 
-    /// <summary>The sphere that the heights of the elevation model are over (docs/deviations.md, row 8).</summary>
+    /// <summary>The sphere to which the heights of the elevation model refer (docs/deviations.md, row 8).</summary>
     public static ReferenceSphere Lola { get; } = new(MoonConstants.ReferenceRadius);
 
     /// <inheritdoc/>
     /// <remarks>
-    /// In place of the discriminant of thesis eq. 8.4: nearest approach to the centre by cross products, then half the chord back.
-    /// Neither step knows how far away the origin is, so nothing cancels between 1 m and 1e12 m. A tangent ray hits.
+    /// Replaces the discriminant of thesis eq. 8.4: the nearest approach to the centre is computed by cross products, and then half the
+    /// chord is subtracted. Neither step depends on the distance of the origin, so no digits are lost to cancellation between 1 m and 1e12
+    /// m. A tangent ray hits.
     /// </remarks>
     public bool TryFirstHit(Ray ray, out Vector3D pointMoonMe)
     {

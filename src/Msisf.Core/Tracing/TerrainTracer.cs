@@ -7,24 +7,24 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Tracing;
 
 /// <summary>
-/// Rays on the terrain, one at a time and exactly: on the facets of the pattern files (docs/pattern-format.md), whichever way the ray
-/// comes. Reads of the model what rays come near, when they do. Safe for several threads.
+/// Traces single rays exactly on the facets of the pattern files (docs/pattern-format.md), for all directions of the ray. It reads only the
+/// parts of the model near a ray, when the ray is traced. Safe for several threads.
 /// </summary>
 /// <remarks>
-/// The surface is closed, so a ray from outside enters the ground before it leaves it. Only facets that face the ray are
-/// looked at; a ray that starts on the ground and leaves it has no need to skip its own facet, and no distance from which on hits count.
+/// The surface is closed, so a ray from outside enters the ground before it leaves it. Only facets that face the ray are tested. A ray that
+/// starts on the ground and leaves it therefore need not skip its own facet, and hits need no minimum distance.
 /// </remarks>
 public sealed class TerrainTracer : ISurface, ITerrainTracer
 {
     private readonly SurfaceModel _surface;
 
-    /// <summary>Takes the model; reads nothing of it yet.</summary>
-    /// <param name="grid">The whole Moon.</param>
+    /// <summary>Makes a tracer; nothing of the model is read yet.</summary>
+    /// <param name="grid">The elevation model of the whole Moon.</param>
     public TerrainTracer(IElevationGrid grid) => _surface = new SurfaceModel(grid);
 
     /// <inheritdoc/>
     /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
-    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
+    /// <exception cref="BadInputException">The model has a radius outside the range of the Moon's surface.</exception>
     public bool TryFirstHit(Ray ray, out Vector3D pointMoonMe)
     {
         bool isHit = TryTrace(ray, out SurfaceHit hit);
@@ -32,12 +32,12 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
         return isHit;
     }
 
-    /// <summary>The first facet through which a ray enters the ground.</summary>
+    /// <summary>Finds the first facet through which a ray enters the ground.</summary>
     /// <param name="ray">MOON_ME, from a point that is not inside the Moon; on the ground is allowed.</param>
-    /// <param name="hit">The point, with the facet's normal; <c>default</c> if there is none.</param>
-    /// <returns>Whether there is one.</returns>
+    /// <param name="hit">The point with the facet's normal; <c>default</c> if the ray meets no facet.</param>
+    /// <returns>Whether the ray meets a facet.</returns>
     /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
-    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
+    /// <exception cref="BadInputException">The model has a radius outside the range of the Moon's surface.</exception>
     public bool TryTrace(Ray ray, out SurfaceHit hit)
     {
         RequireRay(ray);
@@ -49,12 +49,14 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
         return walk.Facet is not null;
     }
 
-    /// <summary>Whether a point of the ground gets no light: its facet faces away, or other terrain is in between.</summary>
-    /// <param name="pointMoonMe">m, MOON_ME, on the facet.</param>
+    /// <summary>
+    /// Whether a point of the ground gets no light, because its facet faces away from the light or other terrain is in between.
+    /// </summary>
+    /// <param name="pointMoonMe">The point, m, MOON_ME, on the facet.</param>
     /// <param name="facet">The facet on which the point lies.</param>
     /// <param name="lightMoonMe">The Sun or another point of light outside the Moon, m, MOON_ME.</param>
     /// <exception cref="ArgumentException">Point or light is not finite, or they are the same.</exception>
-    /// <exception cref="BadInputException">The model has a radius that is none of the Moon.</exception>
+    /// <exception cref="BadInputException">The model has a radius outside the range of the Moon's surface.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The model has no such facet.</exception>
     public bool IsHidden(Vector3D pointMoonMe, FacetId facet, Vector3D lightMoonMe)
     {

@@ -5,7 +5,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Config;
 
-/// <summary>Finds and reads the configuration files of a call: that of <c>--config</c>, and the user's.</summary>
+/// <summary>Finds and reads the configuration files of a call: the file of <c>--config</c> and the user's file.</summary>
 internal sealed class ConfigFiles
 {
     private readonly ProgramHost _host;
@@ -13,7 +13,8 @@ internal sealed class ConfigFiles
     public ConfigFiles(ProgramHost host) => _host = host;
 
     /// <summary>
-    /// $XDG_CONFIG_HOME/msisf/config.yaml, else %APPDATA%\msisf\config.yaml, else ~/.config/msisf/config.yaml; null without such a folder.
+    /// Path of the user's file: $XDG_CONFIG_HOME/msisf/config.yaml, else %APPDATA%\msisf\config.yaml, else ~/.config/msisf/config.yaml;
+    /// null if there is no such folder.
     /// </summary>
     public static string? UserFile(ProgramHost host)
     {
@@ -23,13 +24,13 @@ internal sealed class ConfigFiles
         return parent is null ? null : Path.Combine(parent, "msisf", "config.yaml");
     }
 
-    /// <summary>Whether there is something at a path, readable or not.</summary>
+    /// <summary>Whether a file or folder exists at a path, readable or not.</summary>
     public static bool IsThere(string path) => File.Exists(path) || Directory.Exists(path);
 
     /// <summary>Reads both files.</summary>
     /// <param name="given">The user's <c>--config</c>, or null.</param>
-    /// <returns>One value a key; a key in both files has the value of the given one.</returns>
-    /// <exception cref="BadInputException">The given file is not there, or a file is wrong.</exception>
+    /// <returns>One value per key; the given file takes precedence over the user's.</returns>
+    /// <exception cref="BadInputException">The given file does not exist, or a file has an error.</exception>
     public IReadOnlyCollection<ConfigValue> Read(string? given)
     {
         Dictionary<string, ConfigValue> values = new(StringComparer.Ordinal);
@@ -71,7 +72,7 @@ internal sealed class ConfigFiles
         });
     }
 
-    /// <summary>A path as the file has it: "~/" is the user's home, and what is relative begins at the file's folder.</summary>
+    /// <summary>Resolves a path in a file: "~/" is the user's home folder, and a relative path starts at the file's folder.</summary>
     private string PathFrom(string file, string path)
     {
         if (path.Trim().Length == 0)

@@ -5,7 +5,7 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings.Config;
 
 /// <summary>
-/// What may stand in a configuration file: the long names of the commands' options, but for those that belong to one call.
+/// The keys that a configuration file may contain: the long names of all options, except options that apply to one call only.
 /// </summary>
 internal static class ConfigKeys
 {
@@ -28,16 +28,16 @@ internal static class ConfigKeys
         }
     }
 
-    /// <summary>An option for each key, in the order in which help lists them.</summary>
+    /// <summary>The option of each key, in the order of the help text.</summary>
     public static IEnumerable<OptionSpec> Allowed => Keys.Values;
 
-    /// <summary>Whether an option may stand in a file.</summary>
+    /// <summary>Whether an option may be set in a configuration file.</summary>
     public static bool Allows(OptionSpec option) => Keys.ContainsKey(option.Key);
 
-    /// <summary>The option of a key, and its text as it would be on the command line.</summary>
+    /// <summary>Gets the option of a key, and its value as it would be typed on the command line.</summary>
     /// <param name="entry">The key and its values.</param>
-    /// <param name="fileName">For messages.</param>
-    /// <exception cref="BadInputException">No key, or not with such a value.</exception>
+    /// <param name="fileName">Name of the file, for messages.</param>
+    /// <exception cref="BadInputException">There is no such key, or it can't have this value.</exception>
     public static (OptionSpec Option, string Text) Read(ConfigEntry entry, string fileName)
     {
         string place = $"{fileName}, line {entry.Line}, column {entry.Column}: ";

@@ -4,8 +4,8 @@ using Msisf.Core.Render;
 namespace Msisf.App.Settings.Config;
 
 /// <summary>
-/// Leaves out what a file says and a call can't use: settings for every call meet calls of all kinds. What stands on the command line is
-/// never touched; it is an error where it has no meaning.
+/// Removes values of configuration files that a call can't use, because the files hold settings for all kinds of calls. Options on the
+/// command line are never removed; it is an error if they can't be used.
 /// </summary>
 internal sealed class ConfigRules
 {
@@ -16,10 +16,10 @@ internal sealed class ConfigRules
 
     private ConfigRules(Dictionary<string, ConfigValue> values, OptionValues line) => (_values, _line) = (values, line);
 
-    /// <summary>The values that apply.</summary>
-    /// <param name="values">From the files.</param>
+    /// <summary>Selects the values that apply to a call.</summary>
+    /// <param name="values">Values from the configuration files.</param>
     /// <param name="line">The command line.</param>
-    /// <param name="command">Its command.</param>
+    /// <param name="command">The command of the call.</param>
     public static IReadOnlyCollection<ConfigValue> Applicable(IEnumerable<ConfigValue> values, OptionValues line, CommandSpec command)
     {
         Dictionary<string, OptionSpec> options = command.Options.ToDictionary(option => option.Name, StringComparer.Ordinal);
@@ -63,8 +63,8 @@ internal sealed class ConfigRules
     }
 
     /// <summary>
-    /// Of two options that exclude each other if the first has a certain value, leaves out the one with the lower rank; the second if both
-    /// stand together.
+    /// Removes one of two options that exclude each other if the first has a certain value: the one with the lower precedence, or the
+    /// second if their precedence is equal.
     /// </summary>
     private void KeepOneOf(OptionSpec first, string firstValue, OptionSpec second)
     {
@@ -74,7 +74,7 @@ internal sealed class ConfigRules
         }
     }
 
-    /// <summary>Null if nobody gives it, or a file says that a flag is not set.</summary>
+    /// <summary>The value that applies; null if the option is not given, or a file sets a flag to false.</summary>
     private string? Effective(OptionSpec option) => _line.Text(option) switch
     {
         "" => "true",

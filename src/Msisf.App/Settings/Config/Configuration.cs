@@ -4,14 +4,14 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Config;
 
-/// <summary>Puts the values of the configuration files behind a command line.</summary>
+/// <summary>Adds the values of the configuration files to a command line, which takes precedence.</summary>
 internal static class Configuration
 {
-    /// <summary>The options of a call with those of the files.</summary>
+    /// <summary>The options of a call together with those of the configuration files.</summary>
     /// <param name="line">The command line.</param>
-    /// <param name="command">Its command.</param>
-    /// <param name="host">Knows the user's file.</param>
-    /// <exception cref="BadInputException">A file is wrong, or the one of <c>--config</c> is not there.</exception>
+    /// <param name="command">The command of the call.</param>
+    /// <param name="host">Provides the path of the user's file.</param>
+    /// <exception cref="BadInputException">A file has an error, or the file of <c>--config</c> does not exist.</exception>
     public static OptionValues Behind(OptionValues line, CommandSpec command, ProgramHost host)
     {
         string? given = line.Text(RunOptions.Config);
@@ -25,9 +25,9 @@ internal static class Configuration
             .Select(value => KeyValuePair.Create(value.Option.Name, value.ToOptionValue())));
     }
 
-    /// <summary>Prints each key, its value and where that comes from (file and line, or "default"), separated by tabs.</summary>
+    /// <summary>Prints each key, its value and the source of the value (file and line, or "default"), separated by tabs.</summary>
     /// <param name="given">The user's <c>--config</c>, or null.</param>
-    /// <param name="host">Gets the lines, and notes which files were looked for.</param>
+    /// <param name="host">Receives the printed lines, and log messages with the files that were searched.</param>
     /// <exception cref="BadInputException">As for <see cref="Behind"/>.</exception>
     public static void Show(string? given, ProgramHost host)
     {

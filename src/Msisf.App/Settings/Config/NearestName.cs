@@ -1,23 +1,24 @@
 namespace Msisf.App.Settings.Config;
 
-/// <summary>Finds the name that was meant.</summary>
+/// <summary>Finds the name that a misspelt word most likely means.</summary>
 internal static class NearestName
 {
-    /// <summary>Characters: a longer word is no misspelt name, and comparing it would take long.</summary>
+    /// <summary>Maximum length of a word, characters: a longer word is no misspelt name, and comparing it would take long.</summary>
     private const int LongestWord = 100;
 
     /// <summary>
-    /// The name that the fewest insertions, deletions and replacements of characters make of a word; the first of several.
+    /// The name that needs the fewest insertions, deletions and replacements of characters to be made from a word; the first if several
+    /// need as few.
     /// </summary>
-    /// <param name="word">The misspelt one.</param>
-    /// <param name="names">At least one.</param>
+    /// <param name="word">The misspelt word.</param>
+    /// <param name="names">The possible names, at least one.</param>
     public static string To(string word, IEnumerable<string> names)
     {
         string start = word[..Math.Min(word.Length, LongestWord)];
         return names.MinBy(name => Distance(start, name))!;
     }
 
-    /// <summary>Levenshtein's distance, row by row.</summary>
+    /// <summary>The Levenshtein distance of two words, computed row by row.</summary>
     private static int Distance(string from, string to)
     {
         int[] row = [.. Enumerable.Range(0, to.Length + 1)];

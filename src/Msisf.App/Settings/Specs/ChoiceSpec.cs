@@ -4,9 +4,9 @@ namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is one of a few words.</summary>
 /// <param name="Name">Long name with its dashes.</param>
-/// <param name="Choices">Each word and what it stands for.</param>
+/// <param name="Choices">Each word with its value.</param>
 /// <param name="Help">See <see cref="OptionSpec"/>.</param>
-/// <typeparam name="T">What the words stand for.</typeparam>
+/// <typeparam name="T">Type of the values.</typeparam>
 internal sealed record ChoiceSpec<T>(string Name, IReadOnlyList<(string Word, T Value)> Choices, string Help) : OptionSpec(Name, Help)
     where T : struct
 {
@@ -25,11 +25,11 @@ internal sealed record ChoiceSpec<T>(string Name, IReadOnlyList<(string Word, T 
     /// <summary>The word for a value.</summary>
     public string WordOf(T value) => Choices.First(choice => EqualityComparer<T>.Default.Equals(choice.Value, value)).Word;
 
-    /// <summary>The words of the command line that give a value.</summary>
+    /// <summary>The command-line words that set the option to a value.</summary>
     public string[] Words(T value) => [Name, WordOf(value)];
 
-    /// <summary>What the word stands for, or the default, which the option must have unless it is required.</summary>
-    /// <exception cref="BadInputException">Another word.</exception>
+    /// <summary>Reads the value of the given word, or the default, which must exist unless the option is required.</summary>
+    /// <exception cref="BadInputException">The word is none of the choices.</exception>
     public T Read(OptionValues values)
     {
         if (values.Text(this) is not string text)

@@ -3,9 +3,12 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Specs;
 
-/// <summary>An option whose value is several numbers in braces, e.g. "{qx,qy,qz,q0}", quoted or taken apart by the shell.</summary>
+/// <summary>
+/// An option whose value is a list of numbers in braces, e.g. "{qx,qy,qz,q0}", as one quoted word or as the words into which a shell splits
+/// it.
+/// </summary>
 /// <param name="Name">Long name with its dashes.</param>
-/// <param name="Fields">The numbers' names in their order; a single one for a list of any length.</param>
+/// <param name="Fields">Names of the numbers in their order; a single name for a list of any length.</param>
 /// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal sealed record NumberListSpec(string Name, IReadOnlyList<string> Fields, string Help) : OptionSpec(Name, Help)
 {
@@ -15,8 +18,8 @@ internal sealed record NumberListSpec(string Name, IReadOnlyList<string> Fields,
     /// <inheritdoc/>
     public override bool TakesSeveralWords => true;
 
-    /// <summary>The numbers, in their order and in the units that were typed; null if they are not given.</summary>
-    /// <exception cref="BadInputException">Unbalanced braces, a wrong count, or no numbers.</exception>
+    /// <summary>Reads the numbers in their order, in the units of the command line; null if the option is not given.</summary>
+    /// <exception cref="BadInputException">The braces are unbalanced, the count is wrong, or a value is no number.</exception>
     public double[]? Read(OptionValues values) => values.Words(this) is { } words
         ? this.Concerned(
             () => Fields is [string only] ? StateText.ParseList(Name, words, only) : StateText.ParseNumbers(Name, words, Fields))

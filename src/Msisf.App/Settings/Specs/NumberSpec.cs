@@ -16,7 +16,7 @@ internal sealed record NumberSpec(string Name, string ValueName, string Help) : 
     /// <summary>The default; null if there is none.</summary>
     public double? Default { get; init; }
 
-    /// <summary>The numbers that are possible; null if whoever uses the number checks it.</summary>
+    /// <summary>The accepted range; null if the code that uses the number checks it.</summary>
     public NumberRange? Limits { get; init; }
 
     /// <inheritdoc/>
@@ -25,12 +25,12 @@ internal sealed record NumberSpec(string Name, string ValueName, string Help) : 
     /// <inheritdoc/>
     public override string? DefaultValue => Default is { } number ? TextOf(number) : null;
 
-    /// <summary>The number, or the default, which the option must have.</summary>
-    /// <exception cref="BadInputException">No finite number, or out of range.</exception>
+    /// <summary>Reads the number, or the default, which must exist.</summary>
+    /// <exception cref="BadInputException">The value is no finite number, or it is out of range.</exception>
     public double Read(OptionValues values) => ReadIfGiven(values) ?? Default!.Value;
 
-    /// <summary>The number; null if it is not given.</summary>
-    /// <exception cref="BadInputException">No finite number, or out of range.</exception>
+    /// <summary>Reads the number; null if the option is not given.</summary>
+    /// <exception cref="BadInputException">The value is no finite number, or it is out of range.</exception>
     public double? ReadIfGiven(OptionValues values)
     {
         if (values.Text(this) is not string text)

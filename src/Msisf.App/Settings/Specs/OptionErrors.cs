@@ -3,13 +3,13 @@ using Msisf.Core.Errors;
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>
-/// Says of a failure which options it is about, so that the place of a setting in a configuration file can be told with it.
+/// Attaches the affected options to an exception, so that its message can say where in a configuration file they are set.
 /// </summary>
 internal static class OptionErrors
 {
-    /// <summary>Adds options to a failure.</summary>
-    /// <param name="exception">The failure.</param>
-    /// <param name="options">Those that its message is about.</param>
+    /// <summary>Adds options to an exception.</summary>
+    /// <param name="exception">The exception.</param>
+    /// <param name="options">The options that its message is about.</param>
     public static TException About<TException>(this TException exception, params OptionSpec[] options)
         where TException : MsisfException
     {
@@ -17,7 +17,7 @@ internal static class OptionErrors
         return exception;
     }
 
-    /// <summary>Does something with an option's value; a failure is about that option.</summary>
+    /// <summary>Runs work on an option's value, and adds the option to any exception.</summary>
     public static T Concerned<T>(this OptionSpec option, Func<T> work)
     {
         try
@@ -31,14 +31,14 @@ internal static class OptionErrors
         }
     }
 
-    /// <summary>The same for a value that is only checked.</summary>
+    /// <summary>Checks an option's value, and adds the option to any exception.</summary>
     public static void Concerned(this OptionSpec option, Action work) => option.Concerned(() =>
     {
         work();
         return true;
     });
 
-    /// <summary>Makes a value; what is wrong with it is told with the option's name before it.</summary>
+    /// <summary>Makes a value, and puts the option's name before the message of any exception.</summary>
     public static T Named<T>(this OptionSpec option, Func<T> make)
     {
         try

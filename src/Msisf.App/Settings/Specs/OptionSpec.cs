@@ -1,51 +1,52 @@
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>
-/// One setting that a user can give: an option on the command line, and a key in a configuration file. Everything else that knows about
-/// options is made from these: parsing, help, completion, manual page, configuration keys, a frame's canonical arguments, the tables in
-/// docs.
+/// A setting that a user can give as a command-line option or as a key in a configuration file. Parsing, help, completion, the manual page,
+/// configuration keys, a frame's canonical arguments and the tables in docs are all made from these objects.
 /// </summary>
 /// <param name="Name">Long name with its dashes, e.g. "--fov".</param>
 /// <param name="Help">
-/// What it does: one sentence without a full stop, and without choices, range and default, which are added to it.
+/// Description of the option: one sentence without a full stop. Choices, range and default are not included; they are added to it.
 /// </param>
 internal abstract record OptionSpec(string Name, string Help)
 {
     /// <summary>Other names, e.g. "-f".</summary>
     public IReadOnlyList<string> Aliases { get; init; } = [];
 
-    /// <summary>How help shows the value: what it is or its unit, e.g. "DEGREES", or its choices; null for a flag.</summary>
+    /// <summary>The value in the help text: its meaning or unit, e.g. "DEGREES", or its choices; null for a flag.</summary>
     public abstract string? ValueName { get; }
 
-    /// <summary>Whether the value may be several words of the command line, as a shell makes them of braces.</summary>
+    /// <summary>Whether the value may be several command-line words, because a shell can split braces into words.</summary>
     public virtual bool TakesSeveralWords => false;
 
-    /// <summary>Values that a shell can offer; not always all that are possible.</summary>
+    /// <summary>Values that shell completion offers; other values may be possible.</summary>
     public virtual IReadOnlyList<string> Suggestions => [];
 
-    /// <summary>What stands between the values of a list in a configuration file; null if the option takes one value.</summary>
+    /// <summary>
+    /// Separator of the list's values when a configuration file gives them separately; null if the option takes one value.
+    /// </summary>
     public virtual string? ListSeparator => null;
 
-    /// <summary>The range of a number in words, e.g. "1 to 16384"; null if there is none that help should show.</summary>
+    /// <summary>The range of a number as text, e.g. "1 to 16384"; null if the help text should not show one.</summary>
     public virtual string? Range => null;
 
-    /// <summary>The default as it would stand on the command line; null if there is none.</summary>
+    /// <summary>The default as it would be typed on the command line; null if there is none.</summary>
     public virtual string? DefaultValue => null;
 
-    /// <summary>What the default is in words, in place of or to explain <see cref="DefaultValue"/>; null if that says it all.</summary>
+    /// <summary>Description of the default that replaces or explains <see cref="DefaultValue"/>; null if none is needed.</summary>
     public string? DefaultNote { get; init; }
 
     /// <summary>Whether the option must be given.</summary>
     public bool IsRequired { get; init; }
 
-    /// <summary>Whether the option has a meaning for one call only, and so can't stand in a configuration file.</summary>
+    /// <summary>Whether the option applies to one call only and so is not allowed in a configuration file.</summary>
     public bool IsOfOneCall { get; init; }
 
     /// <summary>Key in a configuration file: the long name without its dashes.</summary>
     public string Key => Name[2..];
 
     /// <summary>
-    /// What follows the sentence in help: range and default, e.g. "1 to 16384; default: 1024"; empty if there is neither.
+    /// Range and default that follow the description in the help text, e.g. "1 to 16384; default: 1024"; empty if there is neither.
     /// </summary>
     public string Notes => string.Join("; ", NoteParts());
 

@@ -1,8 +1,8 @@
 namespace Msisf.App.Settings.Specs;
 
-/// <summary>The text of one option.</summary>
+/// <summary>The value of one option as text.</summary>
 /// <param name="Words">
-/// As they would stand on the command line; none for a flag, which in a configuration file is "true" or "false".
+/// Words of the value as on the command line; empty for a flag, which is "true" or "false" in a configuration file.
 /// </param>
-/// <param name="Place">Where in a configuration file it stands, e.g. "a.yaml, line 3"; null for the command line.</param>
+/// <param name="Place">Position in a configuration file, e.g. "a.yaml, line 3"; null for the command line.</param>
 internal sealed record OptionValue(IReadOnlyList<string> Words, string? Place = null);

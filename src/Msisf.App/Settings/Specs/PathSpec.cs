@@ -2,9 +2,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Specs;
 
-/// <summary>An option whose value is a path; in a configuration file it is relative to that file's folder.</summary>
+/// <summary>An option whose value is a path; a relative path in a configuration file starts at that file's folder.</summary>
 /// <param name="Name">Long name with its dashes.</param>
-/// <param name="Kind">What lies there.</param>
+/// <param name="Kind">Kind of the path: file, folder or both.</param>
 /// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal sealed record PathSpec(string Name, PathKind Kind, string Help) : OptionSpec(Name, Help)
 {
@@ -22,12 +22,12 @@ internal sealed record PathSpec(string Name, PathKind Kind, string Help) : Optio
     /// <inheritdoc/>
     public override string? DefaultValue => Default;
 
-    /// <summary>The path, or the default, which the option must have.</summary>
-    /// <exception cref="BadInputException">Empty.</exception>
+    /// <summary>Reads the path, or the default, which must exist.</summary>
+    /// <exception cref="BadInputException">The path is empty.</exception>
     public string Read(OptionValues values) => ReadIfGiven(values) ?? Default!;
 
-    /// <summary>The path; null if it is not given.</summary>
-    /// <exception cref="BadInputException">Empty.</exception>
+    /// <summary>Reads the path; null if the option is not given.</summary>
+    /// <exception cref="BadInputException">The path is empty.</exception>
     public string? ReadIfGiven(OptionValues values)
     {
         string? text = values.Text(this);

@@ -3,7 +3,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Specs;
 
-/// <summary>An option whose value is a text that this option alone understands.</summary>
+/// <summary>An option whose value is a text with a syntax of its own.</summary>
 /// <inheritdoc/>
 internal sealed record TextSpec(string Name, string ValueName, string Help) : OptionSpec(Name, Help)
 {
@@ -13,13 +13,15 @@ internal sealed record TextSpec(string Name, string ValueName, string Help) : Op
     /// <summary>The default; null if there is none.</summary>
     public string? Default { get; init; }
 
-    /// <summary>The values that a shell offers.</summary>
+    /// <summary>Values that shell completion offers.</summary>
     public IReadOnlyList<string> Words { get; init; } = [];
 
-    /// <summary>Between the values of a list; null if it takes one value.</summary>
+    /// <summary>Separator of the values of a list; null if the option takes one value.</summary>
     public string? Separator { get; init; }
 
-    /// <summary>The form of the text, and what is needed for messages, e.g. "a size is needed, e.g. 4G"; null for any text.</summary>
+    /// <summary>
+    /// The required pattern of the text and a description for messages, e.g. "a size is needed, e.g. 4G"; null for any text.
+    /// </summary>
     public (Regex Pattern, string Needed)? Form { get; init; }
 
     /// <inheritdoc/>
@@ -31,12 +33,12 @@ internal sealed record TextSpec(string Name, string ValueName, string Help) : Op
     /// <inheritdoc/>
     public override string? DefaultValue => Default;
 
-    /// <summary>The text, or the default, which the option must have.</summary>
-    /// <exception cref="BadInputException">Not of the form.</exception>
+    /// <summary>Reads the text, or the default, which must exist.</summary>
+    /// <exception cref="BadInputException">The text does not match the required pattern.</exception>
     public string Read(OptionValues values) => ReadIfGiven(values) ?? Default!;
 
-    /// <summary>The text; null if it is not given.</summary>
-    /// <exception cref="BadInputException">Not of the form.</exception>
+    /// <summary>Reads the text; null if the option is not given.</summary>
+    /// <exception cref="BadInputException">The text does not match the required pattern.</exception>
     public string? ReadIfGiven(OptionValues values)
     {
         string? text = values.Text(this);

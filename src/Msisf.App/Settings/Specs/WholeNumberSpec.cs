@@ -6,8 +6,8 @@ namespace Msisf.App.Settings.Specs;
 /// <summary>An option whose value is a whole number.</summary>
 /// <param name="Name">Long name with its dashes.</param>
 /// <param name="ValueName">Its unit or meaning, e.g. "PX".</param>
-/// <param name="Min">The smallest.</param>
-/// <param name="Max">The largest; <see cref="int.MaxValue"/> where none is needed.</param>
+/// <param name="Min">Minimum.</param>
+/// <param name="Max">Maximum; <see cref="int.MaxValue"/> for none.</param>
 /// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal sealed record WholeNumberSpec(string Name, string ValueName, int Min, int Max, string Help) : OptionSpec(Name, Help)
 {
@@ -23,12 +23,12 @@ internal sealed record WholeNumberSpec(string Name, string ValueName, int Min, i
     /// <inheritdoc/>
     public override string? DefaultValue => Default?.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>The number, or the default, which the option must have.</summary>
-    /// <exception cref="BadInputException">No whole number, or out of range.</exception>
+    /// <summary>Reads the number, or the default, which must exist.</summary>
+    /// <exception cref="BadInputException">The value is no whole number, or it is out of range.</exception>
     public int Read(OptionValues values) => ReadIfGiven(values) ?? Default!.Value;
 
-    /// <summary>The number; null if it is not given.</summary>
-    /// <exception cref="BadInputException">No whole number, or out of range.</exception>
+    /// <summary>Reads the number; null if the option is not given.</summary>
+    /// <exception cref="BadInputException">The value is no whole number, or it is out of range.</exception>
     public int? ReadIfGiven(OptionValues values)
     {
         if (values.Text(this) is not string text)

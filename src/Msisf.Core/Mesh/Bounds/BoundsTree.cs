@@ -4,13 +4,13 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Mesh.Bounds;
 
 /// <summary>
-/// Minimum, maximum and steepest slope of the surface in nodes of several sizes (<see cref="BoundsLayout"/>), with the cap and box in which
-/// each node lies. A node's bounds are found when they are first asked for. Safe for several threads: two may find the same bounds at the
-/// same time, which come out the same.
+/// Minimum radius, maximum radius and maximum slope of the surface in nodes of several sizes (<see cref="BoundsLayout"/>), with the cap and
+/// the box in which each node lies. The bounds of a node are computed at the first request. Safe for several threads: if two compute the
+/// same bounds at the same time, they get the same result.
 /// </summary>
 internal sealed class BoundsTree
 {
-    /// <summary>Samples that are read, when all nodes are, before their memory is given back: 8 MB of 16-bit samples.</summary>
+    /// <summary>Number of samples that <see cref="ReadAll"/> reads before it releases their memory: 8 MB of 16-bit samples.</summary>
     private const int SamplesBetweenReleases = 1 << 22;
 
     private readonly FacetMesh? _mesh;
@@ -21,7 +21,9 @@ internal sealed class BoundsTree
 
     /// <summary>Makes a tree that reads its nodes.</summary>
     /// <param name="layout">How the mesh is divided.</param>
-    /// <param name="mesh">The mesh; nothing of it is read yet. Null if the finest nodes are all set before any is asked for.</param>
+    /// <param name="mesh">
+    /// The mesh; nothing of it is read yet. Null if the bounds of all nodes of the finest level are set before any are requested.
+    /// </param>
     public BoundsTree(BoundsLayout layout, FacetMesh? mesh)
     {
         Layout = layout;
@@ -40,8 +42,10 @@ internal sealed class BoundsTree
     /// <summary>How the mesh is divided.</summary>
     public BoundsLayout Layout { get; }
 
-    /// <summary>The bounds of a node; what is not known of it yet is read.</summary>
-    /// <exception cref="BadInputException">The model can't be read there, or has a radius that is none of the Moon.</exception>
+    /// <summary>The bounds of a node; parts that are not known yet are read.</summary>
+    /// <exception cref="BadInputException">
+    /// The model cannot be read there, or has a radius outside the range of the Moon's surface.
+    /// </exception>
     public NodeBounds Of(int level, int row, int column)
     {
         if (_stores[level].TryGet(row, column, out NodeBounds bounds))
@@ -60,15 +64,15 @@ internal sealed class BoundsTree
         return bounds;
     }
 
-    /// <summary>The bounds of a node, if they follow from what is known; nothing is read.</summary>
+    /// <summary>Gets the bounds of a node if they follow from known bounds; nothing is read.</summary>
     public bool TryGetKnown(int level, int row, int column, out NodeBounds bounds) =>
         _stores[level].TryGet(row, column, out bounds)
         || (level > Layout.CoarsestReadLevel && TryUnite(level, row, column, reads: false, out bounds));
 
-    /// <summary>Makes bounds known that were found before.</summary>
+    /// <summary>Stores the bounds of a node that were computed before.</summary>
     public void Set(int level, int row, int column, NodeBounds bounds) => _stores[level].Set(row, column, bounds);
 
-    /// <summary>Makes all nodes of the finest level known, in one pass over the model from the north.</summary>
+    /// <summary>Computes the bounds of all nodes of the finest level, in one pass over the model from the north.</summary>
     public void ReadAll()
     {
         CellRange[] cells = new CellRange[Layout.Columns(0)];
@@ -106,11 +110,11 @@ internal sealed class BoundsTree
     /// <summary>A node with its place and bounds.</summary>
     public TerrainNode Node(int level, int row, int column) => NodeOf(CapOf(level, row, column), Of(level, row, column));
 
-    /// <summary>Several neighbours of one row as one node.</summary>
+    /// <summary>Joins several neighbouring nodes of one row into one node.</summary>
     /// <param name="level">Their level.</param>
     /// <param name="row">Their row.</param>
-    /// <param name="column">The westernmost node's.</param>
-    /// <param name="count">How many.</param>
+    /// <param name="column">Column of the westernmost node.</param>
+    /// <param name="count">Number of nodes.</param>
     public TerrainNode Node(int level, int row, int column, int count)
     {
         if (count == 1)
@@ -128,7 +132,10 @@ internal sealed class BoundsTree
         return NodeOf(MeshBounds.CapOf(cells, Layout.Lines, Layout.Samples), bounds);
     }
 
-    /// <summary>A node for bounds and a cap that are known: facets sag below their vertices, and the lattice moves these.</summary>
+    /// <summary>
+    /// Makes a node from known bounds and a cap. The bounds are widened because facets sag below their vertices and the lattice moves the
+    /// vertices.
+    /// </summary>
     public TerrainNode NodeOf(SphericalCap cap, NodeBounds bounds) => new(
         cap, (bounds.Min * _sagitta) - Tolerances.VertexLattice, bounds.Max + Tolerances.VertexLattice, bounds.MaxSlope);
 

@@ -3,24 +3,24 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh.Bounds;
 
-/// <summary>Where the facets of a block of cells lie as seen from the Moon's centre.</summary>
+/// <summary>Directions of the facets of a block of cells as seen from the Moon's centre.</summary>
 internal static class MeshBounds
 {
     /// <summary>
-    /// A facet's minimum radius is at least its minimum vertex radius times this: the cosine of the angle from a facet's middle to its
+    /// Ratio of a facet's minimum radius to its minimum vertex radius, at least. It is the cosine of the angle from a facet's middle to its
     /// vertices, which is at most half the diagonal of a cell (1 percent added).
     /// </summary>
     public static double SagittaFactor(int pixelsPerDegree) => Math.Cos(1.01 * Math.Sqrt(0.5) * Math.PI / 180.0 / pixelsPerDegree);
 
-    /// <summary>rad.</summary>
+    /// <summary>Latitude of the block's middle, rad.</summary>
     public static double CentreLatitude(CellRange cells, int lines) =>
         0.5 * (FacetMesh.Latitude(cells.FirstLine, lines) + FacetMesh.Latitude(cells.EndLine, lines));
 
-    /// <summary>rad, not wrapped.</summary>
+    /// <summary>Longitude of the block's middle, rad, not wrapped to one turn.</summary>
     public static double CentreLongitude(CellRange cells, int samples) =>
         FacetMesh.Longitude(0.5 * (cells.FirstSample + cells.EndSample), samples);
 
-    /// <summary>The cap about the block's middle that holds all its facets.</summary>
+    /// <summary>The cap around the block's middle that contains all its facets.</summary>
     /// <remarks>
     /// A facet seen from the centre is a spherical triangle, which lies in each cap below a hemisphere that holds its corners. Of the
     /// vertices of a latitude-longitude block one of the four corners is the farthest from the middle: the distance grows with the
@@ -38,7 +38,7 @@ internal static class MeshBounds
         return new SphericalCap(new SelenographicPoint(latitude, longitude).ToDirectionMoonMe(), cosRadius, sinRadius);
     }
 
-    /// <summary>A cap of this radius about the block's middle lies within its facets; rad.</summary>
+    /// <summary>Radius (rad) of a cap around the block's middle that lies entirely within the block's facets.</summary>
     public static double InnerRadius(CellRange cells, int lines, int samples)
     {
         double north = FacetMesh.Latitude(cells.FirstLine, lines);

@@ -2,13 +2,15 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Mesh.Bounds;
 
-/// <summary>Where the nodes of a level lie as seen from the Moon's centre, whatever their heights. Immutable.</summary>
+/// <summary>
+/// Directions and extents of the nodes of a level as seen from the Moon's centre, independent of their heights. Immutable.
+/// </summary>
 internal sealed class NodeGeometry
 {
     private readonly RowGeometry[] _rows;
     private readonly SineCosine[] _longitudes;
 
-    /// <summary>Computes the places of a level's nodes.</summary>
+    /// <summary>Computes the geometry of a level's nodes.</summary>
     public NodeGeometry(BoundsLayout layout, int level)
     {
         _longitudes = new SineCosine[layout.Columns(level)];
@@ -20,7 +22,7 @@ internal sealed class NodeGeometry
             _longitudes[column] = SineCosineOf(MeshBounds.CentreLongitude(cells, layout.Samples));
         }
 
-        // Some columns are narrower than others: all get the extent of the widest.
+        // Some columns are narrower than others: all get the extent of the widest one.
         _rows = new RowGeometry[layout.Rows(level)];
         for (int row = 0; row < _rows.Length; row++)
         {
@@ -35,8 +37,8 @@ internal sealed class NodeGeometry
     /// <summary>The box that holds all facets of a node whose vertex radii lie within bounds.</summary>
     /// <param name="row">Row of the node.</param>
     /// <param name="column">Column of the node.</param>
-    /// <param name="minRadius">m.</param>
-    /// <param name="maxRadius">m.</param>
+    /// <param name="minRadius">Minimum vertex radius of the node, m.</param>
+    /// <param name="maxRadius">Maximum vertex radius of the node, m.</param>
     public NodeBox BoxOf(int row, int column, double minRadius, double maxRadius)
     {
         ref readonly RowGeometry geometry = ref _rows[row];
@@ -85,16 +87,16 @@ internal sealed class NodeGeometry
             HalfHeight = Tolerances.CapRadius + Math.Sin(0.5 * (north - south)) + bulge;
         }
 
-        /// <summary>Of the middle.</summary>
+        /// <summary>Latitude of the node's middle.</summary>
         public SineCosine Latitude { get; }
 
         /// <summary>Angle from the middle to the farthest corner.</summary>
         public SineCosine CapRadius { get; }
 
-        /// <summary>Half of the extent to the east, parts of the radius.</summary>
+        /// <summary>Half of the extent from west to east, as a fraction of the radius.</summary>
         public double HalfWidth { get; }
 
-        /// <summary>Half of the extent to the north, parts of the radius.</summary>
+        /// <summary>Half of the extent from south to north, as a fraction of the radius.</summary>
         public double HalfHeight { get; }
     }
 }

@@ -8,15 +8,16 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh.Bounds;
 
-/// <summary>Finds the bounds of nodes by reading the vertices of their cells. Safe for several threads.</summary>
+/// <summary>Computes the bounds of nodes by reading the vertices of their cells. Safe for several threads.</summary>
 internal sealed class NodeReader
 {
     /// <summary>
-    /// Added to slopes: a cell's legs are neither quite straight nor quite at right angles (below 1 percent at 1 px/deg).
+    /// Factor on computed slopes: a cell's legs are neither exactly straight nor exactly at right angles, which changes a slope by less
+    /// than 1 percent at 1 px/deg.
     /// </summary>
     private const double SlopeMargin = 1.02;
 
-    /// <summary>Vertices of a line that are kept on the stack.</summary>
+    /// <summary>Maximum number of vertices of a line for which the buffer is on the stack.</summary>
     private const int StackSamples = 64;
 
     private readonly FacetMesh _mesh;
@@ -37,8 +38,8 @@ internal sealed class NodeReader
         }
     }
 
-    /// <summary>Reads one node.</summary>
-    /// <exception cref="BadInputException">The model has a radius there that is none of the Moon.</exception>
+    /// <summary>Reads the bounds of one node.</summary>
+    /// <exception cref="BadInputException">The model has a radius there outside the range of the Moon's surface.</exception>
     public NodeBounds Read(CellRange cells)
     {
         Extremes found = Extremes.None;
@@ -55,9 +56,11 @@ internal sealed class NodeReader
         return found.ToBounds();
     }
 
-    /// <summary>Reads neighbouring nodes of one row, each vertex line once for all of them. Any radius is taken.</summary>
+    /// <summary>
+    /// Reads the bounds of neighbouring nodes of one row; each vertex line is read once for all of them. Any radius is accepted.
+    /// </summary>
     /// <param name="nodes">The cells of each node, from west to east.</param>
-    /// <param name="bounds">Filled.</param>
+    /// <param name="bounds">Receives the bounds of each node.</param>
     public void ReadRow(ReadOnlySpan<CellRange> nodes, Span<NodeBounds> bounds)
     {
         Extremes[] found = new Extremes[nodes.Length];
@@ -100,7 +103,7 @@ internal sealed class NodeReader
         }
     }
 
-    /// <summary>What is known of a node after some of its lines.</summary>
+    /// <summary>The bounds of a node over the lines that have been read so far.</summary>
     private struct Extremes
     {
         public double Min;
@@ -137,7 +140,7 @@ internal sealed class NodeReader
                 }
             }
 
-            // Rounding to the lattice tilts a facet too, most where the samples of a polar line lie close together.
+            // Rounding to the lattice also tilts a facet, most where the samples of a polar line are close together.
             _eastSlope = Math.Max(_eastSlope, (stepEast + (2.0 * Tolerances.VertexLattice)) * perRadianEast / Min);
             _northSlope = Math.Max(_northSlope, (stepNorth + (2.0 * Tolerances.VertexLattice)) * perRadianNorth / Min);
         }
@@ -147,7 +150,9 @@ internal sealed class NodeReader
             MathF.BitIncrement((float)Max),
             MathF.BitIncrement((float)(SlopeMargin * double.Hypot(_eastSlope, _northSlope))));
 
-        /// <summary>Adds all vertices of a line but the first; there are at least as many as a vector has.</summary>
+        /// <summary>
+        /// Adds all vertices of a line except the first; the line must have at least as many of them as a vector has lanes.
+        /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
         private void AddWide(ref double north, ref double south, int count, ref double stepEast, ref double stepNorth)
         {
@@ -157,7 +162,7 @@ internal sealed class NodeReader
             Vector512<double> down = Vector512.Create(stepNorth);
             for (int i = 1; i < count; i += Vector512<double>.Count)
             {
-                // The last vector begins early enough to end with the line; what it repeats does no harm.
+                // The last vector begins early enough to end with the line; the vertices that it repeats do not change the bounds.
                 nuint at = (nuint)Math.Min(i, count - Vector512<double>.Count);
                 Vector512<double> radius = Vector512.LoadUnsafe(ref south, at);
                 min = Vector512.Min(min, radius);

@@ -1,8 +1,6 @@
 namespace Msisf.Core.Mesh.Bounds;
 
-/// <summary>
-/// The bounds of a level's nodes as far as they are known; memory is taken where nodes become known. Safe for several threads.
-/// </summary>
+/// <summary>The known bounds of a level's nodes; memory is allocated only where bounds are known. Safe for several threads.</summary>
 internal sealed class NodeStore
 {
     private const int ChunkShift = 4;
@@ -17,7 +15,7 @@ internal sealed class NodeStore
         _chunks = new Chunk?[]?[(rows + ChunkSide - 1) >> ChunkShift];
     }
 
-    /// <summary>The bounds of a node, if they are known.</summary>
+    /// <summary>Gets the bounds of a node if they are known.</summary>
     public bool TryGet(int row, int column, out NodeBounds bounds)
     {
         if (Volatile.Read(ref _chunks[row >> ChunkShift]) is { } chunks && Volatile.Read(ref chunks[column >> ChunkShift]) is { } chunk)
@@ -32,7 +30,7 @@ internal sealed class NodeStore
         return false;
     }
 
-    /// <summary>Keeps the bounds of a node. Several threads may set the same node, but only to the same bounds.</summary>
+    /// <summary>Stores the bounds of a node. Several threads may set the same node, but only to the same bounds.</summary>
     public void Set(int row, int column, NodeBounds bounds)
     {
         ref Chunk?[]? chunks = ref _chunks[row >> ChunkShift];

@@ -1,8 +1,8 @@
 namespace Msisf.Core.Mesh.Bounds;
 
 /// <summary>
-/// Patches of 8 x 8 cells for single rays, cell blocks of 32 x 32 for images, and squares of 4 x 4 of these, again and again, up to some
-/// tens of degrees. The northernmost row begins with the northern fan.
+/// Divides a mesh into patches of 8 x 8 cells for single rays, cell blocks of 32 x 32 cells for images, and further levels of 4 x 4 nodes
+/// each, up to some tens of degrees. The northernmost row begins with the northern fan.
 /// </summary>
 /// <param name="mesh">The mesh whose cells are divided.</param>
 internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, mesh.Samples)
@@ -16,12 +16,14 @@ internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, me
     /// <summary>The level of the groups of 4 x 4 cell blocks.</summary>
     public const int GroupLevel = 2;
 
-    /// <summary>Cell blocks of a group.</summary>
+    /// <summary>Number of cell blocks of a group.</summary>
     public const int GroupBlocks = Fan * Fan;
 
     private const int Fan = 4;
 
-    /// <summary>Nodes around the Moon, at least, on a level above the groups: a cap about a larger one might pass a hemisphere.</summary>
+    /// <summary>
+    /// Minimum number of nodes around the Moon on a level above the groups: the cap around a larger node might exceed a hemisphere.
+    /// </summary>
     private const int MinColumns = 8;
 
     /// <inheritdoc/>
@@ -30,10 +32,10 @@ internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, me
     /// <inheritdoc/>
     public override int CoarsestReadLevel => CellBlockLevel;
 
-    /// <summary>Cells along an edge of a node; those at the south pole and at longitude 360 degrees may have fewer.</summary>
+    /// <summary>Number of cells along an edge of a node; nodes at the south pole and at longitude 360 degrees may have fewer.</summary>
     public static int Side(int level) => 1 << SideShift(level);
 
-    /// <summary><see cref="Side"/> as a shift.</summary>
+    /// <summary>Base-2 logarithm of <see cref="Side"/>.</summary>
     public static int SideShift(int level) => 3 + (2 * level);
 
     /// <inheritdoc/>

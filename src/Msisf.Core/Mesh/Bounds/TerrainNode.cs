@@ -2,14 +2,14 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Mesh.Bounds;
 
-/// <summary>A piece of the surface and what is known of it without reading it.</summary>
-/// <param name="Cap">Holds the direction of each of its points.</param>
-/// <param name="MinRadius">m: no point of a facet lies lower.</param>
-/// <param name="MaxRadius">m: no point lies higher.</param>
-/// <param name="MaxSlope">Tangent of an angle that no facet's slope exceeds.</param>
+/// <summary>A piece of the surface with bounds that are known without reading its samples.</summary>
+/// <param name="Cap">Cap that contains the directions of all points of the piece.</param>
+/// <param name="MinRadius">m: minimum radius of the facets.</param>
+/// <param name="MaxRadius">m: maximum radius of the facets.</param>
+/// <param name="MaxSlope">Upper bound of the tangent of the facets' slopes.</param>
 internal readonly record struct TerrainNode(SphericalCap Cap, double MinRadius, double MaxRadius, double MaxSlope)
 {
-    /// <summary>A ball that holds the piece: its middle (m, MOON_ME) and radius (m).</summary>
+    /// <summary>A ball that contains the piece: its centre (m, MOON_ME) and radius (m).</summary>
     public (Vector3D Centre, double Radius) Ball()
     {
         double middle = 0.5 * (MinRadius + MaxRadius) * Cap.CosRadius;
@@ -17,7 +17,8 @@ internal readonly record struct TerrainNode(SphericalCap Cap, double MinRadius, 
     }
 
     /// <summary>
-    /// Distance from the point at height <paramref name="middle"/> on the cap's axis to the rim at a radius; the farthest at that radius.
+    /// Maximum distance (m) of the cap's points at a radius from the point of the cap's axis that is <paramref name="middle"/> from the
+    /// Moon's centre.
     /// </summary>
     private double ToRim(double middle, double radius)
     {

@@ -1,17 +1,19 @@
 namespace Msisf.Core.Render.Photometry;
 
-/// <summary>From radiance factor to grey, the same for all images: what is in an image does not change it.</summary>
+/// <summary>
+/// Converts radiance factors to grey levels. The conversion does not depend on the content of an image, so it is the same for all images.
+/// </summary>
 public sealed class GreyScale
 {
-    // IEC 61966-2-1: linear up to here, then a power.
+    // IEC 61966-2-1: the sRGB curve is linear up to this value of linear grey and a power above it.
     private const double SrgbToe = 0.0031308;
     private const double SrgbToeSlope = 12.92;
     private const double SrgbOffset = 0.055;
     private const double SrgbExponent = 2.4;
 
     /// <summary>Makes the scale.</summary>
-    /// <param name="exposure">Linear grey of the radiance factor 1, above 0: 1 makes it white, 2 makes white of the half.</param>
-    /// <param name="transfer">From linear grey to the numbers of the image.</param>
+    /// <param name="exposure">Linear grey of the radiance factor 1, above 0. With 1, I/F = 1 is white; with 2, I/F = 0.5 is white.</param>
+    /// <param name="transfer">How linear grey is encoded in the image's levels.</param>
     /// <exception cref="Errors.BadInputException">The exposure is not above 0.</exception>
     public GreyScale(double exposure = 1.0, GreyTransfer transfer = GreyTransfer.Srgb)
     {
@@ -22,20 +24,23 @@ public sealed class GreyScale
     /// <summary>Linear grey of the radiance factor 1.</summary>
     public double Exposure { get; }
 
-    /// <summary>From linear grey to the numbers of the image.</summary>
+    /// <summary>How linear grey is encoded in the image's levels.</summary>
     public GreyTransfer Transfer { get; }
 
     /// <summary>
-    /// The level of one radiance factor, by the plain formula: rounded to the nearest, as POV-Ray does, black and white beyond the ends.
+    /// The level of one radiance factor by the plain formula, rounded to the nearest level, as POV-Ray does. Values beyond the ends become
+    /// black or white.
     /// </summary>
     /// <param name="radianceFactor">I/F.</param>
-    /// <param name="maxLevel">White: 255 or 65535.</param>
+    /// <param name="maxLevel">Level of white: 255 or 65535.</param>
     public int Level(double radianceFactor, int maxLevel) =>
         (int)Math.Floor((Encode(Math.Clamp(Exposure * radianceFactor, 0.0, 1.0)) * maxLevel) + 0.5);
 
-    /// <summary>The minimum radiance factor that has a level: there the formula is half-way between the level and the one before.</summary>
+    /// <summary>
+    /// The minimum radiance factor that has a level; there the formula is half-way between that level and the level below.
+    /// </summary>
     /// <param name="level">1 to <paramref name="maxLevel"/>.</param>
-    /// <param name="maxLevel">White.</param>
+    /// <param name="maxLevel">Level of white: 255 or 65535.</param>
     internal double MinRadianceFactor(int level, int maxLevel) => Decode((level - 0.5) / maxLevel) / Exposure;
 
     private double Encode(double linear) => Transfer switch

@@ -3,14 +3,15 @@ using System.Diagnostics;
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>
-/// The levels of whole rows by table, without a power for each pixel: the levels of <see cref="GreyScale.Level"/>, but for radiance factors
-/// that lie within rounding (1e-14 of them) of the border between two levels. Safe for several threads.
+/// Converts whole rows of radiance factors to levels by a table, which avoids a power function for each pixel. The levels are those of
+/// <see cref="GreyScale.Level"/>, except for radiance factors within 1e-14 (relative) of the border between two levels. Safe for several
+/// threads.
 /// </summary>
 public sealed class GreyTable
 {
     /// <summary>
-    /// Steps of the table for one level. A level is nowhere narrower than the sRGB curve is steep, 1 / 12.92 of full scale over the number
-    /// of levels; 16 steps are narrower still, so that no two borders share a step.
+    /// Number of steps of the table for each level. The sRGB curve is nowhere steeper than 12.92, so a level is at least 1 / 12.92 of full
+    /// scale over the number of levels wide. 16 steps per level are narrower than that, so no two borders share a step.
     /// </summary>
     private const int StepsPerLevel = 16;
 
@@ -20,7 +21,7 @@ public sealed class GreyTable
     private readonly ushort[] _levelBeforeStep;
     private readonly double[] _min;
 
-    /// <summary>Computes the table: some microseconds and 10 kB for 8 bits, some milliseconds and 2.6 MB for 16.</summary>
+    /// <summary>Computes the table. For 8 bits this takes some microseconds and 10 kB, for 16 bits some milliseconds and 2.6 MB.</summary>
     /// <param name="scale">The scale.</param>
     /// <param name="bitDepth">Bits of a level: 8 or 16.</param>
     public GreyTable(GreyScale scale, int bitDepth)
@@ -52,7 +53,7 @@ public sealed class GreyTable
     /// <summary>Bits of a level: 8 or 16.</summary>
     public int BitDepth { get; }
 
-    /// <summary>Levels of 8 bits.</summary>
+    /// <summary>Converts radiance factors to levels of 8 bits.</summary>
     /// <param name="radianceFactors">I/F, not NaN.</param>
     /// <param name="levels">Receives as many levels.</param>
     public void Convert(ReadOnlySpan<double> radianceFactors, Span<byte> levels)
@@ -65,7 +66,7 @@ public sealed class GreyTable
         }
     }
 
-    /// <summary>Levels of 16 bits.</summary>
+    /// <summary>Converts radiance factors to levels of 16 bits.</summary>
     /// <param name="radianceFactors">I/F, not NaN.</param>
     /// <param name="levels">Receives as many levels.</param>
     public void Convert(ReadOnlySpan<double> radianceFactors, Span<ushort> levels)
@@ -80,12 +81,14 @@ public sealed class GreyTable
 
     private int LevelOf(double radianceFactor)
     {
-        // The step never falls as the radiance factor grows, so all borders of earlier steps are passed; in its own there is one at most.
+        // The step never decreases as the radiance factor grows, so the borders of all earlier steps are passed. The step itself holds at
+        // most one border.
         int level = _levelBeforeStep[StepOf(radianceFactor)];
         return radianceFactor >= _min[level + 1] ? level + 1 : level;
     }
 
-    // The native forms are one instruction each, and differ from the others only for NaN and out of the range that is cut off before.
+    // The native forms are one instruction each. They differ from the others only for NaN and for values that are clamped before the
+    // conversion.
     private int StepOf(double radianceFactor) =>
         double.ConvertToIntegerNative<int>(double.MinNative(double.MaxNative(radianceFactor * _stepsPerRadianceFactor, 0.0), _lastStep));
 }

@@ -1,11 +1,11 @@
 namespace Msisf.Core.Render.Photometry;
 
-/// <summary>How an image's numbers follow from linear light.</summary>
+/// <summary>How linear grey is encoded in the levels of an image.</summary>
 public enum GreyTransfer
 {
-    /// <summary>The curve of sRGB (IEC 61966-2-1), which POV-Ray's PNG has too: for screens.</summary>
+    /// <summary>The sRGB curve (IEC 61966-2-1), for display; the PNG files of POV-Ray use it too.</summary>
     Srgb = 0,
 
-    /// <summary>In proportion: for measuring.</summary>
+    /// <summary>Levels proportional to radiance, for measurement.</summary>
     Linear = 1,
 }

@@ -1,9 +1,9 @@
 namespace Msisf.Core.Render.Photometry;
 
-/// <summary>The six parameters of Hapke's law. The one without arguments is the Moon.</summary>
+/// <summary>The six parameters of Hapke's law; the default values are those of the Moon.</summary>
 /// <remarks>
-/// The Moon's: averages of the maps of Sato et al., J. Geophys. Res. Planets 119 (2014), p. 1775, as printed to five digits in table 1 of
-/// arXiv:2410.04371. Like them, without coherent backscatter (B_C0 = 0) and with the porosity factor K = 1.
+/// Source of the default values: averages of the maps of Sato et al., J. Geophys. Res. Planets 119 (2014), p. 1775, as printed to five
+/// digits in table 1 of arXiv:2410.04371. As there, coherent backscatter is left out (B_C0 = 0) and the porosity factor K is 1.
 /// </remarks>
 public sealed class HapkeParameters
 {
@@ -31,21 +31,21 @@ public sealed class HapkeParameters
         MeanSlopeDegrees = Guard.InRange(meanSlopeDegrees, 0.0, 60.0, "hapke parameter theta (degrees)");
     }
 
-    /// <summary>w.</summary>
+    /// <summary>Single-scattering albedo w.</summary>
     public double SingleScatteringAlbedo { get; }
 
-    /// <summary>b.</summary>
+    /// <summary>Width parameter b of the Henyey-Greenstein lobes.</summary>
     public double LobeWidth { get; }
 
-    /// <summary>c.</summary>
+    /// <summary>Weight c of the backward lobe, -1 to 1.</summary>
     public double BackwardWeight { get; }
 
-    /// <summary>B0.</summary>
+    /// <summary>Amplitude B0 of the opposition surge.</summary>
     public double SurgeAmplitude { get; }
 
-    /// <summary>h.</summary>
+    /// <summary>Width h of the opposition surge.</summary>
     public double SurgeWidth { get; }
 
-    /// <summary>Theta-bar, degrees.</summary>
+    /// <summary>Mean slope theta-bar of the roughness, degrees.</summary>
     public double MeanSlopeDegrees { get; }
 }

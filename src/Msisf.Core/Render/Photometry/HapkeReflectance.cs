@@ -13,7 +13,7 @@ public sealed class HapkeReflectance : IReflectance
     private readonly double _surgeWidth;
     private readonly HapkeRoughness _roughness;
 
-    /// <summary>Makes the law with the brightness that its parameters give.</summary>
+    /// <summary>Makes the law with the brightness that follows from its parameters.</summary>
     public HapkeReflectance(HapkeParameters parameters)
         : this(parameters, scale: 1.0)
     {
@@ -34,9 +34,11 @@ public sealed class HapkeReflectance : IReflectance
         _roughness = new HapkeRoughness(double.DegreesToRadians(parameters.MeanSlopeDegrees));
     }
 
-    /// <summary>Makes the law with the shape that its parameters give, all radiance factors by one number brighter or darker.</summary>
-    /// <param name="parameters">w above 0.</param>
-    /// <param name="albedo">Normal albedo: I/F with Sun and viewer in the zenith, 0 to 1.</param>
+    /// <summary>
+    /// Makes the law with the shape that follows from its parameters, but with all radiance factors scaled to a given normal albedo.
+    /// </summary>
+    /// <param name="parameters">The parameters, with w above 0.</param>
+    /// <param name="albedo">Normal albedo: I/F with the Sun and the viewer at the zenith, 0 to 1.</param>
     public static HapkeReflectance WithNormalAlbedo(HapkeParameters parameters, double albedo)
     {
         Guard.Positive(parameters.SingleScatteringAlbedo, "hapke parameter w");
@@ -58,7 +60,7 @@ public sealed class HapkeReflectance : IReflectance
         return _scale * 0.25 * _w * seeliger * (single + multiple) * surface.Shadowing;
     }
 
-    /// <summary>Two Henyey-Greenstein lobes, with 1 -+ 2 b cos g + b^2 written without cancellation.</summary>
+    /// <summary>Phase function of two Henyey-Greenstein lobes; 1 -+ 2 b cos g + b^2 is computed in a form without cancellation.</summary>
     private double ParticlePhase(double phaseHaversine)
     {
         double nearest = (1.0 - _b) * (1.0 - _b);
@@ -67,7 +69,9 @@ public sealed class HapkeReflectance : IReflectance
         return (_backward / (backward * Math.Sqrt(backward))) + (_forward / (forward * Math.Sqrt(forward)));
     }
 
-    /// <summary>H(x) (Hapke, Icarus 157 (2002), p. 523), within 1 % of Chandrasekhar's function.</summary>
+    /// <summary>
+    /// The function H(x) of multiple scattering (Hapke, Icarus 157 (2002), p. 523), within 1 % of Chandrasekhar's function.
+    /// </summary>
     private double MultipleScattering(double x) =>
         1.0 / (1.0 - (_w * x * (_r0 + ((0.5 - (_r0 * x)) * Math.Log((1.0 + x) / x)))));
 }

@@ -3,8 +3,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>
-/// Shadows that unresolved slopes cast and hide (Hapke, Icarus 59 (1984), p. 41; numbers here are those of his book of 2012, eq.
-/// 12.45-12.54).
+/// Hapke's correction for roughness: the shadows of unresolved slopes (Hapke, Icarus 59 (1984), p. 41). Equation numbers are those of his
+/// book of 2012, eq. 12.45-12.54.
 /// </summary>
 internal sealed class HapkeRoughness
 {
@@ -21,20 +21,23 @@ internal sealed class HapkeRoughness
         _chi = 1.0 / Math.Sqrt(1.0 + (Math.PI * _tangent * _tangent));
     }
 
-    /// <summary>The replacement of the surface at one point; arguments as in <see cref="IReflectance.RadianceFactor"/>.</summary>
+    /// <summary>
+    /// The smooth surface that replaces the rough one at a point; arguments as in <see cref="IReflectance.RadianceFactor"/>.
+    /// </summary>
     public RoughSurface At(double cosIncidence, double cosEmission, double phaseHaversine)
     {
         Slant sun = SlantOf(cosIncidence);
         Slant viewer = SlantOf(cosEmission);
 
-        // The law of haversines: hav g = hav(i - e) + sin i sin e hav(psi). Straight up or down there is no azimuth, nor does it matter.
+        // The law of haversines: hav g = hav(i - e) + sin i sin e hav(psi). For a vertical direction the azimuth psi is undefined and has
+        // no effect.
         double product = sun.Sine * viewer.Sine;
         double meridian = 0.5 * (1.0 - (sun.Cosine * viewer.Cosine) - product);
         double azimuthHaversine = product > 0.0 ? Math.Clamp((phaseHaversine - meridian) / product, 0.0, 1.0) : 0.0;
         double azimuth = PhaseAngle.FromHaversine(azimuthHaversine);
         double hidden = Math.Exp(-2.0 * PhaseAngle.HalfTangent(azimuthHaversine));
 
-        // The formulas for i <= e and for e <= i differ only in which of the two directions is the lower one.
+        // The formulas for i <= e and for e <= i differ only in which of the two directions is nearer to the horizon.
         bool isSunLower = sun.Cosine < viewer.Cosine;
         Slant lower = isSunLower ? sun : viewer;
         Slant upper = isSunLower ? viewer : sun;
@@ -60,6 +63,6 @@ internal sealed class HapkeRoughness
         return new Slant(cosine, sine, e1, e2, _chi * (cosine + (sine * _tangent * e2 / (2.0 - e1))));
     }
 
-    /// <summary>What the formulas need of one direction; Eta is its effective cosine at azimuth 0.</summary>
+    /// <summary>The values of one direction that the formulas use; Eta is its effective cosine at azimuth 0.</summary>
     private readonly record struct Slant(double Cosine, double Sine, double E1, double E2, double Eta);
 }

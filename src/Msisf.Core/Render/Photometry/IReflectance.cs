@@ -1,19 +1,18 @@
 namespace Msisf.Core.Render.Photometry;
 
-/// <summary>How a surface reflects sunlight (docs/photometry.md). Safe for several threads.</summary>
+/// <summary>A reflectance law: how a surface reflects sunlight (docs/photometry.md). Safe for several threads.</summary>
 public interface IReflectance
 {
-    /// <summary>Whether the radiance depends on where it is seen from; if not, emission and phase need not be right.</summary>
+    /// <summary>Whether the radiance depends on the viewing direction; if not, the emission and phase angles are ignored.</summary>
     bool DependsOnViewer { get; }
 
     /// <summary>
-    /// The radiance factor I/F: pi times the radiance towards the viewer over the Sun's irradiance on a surface that faces it.
+    /// The radiance factor I/F: pi times the radiance towards the viewer, divided by the Sun's irradiance on a surface perpendicular to the
+    /// sunlight.
     /// </summary>
-    /// <param name="cosIncidence">
-    /// Cosine of the incidence angle, above 0, up to 1: a point without sunlight has no radiance to ask for.
-    /// </param>
+    /// <param name="cosIncidence">Cosine of the incidence angle, above 0, up to 1. Points without sunlight must not be passed.</param>
     /// <param name="cosEmission">Cosine of the emission angle, above 0, up to 1.</param>
     /// <param name="phaseHaversine">sin^2 of half the phase angle, 0 to 1 (<see cref="PhaseAngle"/>).</param>
-    /// <returns>Finite, 0 or more; above 1 is possible.</returns>
+    /// <returns>I/F: finite and at least 0; values above 1 are possible.</returns>
     double RadianceFactor(double cosIncidence, double cosEmission, double phaseHaversine);
 }

@@ -1,15 +1,15 @@
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>
-/// Lommel and Seeliger's law: single scattering by isotropic grains (Hapke 2012, section 8.7). It has the Moon's flat full disc and not
-/// its opposition surge.
+/// The Lommel-Seeliger law: single scattering by isotropic grains (Hapke 2012, section 8.7). Like the Moon it gives a full disc of equal
+/// brightness, but it has no opposition surge.
 /// </summary>
 public sealed class LommelSeeligerReflectance : IReflectance
 {
     private readonly double _twiceAlbedo;
 
     /// <summary>Makes the law.</summary>
-    /// <param name="albedo">Normal albedo: I/F with Sun and viewer in the zenith, 0 to 1.</param>
+    /// <param name="albedo">Normal albedo: I/F with the Sun and the viewer at the zenith, 0 to 1.</param>
     public LommelSeeligerReflectance(double albedo)
     {
         _twiceAlbedo = 2.0 * Guard.InRange(albedo, 0.0, 1.0, "albedo");

@@ -1,12 +1,13 @@
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>
-/// The lunar-Lambert law: Lommel-Seeliger by the part L and Lambert by the rest (McEwen, Icarus 92 (1991), p. 298), with L of the phase
-/// angle as it was fitted to the Moon (McEwen, Lunar and Planetary Science XXVII (1996), p. 841).
+/// The lunar-Lambert law: a weighted sum of Lommel-Seeliger (weight L) and Lambert (weight 1 - L) (McEwen, Icarus 92 (1991), p. 298). L
+/// depends on the phase angle as fitted to the Moon (McEwen, Lunar and Planetary Science XXVII (1996), p. 841).
 /// </summary>
 public sealed class LunarLambertReflectance : IReflectance
 {
-    // L = 1 + A g + B g^2 + C g^3, g in degrees. Below 0 from 104 degrees on, where a negative I/F would follow: 0 there.
+    // L = 1 + A g + B g^2 + C g^3, g in degrees. From 104 degrees on the polynomial is negative and I/F could become negative, so L is 0
+    // there.
     private const double A = -0.019;
     private const double B = 2.42e-4;
     private const double C = -1.46e-6;
@@ -15,8 +16,10 @@ public sealed class LunarLambertReflectance : IReflectance
     private readonly double? _weight;
 
     /// <summary>Makes the law.</summary>
-    /// <param name="albedo">Normal albedo: I/F with Sun and viewer in the zenith, 0 to 1.</param>
-    /// <param name="weight">L, 0 (Lambert) to 1 (Lommel-Seeliger), the same at all phase angles; null for the Moon's.</param>
+    /// <param name="albedo">Normal albedo: I/F with the Sun and the viewer at the zenith, 0 to 1.</param>
+    /// <param name="weight">
+    /// L, 0 (Lambert) to 1 (Lommel-Seeliger), the same at all phase angles; null for the function fitted to the Moon.
+    /// </param>
     public LunarLambertReflectance(double albedo, double? weight = null)
     {
         _albedo = Guard.InRange(albedo, 0.0, 1.0, "albedo");

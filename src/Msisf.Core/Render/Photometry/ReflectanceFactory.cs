@@ -5,7 +5,7 @@ namespace Msisf.Core.Render.Photometry;
 /// <summary>Makes a reflectance law from its name and named parameters (docs/photometry.md).</summary>
 public static class ReflectanceFactory
 {
-    /// <summary>The albedo if none is given: that of POV-Ray's scene, pigment 0.8 and diffuse 0.8.</summary>
+    /// <summary>The default albedo: that of POV-Ray's scene, pigment 0.8 times diffuse 0.8.</summary>
     public const double DefaultAlbedo = 0.64;
 
     /// <summary>The laws and their parameters, for messages and help.</summary>
@@ -23,11 +23,11 @@ public static class ReflectanceFactory
     public static IReadOnlyList<string> Laws { get; } = [.. ParametersOfLaw.Keys];
 
     /// <summary>Makes the law.</summary>
-    /// <param name="law">Its name.</param>
-    /// <param name="parameters">Values by name; what is missing has the Moon's value.</param>
+    /// <param name="law">Name of the law, one of <see cref="Laws"/>.</param>
+    /// <param name="parameters">Parameter values by name; a missing parameter has the Moon's value.</param>
     /// <param name="albedo">
-    /// I/F with Sun and viewer in the zenith, 0 to 1; null for <see cref="DefaultAlbedo"/>. Hapke's law with a w has the brightness that w
-    /// gives, and takes none.
+    /// I/F with the Sun and the viewer at the zenith, 0 to 1; null for <see cref="DefaultAlbedo"/>. It must be null for Hapke's law with a
+    /// given w, because w determines the brightness.
     /// </param>
     /// <exception cref="BadInputException">An unknown law or parameter, a value out of range, or both w and an albedo.</exception>
     public static IReflectance Create(string law, IReadOnlyDictionary<string, double> parameters, double? albedo = null)

@@ -6,18 +6,18 @@ using Msisf.Core.Render.Visibility;
 namespace Msisf.Core.Render.Shading;
 
 /// <summary>
-/// Turns the hidden points of the Sun's disc into each pixel's visible fraction and mean cosine. Safe for several threads.
+/// Computes the visible fraction of the Sun's disc and the mean cosine of the incidence angle for each pixel. Safe for several threads.
 /// </summary>
 internal sealed class DiscShader
 {
     private readonly ConcurrentBag<SurfaceRow> _rows = [];
 
-    /// <summary>Completes the light of a frame.</summary>
-    /// <param name="visible">What the pixels show.</param>
-    /// <param name="disc">The Sun.</param>
-    /// <param name="sunlight">Hidden points are known, and cosines to the disc's centre; the rest is filled.</param>
-    /// <param name="threads">At most.</param>
-    /// <param name="cancellation">Ends the work.</param>
+    /// <summary>Completes the light on the pixels of a frame.</summary>
+    /// <param name="visible">The surface points that the pixels show.</param>
+    /// <param name="disc">The Sun's disc.</param>
+    /// <param name="sunlight">Has hidden points and cosines to the disc's centre; gets fractions, hidden flags and mean cosines.</param>
+    /// <param name="threads">Maximum number of threads.</param>
+    /// <param name="cancellation">Cancels the work.</param>
     public void Run(VisibleSurface visible, SunDisc disc, PixelSunlight sunlight, int threads, CancellationToken cancellation) =>
         WorkerTeam.Run(threads, visible.Height, (_, row) =>
         {

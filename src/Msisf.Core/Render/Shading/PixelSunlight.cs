@@ -1,25 +1,25 @@
 namespace Msisf.Core.Render.Shading;
 
-/// <summary>The light on a frame's pixels, row by row. Keeps its memory from frame to frame.</summary>
+/// <summary>The light of the Sun, or of the lamp, on a frame's pixels, row by row; the arrays are kept from frame to frame.</summary>
 internal sealed class PixelSunlight
 {
     /// <summary>
-    /// Cosine of the incidence angle on the facet, of the Sun's disc the mean over its visible part; 0 or less where the facet faces away
+    /// Cosine of the incidence angle on the facet, for the Sun's disc the mean over its visible part; 0 or less where the facet faces away
     /// or there is no surface.
     /// </summary>
     public double[] CosIncidence { get; private set; } = [];
 
-    /// <summary>Not 0 where other terrain hides the whole light.</summary>
+    /// <summary>Not 0 where terrain hides the whole light; for the Sun's disc also where the facet faces away from all of it.</summary>
     public byte[] Hidden { get; private set; } = [];
 
-    /// <summary>Visible part of the Sun's disc; empty if the light is a point.</summary>
+    /// <summary>Visible fraction of the Sun's disc, 0 to 1; empty if the light is a point.</summary>
     public double[] VisibleFractions { get; private set; } = [];
 
-    /// <summary>Of the disc, a bit for each point that terrain hides; empty if the light is a point.</summary>
+    /// <summary>Mask of the points of the Sun's disc that terrain hides; empty if the light is a point.</summary>
     public ulong[] HiddenPoints { get; private set; } = [];
 
     /// <summary>Makes room for an image.</summary>
-    /// <param name="pixels">How many.</param>
+    /// <param name="pixels">Number of pixels.</param>
     /// <param name="hasDisc">Whether the Sun is a disc.</param>
     public void Prepare(int pixels, bool hasDisc)
     {
@@ -37,7 +37,7 @@ internal sealed class PixelSunlight
         }
     }
 
-    /// <summary>Visible part of the light at a pixel whose facet faces it: 0 to 1.</summary>
+    /// <summary>Visible fraction of the light at a pixel, 0 to 1; 0 if the facet faces away.</summary>
     public double VisibleFraction(int pixel)
     {
         double ofPoint = Hidden[pixel] == 0 && CosIncidence[pixel] > 0.0 ? 1.0 : 0.0;

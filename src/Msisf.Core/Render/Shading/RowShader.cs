@@ -8,7 +8,7 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render.Shading;
 
-/// <summary>Turns what the pixels show into radiance, row by row. Safe for several threads.</summary>
+/// <summary>Computes the radiance factor of each pixel from the surface it shows. Safe for several threads.</summary>
 internal sealed class RowShader
 {
     private readonly SurfaceModel _surface;
@@ -16,15 +16,15 @@ internal sealed class RowShader
 
     public RowShader(SurfaceModel surface) => _surface = surface;
 
-    /// <summary>Adds a sample's share to the radiance factors of a frame.</summary>
-    /// <param name="visible">What the pixels show.</param>
+    /// <summary>Adds one sample of each pixel to the radiance factors of a frame.</summary>
+    /// <param name="visible">The surface points that the pixels show.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
-    /// <param name="sunlight">Where it shines.</param>
-    /// <param name="options">Law and normals.</param>
-    /// <param name="weight">The sample's part of a pixel.</param>
-    /// <param name="radianceFactors">I/F of each pixel so far, row by row.</param>
-    /// <param name="threads">At most.</param>
-    /// <param name="cancellation">Ends the work.</param>
+    /// <param name="sunlight">The light on each pixel.</param>
+    /// <param name="options">Reflectance law and kind of normals.</param>
+    /// <param name="weight">Weight of the sample in the mean over a pixel.</param>
+    /// <param name="radianceFactors">Radiance factor (I/F) of each pixel, row by row; the sample's part is added.</param>
+    /// <param name="threads">Maximum number of threads.</param>
+    /// <param name="cancellation">Cancels the work.</param>
     public void Shade(
         VisibleSurface visible,
         SceneLight light,
@@ -65,9 +65,9 @@ internal sealed class RowShader
         }, cancellation);
     }
 
-    /// <summary>The normal that shades a point.</summary>
+    /// <summary>The smooth normal at a point, as it is used for shading; length 1, MOON_ME, or the facet's normal.</summary>
     /// <param name="hit">The point, with its facet's normal.</param>
-    /// <param name="cameraMoonMe">m, MOON_ME.</param>
+    /// <param name="cameraMoonMe">The camera's position, m, MOON_ME.</param>
     public Vector3D SmoothNormal(SurfaceHit hit, Vector3D cameraMoonMe)
     {
         Scratch scratch = _idle.TryTake(out Scratch? idle) ? idle : new Scratch(_surface);
@@ -111,7 +111,7 @@ internal sealed class RowShader
             cosIncidence = Math.Min(Vector3D.Dot(normal, toLight), 1.0);
         }
 
-        // A smooth normal can look away from the light where the facet does not; a facet can be seen edge-on.
+        // A smooth normal can point away from the light where the facet's normal does not, and a facet can be seen edge-on.
         double cosEmission = Math.Min(Vector3D.Dot(normal, toCamera), 1.0);
         return cosIncidence > 0.0 && cosEmission > 0.0
             ? law.RadianceFactor(cosIncidence, cosEmission, PhaseAngle.Haversine(toLight, toCamera))
@@ -119,7 +119,8 @@ internal sealed class RowShader
     }
 
     /// <summary>
-    /// At the limb a normal between the samples can look away from the camera, where no law has a value: there the facet's own is left.
+    /// The smooth normal at a point, or the facet's normal if the smooth one points away from the camera, as it can at the limb:
+    /// reflectance laws are undefined there.
     /// </summary>
     private static Vector3D Smooth(SmoothNormals normals, FacetId facet, Vector3D facetNormal, Vector3D point, Vector3D camera)
     {
@@ -127,7 +128,7 @@ internal sealed class RowShader
         return Vector3D.Dot(normal, camera - point) > 0.0 ? normal : facetNormal;
     }
 
-    /// <summary>What one thread works with.</summary>
+    /// <summary>The buffers of one thread.</summary>
     private sealed class Scratch(SurfaceModel surface)
     {
         public SurfaceRow Row { get; } = new();

@@ -4,9 +4,9 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Shading;
 
 /// <summary>
-/// Normals between those of the samples: each vertex has the normal of the lines through its neighbours to the west and east and to the
-/// north and south, and a facet's points have the mean of its vertices' normals, weighted by the point's barycentric coordinates.
-/// Keeps the cell it saw last: one object a thread.
+/// Interpolates normals between the vertices. The normal of a vertex is perpendicular to the line through its west and east neighbours
+/// and to the line through its north and south neighbours. The normal at a point of a facet is the mean of the facet's vertex normals,
+/// weighted by the point's barycentric coordinates. The last cell is kept, so each thread needs its own object.
 /// </summary>
 /// <remarks>B. T. Phong, "Illumination for computer generated pictures", Comm. ACM 18 (1975) 311.</remarks>
 internal sealed class SmoothNormals
@@ -25,11 +25,11 @@ internal sealed class SmoothNormals
 
     public SmoothNormals(SurfaceModel surface) => _surface = surface;
 
-    /// <summary>The normal at a point of a facet.</summary>
+    /// <summary>The interpolated normal at a point of a facet.</summary>
     /// <param name="facet">The facet.</param>
-    /// <param name="facetNormalMoonMe">Its own normal, outward, any length.</param>
-    /// <param name="pointMoonMe">m, MOON_ME, on the facet.</param>
-    /// <returns>Length 1, outward.</returns>
+    /// <param name="facetNormalMoonMe">The facet's own normal, MOON_ME, outward, of any length.</param>
+    /// <param name="pointMoonMe">The point on the facet, m, MOON_ME.</param>
+    /// <returns>The normal, MOON_ME, outward, length 1.</returns>
     public Vector3D At(FacetId facet, Vector3D facetNormalMoonMe, Vector3D pointMoonMe)
     {
         if (facet.Line != _line || facet.Sample != _sample)
@@ -53,7 +53,7 @@ internal sealed class SmoothNormals
     {
         for (int row = 0; row < PatchSize; row++)
         {
-            // Beyond a pole vertex there is no line: what stands there is not used.
+            // There is no line beyond a pole: the values there are not used.
             int vertexLine = Math.Clamp(line - 1 + row, -1, _surface.Mesh.Lines);
             _surface.Mesh.ReadRadii(vertexLine, sample - 1, _radii);
             for (int column = 0; column < PatchSize; column++)
@@ -77,7 +77,7 @@ internal sealed class SmoothNormals
         int line = _line - 1 + row;
         if (line < 0 || line >= _surface.Mesh.Lines)
         {
-            // A pole has no west and east; its line's mean height makes its surroundings level.
+            // A pole has no west and east; its height is the mean of the nearest line, so the surface there is taken as level.
             return new Corner(position, line < 0 ? Vector3D.UnitZ : -Vector3D.UnitZ);
         }
 
@@ -85,7 +85,7 @@ internal sealed class SmoothNormals
         Vector3D northward = _vertices[((row - 1) * PatchSize) + column] - _vertices[((row + 1) * PatchSize) + column];
         Vector3D normal = Vector3D.Cross(eastward, northward);
 
-        // Beside a pole of a fine model neighbours share a point of the lattice.
+        // Next to a pole of a fine model, neighbouring vertices can be at the same point of the vertex lattice.
         return new Corner(position, normal == default ? position.Normalized() : normal.Normalized());
     }
 

@@ -8,12 +8,12 @@ using Msisf.Core.Render.Visibility;
 namespace Msisf.Core.Render.Shading;
 
 /// <summary>
-/// The points of a frame whose facet faces the Sun: those that other terrain may hide from it. On the way each pixel's cosine of the
-/// incidence angle is found, so that a law that needs no more does not have to look at the surface again.
+/// The points of a frame whose facet faces the Sun, so that only other terrain can hide them from it. Reading a row also stores each
+/// pixel's cosine of the incidence angle, so that a reflectance law that needs only this does not read the surface again.
 /// </summary>
 internal sealed class SunwardPoints : IReceiverRows
 {
-    /// <summary>The cosine of pixels without surface.</summary>
+    /// <summary>Value stored as the cosine of pixels without surface: negative, so that they count as unlit.</summary>
     private const double NoSurface = -1.0;
 
     private readonly VisibleSurface _visible;
@@ -22,11 +22,11 @@ internal sealed class SunwardPoints : IReceiverRows
     private readonly double _minCosine;
     private readonly ConcurrentBag<Scratch> _idle = [];
 
-    /// <summary>Takes a frame.</summary>
-    /// <param name="visible">What its pixels show.</param>
-    /// <param name="sunMoonMe">m, MOON_ME; or the lamp.</param>
-    /// <param name="cosIncidence">Of each pixel, row by row: filled as rows are read; -1 where there is no surface.</param>
-    /// <param name="minCosine">Points count whose cosine is greater: 0, and a little less for a Sun that is a disc.</param>
+    /// <summary>Makes the receivers of a frame.</summary>
+    /// <param name="visible">The surface points that the pixels show.</param>
+    /// <param name="sunMoonMe">The position of the Sun or of the lamp, m, MOON_ME.</param>
+    /// <param name="cosIncidence">One value for each pixel, row by row, set when a row is read; -1 where there is no surface.</param>
+    /// <param name="minCosine">Only points with a greater cosine are read: 0, or slightly less for the Sun's disc.</param>
     public SunwardPoints(VisibleSurface visible, Vector3D sunMoonMe, double[] cosIncidence, double minCosine = 0.0)
     {
         _visible = visible;
@@ -41,7 +41,7 @@ internal sealed class SunwardPoints : IReceiverRows
     /// <inheritdoc/>
     public int Width => _visible.Width;
 
-    /// <summary>Fills a row of the cosines only.</summary>
+    /// <summary>Sets the cosines of a row without returning its points.</summary>
     public void ReadCosines(int row)
     {
         Scratch scratch = Take();
@@ -72,7 +72,7 @@ internal sealed class SunwardPoints : IReceiverRows
         return count;
     }
 
-    /// <summary>The plain formula for one point, of which <see cref="FindCosines"/> gives the same bits.</summary>
+    /// <summary>Cosine of the incidence angle at one point, as a plain formula; <see cref="FindCosines"/> gives the same bits.</summary>
     internal static double CosIncidence(Vector3D normal, Vector3D pointMoonMe, Vector3D sunMoonMe)
     {
         Vector3D toSun = sunMoonMe - pointMoonMe;
@@ -125,7 +125,7 @@ internal sealed class SunwardPoints : IReceiverRows
         }
     }
 
-    /// <summary>What one thread works with.</summary>
+    /// <summary>The buffers of one thread.</summary>
     private sealed class Scratch
     {
         public SurfaceRow Row { get; } = new();

@@ -3,11 +3,11 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Tells which parts of the terrain can throw a shadow on a receiver, from bounds alone.</summary>
+/// <summary>Tells from bounds alone which parts of the terrain may cast a shadow on a receiver.</summary>
 internal sealed class CasterBounds
 {
     /// <summary>
-    /// 1: for the rounding of directions, cosines and products of three of them, and of what the light frame makes of them.
+    /// Dimensionless margin for the rounding errors of directions, of cosines, of products of up to three of them, and of light space.
     /// </summary>
     private const double Rounding = 1e-12;
 
@@ -20,8 +20,8 @@ internal sealed class CasterBounds
     private readonly double _turnSine;
 
     /// <param name="receivers">The receivers.</param>
-    /// <param name="slope">Of the Sun's disc.</param>
-    /// <param name="maxRadius">m; below the Sun's distance.</param>
+    /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
+    /// <param name="maxRadius">Upper bound of the terrain's distance from the Moon's centre, m; less than the Sun's distance.</param>
     public CasterBounds(ReceiverSort receivers, double slope, double maxRadius)
     {
         _frame = receivers.Frame;
@@ -30,15 +30,15 @@ internal sealed class CasterBounds
         _slope = slope;
         _deepest = receivers.Grid.MaxDepth();
 
-        // The direction from a point to a part of the Sun differs from that from the centre to the Sun's centre by an angle with at most
-        // this sine: the parallax, and what the disc adds to it.
+        // Upper bound of the sine of the angle between the direction from a point of the terrain to a point of the Sun and the direction
+        // from the Moon's centre to the Sun's centre: the parallax plus the angular radius of the disc.
         double sine = Math.Min(1.0, (maxRadius + (slope * _frame.SunDistance)) / (_frame.SunDistance - maxRadius));
         _turnSine = sine;
         _turnCosine = Math.Sqrt((1.0 - sine) * (1.0 + sine));
     }
 
-    /// <summary>Whether a facet that faces away from the Sun may lie in front of a receiver.</summary>
-    /// <param name="node">Holds the facets; its slope is infinite if it is not known.</param>
+    /// <summary>Whether a facet of a node may face away from the Sun and hide a receiver.</summary>
+    /// <param name="node">Bounds of the facets; the slope is infinite if it is not known.</param>
     public bool MayCast(in TerrainNode node)
     {
         (SphericalCap cap, double min, double max, double maxSlope) = node;
@@ -63,7 +63,7 @@ internal sealed class CasterBounds
         return !shaded.IsEmpty && minDepth < _grid.MaxDepth(_grid.BinsOf(in shaded));
     }
 
-    /// <summary>Bounds of one component of the points between two spheres in the direction of a cap.</summary>
+    /// <summary>Bounds, m, of one coordinate of all points between two spheres whose direction is in a cap.</summary>
     private static (double Min, double Max) Component(double cosine, SphericalCap cap, double min, double max)
     {
         double across = cap.SinRadius * Math.Sqrt(Math.Max(0.0, (1.0 - cosine) * (1.0 + cosine)));
@@ -73,7 +73,7 @@ internal sealed class CasterBounds
         return (low * (low < 0.0 ? max : min), high * (high < 0.0 ? min : max));
     }
 
-    /// <summary>Whether the Sun is anywhere lower than the steepest slope.</summary>
+    /// <summary>Whether, somewhere in a cap, the Sun may be low enough for a facet of the maximum slope to face away from it.</summary>
     private bool MayFaceAway(double zenithCosine, SphericalCap cap, double maxSlope)
     {
         double zenithSine = Math.Sqrt(Math.Max(0.0, (1.0 - zenithCosine) * (1.0 + zenithCosine)));

@@ -6,14 +6,14 @@ using Msisf.Core.Mesh;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// Goes through blocks of the terrain and lets each facet that faces away from the Sun hide the receivers behind it. One object for one
-/// thread; several may work on one grid, for the result does not depend on their order.
+/// Marks the receivers that the facets of a block of terrain hide from the Sun. Each thread needs its own object; several objects may
+/// work on one grid, because the result does not depend on their order.
 /// </summary>
 internal sealed class CasterScan
 {
     /// <summary>
-    /// From so many bins under a strip on, each facet is tried alone against vectors of receivers; below, each receiver against vectors of
-    /// facets.
+    /// Number of bins that a strip must cover for its facets to be tested one by one, each against vectors of eight receivers. A strip that
+    /// covers fewer bins holds few receivers, so each receiver is tested against the eight cells of the strip at once.
     /// </summary>
     private const int ManyBins = 64;
 
@@ -27,22 +27,22 @@ internal sealed class CasterScan
         _strip = new CellStrip(_vertices);
     }
 
-    /// <summary>Strips of cells so far that may have a receiver behind them.</summary>
+    /// <summary>Number of strips since <see cref="Start"/> that may have a receiver behind them.</summary>
     public int Strips { get; private set; }
 
-    /// <summary>Vectors of receivers so far that were tried.</summary>
+    /// <summary>Number of vectors of eight receivers that were tested since <see cref="Start"/>.</summary>
     public long Tries { get; private set; }
 
-    /// <summary>Sets the counts to 0.</summary>
+    /// <summary>Sets <see cref="Strips"/> and <see cref="Tries"/> to 0.</summary>
     public void Start()
     {
         Strips = 0;
         Tries = 0;
     }
 
-    /// <summary>Has the bins sorted in which a block may darken receivers.</summary>
-    /// <param name="block">Which.</param>
-    /// <param name="receivers">The receivers; not sorted yet.</param>
+    /// <summary>Marks the bins in which a block may hide receivers, so that they are sorted.</summary>
+    /// <param name="block">The block.</param>
+    /// <param name="receivers">The receivers, read but not sorted yet.</param>
     public void WantBins(CellBlock block, ReceiverSort receivers)
     {
         Load(block, receivers.Frame);
@@ -60,10 +60,10 @@ internal sealed class CasterScan
         }
     }
 
-    /// <summary>Lets a block throw its shadows.</summary>
-    /// <param name="block">Which.</param>
-    /// <param name="receivers">The receivers.</param>
-    /// <param name="hidden">Of each pixel; becomes 1 if terrain hides the Sun.</param>
+    /// <summary>Marks the receivers that a block hides from the Sun.</summary>
+    /// <param name="block">The block.</param>
+    /// <param name="receivers">The receivers, sorted.</param>
+    /// <param name="hidden">One value for each pixel, row by row; set to 1 where terrain hides the Sun.</param>
     public void Cast(CellBlock block, ReceiverSort receivers, byte[] hidden)
     {
         Load(block, receivers.Frame);
@@ -98,7 +98,7 @@ internal sealed class CasterScan
         frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
     }
 
-    /// <summary>Moves the strip, and tells whether a receiver may be behind it.</summary>
+    /// <summary>Sets the strip to eight cells and tells whether a receiver may be behind them.</summary>
     private bool TrySetStrip(int line, int sample, ReceiverGrid grid, in LightBox box, out GridRange bins)
     {
         bins = default;

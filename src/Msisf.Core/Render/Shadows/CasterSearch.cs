@@ -5,7 +5,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Finds the blocks of a model that may throw a shadow on receivers.</summary>
+/// <summary>Finds the blocks of a model that may cast a shadow on receivers.</summary>
 internal sealed class CasterSearch
 {
     private readonly BoundsTree _tree;
@@ -16,7 +16,7 @@ internal sealed class CasterSearch
     private CellBlock[] _found = [];
     private int[] _counts = [];
 
-    /// <summary>Takes the model.</summary>
+    /// <summary>Makes a search for a model.</summary>
     /// <param name="surface">The model.</param>
     public CasterSearch(SurfaceModel surface)
     {
@@ -27,13 +27,13 @@ internal sealed class CasterSearch
         SolidRadius = (min * MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree)) - Tolerances.VertexLattice;
     }
 
-    /// <summary>m: no facet is lower.</summary>
+    /// <summary>Lower bound of the distance of all facets from the Moon's centre, m.</summary>
     public double SolidRadius { get; }
 
-    /// <summary>Groups of blocks that bounds could not rule out in the last search.</summary>
+    /// <summary>Number of groups of blocks that bounds could not rule out in the last search.</summary>
     public int Groups => _groups.Count;
 
-    /// <summary>Refuses a Sun for which light space has no meaning.</summary>
+    /// <summary>Throws if the Sun is not outside the terrain, where light space is undefined.</summary>
     /// <exception cref="BadInputException">The Sun is not outside the terrain.</exception>
     public void Check(Vector3D sunMoonMe)
     {
@@ -43,12 +43,12 @@ internal sealed class CasterSearch
         }
     }
 
-    /// <summary>Finds the blocks; reads those that were not read yet.</summary>
+    /// <summary>Finds the blocks that may cast a shadow on a receiver; reads blocks that were not read yet.</summary>
     /// <param name="receivers">The receivers; not empty.</param>
-    /// <param name="slope">Of the Sun's disc.</param>
-    /// <param name="threads">At most.</param>
-    /// <param name="cancellation">Ends the work.</param>
-    /// <returns>The blocks, until the next search.</returns>
+    /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
+    /// <param name="threads">Maximum number of threads.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <returns>The blocks; the list is valid until the next search.</returns>
     public IReadOnlyList<CellBlock> Find(ReceiverSort receivers, double slope, int threads, CancellationToken cancellation)
     {
         CasterBounds bounds = new(receivers, slope, _maxRadius);
@@ -76,7 +76,7 @@ internal sealed class CasterSearch
     }
 
     /// <summary>
-    /// Finds the groups that may cast a shadow on a receiver. The bounds of a node are the model's until all its blocks have been read.
+    /// Finds the groups that may cast a shadow on a receiver. A node has the bounds of the model until all its blocks have been read.
     /// </summary>
     private void FindGroups(int level, NodeRange nodes, CasterBounds bounds)
     {
@@ -102,7 +102,7 @@ internal sealed class CasterSearch
         }
     }
 
-    /// <summary>Finds the blocks of a group that may cast a shadow on a receiver; reads those that were not read yet.</summary>
+    /// <summary>Finds the blocks of a group that may cast a shadow on a receiver; reads blocks that were not read yet.</summary>
     private int FindBlocks((int Row, int Column) group, CasterBounds bounds, Span<CellBlock> blocks)
     {
         NodeRange children = _tree.Layout.ChildrenOf(SquareLayout.GroupLevel, group.Row, group.Column);

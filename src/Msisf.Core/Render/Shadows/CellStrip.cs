@@ -7,12 +7,12 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// Eight neighbouring cells of a line in light space, those of their facets that face away from the Sun, and where these lie.
+/// Eight neighbouring cells of a line in light space: tells which of their facets face away from the Sun, and the bounds of those cells.
 /// </summary>
-/// <param name="vertices">The block's, in light space; the strip is set anew in them again and again.</param>
+/// <param name="vertices">Vertices of a block, in light space, m; the strip is moved through them.</param>
 internal sealed class CellStrip(BlockVertices vertices)
 {
-    /// <summary>Cells in a strip.</summary>
+    /// <summary>Number of cells in a strip.</summary>
     public const int Cells = 8;
 
     private int _northWest;
@@ -23,24 +23,24 @@ internal sealed class CellStrip(BlockVertices vertices)
     /// <summary>Index of the first cell's north-western vertex.</summary>
     public int NorthWest => _northWest;
 
-    /// <summary>A bit for each cell whose facet (NW, SW, SE) faces away.</summary>
+    /// <summary>Mask of the cells whose facet (NW, SW, SE) faces away from the Sun.</summary>
     public uint SouthWestAway => (uint)_isSouthWestAway.ExtractMostSignificantBits();
 
-    /// <summary>A bit for each cell whose facet (NW, SE, NE) faces away.</summary>
+    /// <summary>Mask of the cells whose facet (NW, SE, NE) faces away from the Sun.</summary>
     public uint NorthEastAway => (uint)_isNorthEastAway.ExtractMostSignificantBits();
 
-    /// <summary>Bounds of the cells with facets that face away.</summary>
+    /// <summary>Bounds of the cells with a facet that faces away from the Sun, m.</summary>
     public ref readonly LightBox Box => ref _box;
 
-    /// <summary>m: none of them is nearer to the Sun.</summary>
+    /// <summary>Minimum depth of the cells with a facet that faces away from the Sun, m.</summary>
     public double MinDepth { get; private set; }
 
-    /// <summary>Moves to other cells.</summary>
-    /// <param name="line">Line of the block.</param>
-    /// <param name="sample">The first cell's.</param>
-    /// <param name="receivers">Cells outside are left out.</param>
-    /// <param name="slope">Of the Sun's disc: facets that face away from any part of it count.</param>
-    /// <returns>Whether any facet is left.</returns>
+    /// <summary>Moves the strip to other cells.</summary>
+    /// <param name="line">Line of the cells in the block.</param>
+    /// <param name="sample">Sample of the first cell in the block.</param>
+    /// <param name="receivers">Bounds of the receivers; cells outside are left out.</param>
+    /// <param name="slope">Radius of the Sun's disc over its distance; facets that face away from any part of it count.</param>
+    /// <returns>Whether any facet faces away and is not left out.</returns>
     public bool TrySet(int line, int sample, in LightBox receivers, double slope)
     {
         _northWest = (line * BlockVertices.Stride) + sample;
@@ -89,15 +89,15 @@ internal sealed class CellStrip(BlockVertices vertices)
         return true;
     }
 
-    /// <summary>A facet.</summary>
-    /// <param name="a">Index of a vertex, as in the other parameters.</param>
-    /// <param name="b">Next vertex, counterclockwise from above.</param>
-    /// <param name="c">Last vertex.</param>
+    /// <summary>The facet with the given corners.</summary>
+    /// <param name="a">Index of the first vertex.</param>
+    /// <param name="b">Index of the next vertex, counterclockwise seen from above.</param>
+    /// <param name="c">Index of the last vertex.</param>
     public LightFacet Facet(int a, int b, int c) => new(
         vertices.X[a], vertices.Y[a], vertices.Z[a], vertices.X[b], vertices.Y[b], vertices.Z[b], vertices.X[c], vertices.Y[c],
         vertices.Z[c]);
 
-    /// <summary>A slab along the cells that holds all those of <see cref="Box"/>: narrower than the box where cells lie aslant.</summary>
+    /// <summary>A slab along the strip that holds the cells of <see cref="Box"/>; narrower than the box if the strip is oblique.</summary>
     public LightSlab FindSlab()
     {
         ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
@@ -127,9 +127,9 @@ internal sealed class CellStrip(BlockVertices vertices)
             margin - Min(isAway, -Max(northWest, northEast, southWest, southEast)));
     }
 
-    /// <summary>A bit for each cell that may lie between a point and a part of the Sun's disc, by its box.</summary>
-    /// <param name="point">In light space.</param>
-    /// <param name="slope">Of the disc.</param>
+    /// <summary>Mask of the cells whose bounds allow that they lie between a point and a part of the Sun's disc.</summary>
+    /// <param name="point">The point in light space, m.</param>
+    /// <param name="slope">Radius of the disc over its distance.</param>
     public uint CellsNear(Vector3D point, double slope)
     {
         ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
@@ -149,11 +149,11 @@ internal sealed class CellStrip(BlockVertices vertices)
             & Vector512.GreaterThanOrEqual(maxV + reach, v)).ExtractMostSignificantBits();
     }
 
-    /// <summary>Whether a facet that faces away lies between a point and the Sun.</summary>
+    /// <summary>Whether a facet that faces away from the Sun lies between a point of light space, m, and the Sun.</summary>
     /// <remarks>
-    /// Of two facets that share an edge at least one holds each point of it (<see cref="CellEdges"/>). A facet's depth at the point is the
-    /// mean of its corners' with the edges as weights, and only its sign against the point's is needed: nothing is divided.
-    /// <see cref="FacetCaster"/> does the same sums for one facet and eight points.
+    /// Each point of an edge is inside at least one of the two facets that share it (<see cref="CellEdges"/>). A facet's depth at the point
+    /// is the mean of its corners' depths, weighted by the edge functions. Only the sign of its difference from the point's depth is
+    /// needed, so no division is made. <see cref="FacetCaster"/> computes the same sums for one facet and eight points.
     /// </remarks>
     public bool IsInFrontOf(double u, double v, double w)
     {
@@ -190,8 +190,8 @@ internal sealed class CellStrip(BlockVertices vertices)
     }
 
     /// <summary>
-    /// The signed areas of the facets as the part of the disc sees them for which they are maximum. The ray to a part of the disc moves
-    /// across by a constant times the depth, so the area is linear in that constant's two components.
+    /// The maximum, over the Sun's disc, of each facet's signed area seen from a point of the disc. The ray to a point of the disc moves
+    /// across by a constant times the depth, so the area is linear in the two components of that constant.
     /// </summary>
     private (Vector512<double> SouthWest, Vector512<double> NorthEast) MaxAreas(
         Vector512<double> southWest, Vector512<double> northEast, double slope)

@@ -1,16 +1,16 @@
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Maximum depth of the receivers in each bin of a grid, and in squares of twice, four times, ... the edge.</summary>
+/// <summary>Maximum depth of the receivers in each bin of a grid and, on coarser levels, in squares of 2, 4, 8 ... bins a side.</summary>
 internal sealed class DepthPyramid
 {
-    /// <summary>Squares to an edge that a question looks at, at most.</summary>
+    /// <summary>Maximum number of squares along each edge that <see cref="Max"/> reads; limits its cost to 9 values.</summary>
     private const int Window = 3;
 
     private readonly List<float[]> _levels = [];
     private int _size;
 
-    /// <summary>Makes room.</summary>
-    /// <param name="size">Bins to an edge.</param>
+    /// <summary>Makes room for a grid.</summary>
+    /// <param name="size">Number of bins along each edge of the grid.</param>
     public void Prepare(int size)
     {
         _size = size;
@@ -34,10 +34,10 @@ internal sealed class DepthPyramid
         }
     }
 
-    /// <summary>m, of each bin, row by row; minus infinity where no receiver is. <see cref="Finish"/> takes them up.</summary>
+    /// <summary>Maximum depth of each bin, m, row by row; below any real depth if empty. To be set before <see cref="Finish"/>.</summary>
     public float[] Bins => _levels[0];
 
-    /// <summary>Makes the coarser levels.</summary>
+    /// <summary>Computes the coarser levels from <see cref="Bins"/>.</summary>
     public void Finish()
     {
         int edge = _size;
@@ -61,7 +61,8 @@ internal sealed class DepthPyramid
     }
 
     /// <summary>
-    /// No receiver in some bins is deeper; m, minus infinity if there is none. Looks at few squares, so it may say too much.
+    /// Upper bound of the depth of all receivers in a range of bins, m; below any real depth if there is none. It can exceed
+    /// the maximum, because the squares that are read may extend beyond the range.
     /// </summary>
     public float Max(GridRange bins)
     {

@@ -9,13 +9,13 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// The points of the Sun's disc in light space. The rays to one of them are parallel there too: with each metre towards the Sun they
-/// move across by the same (a, b). Adding (a, b) w to (u, v) makes them parallel to the axis, so a point of the disc is treated as its
-/// centre is, in coordinates of its own.
+/// The directions to the points of the Sun's disc in light space. All rays to one of these points are parallel in light space: with each
+/// metre towards the Sun they move across by the same (a, b). Adding (a, b) w to (u, v) makes them parallel to the w axis, so each point
+/// of the disc can be treated like the disc's centre.
 /// </summary>
 internal sealed class DiscRays
 {
-    /// <summary>1: for the rounding of what a sector's reach is compared with.</summary>
+    /// <summary>Dimensionless factor that widens the reach of a sector, so that rounding errors cannot exclude one of its points.</summary>
     private const double ReachMargin = 1.0001;
 
     private const int Sectors = SunDisc.Points / SunDisc.PointsPerSector;
@@ -45,16 +45,16 @@ internal sealed class DiscRays
         }
     }
 
-    /// <summary>The points of the disc that a facet hides.</summary>
-    /// <param name="vertices">In light space.</param>
-    /// <param name="a">A corner of the facet: index of a vertex.</param>
-    /// <param name="b">The next corner.</param>
-    /// <param name="c">The last corner.</param>
-    /// <param name="point">In light space.</param>
-    /// <param name="wanted">Those to find out about; of others some may be told too.</param>
+    /// <summary>Mask of the points of the disc that a facet hides from a point.</summary>
+    /// <param name="vertices">Vertices of a block in light space, m.</param>
+    /// <param name="a">Index of the vertex at the facet's first corner.</param>
+    /// <param name="b">Index of the vertex at the next corner.</param>
+    /// <param name="c">Index of the vertex at the last corner.</param>
+    /// <param name="point">The point in light space, m.</param>
+    /// <param name="wanted">Mask of the points of the disc to test; the result may contain other hidden points too.</param>
     /// <remarks>
-    /// The edge functions of <see cref="CellStrip.IsInFrontOf"/> are linear in (a, b), and the facet's depth against the point's does not
-    /// depend on it: it only tells the side of the facet's plane.
+    /// The edge functions of <see cref="CellStrip.IsInFrontOf"/> are linear in (a, b). The sign of the depth sum does not depend on (a, b),
+    /// because it only tells on which side of the facet's plane the point is.
     /// </remarks>
     public ulong HiddenBy(BlockVertices vertices, int a, int b, int c, Vector3D point, ulong wanted)
     {
@@ -100,10 +100,10 @@ internal sealed class DiscRays
         return Vector256.Create(Unsafe.Add(ref first, a), Unsafe.Add(ref first, b), Unsafe.Add(ref first, c), 0.0);
     }
 
-    /// <summary>The edge functions of a facet as they depend on (a, b).</summary>
+    /// <summary>The three edge functions of a facet as linear functions of (a, b).</summary>
     private readonly struct Edges(Vector256<double> value, Vector256<double> perA, Vector256<double> perB)
     {
-        /// <summary>A bit for each of eight (a, b) for which none is negative.</summary>
+        /// <summary>Mask of eight (a, b) for which no edge function is negative anywhere within a reach around it.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public uint AreNotNegative(double[] alongA, double[] alongB, int first, Vector512<double> reach, Vector256<double> maxSlope)
         {
@@ -116,7 +116,7 @@ internal sealed class DiscRays
             return (uint)Vector512.GreaterThanOrEqual(min, Vector512<double>.Zero).ExtractMostSignificantBits();
         }
 
-        /// <summary>The same without any reach.</summary>
+        /// <summary>Mask of eight (a, b) for which no edge function is negative.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public uint AreNotNegative(double[] alongA, double[] alongB, int first)
         {

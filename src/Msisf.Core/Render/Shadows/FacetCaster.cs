@@ -6,14 +6,14 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Lets single facets hide receivers, eight of these at a time: the way for facets that are larger than pixels.</summary>
+/// <summary>Tests one facet against eight receivers at a time; used for facets that are larger than pixels.</summary>
 internal static class FacetCaster
 {
     /// <summary>Hides the receivers behind a facet that faces away from the Sun.</summary>
     /// <param name="facet">The facet.</param>
     /// <param name="grid">The receivers.</param>
-    /// <param name="hidden">Of each pixel; becomes 1.</param>
-    /// <returns>Vectors of receivers that were tried.</returns>
+    /// <param name="hidden">One value for each pixel, row by row; set to 1 where the facet hides the Sun.</param>
+    /// <returns>Number of vectors of eight receivers that were tested.</returns>
     public static int Cast(in LightFacet facet, ReceiverGrid grid, byte[] hidden)
     {
         LightBox box = facet.Box;
@@ -26,7 +26,7 @@ internal static class FacetCaster
         int tries = 0;
         for (int row = bins.FirstRow; row <= bins.LastRow; row++)
         {
-            // The first and the last row may hold receivers beyond the grid, so there the facet is cut on one side only.
+            // The first and the last row also hold the receivers beyond the grid, so there the facet is cut on one side only.
             (double min, double max) = facet.Between(
                 row == bins.FirstRow ? double.NegativeInfinity : grid.AxisV.StartOf(row) - Tolerances.LightPoint,
                 row == bins.LastRow ? double.PositiveInfinity : grid.AxisV.StartOf(row + 1) + Tolerances.LightPoint);
@@ -44,7 +44,7 @@ internal static class FacetCaster
         return tries;
     }
 
-    /// <summary>The sums of <see cref="CellStrip.IsInFrontOf"/>, in the same order.</summary>
+    /// <summary>Marks the hidden receivers of a range with the sums of <see cref="CellStrip.IsInFrontOf"/>, in the same order.</summary>
     private static void Hide(in LightFacet facet, ReceiverGrid grid, int first, int end, byte[] hidden)
     {
         ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);

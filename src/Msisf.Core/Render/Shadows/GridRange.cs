@@ -1,8 +1,8 @@
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Neighbouring bins of a grid, the last ones included.</summary>
+/// <summary>A rectangle of bins of a grid; the last column and the last row are included.</summary>
 internal readonly record struct GridRange(int FirstColumn, int LastColumn, int FirstRow, int LastRow)
 {
-    /// <summary>How many.</summary>
+    /// <summary>Number of bins.</summary>
     public int Count => (LastColumn - FirstColumn + 1) * (LastRow - FirstRow + 1);
 }

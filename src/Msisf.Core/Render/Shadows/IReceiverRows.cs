@@ -1,21 +1,21 @@
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>The points of an image that may be lit: surface points of pixels whose facet faces the Sun, row by row.</summary>
-/// <remarks>Each row is read once a frame; several threads read different rows at the same time.</remarks>
+/// <summary>The receivers of an image, row by row: the surface points of pixels whose facet faces the Sun.</summary>
+/// <remarks>Each row is read once for each frame; several threads read different rows at the same time.</remarks>
 internal interface IReceiverRows
 {
-    /// <summary>Rows of the image.</summary>
+    /// <summary>Number of rows of the image.</summary>
     int Rows { get; }
 
-    /// <summary>Most receivers a row.</summary>
+    /// <summary>Maximum number of receivers in a row: the image's number of columns.</summary>
     int Width { get; }
 
-    /// <summary>The receivers of a row, in any order.</summary>
-    /// <param name="row">0 to <see cref="Rows"/> - 1.</param>
+    /// <summary>Reads the receivers of a row, in any order.</summary>
+    /// <param name="row">Row of the image, 0 to <see cref="Rows"/> - 1.</param>
     /// <param name="x">MOON_ME x, m, from the Moon's centre; room for <see cref="Width"/>, as in the other spans.</param>
     /// <param name="y">MOON_ME y, m.</param>
     /// <param name="z">MOON_ME z, m.</param>
-    /// <param name="columns">0 to <see cref="Width"/> - 1.</param>
-    /// <returns>How many.</returns>
+    /// <param name="columns">Columns of the image, 0 to <see cref="Width"/> - 1.</param>
+    /// <returns>Number of receivers.</returns>
     int Read(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns);
 }

@@ -3,17 +3,17 @@ using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>The eight numbers of a vector as one.</summary>
+/// <summary>Operations on all eight lanes of a vector of doubles.</summary>
 internal static class Lanes
 {
-    /// <summary>0 to 7.</summary>
+    /// <summary>The index of each lane: 0 to 7.</summary>
     public static Vector512<double> Numbers
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get => Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
     }
 
-    /// <summary>The minimum of them.</summary>
+    /// <summary>The minimum of the lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Min(Vector512<double> values)
     {

@@ -4,15 +4,15 @@ namespace Msisf.Core.Render.Shadows;
 internal readonly record struct LightFacet(
     double Ua, double Va, double Wa, double Ub, double Vb, double Wb, double Uc, double Vc, double Wc)
 {
-    /// <summary>Bounds across the rays.</summary>
+    /// <summary>Bounds of the facet across the rays, m.</summary>
     public LightBox Box => new(
         Math.Min(Ua, Math.Min(Ub, Uc)), Math.Max(Ua, Math.Max(Ub, Uc)), Math.Min(Va, Math.Min(Vb, Vc)), Math.Max(Va, Math.Max(Vb, Vc)));
 
-    /// <summary>m: no point of it is nearer to the Sun.</summary>
+    /// <summary>Minimum depth of the facet, m.</summary>
     public double MinDepth => Math.Min(Wa, Math.Min(Wb, Wc));
 
-    /// <summary>Bounds of u of the part between two values of v.</summary>
-    /// <returns>m; infinite the wrong way round if there is no such part.</returns>
+    /// <summary>Bounds of u for the part of the facet between two values of v, all in m.</summary>
+    /// <returns>Minimum and maximum u, m; plus and minus infinity if there is no such part.</returns>
     public (double MinU, double MaxU) Between(double minV, double maxV)
     {
         double min = double.PositiveInfinity;

@@ -7,19 +7,20 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// Light space: the projective map that turns the Sun's rays into parallels of its third axis. A point with the components (u, v, w)
-/// along three axes from the Moon's centre, w away from the Sun, becomes (u, v, w) D / (D + w), with D the Sun's distance from the
-/// centre. Planes stay planes, and what lies nearer to the Sun on a ray keeps the lesser third coordinate. Orientation is kept too.
+/// Light space: the projective map of MOON_ME that makes all rays to the Sun's centre parallel to its third axis. A point with the
+/// components (u, v, w) along three axes from the Moon's centre, w away from the Sun, becomes (u, v, w) D / (D + w), with D the Sun's
+/// distance from the Moon's centre. Planes stay planes, and orientation is kept. Of two points on a ray the one nearer to the Sun has
+/// the smaller third coordinate, the depth.
 /// </summary>
 /// <remarks>
-/// Good for points that lie nearer to the centre than the Sun. Scalar and vector code do the same operations in the same order, none
-/// of them fused, so they give the same bits. Rounding moves a point by less than 1e-9 m.
+/// Valid for points nearer to the Moon's centre than the Sun. Scalar and vector code do the same operations in the same order, and
+/// none is a fused multiply-add, so they give the same bits. Rounding moves a point by less than 1e-9 m.
 /// </remarks>
 internal sealed class LightFrame
 {
-    /// <summary>Turns MOON_ME into light space.</summary>
-    /// <param name="sunMoonMe">The Sun, m.</param>
-    /// <param name="towardsMoonMe">The first axis leans to this direction as far as it can; any vector does.</param>
+    /// <summary>Makes the light space of a position of the Sun.</summary>
+    /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
+    /// <param name="towardsMoonMe">MOON_ME; its part across the Sun's direction gives the first axis; any vector is valid.</param>
     public LightFrame(Vector3D sunMoonMe, Vector3D towardsMoonMe)
     {
         SunDistance = sunMoonMe.Length;
@@ -28,10 +29,10 @@ internal sealed class LightFrame
         AxisV = Vector3D.Cross(AxisW, AxisU);
     }
 
-    /// <summary>D, m.</summary>
+    /// <summary>Distance D of the Sun's centre from the Moon's centre, m.</summary>
     public double SunDistance { get; }
 
-    /// <summary>Unit vector, MOON_ME; U, V, W are right-handed.</summary>
+    /// <summary>Unit vector across the Sun's direction, MOON_ME; U, V and W are right-handed.</summary>
     public Vector3D AxisU { get; }
 
     /// <inheritdoc cref="AxisU"/>
@@ -40,8 +41,8 @@ internal sealed class LightFrame
     /// <summary>Unit vector away from the Sun, MOON_ME.</summary>
     public Vector3D AxisW { get; }
 
-    /// <summary>A point in light space, m.</summary>
-    /// <param name="pointMoonMe">m, MOON_ME.</param>
+    /// <summary>Converts a point from MOON_ME to light space, m.</summary>
+    /// <param name="pointMoonMe">The point, m, MOON_ME.</param>
     public Vector3D FromMoonMe(Vector3D pointMoonMe)
     {
         double w = Vector3D.Dot(pointMoonMe, AxisW);
@@ -49,7 +50,7 @@ internal sealed class LightFrame
         return new Vector3D(scale * Vector3D.Dot(pointMoonMe, AxisU), scale * Vector3D.Dot(pointMoonMe, AxisV), scale * w);
     }
 
-    /// <summary>Replaces points by their light space; the scalar <see cref="FromMoonMe(Vector3D)"/> bit for bit.</summary>
+    /// <summary>Converts points in place from MOON_ME to light space, with the same bits as <see cref="FromMoonMe(Vector3D)"/>.</summary>
     /// <param name="x">m, MOON_ME x; becomes u. The length is a multiple of 8.</param>
     /// <param name="y">m, MOON_ME y; becomes v.</param>
     /// <param name="z">m, MOON_ME z; becomes w.</param>
@@ -83,7 +84,7 @@ internal sealed class LightFrame
         Vector3D across = towards - (Vector3D.Dot(towards, axis) * axis);
         if (across.Length <= 1e-3 * towards.Length)
         {
-            // Along the axis: the coordinate axis that is farthest from it serves as well.
+            // The vector is almost parallel to the axis: a coordinate axis that is not near it is taken instead.
             bool isNearX = Math.Abs(axis.X) > 0.7;
             across = Vector3D.Cross(axis, isNearX ? Vector3D.UnitY : Vector3D.UnitX);
         }

@@ -3,14 +3,14 @@ using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Points of light space with <c>Minimum &lt;= u AcrossU + v AcrossV &lt;= Maximum</c>; <c>default</c> holds them all.</summary>
-/// <param name="AcrossU">Any length.</param>
-/// <param name="AcrossV">Any length.</param>
-/// <param name="Min">m times that length.</param>
-/// <param name="Max">m times that length.</param>
+/// <summary>Points of light space with <c>Min &lt;= u AcrossU + v AcrossV &lt;= Max</c>; <c>default</c> contains all points.</summary>
+/// <param name="AcrossU">Component along u of the slab's normal, which can have any length.</param>
+/// <param name="AcrossV">Component along v of the slab's normal.</param>
+/// <param name="Min">Minimum, m times the length of the normal.</param>
+/// <param name="Max">Maximum, m times the length of the normal.</param>
 internal readonly record struct LightSlab(double AcrossU, double AcrossV, double Min, double Max)
 {
-    /// <summary>A bit for each of eight points that is in it.</summary>
+    /// <summary>Mask of the points, of eight, that are in the slab.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public uint Holds(Vector512<double> u, Vector512<double> v)
     {

@@ -3,13 +3,14 @@ using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Points of light space whose rays to all parts of the Sun pass below the lowest terrain on their way.</summary>
-/// <param name="solidRadius">m: no facet is lower.</param>
-/// <param name="slope">Of the Sun's disc.</param>
+/// <summary>The points of light space for which all rays to the Sun pass below the lowest terrain, so that they are in shadow.</summary>
+/// <param name="solidRadius">Lower bound of the distance of all facets from the Moon's centre, m.</param>
+/// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
 internal readonly struct NightZone(double solidRadius, double slope)
 {
     /// <summary>
-    /// For eight points at once. Where w is 0, light space and space are the same, and there a ray is moved by the slope times w at most.
+    /// Tells which of eight points are in the zone. In the plane w = 0 light space does not change lengths, and a ray to a part of the
+    /// disc meets this plane at most the slope times w away from the ray to the disc's centre.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector512<double> Holds(Vector512<double> u, Vector512<double> v, Vector512<double> w)

@@ -4,9 +4,9 @@ using Msisf.Core.Mesh;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// Finds which parts of the Sun's disc terrain hides from the points of an image: what <see cref="ShadowPass"/> does for the Sun's
-/// centre, for each point of the disc. Points that no shadow comes near cost no more than there. One object serves frame after frame,
-/// one at a time, and keeps its memory.
+/// Finds which points of the Sun's disc terrain hides from the points of an image; <see cref="ShadowPass"/> does the same for the Sun's
+/// centre alone. A receiver far from any shadow costs no more than in <see cref="ShadowPass"/>. One object is used for many frames, one
+/// at a time, and keeps its memory between them.
 /// </summary>
 internal sealed class PenumbraPass
 {
@@ -15,7 +15,7 @@ internal sealed class PenumbraPass
     private readonly ReceiverSort _receivers = new();
     private readonly List<PenumbraScan> _scans = [];
 
-    /// <summary>Takes the model.</summary>
+    /// <summary>Makes a pass for a model.</summary>
     /// <param name="surface">The model.</param>
     public PenumbraPass(SurfaceModel surface)
     {
@@ -23,12 +23,12 @@ internal sealed class PenumbraPass
         _search = new CasterSearch(surface);
     }
 
-    /// <summary>Marks what of the disc is hidden.</summary>
-    /// <param name="receivers">Points whose facet faces a part of the disc (<see cref="SunDisc.MayLight"/>).</param>
-    /// <param name="disc">The Sun.</param>
-    /// <param name="hidden">Of each pixel, row by row, a bit for each point of the disc that terrain hides; other pixels become 0.</param>
-    /// <param name="threads">How many may work, at least 1.</param>
-    /// <param name="cancellation">Ends the work.</param>
+    /// <summary>Marks the points of the disc that terrain hides from each receiver.</summary>
+    /// <param name="receivers">The points whose facet faces a part of the disc (<see cref="SunDisc.MayLight"/>).</param>
+    /// <param name="disc">The Sun's disc.</param>
+    /// <param name="hidden">For each pixel, row by row, the mask of the disc's points that terrain hides; 0 without receiver.</param>
+    /// <param name="threads">Maximum number of threads, at least 1.</param>
+    /// <param name="cancellation">Cancels the work.</param>
     /// <exception cref="BadInputException">The Sun is not outside the terrain.</exception>
     public void Run(IReceiverRows receivers, SunDisc disc, ulong[] hidden, int threads, CancellationToken cancellation)
     {

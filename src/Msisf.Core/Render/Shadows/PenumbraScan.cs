@@ -7,8 +7,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// Goes through blocks of the terrain and notes which points of the Sun's disc each facet hides from the receivers behind it. One object
-/// for one thread; several may work on one grid, for the result does not depend on their order.
+/// Marks which points of the Sun's disc the facets of a block of terrain hide from the receivers. Each thread needs its own object;
+/// several objects may work on one grid, because the result does not depend on their order.
 /// </summary>
 internal sealed class PenumbraScan
 {
@@ -22,12 +22,12 @@ internal sealed class PenumbraScan
         _strip = new CellStrip(_vertices);
     }
 
-    /// <summary>Goes through a block.</summary>
-    /// <param name="block">Which.</param>
-    /// <param name="receivers">The receivers.</param>
-    /// <param name="rays">To the points of the disc.</param>
-    /// <param name="slope">Of the disc.</param>
-    /// <param name="hidden">Of each pixel, a bit for each point of the disc: becomes 1 if terrain hides it.</param>
+    /// <summary>Marks the points of the disc that a block hides from the receivers.</summary>
+    /// <param name="block">The block.</param>
+    /// <param name="receivers">The receivers, sorted.</param>
+    /// <param name="rays">The rays to the points of the disc.</param>
+    /// <param name="slope">Radius of the disc over its distance.</param>
+    /// <param name="hidden">For each pixel, row by row, the mask of the disc's points that terrain hides; bits are added.</param>
     public void Cast(CellBlock block, ReceiverSort receivers, DiscRays rays, double slope, ulong[] hidden)
     {
         _vertices.Load(_surface, block, default);
@@ -45,7 +45,7 @@ internal sealed class PenumbraScan
                     continue;
                 }
 
-                // The farther behind the facets, the farther aside they may hide a part of the disc.
+                // The deeper a receiver is behind the facets, the farther to their side they can hide a part of the disc from it.
                 double depth = grid.MaxDepth(grid.BinsOf(_strip.Box.Widened(slope * (deepest - _strip.MinDepth))));
                 if (_strip.MinDepth < depth)
                 {

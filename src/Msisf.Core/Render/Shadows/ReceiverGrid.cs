@@ -6,12 +6,12 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// The receivers of a frame, sorted into a grid of bins across the Sun's rays: those of neighbouring bins of a row lie one behind the
-/// other, so that a facet goes through the ones that it may hide eight at a time.
+/// The receivers of a frame, sorted into a grid of rectangular bins across the Sun's rays. Receivers in neighbouring bins of a row are
+/// contiguous in the arrays, so that a facet can be tested against eight of them at a time.
 /// </summary>
 /// <remarks>
-/// The sort counts first: <see cref="Lay"/>, <see cref="Count"/> for each row, <see cref="Place"/>, <see cref="Sort"/> for each row.
-/// From <see cref="Place"/> on the depths can be asked for, and by them <see cref="Want"/> the bins that are worth sorting.
+/// This is a counting sort: call <see cref="Lay"/>, <see cref="Count"/> for each row, <see cref="Place"/>, then <see cref="Sort"/> for
+/// each row. The depths are known after <see cref="Place"/>; <see cref="Want"/> then marks the bins that must be sorted.
 /// </remarks>
 internal sealed class ReceiverGrid
 {
@@ -27,15 +27,15 @@ internal sealed class ReceiverGrid
     private bool _wantsAll;
     private int[] _starts = [];
 
-    /// <summary>Bins to an edge.</summary>
+    /// <summary>Number of bins along each edge of the grid.</summary>
     public int Size { get; private set; }
 
-    /// <summary>Receivers.</summary>
+    /// <summary>Number of receivers in the grid.</summary>
     public int Length { get; private set; }
 
     /// <summary>
-    /// Light space, m. The last receiver is followed by a vector that means nothing, as in the other arrays, so that vectors can be read
-    /// from any receiver of a <see cref="Run"/> without range checks.
+    /// Coordinate of each receiver in light space, m. The array has room for eight unused values after the last receiver, so that a
+    /// vector can be read from any receiver of a <see cref="Run"/> without range checks.
     /// </summary>
     public double[] U { get; private set; } = [];
 
@@ -45,20 +45,20 @@ internal sealed class ReceiverGrid
     /// <inheritdoc cref="U"/>
     public double[] W { get; private set; } = [];
 
-    /// <summary>Pixels: row of the image times its width plus column.</summary>
+    /// <summary>Pixel of each receiver: row of the image times its width plus column.</summary>
     public int[] Pixels { get; private set; } = [];
 
-    /// <summary>Across the rays.</summary>
+    /// <summary>The bins along u, the columns of the grid.</summary>
     public LightAxis AxisU => _u;
 
-    /// <summary>Across the rays.</summary>
+    /// <summary>The bins along v, the rows of the grid.</summary>
     public LightAxis AxisV => _v;
 
-    /// <summary>Begins a frame.</summary>
-    /// <param name="box">Where most receivers will be; a bad guess costs time only.</param>
-    /// <param name="receivers">How many there will be, about.</param>
-    /// <param name="parts">Groups of rows that are counted and sorted at the same time.</param>
-    /// <param name="length">Of the arrays of <see cref="ReceiverRows"/>.</param>
+    /// <summary>Begins a frame: sets the bins and clears their counts.</summary>
+    /// <param name="box">Bounds of most receivers; a wrong estimate makes the search slower but not wrong.</param>
+    /// <param name="receivers">Approximate number of receivers.</param>
+    /// <param name="parts">Number of groups of rows that are counted and sorted at the same time.</param>
+    /// <param name="length">Length of the arrays of <see cref="ReceiverRows"/>.</param>
     public void Lay(LightBox box, int receivers, int parts, int length)
     {
         if (_bins.Length < length)
@@ -66,7 +66,7 @@ internal sealed class ReceiverGrid
             _bins = new int[length];
         }
 
-        // A bin of about 2 x 2 pixels: larger ones give facets more receivers to try in vain, smaller ones more bins to visit.
+        // A bin of about 2 x 2 pixels: with larger bins facets test more receivers in vain, with smaller ones they visit more bins.
         Size = Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MaxBins);
         _u = new LightAxis(box.MinU, box.MaxU, Size);
         _v = new LightAxis(box.MinV, box.MaxV, Size);
@@ -90,12 +90,12 @@ internal sealed class ReceiverGrid
         }
     }
 
-    /// <summary>Finds the bins of a row's receivers and leaves out those in the night.</summary>
+    /// <summary>Finds the bins of a row's receivers and leaves out the receivers in the night zone.</summary>
     /// <param name="rows">The receivers.</param>
-    /// <param name="row">Which row.</param>
-    /// <param name="part">One thread counts and sorts the rows of a part.</param>
-    /// <param name="night">Where it is dark for sure.</param>
-    /// <returns>Bounds of the receivers that are left.</returns>
+    /// <param name="row">Row of the image.</param>
+    /// <param name="part">Index of the group of rows that this row belongs to; only one thread at a time may work on a group.</param>
+    /// <param name="night">The zone in which every point is in shadow.</param>
+    /// <returns>Bounds of the receivers that are not left out.</returns>
     public LightBox Count(ReceiverRows rows, int row, int part, NightZone night)
     {
         int start = rows.Start(row);
@@ -137,7 +137,7 @@ internal sealed class ReceiverGrid
         return new LightBox(Lanes.Min(minU), -Lanes.Min(-maxU), Lanes.Min(minV), -Lanes.Min(-maxV));
     }
 
-    /// <summary>Gives each bin its place, and in it each part; finds the bins' depths. No bin is wanted yet.</summary>
+    /// <summary>Gives each bin, and each part in it, its range in the arrays; finds the bins' depths; unmarks all bins.</summary>
     public void Place()
     {
         int next = 0;
@@ -169,7 +169,7 @@ internal sealed class ReceiverGrid
         }
     }
 
-    /// <summary>Has some bins sorted. Several threads may call it.</summary>
+    /// <summary>Marks bins, so that <see cref="Sort"/> sorts their receivers. Several threads may call it.</summary>
     public void Want(GridRange bins)
     {
         for (int row = bins.FirstRow; row <= bins.LastRow; row++)
@@ -178,15 +178,15 @@ internal sealed class ReceiverGrid
         }
     }
 
-    /// <summary>Has all bins sorted.</summary>
+    /// <summary>Marks all bins for sorting.</summary>
     public void WantAll() => _wantsAll = true;
 
-    /// <summary>Puts a row's receivers into their bins, as far as these are wanted; the places of others mean nothing.</summary>
+    /// <summary>Puts a row's receivers into their bins if these are marked; array elements of unmarked bins are undefined.</summary>
     /// <param name="rows">The receivers.</param>
-    /// <param name="row">Which row.</param>
-    /// <param name="part">As it was counted.</param>
-    /// <param name="firstPixel">The row's first.</param>
-    /// <param name="hide">Gets the pixels of those in the night.</param>
+    /// <param name="row">Row of the image.</param>
+    /// <param name="part">The same index as in <see cref="Count"/>.</param>
+    /// <param name="firstPixel">Index of the row's first pixel.</param>
+    /// <param name="hide">Called with the pixel of each receiver in the night zone.</param>
     public void Sort(ReceiverRows rows, int row, int part, int firstPixel, Action<int> hide)
     {
         int[] next = _parts[part].Counts;
@@ -209,27 +209,27 @@ internal sealed class ReceiverGrid
         }
     }
 
-    /// <summary>The bins that a box touches.</summary>
+    /// <summary>The bins that a box overlaps.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public GridRange BinsOf(in LightBox box) =>
         new(_u.BinOf(box.MinU), _u.BinOf(box.MaxU), _v.BinOf(box.MinV), _v.BinOf(box.MaxV));
 
-    /// <summary>No receiver in some bins is deeper; m, minus infinity if there is none. It may say too much.</summary>
+    /// <summary>Upper bound of the depth of all receivers in a range of bins, m; below any real depth if there is none.</summary>
     public float MaxDepth(GridRange bins) => _depths.Max(bins);
 
-    /// <summary>No receiver is deeper; m.</summary>
+    /// <summary>Upper bound of the depth of all receivers, m.</summary>
     public float MaxDepth() => _depths.Max(new GridRange(0, Size - 1, 0, Size - 1));
 
-    /// <summary>A bit for each lane of a vector from one receiver on that comes before another.</summary>
+    /// <summary>Mask of the lanes before <paramref name="end"/> in a vector that begins at <paramref name="receiver"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Meant(int receiver, int end) => (1u << Math.Min(end - receiver, LaneCount)) - 1;
 
-    /// <summary>Lets no facet try a receiver any more. Any thread may do so.</summary>
+    /// <summary>Excludes a receiver from further tests: its depth becomes minus infinity. Several threads may call it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void TakeOut(int receiver) => W[receiver] = double.NegativeInfinity;
 
-    /// <summary>The receivers in neighbouring bins of a row.</summary>
-    /// <returns>First receiver and one past the last.</returns>
+    /// <summary>The range in the arrays of the receivers in neighbouring bins of a row.</summary>
+    /// <returns>Index of the first receiver and one past the last.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (int First, int End) Run(int row, int firstColumn, int lastColumn)
     {
@@ -238,8 +238,8 @@ internal sealed class ReceiverGrid
         return (Unsafe.Add(ref start, firstColumn), Unsafe.Add(ref start, lastColumn + 1));
     }
 
-    /// <summary>What one thread finds of the bins.</summary>
-    /// <param name="Counts">Receivers of each; later the place of the next.</param>
-    /// <param name="Depths">Maximum depth of each, m.</param>
+    /// <summary>The counts and depths of the bins that one thread finds for its group of rows.</summary>
+    /// <param name="Counts">Number of receivers in each bin; after <see cref="Place"/>, the index of the next one to be stored.</param>
+    /// <param name="Depths">Maximum depth of the receivers in each bin, m.</param>
     private sealed record Part(int[] Counts, float[] Depths);
 }

@@ -3,7 +3,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>The receivers of a frame in the order of the image; the arrays serve all frames of a size.</summary>
+/// <summary>The receivers of a frame, row by row of the image; the arrays are kept from frame to frame.</summary>
 internal sealed class ReceiverRows
 {
     private static readonly int Lanes = Vector512<double>.Count;
@@ -11,7 +11,7 @@ internal sealed class ReceiverRows
     private int[] _counts = [];
     private int _stride;
 
-    /// <summary>Light space, m (MOON_ME before <see cref="ToLight"/>); a row begins at <see cref="Start"/>.</summary>
+    /// <summary>Coordinate in light space, m (in MOON_ME before <see cref="ToLight"/>); a row begins at <see cref="Start"/>.</summary>
     public double[] U { get; private set; } = [];
 
     /// <inheritdoc cref="U"/>
@@ -20,7 +20,7 @@ internal sealed class ReceiverRows
     /// <inheritdoc cref="U"/>
     public double[] W { get; private set; } = [];
 
-    /// <summary>Columns of the image.</summary>
+    /// <summary>Column of the image of each receiver.</summary>
     public int[] Columns { get; private set; } = [];
 
     /// <summary>Makes room for an image.</summary>
@@ -45,10 +45,10 @@ internal sealed class ReceiverRows
     /// <summary>Index of a row's first receiver.</summary>
     public int Start(int row) => row * _stride;
 
-    /// <summary>Receivers of a row.</summary>
+    /// <summary>Number of receivers in a row.</summary>
     public int Count(int row) => _counts[row];
 
-    /// <summary>Reads a row.</summary>
+    /// <summary>Reads the receivers of a row, in MOON_ME.</summary>
     public void Read(IReceiverRows receivers, int row)
     {
         int start = Start(row);
@@ -62,7 +62,7 @@ internal sealed class ReceiverRows
         _counts[row] = count;
     }
 
-    /// <summary>Sum of a row's points, m, before <see cref="ToLight"/>.</summary>
+    /// <summary>Sum of a row's points, m, MOON_ME; to be called before <see cref="ToLight"/>.</summary>
     public Vector3D Sum(int row)
     {
         Vector3D sum = default;
@@ -74,7 +74,7 @@ internal sealed class ReceiverRows
         return sum;
     }
 
-    /// <summary>Turns a row's points from MOON_ME to light space.</summary>
+    /// <summary>Converts a row's points from MOON_ME to light space.</summary>
     public void ToLight(LightFrame frame, int row)
     {
         int start = Start(row);
@@ -82,7 +82,7 @@ internal sealed class ReceiverRows
         frame.FromMoonMe(U.AsSpan(start, padded), V.AsSpan(start, padded), W.AsSpan(start, padded));
     }
 
-    /// <summary>Bounds of a row's points, after <see cref="ToLight"/>.</summary>
+    /// <summary>Bounds of a row's points in light space, m; to be called after <see cref="ToLight"/>.</summary>
     public LightBox BoxOf(int row)
     {
         LightBox box = LightBox.Empty;

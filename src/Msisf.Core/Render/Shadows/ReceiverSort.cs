@@ -2,33 +2,33 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Reads the receivers of a frame, lays out light space for them and sorts them into a grid.</summary>
+/// <summary>Reads the receivers of a frame, chooses light space for them and sorts them into a grid.</summary>
 internal sealed class ReceiverSort
 {
-    /// <summary>Every so many rows of the image are read first, to lay out light space.</summary>
+    /// <summary>Spacing, in rows of the image, of the rows that are read first to choose light space and its bins.</summary>
     private const int ScoutSpacing = 16;
 
-    /// <summary>The sort keeps a count of every bin for each part that it does at the same time.</summary>
+    /// <summary>Maximum number of groups of rows sorted at the same time; limits memory, because each group counts every bin.</summary>
     private const int MaxParts = 8;
 
     private readonly ReceiverRows _rows = new();
     private LightBox[] _boxes = [];
 
-    /// <summary>The receivers; those deep in the night are left out.</summary>
+    /// <summary>The sorted receivers, without those in the night zone.</summary>
     public ReceiverGrid Grid { get; } = new();
 
-    /// <summary>Light space.</summary>
+    /// <summary>Light space of the frame.</summary>
     public LightFrame Frame { get; private set; } = null!;
 
-    /// <summary>All receivers are in it; empty if there are none.</summary>
+    /// <summary>Bounds of all receivers in the grid, m; empty if there are none.</summary>
     public LightBox Box { get; private set; }
 
-    /// <summary>Reads the receivers and finds out how deep they are in each bin of the grid.</summary>
-    /// <param name="receivers">Points that may be lit.</param>
+    /// <summary>Reads the receivers and finds their number and maximum depth in each bin of the grid.</summary>
+    /// <param name="receivers">The points that may be lit.</param>
     /// <param name="sun">The Sun.</param>
-    /// <param name="night">Where it is dark for sure.</param>
-    /// <param name="threads">At most.</param>
-    /// <param name="cancellation">Ends the work.</param>
+    /// <param name="night">The zone in which every point is in shadow.</param>
+    /// <param name="threads">Maximum number of threads.</param>
+    /// <param name="cancellation">Cancels the work.</param>
     public void Read(IReceiverRows receivers, LightSource sun, NightZone night, int threads, CancellationToken cancellation)
     {
         int rows = receivers.Rows;
@@ -62,11 +62,11 @@ internal sealed class ReceiverSort
         }
     }
 
-    /// <summary>Sorts the receivers into the bins of the grid that are wanted.</summary>
-    /// <param name="receivers">As they were read, with as many threads.</param>
-    /// <param name="hide">Gets each pixel in the night; several threads call it.</param>
-    /// <param name="threads">At most.</param>
-    /// <param name="cancellation">Ends the work.</param>
+    /// <summary>Sorts the receivers into the bins of the grid that are marked.</summary>
+    /// <param name="receivers">The same receivers as in <see cref="Read"/>, which must have had the same number of threads.</param>
+    /// <param name="hide">Called with each pixel in the night zone, from several threads.</param>
+    /// <param name="threads">Maximum number of threads.</param>
+    /// <param name="cancellation">Cancels the work.</param>
     public void Sort(IReceiverRows receivers, Action<int> hide, int threads, CancellationToken cancellation)
     {
         int parts = Math.Min(threads, MaxParts);
@@ -79,7 +79,7 @@ internal sealed class ReceiverSort
         }, cancellation);
     }
 
-    /// <summary>Lays out light space by a part of the rows; a bad choice costs time only.</summary>
+    /// <summary>Chooses light space and its bins from some of the rows; a poor choice makes the frame slower but not wrong.</summary>
     private void Scout(IReceiverRows receivers, LightSource sun, int threads, int parts, CancellationToken cancellation)
     {
         int scouts = (receivers.Rows + ScoutSpacing - 1) / ScoutSpacing;

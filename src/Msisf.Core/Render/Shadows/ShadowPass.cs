@@ -5,13 +5,13 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// Finds the points of an image that terrain hides from the Sun, exactly. The surface is closed, so a ray that leaves it towards the
-/// Sun can meet it again only through a facet that faces away from the Sun: only these are looked at, and no point can hide itself.
-/// One object serves frame after frame, one at a time, and keeps its memory.
+/// Finds exactly which points of an image terrain hides from the Sun. The surface is closed, so a ray that leaves it towards the Sun
+/// first meets it again at a facet that faces away from the Sun. Only these facets are tested, so no point can hide itself.
+/// One object is used for many frames, one at a time, and keeps its memory between them.
 /// </summary>
 internal sealed class ShadowPass
 {
-    /// <summary>Up to so many blocks it pays to ask first which bins of receivers they may darken, and to sort these only.</summary>
+    /// <summary>Maximum number of blocks for which sorting only the bins that they may darken is faster than sorting all bins.</summary>
     private const int FewBlocks = 128;
 
     private readonly SurfaceModel _surface;
@@ -19,7 +19,7 @@ internal sealed class ShadowPass
     private readonly ReceiverSort _receivers = new();
     private readonly List<CasterScan> _scans = [];
 
-    /// <summary>Takes the model.</summary>
+    /// <summary>Makes a pass for a model.</summary>
     /// <param name="surface">The model.</param>
     public ShadowPass(SurfaceModel surface)
     {
@@ -27,15 +27,15 @@ internal sealed class ShadowPass
         _search = new CasterSearch(surface);
     }
 
-    /// <summary>What the last frame took.</summary>
+    /// <summary>Counts of the work for the last frame.</summary>
     public ShadowStatistics Statistics { get; private set; }
 
     /// <summary>Marks the receivers that are in shadow.</summary>
-    /// <param name="receivers">Points whose facet faces the Sun.</param>
-    /// <param name="sunMoonMe">m, MOON_ME.</param>
-    /// <param name="hidden">Of each pixel, row by row: becomes 1 if terrain hides the Sun, else 0; other pixels become 0.</param>
-    /// <param name="threads">How many may work, at least 1.</param>
-    /// <param name="cancellation">Ends the work.</param>
+    /// <param name="receivers">The points whose facet faces the Sun.</param>
+    /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
+    /// <param name="hidden">One value for each pixel, row by row: 1 if terrain hides the Sun, 0 if not or if there is no receiver.</param>
+    /// <param name="threads">Maximum number of threads, at least 1.</param>
+    /// <param name="cancellation">Cancels the work.</param>
     /// <exception cref="BadInputException">The Sun is not outside the terrain.</exception>
     public void Run(IReceiverRows receivers, Vector3D sunMoonMe, byte[] hidden, int threads, CancellationToken cancellation)
     {

@@ -5,37 +5,37 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// The Sun's disc as 64 points, each for an equal part of its area; the disc is taken as equally bright everywhere. They lie in four
-/// rings, 4, 12, 20 and 28 of them, and their mean is the disc's centre.
+/// The Sun's disc as 64 points that stand for equal parts of its area; the disc is assumed to be equally bright everywhere. The points
+/// lie in four rings of 4, 12, 20 and 28 points, and their mean is the disc's centre.
 /// </summary>
 /// <remarks>
-/// Of a disc that a straight edge cuts, the points give the visible fraction within 0.046, and within 0.012 in the mean of squares over
-/// all edges (tests/reference/sun_disc.py).
+/// For a disc cut by a straight edge, the error of the visible fraction is at most 0.046, and its root mean square over all edges is at
+/// most 0.012 (tests/reference/sun_disc.py).
 /// </remarks>
 internal sealed class SunDisc
 {
-    /// <summary>m: nominal solar radius, exact by definition (IAU 2015 Resolution B3; A. Prsa et al., Astron. J. 152 (2016) 41).</summary>
+    /// <summary>Nominal solar radius, m, exact by definition (IAU 2015 Resolution B3; A. Prsa et al., Astron. J. 152 (2016) 41).</summary>
     public const double SunRadius = 695_700e3;
 
-    /// <summary>Points of the disc, and bits of a mask of them.</summary>
+    /// <summary>Number of points of the disc, and of bits in a mask of them.</summary>
     public const int Points = 64;
 
-    /// <summary>The points are sorted by their angle around the centre; so many neighbours lie in an eighth of the disc.</summary>
+    /// <summary>Number of consecutive points in an eighth of the disc; the points are sorted by their angle around the centre.</summary>
     public const int PointsPerSector = 8;
 
-    /// <summary>All points.</summary>
+    /// <summary>Mask of all points.</summary>
     public const ulong All = ulong.MaxValue;
 
     private static readonly int[] Rings = [4, 12, 20, 28];
 
     /// <summary>
-    /// Parts of the angle between two points of a ring by which it is turned: of quarters, those that lessen the maximum error.
+    /// Rotation of each ring as a fraction of the angle between two of its points: the multiples of 0.25 with the smallest maximum error.
     /// </summary>
     private static readonly double[] Turns = [0.5, 0.75, 0.0, 0.75];
 
     private readonly Vector3D[] _pointsMoonMe;
 
-    /// <summary>Places the points.</summary>
+    /// <summary>Places the points for a position of the Sun.</summary>
     /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
     /// <exception cref="BadInputException">The Moon's centre is inside the Sun.</exception>
     public SunDisc(Vector3D sunMoonMe)
@@ -47,7 +47,7 @@ internal sealed class SunDisc
             throw new BadInputException($"The Sun is at {sunMoonMe} m, so that the Moon is inside the Sun; give a position farther away.");
         }
 
-        // A sphere's outline has the angular radius asin(R / D): at the distance of its centre that is a disc of this radius.
+        // The angular radius of a sphere's outline is asin(R / D); a disc at the distance of its centre has this radius.
         double radius = distance * SunRadius / Math.Sqrt((distance - SunRadius) * (distance + SunRadius));
         Slope = radius / distance;
         LightFrame axes = new(sunMoonMe, Vector3D.UnitZ);
@@ -65,19 +65,19 @@ internal sealed class SunDisc
         })];
     }
 
-    /// <summary>m, MOON_ME.</summary>
+    /// <summary>The centre of the disc, m, MOON_ME.</summary>
     public Vector3D CentreMoonMe { get; }
 
     /// <summary>The disc's radius over its distance from the Moon's centre: the tangent of its angular radius there.</summary>
     public double Slope { get; }
 
-    /// <summary>m, MOON_ME; the first belongs to the lowest bit of a mask.</summary>
+    /// <summary>The points, m, MOON_ME; the first one belongs to the lowest bit of a mask.</summary>
     public ReadOnlySpan<Vector3D> PointsMoonMe => _pointsMoonMe;
 
-    /// <summary>The light of the disc on a facet.</summary>
-    /// <param name="pointMoonMe">m, MOON_ME.</param>
+    /// <summary>The light of the disc on a point of a facet.</summary>
+    /// <param name="pointMoonMe">The point, m, MOON_ME.</param>
     /// <param name="normalMoonMe">Outward normal, MOON_ME, length 1.</param>
-    /// <param name="hidden">The points of the disc that terrain hides (<see cref="PenumbraPass"/>).</param>
+    /// <param name="hidden">Mask of the points of the disc that terrain hides (<see cref="PenumbraPass"/>).</param>
     public DiscLight LightAt(Vector3D pointMoonMe, Vector3D normalMoonMe, ulong hidden)
     {
         int visible = 0;
@@ -96,14 +96,14 @@ internal sealed class SunDisc
         return new DiscLight((double)visible / Points, sum / Points);
     }
 
-    /// <summary>Whether a facet's plane may cut the disc, seen from a point of it.</summary>
+    /// <summary>Whether the plane of a facet may cut the disc, seen from a point of the facet.</summary>
     /// <param name="cosIncidence">Cosine of the angle between the facet's normal and the direction to the disc's centre.</param>
     public bool IsCut(double cosIncidence) => Math.Abs(cosIncidence) <= -MinCosine;
 
-    /// <summary>Whether any part of the disc is above a facet's plane, seen from a point of it.</summary>
+    /// <summary>Whether a part of the disc may be above the plane of a facet, seen from a point of the facet.</summary>
     /// <param name="cosIncidence">Cosine of the angle between the facet's normal and the direction to the disc's centre.</param>
     public bool MayLight(double cosIncidence) => cosIncidence > MinCosine;
 
-    /// <summary>Facets whose cosine of the incidence angle is less see nothing of the disc.</summary>
+    /// <summary>Cosine of the incidence angle, to the disc's centre, below which no part of the disc is above a facet's plane.</summary>
     public double MinCosine => -1.01 * Slope; // seen from the near side of the Moon the disc is 1.2e-5 parts wider
 }

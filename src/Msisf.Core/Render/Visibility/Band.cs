@@ -4,45 +4,45 @@ using System.Runtime.CompilerServices;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Rows of an image that are drawn together: for each pixel the nearest facet so far. One object is used for many frames. A facet is
-/// recorded when it first wins a pixel.
+/// The depth buffer of some rows of an image: for each pixel the nearest facet drawn so far. One object is used for many frames. A facet is
+/// recorded when it first becomes the nearest one at a pixel.
 /// </summary>
 internal sealed class Band
 {
-    /// <summary>The number of no facet.</summary>
+    /// <summary>Facet number that stands for a facet that is not recorded yet.</summary>
     public const int NotRecorded = -1;
 
     private const int FirstCapacity = 1024;
 
     /// <summary>
-    /// Elements behind the last column of a row, so that eight pixels can be read and written from any column on without range checks.
+    /// Elements after the last column of each row, so that eight pixels can be read and written from any column without range checks.
     /// </summary>
     private const int Padding = 8;
 
     private FacetRecord[] _records = new FacetRecord[FirstCapacity];
 
-    /// <summary>Elements from one row to the next.</summary>
+    /// <summary>Number of array elements from one row to the next.</summary>
     public int Stride { get; private set; }
 
-    /// <summary>The image's columns.</summary>
+    /// <summary>The image's width, px.</summary>
     public int Width { get; private set; }
 
-    /// <summary>Its first row, from 0.</summary>
+    /// <summary>The band's first row in the image, counted from 0.</summary>
     public int FirstRow { get; private set; }
 
-    /// <summary>Its last row.</summary>
+    /// <summary>The band's last row in the image, counted from 0.</summary>
     public int LastRow { get; private set; }
 
-    /// <summary>1/m: one over the depth of each pixel's nearest point; 0 where there is none.</summary>
+    /// <summary>1/m: the inverse depth of each pixel's nearest point; 0 where no facet has been drawn.</summary>
     public double[] InverseDepths { get; private set; } = [];
 
-    /// <summary>Number of each pixel's facet in <see cref="Records"/>; means nothing where there is none.</summary>
+    /// <summary>Index of each pixel's facet in <see cref="Records"/>; undefined where no facet has been drawn.</summary>
     public int[] Facets { get; private set; } = [];
 
-    /// <summary>Facets that won a pixel.</summary>
+    /// <summary>The facets that have been the nearest one at some pixel.</summary>
     public ReadOnlySpan<FacetRecord> Records => _records.AsSpan(0, RecordCount);
 
-    /// <summary>How many facets won a pixel.</summary>
+    /// <summary>Number of <see cref="Records"/>.</summary>
     public int RecordCount { get; private set; }
 
     /// <summary>Empties the band for new rows.</summary>
@@ -66,7 +66,7 @@ internal sealed class Band
     }
 
     /// <summary>
-    /// Index of a pixel in <see cref="InverseDepths"/> and <see cref="Facets"/>; seven more pixels may be read and written from there.
+    /// Index of a pixel in <see cref="InverseDepths"/> and <see cref="Facets"/>; that pixel and the next seven may be read and written.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int IndexOf(int column, int row)
@@ -75,9 +75,9 @@ internal sealed class Band
         return ((row - FirstRow) * Stride) + column;
     }
 
-    /// <summary>Records a facet; returns its number.</summary>
+    /// <summary>Records a facet and returns its index in <see cref="Records"/>.</summary>
     /// <param name="block">The facet's block.</param>
-    /// <param name="index">Its cell's north-western vertex.</param>
+    /// <param name="index">Index in the block of the north-western vertex of the facet's cell.</param>
     /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
     public int Add(ProjectedBlock block, int index, int half)
     {

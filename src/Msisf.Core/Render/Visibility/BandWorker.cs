@@ -2,14 +2,14 @@ using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>What one thread needs to draw bands.</summary>
+/// <summary>The buffers with which one thread draws bands.</summary>
 internal sealed class BandWorker
 {
     private readonly ProjectedBlock _block = new();
     private readonly CellSieve _sieve = new();
     private readonly NearPlaneCells _crossing = new();
 
-    /// <summary>Draws all blocks that touch a band; returns what that took.</summary>
+    /// <summary>Draws all blocks that touch a band and returns how much work that was.</summary>
     public VisibilityCounts Draw(SurfaceModel surface, ImageView view, List<VisibleBlock> blocks, Band band)
     {
         long read = 0;

@@ -7,13 +7,18 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>Finds the blocks that an image may show; reads those whose place alone does not tell.</summary>
+/// <summary>
+/// Finds the cell blocks that an image may show. It reads the bounds only of blocks that cannot be excluded by their position alone.
+/// </summary>
 internal sealed class BlockCuller
 {
-    /// <summary>Blocks that one thread looks at in a row.</summary>
+    /// <summary>Number of blocks in one work item of a thread.</summary>
     private const int BlocksAtOnce = 256;
 
-    /// <summary>m: more than bounds of blocks, which are floats, are rounded outwards.</summary>
+    /// <summary>
+    /// m: added on both sides to the radius limits of the model. It is more than the outward rounding of the block bounds, which are
+    /// floats.
+    /// </summary>
     private const double BoundsRounding = 1.0;
 
     private readonly SurfaceModel _surface;
@@ -33,7 +38,7 @@ internal sealed class BlockCuller
         _tilt = Math.PI / 180.0 / surface.Grid.PixelsPerDegree; // up turns by less from a facet's middle to its corners
     }
 
-    /// <summary>The blocks that may be seen, always in the same order; valid until the next call.</summary>
+    /// <summary>Returns the blocks that may be visible, always in the same order; the list is valid until the next call.</summary>
     public List<VisibleBlock> Find(ImageView view, int threads, CancellationToken cancellation)
     {
         ViewFrustum frustum = view.Frustum();
@@ -76,7 +81,7 @@ internal sealed class BlockCuller
     }
 
     /// <summary>
-    /// Collects the blocks of a node that may be in the image if all that is known of the surface is how far it may reach.
+    /// Collects the blocks of a node that may be in the image if each may have any radius within the limits of the model.
     /// </summary>
     private void Descend(int level, int row, int column, ViewFrustum frustum, MoonHorizon horizon)
     {
@@ -92,7 +97,7 @@ internal sealed class BlockCuller
             return;
         }
 
-        // Quarter by quarter, and these again: blocks that follow each other are neighbours.
+        // The children are visited quarter by quarter, and each quarter again by its quarters, so that successive blocks are neighbours.
         NodeRange children = _surface.Bounds.Layout.ChildrenOf(level, row, column);
         for (int child = 0; child < SquareLayout.GroupBlocks; child++)
         {

@@ -1,9 +1,9 @@
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>A projected vertex.</summary>
-/// <param name="X">Column.</param>
-/// <param name="Y">Row.</param>
-/// <param name="InverseDepth">1/m: one over its depth.</param>
+/// <param name="X">Image column, px.</param>
+/// <param name="Y">Image row, px.</param>
+/// <param name="InverseDepth">1/m: inverse of its depth.</param>
 internal readonly record struct CellCorner(double X, double Y, double InverseDepth)
 {
     public CellCorner(ProjectedBlock block, int index)

@@ -5,16 +5,18 @@ using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>Fills both facets of one cell together, rows of eight pixels at a time, by their <see cref="CellEdges"/>.</summary>
+/// <summary>
+/// Fills both facets of one cell together. Each row is tested eight pixels at a time by the signs of the <see cref="CellEdges"/>.
+/// </summary>
 internal static class CellFill
 {
     private const int Lanes = 8;
 
     /// <summary>Draws the facets of a cell whose corners are all projected.</summary>
     /// <param name="block">The cell's block.</param>
-    /// <param name="index">The cell's north-western vertex.</param>
-    /// <param name="halves">Bits of the halves that are facets.</param>
-    /// <param name="band">Where to draw.</param>
+    /// <param name="index">Index of the cell's north-western vertex in the block.</param>
+    /// <param name="halves">Bits of <see cref="FacetCorners"/> for those of the cell's two halves that are facets.</param>
+    /// <param name="band">The band into which to draw.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static void Draw(ProjectedBlock block, int index, uint halves, Band band)
     {
@@ -114,7 +116,7 @@ internal static class CellFill
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<int> Narrow(Vector512<double> mask) => Vector512.Narrow(mask.AsInt64(), mask.AsInt64()).GetLower();
 
-    /// <summary>One over the depth of a facet, linear in the image.</summary>
+    /// <summary>The inverse depth of a facet's plane (1/m), which is a linear function of column and row.</summary>
     private readonly struct DepthPlane
     {
         private readonly CellCorner _a;

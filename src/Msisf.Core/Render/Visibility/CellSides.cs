@@ -4,11 +4,12 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// The sides of one cell and its diagonal; tells between which columns it crosses a row. Three lanes repeat the diagonal.
+/// The four sides of one cell and its diagonal, from which the columns that the cell covers in a row are found. Three of the eight vector
+/// lanes repeat the diagonal.
 /// </summary>
 internal readonly struct CellSides
 {
-    /// <summary>px: more than rounding moves a crossing.</summary>
+    /// <summary>px: widens the range of columns on both sides. It is more than the rounding error of a crossing.</summary>
     private const double Slack = 1e-6;
 
     private readonly Vector512<double> _x;
@@ -27,7 +28,8 @@ internal readonly struct CellSides
     }
 
     /// <summary>
-    /// Columns outside of which no pixel of the row lies in the cell. A side along the row adds none: its neighbours end where it does.
+    /// Returns columns outside of which no pixel of the row lies in the cell. A side parallel to the row adds no crossing: its end points
+    /// are also ends of the neighbouring sides.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (double First, double Last) At(double row)

@@ -8,19 +8,20 @@ using Msisf.Core.Mesh;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Draws a block's cells into a band of the image, eight at a time. Cells that hold no pixel centre fall through; small ones are tested
-/// against their pixels together, each cell with its own pixel; wide ones are filled one by one.
+/// Draws a block's cells into a band of the image, eight at a time. Cells that hold no pixel centre are dropped. Small cells are tested
+/// together, each lane with a pixel of its own cell. Wide cells are filled one by one.
 /// </summary>
 /// <remarks>
-/// Whether a pixel lies in a facet is told by the signs of its <see cref="CellEdges"/>, which leave no pixel between two facets. The edges
-/// are also the corners' weights, by which one over the depth, which is linear in the image, is that of the pixel.
+/// The signs of the <see cref="CellEdges"/> tell whether a pixel lies in a facet; they leave no gap between two facets. The edge values are
+/// also the weights of the corners, by which the inverse depth, which is linear in the image, is interpolated.
 /// </remarks>
 internal sealed class CellSieve
 {
     private const int Lanes = 8;
 
     /// <summary>
-    /// px: cells that are this wide, on the average of their rows, are filled row by row; measured: there both ways take as long.
+    /// px: cells whose mean width over their rows is more than this are filled row by row. Measured: at this width both ways take the same
+    /// time.
     /// </summary>
     private const double WideCell = 4.0;
 
@@ -29,10 +30,10 @@ internal sealed class CellSieve
     private readonly int[] _numbers = new int[2 * Lanes];
     private double _turnedArea;
 
-    /// <summary>Takes a frame's camera.</summary>
+    /// <summary>Prepares for a frame.</summary>
     public void Begin(ImageView view) => _turnedArea = view.BackFaceArea;
 
-    /// <summary>Draws the cells of a block that is in front of the camera; returns how many were looked at.</summary>
+    /// <summary>Draws the cells of a block that is in front of the camera and returns the number of cells that were tested.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
     public long Draw(ProjectedBlock block, Band band)
     {
@@ -104,7 +105,9 @@ internal sealed class CellSieve
         }
     }
 
-    /// <summary>Tests each cell with pixels of one row, its own, from column to column.</summary>
+    /// <summary>
+    /// Tests each cell against the pixels of one row, from its first to its last column; each cell has its own row and columns.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void TestRow(
         ProjectedBlock block,
@@ -138,7 +141,7 @@ internal sealed class CellSieve
             uint hits = active & Bits(inSouthWest | inNorthEast);
             if (hits != 0)
             {
-                // A pixel in both is on the diagonal, where they are equally deep.
+                // A pixel in both facets is on the diagonal, where both have the same depth.
                 Vector512<double> ofNorthWest = Vector512.ConditionalSelect(inSouthWest, edges.South, edges.East);
                 Vector512<double> ofSouthEast = Vector512.ConditionalSelect(inSouthWest, edges.West, edges.North);
                 Vector512<double> ofThird = Vector512.ConditionalSelect(inSouthWest, -edges.Diagonal, edges.Diagonal);
@@ -158,7 +161,9 @@ internal sealed class CellSieve
         }
     }
 
-    /// <summary>Writes the pixels that cells have hit where they are nearest; of a depth that is no number nothing is nearest.</summary>
+    /// <summary>
+    /// Writes the hit pixels at which the cells' facets are nearer than what was drawn before. A depth that is NaN is never nearer.
+    /// </summary>
     private void Commit(ProjectedBlock block, int index, uint hits, uint southWest, Band band)
     {
         ref double inverseDepths = ref MemoryMarshal.GetArrayDataReference(_inverseDepths);

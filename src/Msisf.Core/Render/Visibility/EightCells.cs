@@ -5,8 +5,8 @@ using Msisf.Core.Mesh;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// The projected corners of eight neighbouring cells of a line, read again from the block's arrays wherever they are needed: there are not
-/// registers for all.
+/// The projected corners of eight neighbouring cells of a line. They are read again from the block's arrays at each use, because there are
+/// not enough vector registers to hold them all.
 /// </summary>
 internal readonly ref struct EightCells
 {
@@ -14,8 +14,8 @@ internal readonly ref struct EightCells
     private readonly ref double _y;
     private readonly ref double _inverseDepth;
 
-    /// <param name="block">Their block.</param>
-    /// <param name="index">North-western vertex of the westernmost cell.</param>
+    /// <param name="block">The block of the cells.</param>
+    /// <param name="index">Index of the north-western vertex of the westernmost cell.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public EightCells(ProjectedBlock block, int index)
     {
@@ -27,35 +27,35 @@ internal readonly ref struct EightCells
     /// <summary>Minimum column of each cell.</summary>
     public Vector512<double> Left => Min(ref _x);
 
-    /// <summary>Maximum column.</summary>
+    /// <summary>Maximum column of each cell.</summary>
     public Vector512<double> Right => Max(ref _x);
 
-    /// <summary>Minimum row.</summary>
+    /// <summary>Minimum row of each cell.</summary>
     public Vector512<double> Top => Min(ref _y);
 
-    /// <summary>Maximum row.</summary>
+    /// <summary>Maximum row of each cell.</summary>
     public Vector512<double> Bottom => Max(ref _y);
 
-    /// <summary>px2: twice the area of the south-western facets, below 0 where they face the camera.</summary>
+    /// <summary>px2: twice the signed area of the south-western facets; negative where they face the camera.</summary>
     public Vector512<double> SouthWestArea =>
         CellEdges.Area(
             X(0), Y(0), X(FacetCorners.SouthWest), Y(FacetCorners.SouthWest), X(FacetCorners.SouthEast), Y(FacetCorners.SouthEast));
 
-    /// <summary>px2: the same of the north-eastern facets.</summary>
+    /// <summary>px2: twice the signed area of the north-eastern facets; negative where they face the camera.</summary>
     public Vector512<double> NorthEastArea =>
         CellEdges.Area(
             X(0), Y(0), X(FacetCorners.SouthEast), Y(FacetCorners.SouthEast), X(FacetCorners.NorthEast), Y(FacetCorners.NorthEast));
 
     /// <summary>Column of a corner of each cell.</summary>
-    /// <param name="corner">Of <see cref="FacetCorners"/>; 0 is the north-western one.</param>
+    /// <param name="corner">An offset of <see cref="FacetCorners"/>; 0 is the north-western corner.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector512<double> X(int corner) => Vector512.LoadUnsafe(ref _x, (nuint)corner);
 
-    /// <summary>Row of a corner.</summary>
+    /// <summary>Row of a corner of each cell.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector512<double> Y(int corner) => Vector512.LoadUnsafe(ref _y, (nuint)corner);
 
-    /// <summary>1/m: one over the depth of a corner.</summary>
+    /// <summary>1/m: inverse depth of a corner of each cell.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector512<double> InverseDepth(int corner) => Vector512.LoadUnsafe(ref _inverseDepth, (nuint)corner);
 

@@ -5,8 +5,9 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Edges of a facet with corners behind the camera or in its plane: (a x b) . ray, which needs no projection and no clipping. An edge whose
-/// ends are both projected is computed from them, as for the facet on its other side, so that no pixel falls between the two.
+/// Edge functions of a facet with corners behind the camera or in its plane: (a x b) . ray, which needs no projection and no clipping. An
+/// edge whose two ends are projected is computed from the projected points, as it is for the neighbouring facet, so that no pixel falls
+/// between the two facets.
 /// </summary>
 /// <remarks>M. Olano, T. Greer, "Triangle scan conversion using 2D homogeneous coordinates", Graphics Hardware 1997.</remarks>
 internal struct HomogeneousEdges
@@ -22,7 +23,7 @@ internal struct HomogeneousEdges
         _ca = new Edge(c, a, view);
     }
 
-    /// <summary>Goes to a row.</summary>
+    /// <summary>Sets the row for which <see cref="Outside"/> is computed.</summary>
     public void MoveTo(double row)
     {
         _ab.MoveTo(row);
@@ -30,16 +31,16 @@ internal struct HomogeneousEdges
         _ca.MoveTo(row);
     }
 
-    /// <summary>Not above zero for the columns of the row that lie in the facet or on its border.</summary>
+    /// <summary>Zero or negative for the columns of the row that lie in the facet or on its border.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector512<double> Outside(Vector512<double> columns) =>
         Vector512.MaxNative(_ab.At(columns), Vector512.MaxNative(_bc.At(columns), _ca.At(columns)));
 
     /// <summary>A facet's corner.</summary>
-    /// <param name="FromCamera">m, MOON_ME from the camera.</param>
-    /// <param name="X">Its column.</param>
-    /// <param name="Y">Its row.</param>
-    /// <param name="IsProjected">Whether column and row may be used.</param>
+    /// <param name="FromCamera">Position relative to the camera, m, MOON_ME.</param>
+    /// <param name="X">Image column, px.</param>
+    /// <param name="Y">Image row, px.</param>
+    /// <param name="IsProjected">Whether the column and row are valid.</param>
     internal readonly record struct Corner(Vector3D FromCamera, double X, double Y, bool IsProjected);
 
     private struct Edge
@@ -60,7 +61,7 @@ internal struct HomogeneousEdges
             Vector3D u = a.FromCamera;
             Vector3D v = b.FromCamera;
 
-            // Plain products: the same edge from b to a has exactly the opposite components.
+            // Plain products without fused operations: the same edge from b to a has exactly the opposite components.
             Vector3D normal = new((u.Y * v.Z) - (u.Z * v.Y), (u.Z * v.X) - (u.X * v.Z), (u.X * v.Y) - (u.Y * v.X));
             _constant = Vector3D.Dot(normal, view.FirstRay);
             _perRow = Vector3D.Dot(normal, view.RayPerRow);

@@ -6,18 +6,22 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// A camera's image as the raster sees it: columns and rows from 0 at the pixel centres, x to the right, y down, for vertices that
-/// are given from <see cref="Origin"/>, the point of the vertex lattice nearest to the camera, so that they and their differences are
-/// exact.
+/// The projection from space to the pixels of a camera's image. Columns and rows count from 0 at the pixel centres, x to the right and y
+/// down. Vertices are given relative to <see cref="Origin"/>, the point of the vertex lattice nearest to the camera, so that they and their
+/// differences are exact.
 /// </summary>
 internal sealed class ImageView
 {
     /// <summary>
-    /// px: where a projected vertex may lie for its products to keep 1e-9 px; beyond it, its edges are computed in space.
+    /// px: minimum of <see cref="CoordinateLimit"/>. Within it the products of projected coordinates keep 1e-9 px; the edges of vertices
+    /// beyond it are computed in space.
     /// </summary>
     private const double MinCoordinateLimit = 32768.0;
 
-    /// <summary>m from the Moon's centre: from here on a plane is known better from there than from the camera.</summary>
+    /// <summary>
+    /// m: a camera at this distance or farther from the Moon's centre has that centre as its anchor, because plane offsets are more
+    /// accurate from there.
+    /// </summary>
     private const double FarDistance = 2.0 * MoonConstants.ReferenceRadius;
 
     /// <param name="camera">The camera.</param>
@@ -59,57 +63,69 @@ internal sealed class ImageView
     /// <summary>m, MOON_ME: a point of the vertex lattice, within 2^-7 m of the camera.</summary>
     public Vector3D Origin { get; }
 
-    /// <summary>m: from the origin to the camera.</summary>
+    /// <summary>m, MOON_ME: vector from the origin to the camera.</summary>
     public Vector3D Remainder { get; }
 
     /// <summary>
-    /// m, MOON_ME: the lattice point that planes are given from; near the camera, or, for a camera far away, the Moon's centre.
+    /// m, MOON_ME: the lattice point to which the planes of facets are relative. It is near the camera or, for a camera far away, the
+    /// Moon's centre.
     /// </summary>
     public Vector3D Anchor { get; }
 
-    /// <summary>m: from the anchor to the origin, exact.</summary>
+    /// <summary>m, MOON_ME: vector from the anchor to the origin, exact.</summary>
     public Vector3D OriginFromAnchor => Origin - Anchor;
 
-    /// <summary>Part of each pixel's ray direction along the viewing direction: at parameter t a ray is t times this deep.</summary>
+    /// <summary>
+    /// Component of each pixel's ray direction along the viewing direction: the point at parameter t of a ray has a depth of t times this.
+    /// </summary>
     public double Distance { get; }
 
-    /// <summary>px a unit of the tangent of the angle from the viewing direction.</summary>
+    /// <summary>Pixels per unit of the tangent of the angle from the viewing direction.</summary>
     public double PixelsPerTangent { get; }
 
-    /// <summary>A vector from the camera times this, over its depth, is its column from <see cref="CentreX"/>.</summary>
+    /// <summary>
+    /// The dot product of this with a vector from the camera, divided by the vector's depth, is its column relative to
+    /// <see cref="CentreX"/>.
+    /// </summary>
     public Vector3D Across { get; }
 
-    /// <summary>The same for rows and <see cref="CentreY"/>.</summary>
+    /// <summary>
+    /// The dot product of this with a vector from the camera, divided by the vector's depth, is its row relative to <see cref="CentreY"/>.
+    /// </summary>
     public Vector3D Down { get; }
 
-    /// <summary>A vector from the camera times this is its depth.</summary>
+    /// <summary>Viewing direction, MOON_ME: its dot product with a vector from the camera is the vector's depth.</summary>
     public Vector3D Forward { get; }
 
-    /// <summary>Column of the viewing direction.</summary>
+    /// <summary>Column that the viewing direction meets, px.</summary>
     public double CentreX { get; }
 
-    /// <summary>Row of the viewing direction.</summary>
+    /// <summary>Row that the viewing direction meets, px.</summary>
     public double CentreY { get; }
 
-    /// <summary>Ray direction of column 0, row 0.</summary>
+    /// <summary>Ray direction of the pixel in column 0 and row 0.</summary>
     public Vector3D FirstRay { get; }
 
-    /// <summary>What a column adds to the ray direction.</summary>
+    /// <summary>Change of the ray direction from one column to the next.</summary>
     public Vector3D RayPerColumn { get; }
 
-    /// <summary>What a row adds.</summary>
+    /// <summary>Change of the ray direction from one row to the next.</summary>
     public Vector3D RayPerRow { get; }
 
-    /// <summary>px: vertices that are projected farther out are not used as projected ones.</summary>
+    /// <summary>
+    /// px: maximum absolute column or row of a projected vertex that is used; edges of vertices beyond it are computed in space.
+    /// </summary>
     public double CoordinateLimit { get; }
 
     /// <summary>
-    /// px2: facets that are turned away by more than this certainly are; products of coordinates within the limit are rounded by less.
+    /// px2: facets whose signed area is above this certainly face away from the camera. It is above the rounding error of products of
+    /// coordinates within the limit.
     /// </summary>
     public double BackFaceArea => Math.ScaleB(CoordinateLimit * CoordinateLimit, -50);
 
     /// <summary>
-    /// What the image's samples show, half a pixel wider and by what rounding turns a projected direction (some 1e-16 rad).
+    /// The view frustum of the image's samples. It is wider by half a pixel and by the rounding error of a projected direction (some 1e-16
+    /// rad).
     /// </summary>
     public ViewFrustum Frustum() => new(Camera, 0.5 + (PixelsPerTangent * 1e-14), null, OffsetX, OffsetY);
 

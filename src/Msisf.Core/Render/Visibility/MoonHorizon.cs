@@ -4,7 +4,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// What a camera can't see of the Moon: what lies beyond the limb of the largest sphere within it, and blocks whose facets all turn away.
+/// Tells which parts of the Moon a camera cannot see: those behind the limb of the largest sphere inside the Moon, and blocks whose facets
+/// all face away.
 /// </summary>
 internal sealed class MoonHorizon
 {
@@ -14,8 +15,8 @@ internal sealed class MoonHorizon
     private readonly bool _isOutside;
     private readonly SineCosine _limb;
 
-    /// <param name="positionMoonMe">The camera, m.</param>
-    /// <param name="innerRadius">m: the surface lies nowhere below.</param>
+    /// <param name="positionMoonMe">Camera position, m, MOON_ME.</param>
+    /// <param name="innerRadius">m: minimum radius of the surface.</param>
     public MoonHorizon(Vector3D positionMoonMe, double innerRadius)
     {
         _innerRadius = innerRadius;
@@ -28,7 +29,7 @@ internal sealed class MoonHorizon
         }
     }
 
-    /// <summary>Whether the inner sphere hides all that lies in a box.</summary>
+    /// <summary>Whether the inner sphere hides everything in a box, up to a radius in m.</summary>
     public bool Hides(in NodeBox box, double maxRadius)
     {
         if (!_isOutside)
@@ -41,10 +42,10 @@ internal sealed class MoonHorizon
         return isBelowPi && Vector3D.Dot(_toCamera, box.Up) < reach.Cosine;
     }
 
-    /// <summary>Whether all facets within a box turn away from the camera.</summary>
+    /// <summary>Whether all facets within a box face away from the camera.</summary>
     /// <param name="box">The box.</param>
-    /// <param name="minRadius">m: no facet reaches farther down.</param>
-    /// <param name="maxSlope">Tangent of the steepest slope.</param>
+    /// <param name="minRadius">m: minimum radius of the facets in the box.</param>
+    /// <param name="maxSlope">Tangent of the maximum slope of the facets in the box.</param>
     /// <remarks>
     /// The camera stands D cos(theta) - r over a point's level at a distance D sin(theta) to the side. cos(theta) + maxSlope sin(theta)
     /// falls from where its slope is the steepest one.
@@ -65,7 +66,7 @@ internal sealed class MoonHorizon
             && nearestCosine + (maxSlope * nearestSine) < minRadius / _distance;
     }
 
-    /// <summary>The angle between 0 and pi/2 that has the cosine, or 0.</summary>
+    /// <summary>The angle from 0 to pi/2 that has a cosine; 0 for a cosine above 1.</summary>
     private static SineCosine AngleOfCosine(double cosine)
     {
         double held = Math.Min(1.0, cosine);

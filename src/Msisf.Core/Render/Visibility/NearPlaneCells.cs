@@ -5,20 +5,21 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>Draws facets that have corners behind the camera or so near to its plane that they can't be projected.</summary>
+/// <summary>Draws facets with corners that cannot be projected, because they lie behind the camera or too near to its plane.</summary>
 internal sealed class NearPlaneCells
 {
     /// <summary>
-    /// Parts of the coordinates of an edge's ends: an edge that meets the camera's plane nearer to its middle leads out on both sides.
+    /// Fraction of the summed coordinates of an edge's two ends. An edge that meets the camera's plane nearer to the viewing axis than this
+    /// leaves the image on both sides, because rounding could turn the sign of the crossing.
     /// </summary>
     private const double MiddleOfPlane = 1e-6;
 
     private ImageView _view = null!;
 
-    /// <summary>Takes a frame's camera.</summary>
+    /// <summary>Prepares for a frame.</summary>
     public void Begin(ImageView view) => _view = view;
 
-    /// <summary>Draws the cells of any block one by one; returns how many were looked at.</summary>
+    /// <summary>Draws the cells of any block one by one and returns the number of cells that were tested.</summary>
     public long DrawAll(ProjectedBlock block, Band band)
     {
         int lines = block.Vertices.Lines - 1;
@@ -75,7 +76,7 @@ internal sealed class NearPlaneCells
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Fill(ProjectedBlock block, int index, int half, Vector3D corner, HomogeneousEdges edges, PixelRange pixels, Band band)
     {
-        // One over the depth is linear in the image; that it is above 0 the edges have told.
+        // The inverse depth is linear in the image. It is above 0 at every pixel that passes the test of the edges.
         Vector3D normal = block.Record(index, half).Normal;
         double scale = 1.0 / (Vector3D.Dot(normal, corner) * _view.Distance);
         Vector512<double> perColumn = Vector512.Create(Vector3D.Dot(normal, _view.RayPerColumn) * scale);
@@ -110,7 +111,8 @@ internal sealed class NearPlaneCells
         new(block.At(index) - _view.Remainder, block.X[index], block.Y[index], block.IsUsable(index, _view));
 
     /// <summary>
-    /// The image's part in which a facet may lie, from its corners in front and where its edges leave through the camera's plane.
+    /// The rectangle of the image in which a facet may lie. It follows from the corners in front of the camera and from the points where
+    /// edges cross the camera's plane.
     /// </summary>
     private struct Extent(ImageView view)
     {
@@ -119,7 +121,7 @@ internal sealed class NearPlaneCells
         private double _top = double.PositiveInfinity;
         private double _bottom = double.NegativeInfinity;
 
-        /// <summary>Adds a corner; returns its products with across, down and forward.</summary>
+        /// <summary>Adds a corner and returns its dot products with across, down and forward.</summary>
         public Vector3D Add(Vector3D fromCamera)
         {
             Vector3D inImage = new(
@@ -145,7 +147,7 @@ internal sealed class NearPlaneCells
             Open(a.Y, b.Y, part, ref _top, ref _bottom);
         }
 
-        /// <summary>One pixel wider, for rounding.</summary>
+        /// <summary>The pixels of the rectangle in a band, with one pixel added on each side for rounding.</summary>
         public readonly PixelRange PixelsOf(Band band) => PixelRange.Within(_left - 1.0, _right + 1.0, _top - 1.0, _bottom + 1.0, band);
 
         private static void Widen(double value, ref double min, ref double max)

@@ -6,15 +6,17 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>The vertices of one block, in space and in the image; one object is loaded again and again.</summary>
+/// <summary>The vertices of one block, in space and projected into the image; one object is loaded for many blocks.</summary>
 internal sealed class ProjectedBlock
 {
-    /// <summary>Elements from one line of vertices to the next.</summary>
+    /// <summary>Number of array elements from one line of vertices to the next.</summary>
     public const int Stride = BlockVertices.Stride;
 
     private const int Rows = CellBlock.Size + 1;
 
-    /// <summary>m: less deep vertices lie in the plane of the camera; far above the numbers whose inverse is infinite.</summary>
+    /// <summary>
+    /// m: vertices of a smaller depth count as lying in the camera's plane. It is far above the numbers whose inverse is infinite.
+    /// </summary>
     private const double MinDepth = 1e-200;
 
     private readonly double[] _tops = new double[Rows * Vector512<double>.Count];
@@ -22,22 +24,24 @@ internal sealed class ProjectedBlock
     private Vector3D _originFromAnchor;
     private int _lastCellLine;
 
-    /// <summary>m, from <see cref="ImageView.Origin"/>, not from the camera.</summary>
+    /// <summary>Positions of the vertices in m, MOON_ME, relative to <see cref="ImageView.Origin"/>, not to the camera.</summary>
     public BlockVertices Vertices { get; } = new();
 
-    /// <summary>Columns of the vertices; line by line, <see cref="Stride"/> elements each.</summary>
+    /// <summary>Image columns of the vertices, px; line by line with <see cref="Stride"/> elements each.</summary>
     public double[] X { get; } = new double[Rows * Stride];
 
-    /// <summary>Rows of the vertices.</summary>
+    /// <summary>Image rows of the vertices, px; ordered like <see cref="X"/>.</summary>
     public double[] Y { get; } = new double[Rows * Stride];
 
-    /// <summary>1/m: one over the depth of the vertices.</summary>
+    /// <summary>1/m: inverse depths of the vertices; ordered like <see cref="X"/>.</summary>
     public double[] InverseDepth { get; } = new double[Rows * Stride];
 
-    /// <summary>All vertices lie in front of the camera and are projected within <see cref="ImageView.CoordinateLimit"/>.</summary>
+    /// <summary>Whether all vertices lie in front of the camera and are projected within <see cref="ImageView.CoordinateLimit"/>.</summary>
     public bool IsInFront { get; private set; }
 
-    /// <summary>Halves of the cells of a line that are facets, by the bits of <see cref="FacetCorners"/>: a fan's cells have one.</summary>
+    /// <summary>
+    /// The halves of a line's cells that are facets, as bits of <see cref="FacetCorners"/>; the cells of a polar fan have only one.
+    /// </summary>
     public uint HalvesOf(int line)
     {
         int cellLine = Vertices.Cells.FirstLine + line;
@@ -46,8 +50,8 @@ internal sealed class ProjectedBlock
             : FacetCorners.SouthWestHalf | FacetCorners.NorthEastHalf;
     }
 
-    /// <summary>What is recorded of a facet.</summary>
-    /// <param name="index">Its cell's north-western vertex.</param>
+    /// <summary>The record of a facet for the depth buffer.</summary>
+    /// <param name="index">Index of the north-western vertex of the facet's cell.</param>
     /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
     public FacetRecord Record(int index, int half)
     {
@@ -63,7 +67,7 @@ internal sealed class ProjectedBlock
         double vy = Unsafe.Add(ref y, third) - y;
         double vz = Unsafe.Add(ref z, third) - z;
 
-        // Sides are exact, so plain products give the normal of a facet that is not all but a line.
+        // The sides are exact, so plain products give the normal accurately unless the facet is almost a line.
         double nx = (uy * vz) - (uz * vy);
         double ny = (uz * vx) - (ux * vz);
         double nz = (ux * vy) - (uy * vx);
@@ -74,7 +78,7 @@ internal sealed class ProjectedBlock
             (2 * (Vertices.Cells.FirstSample + index - (line * Stride))) + half);
     }
 
-    /// <summary>Position of a vertex, m, MOON_ME from <see cref="ImageView.Origin"/>.</summary>
+    /// <summary>Position of a vertex in m, MOON_ME, relative to <see cref="ImageView.Origin"/>.</summary>
     public Vector3D At(int index) => new(Vertices.X[index], Vertices.Y[index], Vertices.Z[index]);
 
     /// <summary>Reads and projects a block.</summary>
@@ -131,13 +135,14 @@ internal sealed class ProjectedBlock
     }
 
     /// <summary>
-    /// Whether the vertex lies in front of the camera and its projection may be used; the same in each block that has it.
+    /// Whether the vertex lies in front of the camera and its projection may be used; the result is the same in each block that has the
+    /// vertex.
     /// </summary>
     public bool IsUsable(int index, ImageView view) =>
         InverseDepth[index] is > 0.0 and < 1.0 / MinDepth && Math.Abs(X[index]) <= view.CoordinateLimit
             && Math.Abs(Y[index]) <= view.CoordinateLimit;
 
-    /// <summary>Whether a line of cells may touch the rows, if the block is in front.</summary>
+    /// <summary>Whether a line of cells may touch some rows; valid only if the block is in front of the camera.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Touches(int line, double firstRow, double lastRow)
     {

@@ -7,13 +7,17 @@ using Msisf.Core.Tracing;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Computes the points that pixels show: camera + t direction, the direction being that of <see cref="Camera.PinholeCamera.RayThrough"/> to
-/// the last bit. The depth buffer holds t as well as the projected corners tell it; the point to which it leads is computed with 106 bits
-/// and then moved along the ray into the facet's plane. One pixel at a time is the reference; a row at a time gives the same bits.
+/// Computes the surface points that pixels show: camera + t direction. The direction is bit for bit that of
+/// <see cref="Camera.PinholeCamera.RayThrough"/>. The depth buffer gives t with the accuracy of the projected corners. The point at t is
+/// computed with 106 bits and then moved along the ray into the facet's plane. The method for one pixel is the reference; the method for a
+/// row gives the same bits.
 /// </summary>
 internal sealed class RowResolver
 {
-    /// <summary>1, parts of t: more than the depth buffer is wrong, unless a facet is seen edge-on and its plane tells nothing.</summary>
+    /// <summary>
+    /// Maximum correction of t, as a fraction of t. It is more than the error of the depth buffer and limits the correction of a facet seen
+    /// edge-on, whose plane does not determine the point.
+    /// </summary>
     private const double MaxCorrection = 1e-6;
 
     private readonly ImageView _view;
@@ -31,7 +35,7 @@ internal sealed class RowResolver
         }
     }
 
-    /// <summary>One pixel, counted from 0.</summary>
+    /// <summary>Computes the surface point of one pixel; column and row count from 0.</summary>
     public SurfaceHit Resolve(int column, int row, double inverseDepth, in FacetRecord record)
     {
         Vector3D direction = _view.Camera.RayThrough(column + 1 + _view.OffsetX, row + 1 + _view.OffsetY).Direction;
@@ -49,10 +53,10 @@ internal sealed class RowResolver
             _view.Anchor + (near + (correction * direction)), perLength * record.Normal, record.Facet, parameter + correction);
     }
 
-    /// <summary>The pixels of a row that show the surface.</summary>
+    /// <summary>Computes the surface points of all pixels of a row that show the surface.</summary>
     /// <param name="band">The band of the row.</param>
     /// <param name="row">The row, from 0.</param>
-    /// <param name="pixels">Filled.</param>
+    /// <param name="pixels">Receives the pixels.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
     public void Resolve(Band band, int row, SurfaceRow pixels)
     {
@@ -103,7 +107,9 @@ internal sealed class RowResolver
         }
     }
 
-    /// <summary>origin + parameter direction with one rounding at the end: the low parts of product and sum are exact.</summary>
+    /// <summary>
+    /// Computes origin + parameter direction with one rounding at the end: the low parts of the product and the sum are exact.
+    /// </summary>
     private static double Along(double origin, double parameter, double direction)
     {
         double product = parameter * direction;
@@ -123,13 +129,14 @@ internal sealed class RowResolver
         return sum + (((origin - (sum - added)) + (product - added)) + productRest);
     }
 
-    /// <summary>Holds values within limits; what is no number becomes the lower limit.</summary>
+    /// <summary>Limits values to a range; NaN becomes the minimum.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<double> Held(Vector512<double> value, Vector512<double> min, Vector512<double> max) =>
         Vector512.MinNative(Vector512.MaxNative(value, min), max);
 
     /// <summary>
-    /// Puts the row's pixels one after the other; x holds their part of the way to the right for now, y their planes' offset.
+    /// Copies the row's surface pixels into consecutive elements. Until the points are computed, X holds the pixels' factors of the
+    /// camera's right vector and Y the offsets of their planes.
     /// </summary>
     private void Gather(Band band, int row, SurfaceRow pixels)
     {

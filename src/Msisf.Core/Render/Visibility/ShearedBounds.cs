@@ -4,15 +4,19 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// A box about each of eight cells whose left and right sides lean as the cell's longer side does: of a cell that is long and thin, as all
-/// are round a pole, it holds few pixels more. A cell lies in such a box whichever way it leans.
+/// A parallelogram around each of eight cells, with horizontal top and bottom and with sides along the cell's longer side. For long thin
+/// cells, such as all cells near a pole, it holds fewer pixels than an upright rectangle. It encloses the cell whatever the direction of
+/// the sides.
 /// </summary>
 internal readonly struct ShearedBounds
 {
-    /// <summary>px: more than rounding moves its sides.</summary>
+    /// <summary>px: added on both sides. It is more than the rounding error of the sides.</summary>
     private const double Slack = 1e-6;
 
-    /// <summary>Columns a row: more would not fit along an image's rows better, but cost digits.</summary>
+    /// <summary>
+    /// px per row: maximum shift of the sides from one row to the next. More would not fit nearly horizontal cells better, but would cost
+    /// accuracy.
+    /// </summary>
     private const double MaxLean = 64.0;
 
     private readonly Vector512<double> _top;
@@ -28,12 +32,12 @@ internal readonly struct ShearedBounds
         _right = right + Vector512.Create(Slack);
     }
 
-    /// <summary>The box that does not lean.</summary>
+    /// <summary>Makes boxes with vertical sides.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static ShearedBounds Upright(Vector512<double> left, Vector512<double> right) =>
         new(Vector512<double>.Zero, Vector512<double>.Zero, left, right);
 
-    /// <summary>The box that leans as the cells' western or northern sides, whichever go through more rows.</summary>
+    /// <summary>Makes boxes with sides along the cells' western or northern sides, whichever cross more rows.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static ShearedBounds Along(EightCells cells)
     {
@@ -56,7 +60,7 @@ internal readonly struct ShearedBounds
             Vector512.MaxNative(Vector512.MaxNative(x, northEast), Vector512.MaxNative(southWest, southEast)));
     }
 
-    /// <summary>Its left and right side in a row of each cell.</summary>
+    /// <summary>Left and right column of the box of each cell in a row, px.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector512<double> Left, Vector512<double> Right) At(Vector512<double> row)
     {

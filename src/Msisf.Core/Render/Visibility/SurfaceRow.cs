@@ -1,28 +1,29 @@
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// The pixels of one row that show the surface, from left to right, one array for each number; one object is filled again and again.
+/// The pixels of one row that show the surface, from left to right, with one array for each quantity; one object is used for many rows.
 /// </summary>
 internal sealed class SurfaceRow
 {
     /// <summary>
-    /// Elements behind the last, so that whole vectors can be read and written from any pixel on without range checks; they are finite.
+    /// Elements after the last pixel, with finite values, so that whole vectors can be read and written from any pixel without range
+    /// checks.
     /// </summary>
     public const int Padding = 8;
 
-    /// <summary>Pixels that show the surface.</summary>
+    /// <summary>Number of pixels that show the surface.</summary>
     public int Count { get; internal set; }
 
     /// <summary>Column of each pixel, from 0.</summary>
     public int[] Columns { get; private set; } = [];
 
-    /// <summary>Number of each pixel's facet, for <see cref="VisibleSurface.FacetOf"/>; equal numbers are equal facets.</summary>
+    /// <summary>Index of each pixel's facet, for <see cref="VisibleSurface.FacetOf"/>; equal indices are equal facets.</summary>
     public int[] Facets { get; private set; } = [];
 
-    /// <summary>t of camera + t direction.</summary>
+    /// <summary>Ray parameter t of each pixel's point: camera + t direction.</summary>
     public double[] Parameters { get; private set; } = [];
 
-    /// <summary>m, MOON_ME.</summary>
+    /// <summary>Coordinate of each pixel's surface point, m, MOON_ME.</summary>
     public double[] X { get; private set; } = [];
 
     /// <inheritdoc cref="X"/>
@@ -31,7 +32,7 @@ internal sealed class SurfaceRow
     /// <inheritdoc cref="X"/>
     public double[] Z { get; private set; } = [];
 
-    /// <summary>Of the facet, outward, MOON_ME, length 1.</summary>
+    /// <summary>Component of each facet's outward unit normal, MOON_ME.</summary>
     public double[] NormalX { get; private set; } = [];
 
     /// <inheritdoc cref="NormalX"/>
@@ -40,7 +41,7 @@ internal sealed class SurfaceRow
     /// <inheritdoc cref="NormalX"/>
     public double[] NormalZ { get; private set; } = [];
 
-    /// <summary>Makes room for an image's width.</summary>
+    /// <summary>Makes the arrays large enough for an image's width.</summary>
     internal void EnsureWidth(int width)
     {
         int size = width + Padding;

@@ -4,8 +4,8 @@ using Msisf.Core.Mesh;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Finds the facet that each pixel's centre ray meets first. Blocks of cells that may be seen are projected, and their facets drawn into
-/// bands of rows with a depth buffer; each band is a task of its own. One object serves frame after frame; one frame at a time.
+/// Finds the facet that each pixel's centre ray meets first. Blocks of cells that may be visible are projected, and their facets are drawn
+/// with a depth buffer into bands of rows. Each band is a separate task. One object serves many frames, one at a time.
 /// </summary>
 internal sealed class VisibilityPass
 {
@@ -14,7 +14,7 @@ internal sealed class VisibilityPass
     private readonly VisibleSurface _result = new();
     private readonly List<BandWorker> _workers = [];
 
-    /// <param name="surface">The surface; blocks are read when they are first seen.</param>
+    /// <param name="surface">The surface; blocks are read when they are first needed.</param>
     public VisibilityPass(SurfaceModel surface)
     {
         _surface = surface;
@@ -23,10 +23,10 @@ internal sealed class VisibilityPass
 
     /// <summary>Draws a frame.</summary>
     /// <param name="camera">The camera.</param>
-    /// <param name="threads">At most; the result does not depend on it.</param>
+    /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
     /// <param name="cancellation">Ends the work between two bands.</param>
     /// <param name="offsetX">px to the right, added to each pixel's centre; above -0.5 and below 0.5.</param>
-    /// <param name="offsetY">px down.</param>
+    /// <param name="offsetY">px down, added to each pixel's centre; above -0.5 and below 0.5.</param>
     /// <returns>The same object each time; valid until the next call.</returns>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
     /// <exception cref="Errors.BadInputException">The elevation model holds what can't be right.</exception>

@@ -3,7 +3,7 @@ using Msisf.Core.Mesh;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>A block that may be seen.</summary>
-/// <param name="Block">Which.</param>
-/// <param name="Rows">Of the image; it is not seen above or below.</param>
+/// <summary>A cell block that may be visible in the image.</summary>
+/// <param name="Block">The block.</param>
+/// <param name="Rows">Image rows outside of which the block is not visible.</param>
 internal readonly record struct VisibleBlock(CellBlock Block, PixelRows Rows);

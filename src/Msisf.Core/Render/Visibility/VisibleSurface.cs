@@ -3,10 +3,12 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render.Visibility;
 
-/// <summary>What a frame's pixels show. Reading is safe for several threads, each with its own <see cref="SurfaceRow"/>.</summary>
+/// <summary>
+/// The surface points that a frame's pixels show. Reading is safe for several threads, each with its own <see cref="SurfaceRow"/>.
+/// </summary>
 internal sealed class VisibleSurface
 {
-    /// <summary>Rows of a band; the last one may have fewer.</summary>
+    /// <summary>Number of rows of a band; the last band may have fewer.</summary>
     public const int BandRows = 64;
 
     private readonly List<Band> _bands = [];
@@ -18,20 +20,20 @@ internal sealed class VisibleSurface
     /// <summary>px.</summary>
     public int Height { get; private set; }
 
-    /// <summary>The frame's image.</summary>
+    /// <summary>The frame's projection.</summary>
     public ImageView View { get; private set; } = null!;
 
-    /// <summary>What the frame took.</summary>
+    /// <summary>Counts of the work for the frame.</summary>
     public VisibilityCounts Counts { get; private set; }
 
-    /// <summary>Bands of the frame.</summary>
+    /// <summary>Number of bands of the frame.</summary>
     internal int BandCount { get; private set; }
 
-    /// <summary>What a pixel shows.</summary>
+    /// <summary>Computes the surface point that a pixel shows.</summary>
     /// <param name="x">1 to the width.</param>
     /// <param name="y">1 to the height.</param>
     /// <param name="hit">The point and its facet, with the facet's normal.</param>
-    /// <returns>False if it is not the surface.</returns>
+    /// <returns>Whether the pixel shows the surface.</returns>
     public bool TryGet(int x, int y, out SurfaceHit hit)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(x, 1);
@@ -43,9 +45,9 @@ internal sealed class VisibleSurface
         return inverse > 0.0;
     }
 
-    /// <summary>Computes the points of a row.</summary>
+    /// <summary>Computes the surface points of a row.</summary>
     /// <param name="y">1 to the height.</param>
-    /// <param name="row">Filled.</param>
+    /// <param name="row">Receives the points.</param>
     public void Read(int y, SurfaceRow row)
     {
         Band band = BandOf(y, out int index);
@@ -57,7 +59,7 @@ internal sealed class VisibleSurface
     /// <param name="number">From <see cref="SurfaceRow.Facets"/>.</param>
     public FacetId FacetOf(int y, int number) => BandOf(y, out _).Records[number].Facet;
 
-    /// <summary>Goes to a new frame.</summary>
+    /// <summary>Starts a new frame.</summary>
     internal void Begin(ImageView view)
     {
         View = view;
@@ -80,7 +82,7 @@ internal sealed class VisibleSurface
         return _bands[index];
     }
 
-    /// <summary>Takes what the frame took.</summary>
+    /// <summary>Stores the counts of the work for the frame.</summary>
     internal void End(VisibilityCounts counts) => Counts = counts;
 
     private Band BandOf(int y, out int row)

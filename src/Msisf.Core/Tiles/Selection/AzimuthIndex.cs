@@ -1,13 +1,13 @@
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Finds what lies in the same directions: keeps members by the bins of azimuth that their bounds cover.</summary>
-/// <typeparam name="T">What is found.</typeparam>
+/// <summary>Finds members in the same directions: each member is listed in all bins of azimuth that its bounds touch.</summary>
+/// <typeparam name="T">Type of the members.</typeparam>
 internal sealed class AzimuthIndex<T>
 {
     private readonly AzimuthWindow _window;
     private readonly List<T>[] _members;
 
-    /// <param name="bins">Bins of the whole circle.</param>
+    /// <param name="bins">Number of bins of the whole circle.</param>
     public AzimuthIndex(int bins)
     {
         _window = new AzimuthWindow(0.0, 2.0 * Math.PI, 2.0 * Math.PI / bins, bins);

@@ -6,10 +6,10 @@ internal sealed class AzimuthWindow
     private readonly double _middle;
     private readonly double _width;
 
-    /// <param name="middle">rad.</param>
-    /// <param name="width">rad; 2 pi or more: all around.</param>
-    /// <param name="maxBinWidth">rad.</param>
-    /// <param name="mostBins">At most so many bins are made.</param>
+    /// <param name="middle">Middle of the range, rad.</param>
+    /// <param name="width">Width of the range, rad; 2 pi or more is the whole circle.</param>
+    /// <param name="maxBinWidth">Maximum width of a bin, rad; wider bins are made only to keep to <paramref name="mostBins"/>.</param>
+    /// <param name="mostBins">Maximum number of bins.</param>
     public AzimuthWindow(double middle, double width, double maxBinWidth, int mostBins)
     {
         IsFull = width >= 2.0 * Math.PI;
@@ -19,19 +19,19 @@ internal sealed class AzimuthWindow
         BinWidth = _width / Bins;
     }
 
-    /// <summary>All around.</summary>
+    /// <summary>Whether the window is the whole circle.</summary>
     public bool IsFull { get; }
 
     /// <summary>Number of bins.</summary>
     public int Bins { get; }
 
-    /// <summary>rad.</summary>
+    /// <summary>Width of a bin, rad.</summary>
     public double BinWidth { get; }
 
     /// <summary>The same angle in [-pi, pi].</summary>
     public static double Wrapped(double angle)
     {
-        // Math.IEEERemainder is exact and ten times slower; differences of azimuths are within a few turns.
+        // Math.IEEERemainder is exact but ten times slower, and is not needed: differences of azimuths are within a few turns.
         return angle - (2.0 * Math.PI * Math.Round(angle / (2.0 * Math.PI)));
     }
 
@@ -39,7 +39,7 @@ internal sealed class AzimuthWindow
     public double Border(int bin) => _middle - (0.5 * _width) + (bin * BinWidth);
 
     /// <summary>
-    /// Where an azimuth lies, in bins from the window's lower border; outside a window that is not full it may be below 0 or above
+    /// Position of an azimuth, in bins from the window's lower border; if the window is not the whole circle, it may be below 0 or above
     /// <see cref="Bins"/>.
     /// </summary>
     public double Place(double azimuth) => (FromMiddle(azimuth) + (0.5 * _width)) / BinWidth;
@@ -47,7 +47,9 @@ internal sealed class AzimuthWindow
     /// <summary>The bins that a range of azimuths touches within the window.</summary>
     /// <param name="azimuth">rad, of the range's middle.</param>
     /// <param name="halfWidth">rad.</param>
-    /// <returns>First bin, perhaps negative (a full window goes round), and how many; 0 if the range is outside.</returns>
+    /// <returns>
+    /// First bin, which may be negative if the window is the whole circle, and the number of bins; 0 if the range is outside.
+    /// </returns>
     public (int First, int Count) Touched(double azimuth, double halfWidth)
     {
         double fromMiddle = FromMiddle(azimuth);

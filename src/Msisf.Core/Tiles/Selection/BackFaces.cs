@@ -5,15 +5,19 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Where facets that are not certainly turned towards a viewpoint lie. Only through such a facet can a ray to the viewpoint enter the
-/// ground, and a ray from it leave the ground. A block's facets are looked at when they are first asked for.
+/// Finds where facets lie that may be turned away from a viewpoint. Only through such a facet can a ray to the viewpoint enter the
+/// ground, and a ray from the viewpoint leave the ground. A block's facets are read when they are first needed.
 /// </summary>
 internal sealed class BackFaces
 {
-    /// <summary>Blocks with more cells than this are not read: their own bounds stand for their facets.</summary>
+    /// <summary>
+    /// Maximum number of cells of a block that is read; for larger blocks the bounds of the block are used in place of its facets.
+    /// </summary>
     private const int MaxCellsRead = 64;
 
-    /// <summary>Blocks read at most, some 10 microseconds each; the others' own bounds stand for their facets.</summary>
+    /// <summary>
+    /// Maximum number of blocks that are read, some 10 microseconds each; for the others the bounds of the block are used.
+    /// </summary>
     private const int MaxBlocksRead = 100;
 
     private readonly BoundsTable _table;
@@ -28,7 +32,7 @@ internal sealed class BackFaces
     /// <param name="table">Bounds from the viewpoint.</param>
     /// <param name="summary">Bounds of the terrain.</param>
     /// <param name="viewpoint">m, MOON_ME.</param>
-    /// <param name="patch">For reading; not the one that a walk reads.</param>
+    /// <param name="patch">Buffer for reading terrain; not the one that a walk uses.</param>
     public BackFaces(BoundsTable table, ElevationSummary summary, Vector3D viewpoint, TerrainPatch patch)
     {
         _table = table;
@@ -43,7 +47,7 @@ internal sealed class BackFaces
     public ReadOnlySpan<PolarBounds> Of(TileId tile, int block) =>
         _facets[(tile.Number * _blocksPerTile) + block] ??= Find(tile, block, _table.Blocks(tile)[block]);
 
-    /// <summary>Whether the viewpoint may stand lower over a node's ground than its steepest facet could be.</summary>
+    /// <summary>Whether the viewpoint's elevation over a node's ground may be lower than the slope of its steepest facet.</summary>
     public bool MayBeIn(in TerrainNode node, in PolarBounds bounds)
     {
         double cos = 1.0 - (2.0 * bounds.Far * bounds.Far);
@@ -52,7 +56,7 @@ internal sealed class BackFaces
         return !((distance * cos) - node.MaxRadius > node.MaxSlope * distance * sin);
     }
 
-    /// <summary>Whether the viewpoint is so far under a node's horizon that all its facets are certainly turned away.</summary>
+    /// <summary>Whether the viewpoint is so far below a node's horizon that all its facets are certainly turned away.</summary>
     public bool AreAllOf(in TerrainNode node, in PolarBounds bounds)
     {
         double cos = 1.0 - (2.0 * bounds.Near * bounds.Near);

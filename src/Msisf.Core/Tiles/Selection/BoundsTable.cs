@@ -1,6 +1,6 @@
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Bounds of all tiles as seen from one viewpoint, and of the blocks of those tiles that are asked for.</summary>
+/// <summary>Bounds of all tiles as seen from one viewpoint, and of the blocks of a tile once they are requested.</summary>
 internal sealed class BoundsTable
 {
     private readonly SummaryLevel _blockLevel;

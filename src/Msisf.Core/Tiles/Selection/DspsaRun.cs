@@ -6,11 +6,12 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>One selection of tiles, and the walks over what the image may show.</summary>
+/// <summary>One selection of tiles, and the walks over the surface that the image may show.</summary>
 internal sealed class DspsaRun
 {
     /// <summary>
-    /// Rounds that look closely at what dark tiles hide; then all that may hide each other in a chain along the limb are kept.
+    /// Maximum number of rounds that test exactly what dark tiles hide; after these, all dark tiles that may hide each other in a chain
+    /// along the limb are kept.
     /// </summary>
     private const int MaxCloseRounds = 1;
 
@@ -26,11 +27,11 @@ internal sealed class DspsaRun
     private readonly bool[] _kept = new bool[TileId.Count];
     private readonly bool[] _seen = new bool[TileId.Count];
 
-    /// <param name="frame">What the image shows, from a camera above the surface.</param>
+    /// <param name="frame">View frustum of the image, from a camera above the surface.</param>
     /// <param name="sunPositionMoonMe">m, MOON_ME; null for a light at the camera.</param>
     /// <param name="grid">The model.</param>
     /// <param name="summary">Of the same model.</param>
-    /// <param name="slack">rad: what is hidden by less than this counts as seen.</param>
+    /// <param name="slack">rad: ground that is hidden by less than this angle counts as seen.</param>
     public DspsaRun(
         ViewFrustum frame,
         Vector3D? sunPositionMoonMe,
@@ -44,7 +45,7 @@ internal sealed class DspsaRun
         _view = new PolarView(frame.CameraMoonMe);
         _sunPosition = sunPositionMoonMe;
 
-        // Two patches: a walk still reads its own while a visitor loads another.
+        // There are two patches, because a walk still reads its own while a visitor loads another.
         FacetMesh mesh = new(grid);
         _patch = new TerrainPatch(mesh);
         HorizonSurvey survey = new(_view, summary, _patch);
@@ -57,23 +58,23 @@ internal sealed class DspsaRun
     /// <summary>The Moon from the Sun; null before the selection, and for a light at the camera.</summary>
     public SunView? Sun { get; private set; }
 
-    /// <summary>For reading; not the one that a walk reads.</summary>
+    /// <summary>Buffer for reading terrain; not the one that a walk uses.</summary>
     public TerrainPatch Patch => _patch;
 
-    /// <summary>Whether the selection found something of a tile that may be seen, lit or dark.</summary>
+    /// <summary>Whether the selection found that some of a tile may be seen, lit or dark.</summary>
     public bool IsSeen(TileId tile) => _seen[tile.Number];
 
-    /// <summary>From the camera.</summary>
+    /// <summary>Bounds of the tiles from the camera.</summary>
     public PolarView View => _view;
 
-    /// <summary>Prepares the question what lies behind pieces of some tiles.</summary>
+    /// <summary>Prepares to ask what lies behind pieces of some tiles.</summary>
     public OccluderVisitor CoverOf(IReadOnlyList<TileId> tiles) =>
         new(_summary, _frame, new BoundsTable(_view, _summary), _patch, tiles);
 
     /// <summary>Nodes of the summary's tree that were entered so far.</summary>
     public int NodesVisited => _walk.NodesVisited;
 
-    /// <summary>Walks what may be seen of a tile.</summary>
+    /// <summary>Walks the surface of a tile that may be seen.</summary>
     public void Walk(TileId tile, ISurfaceVisitor visitor) => _walk.Walk(tile, visitor);
 
     /// <summary>Does the selection.</summary>
@@ -95,7 +96,7 @@ internal sealed class DspsaRun
         return new TileSelection(TileId.All.Zip(_reasons, (tile, reason) => new TileChoice(tile, reason)));
     }
 
-    /// <summary>The azimuths about the line to the Moon's centre that the image covers.</summary>
+    /// <summary>The range of azimuths that the image covers, about the line from camera to Moon's centre.</summary>
     private (double Middle, double Width) FrameAzimuths()
     {
         Vector3D up = _view.Axis;
@@ -161,7 +162,9 @@ internal sealed class DspsaRun
         }
     }
 
-    /// <summary>Adds what casts shadows on what is kept, and dark tiles that cover what is kept, until nothing more is needed.</summary>
+    /// <summary>
+    /// Adds the tiles that cast shadows on kept tiles, and dark tiles that hide kept tiles, until no more tiles are needed.
+    /// </summary>
     private void KeepWhatIsNeeded(SunView sun, List<TileId> newlyKept, List<TileId> dark)
     {
         ShadowCasterVisitor casters = new(sun, _summary, _patch, _kept, newlyKept);

@@ -1,15 +1,16 @@
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// What the terrain surely hides from a viewpoint: for each bin of azimuth and each of some rising arcs, a slope that the terrain up to
-/// that arc reaches at every azimuth of the bin. A point beyond the arc that is seen under a lesser slope is hidden.
+/// The parts of the surface that the terrain certainly hides from a viewpoint. For each bin of azimuth and each of some increasing arcs,
+/// it holds a slope that the terrain up to that arc reaches at every azimuth of the bin. A point beyond the arc with a smaller slope is
+/// hidden.
 /// </summary>
 internal sealed class HorizonMap
 {
-    /// <summary>Arcs of the map: with the usual span of 10 to 20 degrees a step is as wide as a cell at 4 to 8 px/deg.</summary>
+    /// <summary>Number of arcs of the map: for the usual span of 10 to 20 degrees a step is as wide as a cell at 4 to 8 px/deg.</summary>
     private const int Rings = 112;
 
-    /// <summary>Bin by bin, so that raising a bin stays in the cache.</summary>
+    /// <summary>Slopes, stored bin by bin, so that the data of one bin stay in the processor's cache.</summary>
     private readonly double[] _slopes;
     private readonly double _firstArc;
     private readonly double _ringsPerArc;
@@ -17,8 +18,8 @@ internal sealed class HorizonMap
     private double _coreSlope;
 
     /// <param name="window">The azimuths that matter.</param>
-    /// <param name="firstArc">Nothing before this arc is ever hidden.</param>
-    /// <param name="lastArc">The last arc; terrain behind it is of no use for hiding.</param>
+    /// <param name="firstArc">Arc before which no surface is ever hidden.</param>
+    /// <param name="lastArc">The last arc; terrain beyond it is not used.</param>
     public HorizonMap(AzimuthWindow window, double firstArc, double lastArc)
     {
         Window = window;
@@ -64,8 +65,8 @@ internal sealed class HorizonMap
         return count > 0 && ring < Rings && !IsReached((int)Math.Max(ring, 0.0), first, count, bounds.MaxSlope);
     }
 
-    /// <summary>Notes that everywhere, inside the window and outside, the Moon reaches a slope.</summary>
-    /// <param name="farArc">At this arc.</param>
+    /// <summary>Notes that the Moon reaches a slope at all azimuths, inside the window and outside.</summary>
+    /// <param name="farArc">Arc at which the slope is reached.</param>
     /// <param name="slope">The slope.</param>
     public void RaiseAll(double farArc, double slope)
     {
@@ -77,8 +78,10 @@ internal sealed class HorizonMap
         }
     }
 
-    /// <summary>Notes that at every azimuth of a bin terrain not farther than an arc reaches a slope.</summary>
-    /// <param name="bin">May be outside: a full window goes round, another ignores it.</param>
+    /// <summary>Notes that terrain up to an arc reaches a slope at every azimuth of a bin.</summary>
+    /// <param name="bin">
+    /// Bin, which may be outside the window: if the window is the whole circle it wraps around, otherwise it is ignored.
+    /// </param>
     /// <param name="farArc">Maximum arc of the terrain.</param>
     /// <param name="slope">Minimum slope of the terrain.</param>
     public void Raise(int bin, double farArc, double slope)
@@ -95,7 +98,7 @@ internal sealed class HorizonMap
             return;
         }
 
-        // Slopes rise from ring to ring, so the first that is high enough ends the work.
+        // Slopes rise from ring to ring, so the loop ends at the first one that is high enough.
         Span<double> slopes = _slopes.AsSpan(bin * Rings, Rings);
         for (int index = (int)Math.Max(ring, 0.0); index < slopes.Length && slopes[index] < slope; index++)
         {

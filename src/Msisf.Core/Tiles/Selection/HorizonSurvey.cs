@@ -5,24 +5,29 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Makes a horizon map of the model as seen from a viewpoint: first from the blocks' minimum radii, then from the edges of the blocks that
-/// matter most.
+/// Makes a horizon map of the model as seen from a viewpoint: first from the blocks' minimum radii, then from the facets' edges in the
+/// blocks that hide most.
 /// </summary>
 internal sealed class HorizonSurvey
 {
     /// <summary>
-    /// rad: where the viewpoint stands higher than this in the ground's sky the map is not made: no tile is hidden whole there, and parts
-    /// do not matter.
+    /// rad: maximum elevation of the viewpoint over the ground for which the map is made; under a higher viewpoint no tile is hidden
+    /// completely, and hidden parts do not matter.
     /// </summary>
     private const double MaxElevation = Math.PI / 15.0;
 
-    /// <summary>Bins of a map; all around that is 0.09 degrees, a third of a cell at 4 px/deg.</summary>
+    /// <summary>
+    /// Maximum number of bins of a map; for the whole circle a bin is then 0.09 degrees wide, a third of a cell at 4 px/deg.
+    /// </summary>
     private const int MaxBins = 4096;
 
-    /// <summary>Bins to a cell at the limb; more add work and nothing else.</summary>
+    /// <summary>Bins per mesh cell at the limb; more bins cost time and hide no more.</summary>
     private const double BinsPerCell = 2.5;
 
-    /// <summary>Vertices read for one map at most: some milliseconds. What is left out only makes the map weaker, never wrong.</summary>
+    /// <summary>
+    /// Maximum number of vertices that are read for one map, some milliseconds; terrain that is left out makes the map hide less, but
+    /// never wrong.
+    /// </summary>
     private const int VertexBudget = 9_000;
 
     private readonly PolarView _view;
@@ -42,12 +47,12 @@ internal sealed class HorizonSurvey
         _cellAngle = Math.PI / 180.0 / summary.PixelsPerDegree;
     }
 
-    /// <summary>Whether terrain in a place could hide something that matters.</summary>
+    /// <summary>Whether terrain in a place could hide surface that the caller asks about.</summary>
     public delegate bool Relevance(in TerrainNode node, in PolarBounds bounds);
 
     /// <summary>Makes a map without terrain.</summary>
-    /// <param name="middle">rad, of the azimuths that matter.</param>
-    /// <param name="width">rad.</param>
+    /// <param name="middle">Middle of the azimuths that matter, rad.</param>
+    /// <param name="width">Width of the range of azimuths, rad.</param>
     public HorizonMap EmptyMap(double middle, double width)
     {
         double min = (_summary.MinRadius * MeshBounds.SagittaFactor(_summary.PixelsPerDegree)) - Tolerances.VertexLattice;
@@ -94,7 +99,7 @@ internal sealed class HorizonSurvey
         int tileColumns = _summary.Levels[0].Columns;
         for (int row = 0; row < _blocks.Rows; row++)
         {
-            // Towards the poles blocks are slivers: as many as make one about as wide as high are taken together.
+            // Towards the poles blocks are narrow, so neighbours are joined until the group is about as wide as high.
             int group = Math.Clamp(
                 (int)(1.0 / Math.Cos(MeshBounds.CentreLatitude(_blocks.Cells(row, 0), _blocks.Lines))), 1, _blocks.Columns / 4);
             double inner = _blocks.InnerRadius(row);
@@ -153,7 +158,8 @@ internal sealed class HorizonSurvey
         && map.Window.Touched(bounds.Azimuth, bounds.HalfWidth).Count > 0 && relevant(node, bounds);
 
     /// <summary>
-    /// Each half plane that meets the cap inside a block meets the block's terrain there, at its minimum radius or higher.
+    /// Raises the map with the cap inside a block: each half plane that meets the cap meets the block's terrain there, at its minimum
+    /// radius or higher.
     /// </summary>
     private void RaiseByInnerCap(HorizonMap map, in TerrainNode node, double inner)
     {

@@ -8,14 +8,14 @@ internal interface ISurfaceVisitor
 {
     /// <summary>A node that may be seen.</summary>
     /// <param name="node">Its place and bounds.</param>
-    /// <param name="bounds">From the camera.</param>
+    /// <param name="bounds">Bounds of the node from the camera.</param>
     /// <param name="certain">Whether it is certainly seen: wholly in the image, and too near for the horizon map to hide it.</param>
-    /// <param name="place">Which one it is.</param>
+    /// <param name="place">Its place in the summary's tree.</param>
     Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place);
 
     /// <summary>A facet that may be seen.</summary>
-    /// <param name="part">Its part in the image, a convex polygon; m, MOON_ME.</param>
-    /// <param name="bounds">The part's, from the camera.</param>
+    /// <param name="part">Part of the facet that is in the image, a convex polygon; m, MOON_ME.</param>
+    /// <param name="bounds">Bounds of this part from the camera.</param>
     /// <param name="facet">The whole facet.</param>
     Visit Facet(ReadOnlySpan<Vector3D> part, in PolarBounds bounds, in Facet facet);
 }
@@ -26,15 +26,15 @@ internal interface ISurfaceVisitor
 /// <param name="Column">Column of that level, 0 at longitude 0.</param>
 internal readonly record struct NodePlace(int Depth, int Row, int Column);
 
-/// <summary>How a walk goes on.</summary>
+/// <summary>How a walk continues after a node.</summary>
 internal enum Visit
 {
-    /// <summary>The parts of this node.</summary>
+    /// <summary>Continue with the parts of this node.</summary>
     Descend,
 
-    /// <summary>Nothing more of this node.</summary>
+    /// <summary>Skip the parts of this node.</summary>
     Skip,
 
-    /// <summary>Nothing more at all.</summary>
+    /// <summary>End the walk.</summary>
     Stop,
 }

@@ -6,14 +6,16 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Finds out whether a dark tile hides something of the kept tiles from the camera. A ray that enters the ground through the tile leaves it
+/// Finds out whether a dark tile hides part of the kept tiles from the camera. A ray that enters the ground through the tile leaves it
 /// through a facet turned away from the camera; only what lies beyond that facet would show if the tile were left out.
 /// </summary>
 internal sealed class OccluderVisitor : ISurfaceVisitor
 {
     private const int Bins = 360;
 
-    /// <summary>Facets that are tested one by one; beyond that a block hides all that it may hide.</summary>
+    /// <summary>
+    /// Maximum number of facets that are tested one by one; after that a block counts as hiding everything behind its bounds.
+    /// </summary>
     private const int MaxFacets = 1500;
 
     private readonly BoundsTable _table;
@@ -25,15 +27,15 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
 
     /// <param name="summary">Bounds of the terrain.</param>
     /// <param name="frame">The image.</param>
-    /// <param name="table">From the camera.</param>
-    /// <param name="patch">For reading; not the one that the walk reads.</param>
-    /// <param name="dark">The tiles that will be asked for.</param>
+    /// <param name="table">Bounds from the camera.</param>
+    /// <param name="patch">Buffer for reading terrain; not the one that the walk uses.</param>
+    /// <param name="dark">The dark tiles that will be tested.</param>
     public OccluderVisitor(ElevationSummary summary, ViewFrustum frame, BoundsTable table, TerrainPatch patch, IReadOnlyList<TileId> dark)
     {
         _table = table;
         _facets = new BackFaces(table, summary, frame.CameraMoonMe, patch);
 
-        // From where a sphere as high as the highest terrain turns away, a facet that does so is taken for granted.
+        // Beyond the limb of a sphere as high as the highest terrain, facets are assumed to be turned away.
         _limb = PolarView.Arc(Math.Min(1.0, summary.MaxRadius / table.View.Distance));
         AzimuthIndex<TileId> asked = new(Bins);
         foreach (TileId tile in dark)
@@ -91,7 +93,7 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
     public bool MayCover(in PolarBounds bounds) => AnyBehind(bounds);
 
     /// <summary>
-    /// Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles cover each other in long chains.
+    /// Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles hide each other in long chains.
     /// </summary>
     public bool MayLeaveBeforeLimb(TileId tile) => FirstExit(_table[tile]) < _limb;
 

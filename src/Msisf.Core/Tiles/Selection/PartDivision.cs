@@ -24,10 +24,10 @@ internal sealed class PartDivision
     private readonly (double WidestCell, double MaxDeviation)?[] _demands;
 
     /// <param name="run">The selection of tiles, done.</param>
-    /// <param name="rule">Which level is allowed where.</param>
-    /// <param name="footprint">Of the image's pixels.</param>
+    /// <param name="rule">Gives the level that is allowed at a place.</param>
+    /// <param name="footprint">Footprint of the image's pixels.</param>
     /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="subdivisionsAt">Parts to a tile's edge at a level.</param>
+    /// <param name="subdivisionsAt">Number of parts along a tile's edge at a level.</param>
     /// <param name="deviationOf">How far a part's surface lies from the model's, m.</param>
     public PartDivision(
         DspsaRun run,
@@ -74,10 +74,12 @@ internal sealed class PartDivision
         return _parts;
     }
 
-    /// <summary>The level that what is seen of a piece of the surface may have.</summary>
+    /// <summary>The coarsest level allowed for the visible ground of a piece of the surface.</summary>
     private int LevelOf(in TerrainNode node) => _rule.LevelOfPixel(_footprint.MinWidth(node.Ball()));
 
-    /// <summary>Notes what is seen in the light or in shadow, but not what is certainly dark, on which no shadow is missed.</summary>
+    /// <summary>
+    /// Notes ground that is seen and may be lit. Ground that is certainly dark is left out, because a missing shadow does not change it.
+    /// </summary>
     private void AddTargets(IEnumerable<TileId> whole, IEnumerable<TileId> divided)
     {
         if (_shadows is null)
@@ -104,8 +106,8 @@ internal sealed class PartDivision
     }
 
     /// <summary>
-    /// A dark block is as black as the sky: it has to be there only if without it something behind it would show, or if its shadow falls on
-    /// something that is there. Once it is there it is seen, so what keeps it dark has to be there too.
+    /// A dark block is as black as the sky: it is needed only if ground behind it would show without it, or if its shadow falls on kept
+    /// ground. A dark block that is kept is seen, so the ground that keeps it dark is needed too.
     /// </summary>
     private void KeepDarkBlocks(IEnumerable<TileId> kept)
     {
@@ -120,7 +122,7 @@ internal sealed class PartDivision
         Keep(open, dark => cover.MayCover(dark.Bounds));
         while (Keep(open, dark => _shadows!.Of(_finest.NodeOf(dark.Tile, dark.Block)) is not null))
         {
-            // What was kept may need more to be dark.
+            // Dark blocks that were kept may need further ground to stay dark.
         }
     }
 
@@ -139,7 +141,7 @@ internal sealed class PartDivision
 
     private TerrainNode NodeOf(TileId tile) => _tiles.NodeOf(tile);
 
-    /// <summary>Where a part lies; its heights are bounded by those of its tile.</summary>
+    /// <summary>Place of a part; its heights are bounded by those of its tile.</summary>
     private TerrainNode NodeOf(SurfacePart part)
     {
         int cells = _tiles.TileCells / part.Subdivisions;
@@ -181,7 +183,10 @@ internal sealed class PartDivision
         }
     }
 
-    /// <summary>What the blocks that the square touches are needed for.</summary>
+    /// <summary>
+    /// Whether any block that the square touches is seen, and the smallest cell width and height error (m) that shadows allow these
+    /// blocks.
+    /// </summary>
     private (bool IsSeen, double WidestCell, double MaxDeviation) DemandOn(SurfacePart square)
     {
         bool[] seen = _seen.Of(square.Tile);
@@ -207,7 +212,8 @@ internal sealed class PartDivision
     }
 
     /// <summary>
-    /// The coarsest level that keeps shadows' edges; where that is finer than the square's parts, the quarters are asked anew.
+    /// The coarsest level that keeps the edges of shadows; where that level has parts smaller than the square, its quarters are tested
+    /// one by one.
     /// </summary>
     private int CasterLevel(SurfacePart square, double widestCell, double deviation)
     {

@@ -26,11 +26,11 @@ internal sealed class PolarView
     /// <summary>From the Moon's centre to the viewpoint, length 1, MOON_ME.</summary>
     public Vector3D Axis { get; }
 
-    /// <summary>m, of the viewpoint from the Moon's centre.</summary>
+    /// <summary>Distance of the viewpoint from the Moon's centre, m.</summary>
     public double Distance { get; }
 
     /// <summary>Slope of the line of sight to a point.</summary>
-    /// <param name="radius">m.</param>
+    /// <param name="radius">Distance of the point from the Moon's centre, m.</param>
     /// <param name="cos">Cosine of the angle from the axis.</param>
     /// <param name="sin">Sine of the angle, above 0.</param>
     public double Slope(double radius, double cos, double sin) => ((radius * cos) - Distance) / (radius * sin);
@@ -53,7 +53,7 @@ internal sealed class PolarView
         return new PolarPoint(east, north, along - Distance, arc, Math.Atan2(north, east));
     }
 
-    /// <summary>Where a node's points can lie.</summary>
+    /// <summary>Bounds of a node's points.</summary>
     public PolarBounds Bounds(in TerrainNode node)
     {
         SphericalCap cap = node.Cap;
@@ -85,7 +85,8 @@ internal sealed class PolarView
     public static double Arc(double cos) => Math.Sqrt(Math.Max(0.0, 0.5 * (1.0 - cos)));
 
     /// <summary>
-    /// On a sphere the slope grows with the angle up to the tangent ray and falls behind it; over the viewpoint it falls all the way.
+    /// On a sphere the slope increases with the angle up to the tangent ray and decreases beyond it; on a sphere above the viewpoint it
+    /// always decreases.
     /// </summary>
     private double MaxSlope(double radius, double cosNear, double sinNear, double cosFar, double sinFar)
     {

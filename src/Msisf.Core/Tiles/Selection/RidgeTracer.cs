@@ -4,8 +4,9 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Writes the edges of a patch of terrain into a horizon map. Lines of edges (along the rows, the columns and the diagonals of the mesh)
-/// are followed from bin to bin; a bin whose two borders a line crosses is covered by it, at no less than the minimum slope between.
+/// Raises a horizon map by the mesh edges of a patch of terrain. Lines of edges (along the rows, the columns and the diagonals of the
+/// mesh) are followed from bin to bin; where a line crosses both borders of a bin, the terrain reaches the line's minimum slope between
+/// them at every azimuth of the bin.
 /// </summary>
 internal sealed class RidgeTracer
 {
@@ -23,7 +24,7 @@ internal sealed class RidgeTracer
     private double _min;
     private double _farthest;
 
-    /// <param name="map">Is raised.</param>
+    /// <param name="map">The map to raise.</param>
     /// <param name="view">The viewpoint's half planes.</param>
     /// <param name="cellAngle">Edge of a mesh cell, rad.</param>
     public RidgeTracer(HorizonMap map, PolarView view, double cellAngle)
@@ -36,7 +37,7 @@ internal sealed class RidgeTracer
             _borders[bin] = Math.SinCos(map.Window.Border(bin));
         }
 
-        // A chord comes nearer to the axis than its ends, by the cosine of half the bin at most: a falling line is that much steeper.
+        // A chord is nearer to the axis than its ends, by at most the cosine of half the bin; a negative slope is steeper by this factor.
         _chordFactor = 1.0 / Math.Cos(0.5 * map.Window.BinWidth);
 
         // An edge can lie a little farther from the axis than its ends when they are beyond a right angle.
@@ -95,7 +96,7 @@ internal sealed class RidgeTracer
     /// <returns>The unwrapped place of the edge's end.</returns>
     private double FollowEdge(int from, int to, double place)
     {
-        // The difference of azimuths is below half a turn in size, and an edge next to the axis, which could turn by more, is no help.
+        // The difference of azimuths is below half a turn; an edge next to the axis, which could turn by more, is not used.
         double turn = 2.0 * Math.PI / _map.Window.BinWidth;
         double change = _places[to] - place;
         change -= turn * Math.Round(change / turn);
@@ -168,7 +169,7 @@ internal sealed class RidgeTracer
         _farthest = farthest;
     }
 
-    /// <summary>A slope that the rounded vertex still reaches.</summary>
+    /// <summary>A slope that a vertex reaches in spite of rounding.</summary>
     private static double SafeSlope(double rise, double across)
     {
         double slope = rise / across;

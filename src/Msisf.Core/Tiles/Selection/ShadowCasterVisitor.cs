@@ -5,13 +5,15 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Keeps the tiles that can throw a shadow on the visible part of a tile: all with a facet turned away from the Sun that a ray from there
-/// to the Sun can meet. The search does not stop at a kept ridge over the ray: the ray may enter the ground before it, through a tile that
-/// is left out.
+/// Keeps the tiles that can cast a shadow on the visible part of a tile: a tile is kept if a ray from there to the Sun can meet one of
+/// its facets that are turned away from the Sun. The search does not stop at a kept ridge above the ray, because the ray may enter the
+/// ground before the ridge, through a tile that is left out.
 /// </summary>
 internal sealed class ShadowCasterVisitor : ISurfaceVisitor
 {
-    /// <summary>Visible facets that are tested one by one; beyond that all tiles that may throw a shadow on a block are kept.</summary>
+    /// <summary>
+    /// Maximum number of visible facets that are tested one by one; after that all tiles that may cast a shadow on a block are kept.
+    /// </summary>
     private const int MaxFacets = 3_000;
 
     private readonly SunView _sun;
@@ -27,9 +29,9 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
 
     /// <param name="sun">The Moon from the Sun.</param>
     /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="patch">For reading; not the one that the walk reads.</param>
-    /// <param name="kept">By tile; tiles that cast are added.</param>
-    /// <param name="newlyKept">Gets the tiles that are added.</param>
+    /// <param name="patch">Buffer for reading terrain; not the one that the walk uses.</param>
+    /// <param name="kept">Whether each tile is kept; tiles that cast shadows are added.</param>
+    /// <param name="newlyKept">Receives the tiles that are added.</param>
     public ShadowCasterVisitor(SunView sun, ElevationSummary summary, TerrainPatch patch, bool[] kept, List<TileId> newlyKept)
     {
         _sun = sun;
@@ -133,7 +135,7 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
     }
 
     /// <summary>
-    /// A ray to the Sun enters the ground first through a facet that is turned away from the Sun: it alone has to be there.
+    /// A ray to the Sun enters the ground first through a facet that is turned away from the Sun: only the tile of this facet is needed.
     /// </summary>
     private bool AnyFacetCasts(TileId tile, in PolarBounds target)
     {

@@ -7,8 +7,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Tells of ground outside the image whether its shadow may fall on something visible, and how coarse it may be: on level ground the edge
-/// of a shadow moves by the error in the caster's height divided by the tangent of the Sun's elevation.
+/// Tells whether the shadow of ground outside the image may fall on visible ground, and how coarse the level of that ground may be: on
+/// level ground the edge of a shadow moves by the error in the caster's height divided by the tangent of the Sun's elevation.
 /// </summary>
 internal sealed class ShadowDemand
 {
@@ -22,9 +22,9 @@ internal sealed class ShadowDemand
 
     /// <param name="sun">The Moon from the Sun.</param>
     /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="patch">For reading.</param>
-    /// <param name="rule">How coarse what is seen may be.</param>
-    /// <param name="footprint">Of the image's pixels.</param>
+    /// <param name="patch">Buffer for reading terrain.</param>
+    /// <param name="rule">Gives the level that is allowed for visible ground.</param>
+    /// <param name="footprint">Footprint of the image's pixels.</param>
     public ShadowDemand(SunView sun, ElevationSummary summary, TerrainPatch patch, DetailRule rule, PixelFootprint footprint)
     {
         _sun = sun;
@@ -49,9 +49,9 @@ internal sealed class ShadowDemand
         _index.Add(new Target(bounds, _rule.WidestCell(metresPerPixel), _rule.MaxShift(metresPerPixel) * tanElevation), bounds);
     }
 
-    /// <summary>How coarse a piece of the surface may be that is not seen itself.</summary>
+    /// <summary>How coarse a piece of the surface that is not seen itself may be.</summary>
     /// <returns>
-    /// Null if its shadow can fall on nothing that is seen; else the widest cell and the maximum difference in height, m.
+    /// Null if its shadow cannot fall on visible ground; otherwise the maximum cell width and the maximum error in height, m.
     /// </returns>
     public (double WidestCell, double MaxDeviation)? Of(in TerrainNode node)
     {

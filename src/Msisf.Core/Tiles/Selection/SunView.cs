@@ -4,14 +4,15 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>The Moon as the Sun sees it: what the Sun certainly does not reach is dark.</summary>
+/// <summary>The Moon as seen from the Sun: ground that the Sun certainly does not reach is dark.</summary>
 internal sealed class SunView
 {
-    /// <summary>Azimuth bins of the list of what needs a map.</summary>
+    /// <summary>Number of azimuth bins of the list of tiles that need the map.</summary>
     private const int NeedBins = 360;
 
     /// <summary>
-    /// Terrain that stands this much nearer to the Sun's axis (as arc, some 8 degrees) is hardly high enough to hide anything.
+    /// Arc (see <see cref="PolarPoint.Arc"/>), some 8 degrees at the limb: terrain that is nearer to the Sun's axis by more than this is
+    /// hardly high enough to hide anything.
     /// </summary>
     private const double Reach = 0.05;
 
@@ -21,7 +22,7 @@ internal sealed class SunView
 
     /// <param name="sunMoonMe">m, MOON_ME.</param>
     /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="patch">For reading.</param>
+    /// <param name="patch">Buffer for reading terrain.</param>
     /// <param name="tiles">The tiles whose light matters.</param>
     public SunView(Vector3D sunMoonMe, ElevationSummary summary, TerrainPatch patch, IEnumerable<TileId> tiles)
     {
@@ -48,7 +49,7 @@ internal sealed class SunView
         }
     }
 
-    /// <summary>m, MOON_ME.</summary>
+    /// <summary>Position of the Sun, m, MOON_ME.</summary>
     public Vector3D Position { get; }
 
     /// <summary>Half planes about the axis to the Sun.</summary>
@@ -57,7 +58,7 @@ internal sealed class SunView
     /// <summary>Bounds of all tiles.</summary>
     public BoundsTable Table { get; }
 
-    /// <summary>What the whole terrain hides from the Sun.</summary>
+    /// <summary>The surface that the terrain hides from the Sun.</summary>
     public HorizonMap Map { get; }
 
     private void Note(in PolarBounds bounds)
@@ -86,7 +87,7 @@ internal sealed class SunView
         return false;
     }
 
-    /// <summary>The circle without its widest gap of azimuths that nothing needs.</summary>
+    /// <summary>The range of azimuths that is needed: the circle without its widest unused gap.</summary>
     private (double Middle, double Width) Span()
     {
         int gap = 0;

@@ -5,10 +5,12 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Walks down a tile to its facets, leaving out what is outside the image or certainly hidden from the camera.</summary>
+/// <summary>
+/// Walks down a tile to its facets, leaving out nodes and facets that are outside the image or certainly hidden from the camera.
+/// </summary>
 internal sealed class SurfaceWalk
 {
-    /// <summary>Corners of a triangle that four planes have cut.</summary>
+    /// <summary>Room for the corners of a triangle that is clipped by four planes: 7, and one in reserve.</summary>
     private const int MaxCorners = 8;
 
     private readonly ElevationSummary _summary;
@@ -21,10 +23,10 @@ internal sealed class SurfaceWalk
 
     /// <param name="summary">Bounds of the terrain.</param>
     /// <param name="frame">The image.</param>
-    /// <param name="view">From the camera.</param>
+    /// <param name="view">Half planes of the camera.</param>
     /// <param name="horizon">What the terrain hides from the camera.</param>
-    /// <param name="patch">For reading.</param>
-    /// <param name="slack">rad: what is hidden by less than this counts as seen.</param>
+    /// <param name="patch">Buffer for reading terrain.</param>
+    /// <param name="slack">rad: ground that is hidden by less than this angle counts as seen.</param>
     public SurfaceWalk(
         ElevationSummary summary, ViewFrustum frame, PolarView view, HorizonMap horizon, TerrainPatch patch, double slack)
     {
@@ -37,10 +39,12 @@ internal sealed class SurfaceWalk
         _patch = patch;
     }
 
-    /// <summary>Whether the last walk met anything inside the image.</summary>
+    /// <summary>Whether the last walk met surface inside the image.</summary>
     public bool MetFrame { get; private set; }
 
-    /// <summary>Nodes of the summary's tree that all walks have entered: a measure of the work that no machine changes.</summary>
+    /// <summary>
+    /// Number of nodes of the summary's tree that all walks have entered: a measure of the work that does not depend on the machine.
+    /// </summary>
     public int NodesVisited { get; private set; }
 
     /// <summary>Walks one tile.</summary>
@@ -53,7 +57,7 @@ internal sealed class SurfaceWalk
     /// <summary>Whether a piece of the surface is certainly hidden from the camera.</summary>
     public bool IsHidden(in PolarBounds bounds) => _horizon.Hides(_slack == 0.0 ? bounds : bounds.Raised(_slack));
 
-    /// <summary>Bounds of a polygon that does not meet the axis; all around if it may.</summary>
+    /// <summary>Bounds of a polygon; their azimuths are the whole circle if it may meet the axis.</summary>
     public static PolarBounds BoundsOf(PolarView view, ReadOnlySpan<Vector3D> polygon)
     {
         PolarPoint first = view.Project(polygon[0]);
@@ -86,7 +90,7 @@ internal sealed class SurfaceWalk
             (polygon[0] - polygon[^1]).LengthSquared + (polygon[0] - polygon[1]).LengthSquared + (polygon[0] - polygon[2]).LengthSquared);
         if (!(reach < 0.25 * Math.PI) || nearest < 3.0 * size)
         {
-            // So near to the axis that it may lie around it, or that its chords come much nearer than its corners.
+            // The polygon is so near to the axis that it may enclose it, or that its edges are much nearer to it than its corners.
             return new PolarBounds(
                 0.0, Math.Min(1.0, far + Tolerances.CapRadius), 0.0, 2.0 * Math.PI, double.NegativeInfinity, double.PositiveInfinity);
         }

@@ -13,8 +13,8 @@ internal sealed class VisibleBlockVisitor : ISurfaceVisitor
     private readonly List<DarkBlock> _dark = [];
 
     /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="view">From the camera.</param>
-    /// <param name="sun">Null: the light is at the camera.</param>
+    /// <param name="view">Half planes of the camera.</param>
+    /// <param name="sun">The Moon from the Sun; null if the light is at the camera.</param>
     public VisibleBlockVisitor(ElevationSummary summary, PolarView view, SunView? sun)
     {
         _summary = summary;
@@ -86,6 +86,6 @@ internal sealed class VisibleBlockVisitor : ISurfaceVisitor
     /// <summary>A dark block.</summary>
     /// <param name="Tile">Its tile.</param>
     /// <param name="Block">Its number in the tile, row by row.</param>
-    /// <param name="Bounds">From the camera.</param>
+    /// <param name="Bounds">Bounds of the block from the camera.</param>
     public readonly record struct DarkBlock(TileId Tile, int Block, PolarBounds Bounds);
 }

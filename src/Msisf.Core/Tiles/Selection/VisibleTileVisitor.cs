@@ -3,18 +3,18 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Tiles.Selection;
 
-/// <summary>Finds out whether anything of a tile may be seen, and whether in sunlight.</summary>
+/// <summary>Finds out whether any part of a tile may be seen, and whether in sunlight.</summary>
 internal sealed class VisibleTileVisitor : ISurfaceVisitor
 {
     private readonly SunView? _sun;
 
-    /// <param name="sun">Null: the light is at the camera.</param>
+    /// <param name="sun">The Moon from the Sun; null if the light is at the camera.</param>
     public VisibleTileVisitor(SunView? sun) => _sun = sun;
 
-    /// <summary>Whether something of the tile may be seen in sunlight.</summary>
+    /// <summary>Whether part of the tile may be seen in sunlight.</summary>
     public bool SeenLit { get; private set; }
 
-    /// <summary>Whether something of the tile may be seen that is dark.</summary>
+    /// <summary>Whether a dark part of the tile may be seen.</summary>
     public bool SeenDark { get; private set; }
 
     /// <summary>Prepares for the next tile.</summary>
