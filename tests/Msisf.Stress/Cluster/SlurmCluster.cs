@@ -95,10 +95,9 @@ public sealed class SlurmCluster : IDisposable
     /// <exception cref="TimeoutException">It does not.</exception>
     public void WaitForLoss(string node, TimeSpan limit)
     {
-        // A node that slurmctld took out of service before stays "drained"; the star says that it does not answer.
+        // "down", or another state with a star: a node that still holds a job, or was taken out of service, keeps its state.
         string State() => Call("sinfo", "-h", "-n", node, "-o", "%T").Trim();
-        bool IsMissed(string state) => state.Contains("down", StringComparison.Ordinal)
-            || (state.Contains("drain", StringComparison.Ordinal) && state.EndsWith('*'));
+        bool IsMissed(string state) => state.Contains("down", StringComparison.Ordinal) || state.EndsWith('*');
         Wait(limit, () => IsMissed(State()), () => $"{node} is not missed: {State()}");
     }
 
