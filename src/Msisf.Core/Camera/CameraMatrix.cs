@@ -35,6 +35,6 @@ public sealed record CameraMatrix(
             (camera.Width - 1) / 2.0,
             (camera.Height - 1) / 2.0,
             rotation,
-            -(rotation * camera.PositionMoonMe));
+            default(Vector3D) - (rotation * camera.PositionMoonMe)); // no negative zeros
     }
 }
