@@ -21,9 +21,14 @@ internal static class ReplacedFrames
     /// <exception cref="UsageException">Finished frames of a series would be replaced; the message says what differs.</exception>
     public static void Refuse(string folder, RunPlan plan, ManifestContent known, ILog log)
     {
+        if (known.Frames.Count == 0)
+        {
+            return;
+        }
+
         FrameRecord[] replaced = [.. plan.Frames
-            .Select(expected => known.Frames.TryGetValue(expected.Name, out FrameRecord? made) && made.Frame != expected.Frame ? made : null)
-            .OfType<FrameRecord>()
+            .Where(expected => known.Frames.TryGetValue(expected.Name, out FrameRecord? made) && made.Frame != expected.Frame)
+            .Select(expected => known.Frames[expected.Name])
             .Where(made => made.Files.Any(file => File.Exists(Path.Combine(folder, file.Name))))];
         string reasons = string.Join("; and ", replaced
             .GroupBy(made => SettingsDifference.Reason(known.Settings.GetValueOrDefault(made.Settings), plan.Identity.Record))

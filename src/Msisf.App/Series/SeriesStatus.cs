@@ -80,6 +80,6 @@ internal sealed class SeriesStatus
         {
             Reason = SettingsDifference.Reason(
                 manifest.Settings.GetValueOrDefault(manifest.Frames[check.Expected.Name].Settings),
-                manifest.Runs.TryGetValue(check.Expected.Run, out RunRecord? run) ? manifest.Settings.GetValueOrDefault(run.Settings) : null),
+                manifest.SettingsOf(check.Expected.Run)),
         };
 }

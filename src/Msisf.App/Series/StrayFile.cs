@@ -25,9 +25,10 @@ internal sealed record StrayFile(string Name, bool IsLeftOver)
                 .Select(path => Path.GetFileName(path))
                 .Where(name => name[0] != '.' && !known.Contains(name))
                 .Order(StringComparer.Ordinal)
-                .Select(name => new StrayFile(
-                    name,
-                    FrameFileNames.FramesOf(name).Any(frame => manifest.Frames.ContainsKey(frame) || manifest.Expected.ContainsKey(frame)))),
+                .Select(name => new StrayFile(name, FrameFileNames.FramesOf(name).Any(frame => IsFrame(frame, manifest)))),
         ];
     }
+
+    private static bool IsFrame(string name, ManifestContent manifest) =>
+        manifest.Frames.ContainsKey(name) || manifest.Expected.ContainsKey(name);
 }

@@ -97,8 +97,16 @@ public sealed class NpyLayerWriterTests : IDisposable
     {
         PinholeCamera camera = new(position, UnitQuaternion.Identity, 1.0, 3, 3);
         FrameMetadata frame = new(
-            new ModifiedJulianDate(55289.25), camera, 57.0, Sun, new DrawnElevation("LDEM_16", IsSynthetic: false, 16, 4, 4), 1234.5, "1.0.0",
-            "--x '\u00e4'", RendererKind.Native, []);
+            new ModifiedJulianDate(55289.25),
+            camera,
+            57.0,
+            Sun,
+            new DrawnElevation("LDEM_16", IsSynthetic: false, 16, 4, 4),
+            1234.5,
+            "1.0.0",
+            "--x '\u00e4'",
+            RendererKind.Native,
+            []);
         using AtomicFileSet files = new();
         IReadOnlyList<string> paths = NpyLayerWriter.Write(
             files, _folder["frame"], frame, new LayerProvenance("LDEM_16", 4, 2, "native"), new SphereTruth(camera, Sun, 4),

@@ -226,7 +226,9 @@ public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTes
 
         Assert.Equal(Sidecar, ModelLevels.PlacesOf(set, _folder["cache"]).ForWriting());
         Assert.StartsWith(
-            _folder["cache"] + "/LDEM_8_SYNTHETIC-", ModelLevels.PlacesOf(elsewhere, _folder["cache"]).ForWriting(), StringComparison.Ordinal);
+            _folder["cache"] + "/LDEM_8_SYNTHETIC-",
+            ModelLevels.PlacesOf(elsewhere, _folder["cache"]).ForWriting(),
+            StringComparison.Ordinal);
         Assert.Equal("/nowhere/at all/LDEM_8.pyramid", ModelLevels.PlacesOf(elsewhere, null).ForWriting());
     }
 

@@ -27,7 +27,8 @@ public class AnnotationTextTests
     [Fact]
     public void Lines_Camera_HasItsHeightOverTheMeanRadiusAndOverTheTerrain() =>
         // 1,800,000 m - 1,737,150 m.
-        Assert.Contains("Flight altitude:    62850 m (61234 m over the terrain)", AnnotationText.Lines(Frame(new("LDEM_4", false, 4, 4, 4))));
+        Assert.Contains(
+            "Flight altitude:    62850 m (61234 m over the terrain)", AnnotationText.Lines(Frame(new("LDEM_4", false, 4, 4, 4))));
 
     private static FrameMetadata Frame(DrawnElevation elevation) => new(
         new ModifiedJulianDate(55289.0),
