@@ -111,7 +111,7 @@ internal sealed class RenderRun
     }
 
     /// <summary>Compares the input files of the frames that were there before with those of this run.</summary>
-    private void Compare(IReadOnlyList<FrameOutputs?> known, RunInputs inputs, InputComparison comparison)
+    private static void Compare(IReadOnlyList<FrameOutputs?> known, RunInputs inputs, InputComparison comparison)
     {
         foreach (string metaFile in known.OfType<FrameOutputs>().SelectMany(outputs => outputs.Paths)
             .Where(path => Path.GetExtension(path) == ".xml"))
