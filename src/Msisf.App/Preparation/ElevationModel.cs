@@ -5,6 +5,7 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
+using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
@@ -62,6 +63,11 @@ internal sealed class ElevationModel : IDisposable
             : $"Elevation: {image.ProductId} ({image.Set.Description}).");
         return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, isSparing, host));
     }
+
+    /// <summary>Whether <see cref="Open"/> finds a model of a resolution if no path is given.</summary>
+    /// <exception cref="BadInputException">There is one, but its parts don't make up a whole Moon.</exception>
+    public static bool IsThere(int pixelsPerDegree, ProgramHost host) =>
+        SurfaceOptions.Resolution.Concerned(() => LdemCatalog.TryFind(pixelsPerDegree, explicitPath: null, Folders(host))) is not null;
 
     /// <summary>Folders in which models are searched if no path is given, in the order of the search.</summary>
     public static string[] Folders(ProgramHost host) =>

@@ -26,16 +26,13 @@ internal sealed record PreparedRun(
     public static PreparedRun Of(
         CameraSettings camera, RenderSettings settings, EphemerisSource ephemeris, ProgramHost host, CancellationToken cancellation)
     {
-        IReadOnlyList<SpacecraftState> states = host.Times.Measure(
-            Phase.States, () => new StateReader(ephemeris.Engine, host).Read(camera, cancellation));
-        IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
-        Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
+        RunFrames run = RunFrames.Read(camera, settings, ephemeris, host, cancellation);
         ElevationModel model = host.Times.Measure(Phase.Model, () => ElevationModel.Open(
             settings.Ldem, settings.PixelsPerDegree, isSparing: settings.Renderer == RendererKind.PovRay, host));
         try
         {
-            GroundCheck.Refuse(frames, model, cancellation);
-            return new PreparedRun(states, names, frames, model);
+            GroundCheck.Refuse(run.Frames, model, cancellation);
+            return new PreparedRun(run.States, run.Names, run.Frames, model);
         }
         catch
         {

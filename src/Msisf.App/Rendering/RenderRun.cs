@@ -8,6 +8,7 @@ using Msisf.Adapters.Render;
 using Msisf.Adapters.Tiles;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Preview;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
@@ -51,6 +52,7 @@ internal sealed class RenderRun
             : null;
         using PreparedRun run = PreparedRun.Of(camera, _settings, ephemeris, _host, cancellation);
         RequireParts();
+        _times.Measure(Phase.Preview, () => RunNotes.Write(camera, run.Frames, run.Model.Grid, _host.Log, cancellation));
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
         IReadOnlyList<(string Name, string Sha256)> checksums = await kernels.ConfigureAwait(false);
         OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;
