@@ -56,7 +56,8 @@ public sealed class DryRunTests : IDisposable
         Assert.Equal(5, lines.Length);
         Assert.All(lines, line => Assert.Equal(lines[0].Length, line.Length));
 
-        // The Sun as tests/reference/sun_in_the_sky.py has it. Straight below 262.6 km: a pixel is 262600 x 2 tan(20 degrees) / 1024 = 186.677 m, a cell of 7 px/deg 4 331.9 m.
+        // The Sun as tests/reference/sun_in_the_sky.py has it. Straight below 262.6 km a pixel is 262600 x 2 tan(20 degrees) / 1024 =
+        // 186.677 m wide; a cell of 7 px/deg has 4 331.9 m.
         Assert.Equal(
             "1 2010-04-03T00:00:00Z 0.0000 270.0000 262600.0 0.0000 270.0000 0.00 44.10 87.85 186.677 23.21 1.000 1.000",
             Words(lines[2]));

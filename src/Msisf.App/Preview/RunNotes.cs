@@ -88,12 +88,16 @@ internal sealed class RunNotes
     {
         if (_withoutMoon.Count > 0)
         {
-            log.Note(_count == 1 ? "The image does not show the Moon." : $"{Frames(_withoutMoon, "does", "do")} not show the Moon{Steps(_withoutMoon)}.");
+            log.Note(_count == 1
+                ? "The image does not show the Moon."
+                : $"{Frames(_withoutMoon, "does", "do")} not show the Moon{Steps(_withoutMoon)}.");
         }
 
         if (_unlit.Count > 0)
         {
-            log.Note(_count == 1 ? "The image shows no lit ground." : $"{Frames(_unlit, "shows", "show")} no lit ground{Steps(_unlit)}.");
+            log.Note(_count == 1
+                ? "The image shows no lit ground."
+                : $"{Frames(_unlit, "shows", "show")} no lit ground{Steps(_unlit)}.");
         }
 
         if (_widestCell > WidestCell)

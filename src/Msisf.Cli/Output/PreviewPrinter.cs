@@ -33,9 +33,11 @@ internal static class PreviewPrinter
     }
 
     private static IEnumerable<string> Csv(IReadOnlyList<PreviewRow> rows) => rows
-        .Select(row => string.Join(
-            ',', PreviewColumn.All.Select(column => Text(column.ValueOf(row), "R")).Prepend(row.Time.ToIsoUtc()).Prepend(Text(row.Step, "F0"))))
-        .Prepend(string.Join(',', PreviewColumn.All.Select(column => column.Name).Prepend(Time).Prepend(Step)));
+        .Select(row => Joined(Text(row.Step, "F0"), row.Time.ToIsoUtc(), column => Text(column.ValueOf(row), "R")))
+        .Prepend(Joined(Step, Time, column => column.Name));
+
+    private static string Joined(string step, string time, Func<PreviewColumn, string> textOf) =>
+        string.Join(',', (string[])[step, time, .. PreviewColumn.All.Select(textOf)]);
 
     /// <summary>An array with an object a line.</summary>
     private static IEnumerable<string> Json(IReadOnlyList<PreviewRow> rows)

@@ -25,17 +25,10 @@ public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNa
     {
         Vector3D position = camera.PositionMoonMe;
         double radius = RadiusBelow(position, terrain);
-        Ray ray = new(position, camera.ForwardMoonMe);
-        BoresightView? boresight = new ReferenceSphere(radius).TryFirstHit(ray, out Vector3D point)
-            ? new BoresightView(
-                SelenographicPoint.Below(point),
-                light.IsSun ? SkyDirection.Of(point, light.PositionMoonMe) : null,
-                (point - position).Length * camera.PixelTangent)
-            : null;
         return new FramePreview(
             SelenographicPoint.Below(position),
-            Vector3D.AngleBetween(camera.ForwardMoonMe, -position),
-            boresight,
+            Vector3D.AngleBetween(camera.ForwardMoonMe, -position.Normalized()),
+            InTheMiddle(camera, light, radius),
             SphereCoverage.Of(camera, light, radius));
     }
 
@@ -43,6 +36,20 @@ public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNa
     /// <param name="pixelsPerDegree">Resolution of the model; the cell is taken from north to south, or at the equator.</param>
     public double? PixelsPerCell(int pixelsPerDegree) =>
         MoonConstants.ReferenceRadius * Math.PI / 180.0 / pixelsPerDegree / Boresight?.MetresPerPixel;
+
+    private static BoresightView? InTheMiddle(PinholeCamera camera, SceneLight light, double radius)
+    {
+        if (!new ReferenceSphere(radius).TryFirstHit(new Ray(camera.PositionMoonMe, camera.ForwardMoonMe), out Vector3D point))
+        {
+            return null;
+        }
+
+        double metresPerPixel = (point - camera.PositionMoonMe).Length * camera.PixelTangent;
+        return double.IsFinite(metresPerPixel) // a camera may be as far away as numbers reach
+            ? new BoresightView(
+                SelenographicPoint.Below(point), light.IsSun ? SkyDirection.Of(point, light.PositionMoonMe) : null, metresPerPixel)
+            : null;
+    }
 
     /// <summary>
     /// m: radius of the sphere. A camera lower than the mountains may be below LOLA's sphere, and much nearer to the ground than to it.

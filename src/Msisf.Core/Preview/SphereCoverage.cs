@@ -10,8 +10,8 @@ namespace Msisf.Core.Preview;
 /// these intervals, at their ends too, so that a sphere of less than a pixel and a thin crescent are found.
 /// </summary>
 /// <remarks>
-/// Image plane coordinates are tangents: a ray is forward + a right + b up. Rows and samples lie closer at both ends (sines of equal steps),
-/// where the limb turns fastest.
+/// Image plane coordinates are tangents: a ray is forward + a right + b up. Rows and samples lie closer at both ends (sines of equal
+/// steps), where the limb turns fastest.
 /// </remarks>
 internal sealed class SphereCoverage
 {
@@ -39,7 +39,7 @@ internal sealed class SphereCoverage
     {
         _radius = radius;
         _distance = camera.PositionMoonMe.Length;
-        _toCentre = ForwardRightUp(camera, -1.0 / _distance * camera.PositionMoonMe);
+        _toCentre = ForwardRightUp(camera, -camera.PositionMoonMe / _distance);
         double lightDistance = lightMoonMe.Length;
         _toLight = ForwardRightUp(camera, lightMoonMe / lightDistance);
         _horizon = radius / lightDistance;
@@ -70,14 +70,14 @@ internal sealed class SphereCoverage
     }
 
     /// <summary>
-    /// 1 or 0 if it is day or night on all that can be seen from a position, in whatever direction; null if both are there. Most frames from
-    /// a low orbit are told by this.
+    /// 1 or 0 if it is day or night on all that can be seen from a position, in whatever direction; null if both are there. Most frames
+    /// from a low orbit are told by this.
     /// </summary>
     private static double? UniformLight(Vector3D positionMoonMe, Vector3D lightMoonMe, double radius)
     {
         double toHorizon = AngleToHorizon(positionMoonMe.Length, radius);
         double toTerminator = AngleToHorizon(lightMoonMe.Length, radius);
-        double between = Vector3D.AngleBetween(positionMoonMe, lightMoonMe);
+        double between = Vector3D.AngleBetween(positionMoonMe.Normalized(), lightMoonMe.Normalized());
         return between + toHorizon <= toTerminator ? 1.0 : between - toHorizon >= toTerminator ? 0.0 : null;
     }
 

@@ -6,7 +6,8 @@ namespace Msisf.Core.Preview;
 internal sealed class SphereOutline
 {
     /// <summary>
-    /// Steps from the lowest to the highest row, among which one is looked for that shows the sphere; both ends are, for the image's corners.
+    /// Steps from the lowest to the highest row, among which one is looked for that shows the sphere; both ends are, for the image's
+    /// corners.
     /// </summary>
     private const int Trials = 64;
 
@@ -28,7 +29,7 @@ internal sealed class SphereOutline
     {
         _toCentre = toCentre;
         _sinLimb = radius / distance;
-        _cosLimb = Math.Sqrt((distance - radius) * (distance + radius)) / distance;
+        _cosLimb = Math.Sqrt(distance - radius) * Math.Sqrt(distance + radius) / distance; // the product of far distances overflows
         _right = right;
         _up = up;
     }

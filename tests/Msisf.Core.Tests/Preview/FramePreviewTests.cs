@@ -145,6 +145,20 @@ public sealed class FramePreviewTests
         Assert.Equal(1e5, view.Boresight!.Value.MetresPerPixel * Width / (2.0 * Math.Tan(Fov / 2.0)), 1e-3);
     }
 
+    /// <summary>The native renderer takes any distance; what is printed has no infinity.</summary>
+    [Fact]
+    public void Of_AsFarAwayAsNumbersReach_IsFinite()
+    {
+        Vector3D position = new(1.7e308, 0.0, 0.0);
+        PinholeCamera camera = new(position, NadirPointing.MoonFromCamera(position), 3.14, 1, 1);
+
+        FramePreview view = FramePreview.Of(camera, Sun, terrain: null);
+
+        Assert.Equal(0.0, view.OffNadir, 1e-12);
+        Assert.Null(view.Boresight);
+        Assert.Equal(new SphereShare(0.0, null), view.Share);
+    }
+
     private static FramePreview Of(Vector3D position, UnitQuaternion moonFromCamera) =>
         FramePreview.Of(new PinholeCamera(position, moonFromCamera, Fov, Width, Width), Sun, terrain: null);
 

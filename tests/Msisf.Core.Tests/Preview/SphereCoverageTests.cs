@@ -151,6 +151,8 @@ public sealed class SphereCoverageTests
     {
         Vector3D position = new(distance, 0.0, 0.0);
         return SphereCoverage.Of(
-            new PinholeCamera(position, NadirPointing.MoonFromCamera(position), double.DegreesToRadians(fovDegrees), 100, 100), light, Radius);
+            new PinholeCamera(position, NadirPointing.MoonFromCamera(position), double.DegreesToRadians(fovDegrees), 100, 100),
+            light,
+            Radius);
     }
 }

@@ -23,7 +23,7 @@ public sealed class DryRunTests(ITestOutputHelper output) : IDisposable
     /// <summary>Parts of the Moon in the image: where the Sun stands over the horizontal plane hardly depends on the relief.</summary>
     private const double DayTolerance = 0.01;
 
-    /// <summary>Parts of the Moon in the image: with a Sun some 15 degrees high or more, few slopes of a model of 4 px/deg are dark.</summary>
+    /// <summary>Parts of the Moon in the image: with a Sun 10 degrees high or more, few slopes of a model of 4 px/deg are dark.</summary>
     private const double LitTolerance = 0.02;
 
     /// <summary>The same beside the terminator: shadows of mountains, which the sphere does not have, take a part of the day.</summary>
