@@ -24,7 +24,6 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("render", 1, "'render' is no command. See msis --help.")]
     [InlineData("statsu a", 1, "'statsu' is no command: did you mean status? See msis --help.")]
     [InlineData("ldem synthesise", 1, "'synthesise' is no command: did you mean synthesize? See msis ldem --help.")]
-    [InlineData("status --print-frams", 1, "--print-frams is no option: did you mean --print-frames?")]
     [InlineData("--rendrer native", 1, "--rendrer is no option: did you mean --renderer? See msis --help.")]
     [InlineData("--rendrer=native", 1, "--rendrer is no option: did you mean --renderer?")]
     [InlineData("status a --fov 3", 1, "--fov is no option. See msis status --help.")]
@@ -165,6 +164,15 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("ldem synthesize --res 4 --seed 1 --region 1:2", 1, "error: --region 1:2: ")]
     public void Run_WrongArguments_EndWithCodeAndOneLine(string words, int exitCode, string message) =>
         RefusedRun.Check(_folder, words.Split(' '), exitCode, message);
+
+    [Fact]
+    public void Run_MisspeltOptionInPlaceOfAFolder_IsNotTakenForOne()
+    {
+        CommandLineRun run = CommandLineRun.Of(["status", "--print-frams"]);
+
+        Assert.Equal(1, run.ExitCode);
+        Assert.Equal("msis: error: --print-frams is no option: did you mean --print-frames?\n", run.Error);
+    }
 
     [RequiresTheory(Part.Ldem4)]
     [InlineData($"{Fixed} --pov-path missing-folder", 3, "missing-folder")]
