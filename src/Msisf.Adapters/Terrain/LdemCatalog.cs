@@ -6,6 +6,9 @@ namespace Msisf.Adapters.Terrain;
 /// <summary>Finds the elevation model of a resolution.</summary>
 public static class LdemCatalog
 {
+    /// <summary>The resolutions of NASA's cylindrical products, px/deg.</summary>
+    private static readonly int[] PublishedResolutions = [4, 16, 64, 128, 256, 512, 1024];
+
     private static readonly EnumerationOptions Labels = new() { MatchCasing = MatchCasing.CaseInsensitive, IgnoreInaccessible = true };
 
     /// <summary>
@@ -21,9 +24,8 @@ public static class LdemCatalog
     public static LdemSet Find(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders) =>
         TryFind(pixelsPerDegree, explicitPath, folders) ?? throw new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", PlacesOf(explicitPath, folders))}: "
-                + $"put LDEM_{pixelsPerDegree}.LBL and .IMG there, name them with --ldem, "
-                + $"or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree} --seed 1'."));
+            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", PlacesOf(explicitPath, folders))}. "
+                + WaysToGet(pixelsPerDegree)));
 
     /// <summary>Finds a model as <see cref="Find"/> does; null if there is none of that resolution.</summary>
     /// <inheritdoc cref="Find"/>
@@ -61,6 +63,20 @@ public static class LdemCatalog
 
     private static IReadOnlyList<string> PlacesOf(string? explicitPath, IReadOnlyList<string> folders) =>
         explicitPath is null ? folders : [explicitPath];
+
+    private static string WaysToGet(int pixelsPerDegree)
+    {
+        string real = PublishedResolutions.Contains(pixelsPerDegree)
+            ? string.Create(CultureInfo.InvariantCulture, $"Get NASA's with 'scripts/get-ldem.sh --res {pixelsPerDegree}'")
+            : string.Create(CultureInfo.InvariantCulture, $"NASA has models of {string.Join(", ", PublishedResolutions)} px/deg");
+        string continued = pixelsPerDegree > PublishedResolutions[0]
+            ? string.Create(CultureInfo.InvariantCulture, $" --base LDEM_{PublishedResolutions[0]}.LBL")
+            : string.Empty;
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"{real}, name another one with --ldem, or make a synthetic one with "
+                + $"'msis ldem synthesize --res {pixelsPerDegree}{continued} --seed 1'.");
+    }
 
     private static LdemSet? FindIn(string folder, int pixelsPerDegree, ref BadInputException? incomplete)
     {

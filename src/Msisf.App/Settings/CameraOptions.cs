@@ -68,8 +68,11 @@ internal static class CameraOptions
     /// <summary>Frame of the orbit.</summary>
     public static ChoiceSpec<OrbitFrame> OrbitFrame { get; } = new(
         "--orbit-frame",
-        [("moon-me", Core.Orbit.OrbitFrame.MoonMe), (
-            "moon-me-epoch", Core.Orbit.OrbitFrame.MoonMeEpoch), ("j2000", Core.Orbit.OrbitFrame.J2000)],
+        [
+            new Choice("moon-me", Core.Orbit.OrbitFrame.MoonMe),
+            new Choice("moon-me-epoch", Core.Orbit.OrbitFrame.MoonMeEpoch),
+            new Choice("j2000", Core.Orbit.OrbitFrame.J2000),
+        ],
         "Frame of the orbit: ME/PA that turns with the Moon, ME/PA of the epoch held still, or J2000")
     {
         Default = Core.Orbit.OrbitFrame.MoonMe,

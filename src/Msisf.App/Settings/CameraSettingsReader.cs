@@ -139,7 +139,8 @@ internal sealed class CameraSettingsReader
 
         return CameraOptions.Times.Read(_values) is { } days
             ? CameraOptions.Times.Named<ModifiedJulianDate[]>(() => [.. days.Select(mjd => new ModifiedJulianDate(mjd))])
-            : StateText.ParseInterval(CameraOptions.TimeInterval.Name, _values.Words(CameraOptions.TimeInterval)!);
+            : CameraOptions.TimeInterval.Value(
+                () => StateText.ParseInterval(CameraOptions.TimeInterval.Name, _values.Words(CameraOptions.TimeInterval)!));
     }
 
     private ModifiedJulianDate Date(NumberSpec option)

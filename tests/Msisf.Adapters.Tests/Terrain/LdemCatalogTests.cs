@@ -66,11 +66,17 @@ public sealed class LdemCatalogTests : IDisposable
 
         string message = Assert.Throws<BadInputException>(() => LdemCatalog.Find(16, null, ["/nowhere", _folder.Path])).Message;
 
-        Assert.Contains(
-            $"No elevation model of 16 px/deg in /nowhere, {_folder.Path}: put LDEM_16.LBL and .IMG there",
-            message,
-            StringComparison.Ordinal);
+        Assert.Equal(
+            $"No elevation model of 16 px/deg in /nowhere, {_folder.Path}. Get NASA's with 'scripts/get-ldem.sh --res 16', "
+                + "name another one with --ldem, or make a synthetic one with 'msis ldem synthesize --res 16 --base LDEM_4.LBL --seed 1'.",
+            message);
     }
+
+    [Fact]
+    public void Find_ResolutionThatNasaDoesNotHave_SaysWhichThereAre() => Assert.Contains(
+        "NASA has models of 4, 16, 64, 128, 256, 512, 1024 px/deg, name another one with --ldem",
+        Assert.Throws<BadInputException>(() => LdemCatalog.Find(32, null, [_folder.Path])).Message,
+        StringComparison.Ordinal);
 
     [Fact]
     public void Find_ExplicitModelOfAnotherResolution_SaysSo()
