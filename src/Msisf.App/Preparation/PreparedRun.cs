@@ -3,6 +3,7 @@ using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preparation;
 
@@ -26,21 +27,35 @@ internal sealed record PreparedRun(
     public static PreparedRun Of(
         CameraSettings camera, RenderSettings settings, EphemerisSource ephemeris, ProgramHost host, CancellationToken cancellation)
     {
-        IReadOnlyList<SpacecraftState> states = host.Times.Measure(
-            Phase.States, () => new StateReader(ephemeris.Engine, host).Read(camera, cancellation));
-        IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
-        Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
-        ElevationModel model = host.Times.Measure(Phase.Model, () => ElevationModel.Open(
-            settings.Ldem, settings.PixelsPerDegree, isSparing: settings.Renderer == RendererKind.PovRay, host));
+        ElevationModel? opened = null;
         try
         {
-            GroundCheck.Refuse(frames, model, cancellation);
-            return new PreparedRun(states, names, frames, model);
+            RunGeometry scene = new(Model, ephemeris.Engine, settings.Aberration);
+            IReadOnlyList<SpacecraftState> states = host.Times.Measure(
+                Phase.States, () => new StateReader(ephemeris.Engine, scene, host).Read(camera, cancellation));
+            IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
+            Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
+            GroundCheck.Refuse(frames, Model(), cancellation);
+            WarnOfFieldOfView(frames, settings, host);
+            return new PreparedRun(states, names, frames, Model());
         }
         catch
         {
-            model.Dispose();
+            opened?.Dispose();
             throw;
+        }
+
+        ElevationModel Model() => opened ??= host.Times.Measure(Phase.Model, () => ElevationModel.Open(
+            settings.Ldem, settings.PixelsPerDegree, isSparing: settings.Renderer == RendererKind.PovRay, host));
+    }
+
+    private static void WarnOfFieldOfView(Frame[] frames, RenderSettings settings, ProgramHost host)
+    {
+        double cell = MoonConstants.ReferenceRadius * double.DegreesToRadians(1.0 / settings.PixelsPerDegree);
+        double widest = frames.Max(PlausibleMistakes.WidthOnGround);
+        foreach (string mistake in PlausibleMistakes.FieldOfView(settings.FieldOfViewDegrees, widest, cell))
+        {
+            host.Log.Warning(mistake);
         }
     }
 
