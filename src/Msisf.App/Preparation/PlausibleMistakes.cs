@@ -65,7 +65,7 @@ internal static class PlausibleMistakes
         return kilometres is > 1700.0 and < 100_000.0
             ? string.Create(
                 CultureInfo.InvariantCulture,
-                $" Positions are in metres: {kilometres:G5} m from the centre would be in the right place as kilometres.")
+                $" Positions are in metres: {kilometres:G5} from the centre looks like kilometres; multiply by 1000.")
             : " Positions are in metres from the Moon's centre.";
     }
 

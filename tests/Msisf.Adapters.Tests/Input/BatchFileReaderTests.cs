@@ -2,6 +2,7 @@ using Msisf.Adapters.Input;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Input;
