@@ -123,13 +123,16 @@ internal sealed class ElevationModel : IDisposable
 
     private PartSelector NewSelector(double errorPixels) => new(Levels, _summary.Value, errorPixels);
 
+    /// <summary>Distance from the Moon's centre to the terrain in a direction, m.</summary>
+    public double GroundRadius(Vector3D directionMoonMe) => TerrainHeight.RadiusBelow(_image, directionMoonMe);
+
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>
         positionMoonMe.Length > _image.RadiusLimits.Max ? 0.0 : -HeightOverTerrain(positionMoonMe);
 
     /// <summary>Height of a position over the surface of the model below it, m.</summary>
     public double HeightOverTerrain(Vector3D positionMoonMe) =>
-        positionMoonMe.Length - TerrainHeight.RadiusBelow(_image, positionMoonMe);
+        positionMoonMe.Length - GroundRadius(positionMoonMe);
 
     public void Dispose()
     {

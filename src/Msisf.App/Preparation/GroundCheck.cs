@@ -20,6 +20,7 @@ internal static class GroundCheck
     {
         List<string> buried = [];
         int count = 0;
+        string unit = string.Empty;
         foreach (Frame frame in frames)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -27,6 +28,7 @@ internal static class GroundCheck
             double depth = model?.DepthBelowGround(position) ?? MoonConstants.ReferenceRadius - position.Length;
             if (depth > 0.0 && ++count <= NamedSteps)
             {
+                unit = buried.Count == 0 ? PlausibleMistakes.InKilometres(position) : unit;
                 buried.Add(string.Create(CultureInfo.InvariantCulture, $"step {frame.Step} (MJD {frame.Time.Days:R}) by {depth:F1} m"));
             }
         }
@@ -35,7 +37,7 @@ internal static class GroundCheck
         {
             string rest = count > NamedSteps ? $" and {count - NamedSteps} more" : string.Empty;
             throw new BadInputException(
-                $"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.");
+                $"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.{unit}");
         }
     }
 }

@@ -25,8 +25,9 @@ internal static class DryRun
         CameraSettings camera, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(settings, host);
-        RunFrames run = RunFrames.Read(camera, settings, ephemeris, host, cancellation);
-        using ElevationModel? model = host.Times.Measure(Phase.Model, () => OpenIfThere(settings, host));
+        using ModelOnDemand onDemand = new(settings, host);
+        RunFrames run = RunFrames.Read(camera, settings, ephemeris, onDemand, host, cancellation);
+        ElevationModel? model = IfThere(onDemand, settings, host);
         GroundCheck.Refuse(run.Frames, model, cancellation);
         RunNotes notes = new(settings.PixelsPerDegree);
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
@@ -41,19 +42,18 @@ internal static class DryRun
         return rows;
     }
 
-    private static ElevationModel? OpenIfThere(RenderSettings settings, ProgramHost host)
+    private static ElevationModel? IfThere(ModelOnDemand model, RenderSettings settings, ProgramHost host)
     {
-        if (settings.Ldem is null && !ElevationModel.IsThere(settings.PixelsPerDegree, host))
+        if (model.IsOpen || settings.Ldem is not null || ElevationModel.IsThere(settings.PixelsPerDegree, host))
         {
-            host.Log.Note(string.Create(
-                CultureInfo.InvariantCulture,
-                $"No elevation model of {settings.PixelsPerDegree} px/deg is there: heights are over the sphere of "
-                    + $"{MoonConstants.ReferenceRadius:F0} m. Drawing needs the model."));
-            return null;
+            return model.Opened;
         }
 
-        return ElevationModel.Open(
-            settings.Ldem, settings.PixelsPerDegree, isSparing: settings.Renderer == RendererKind.PovRay, host);
+        host.Log.Note(string.Create(
+            CultureInfo.InvariantCulture,
+            $"No elevation model of {settings.PixelsPerDegree} px/deg is there: heights are over the sphere of "
+                + $"{MoonConstants.ReferenceRadius:F0} m. Drawing needs the model."));
+        return null;
     }
 
     private static double Height(Vector3D position, ElevationModel? model) =>

@@ -59,6 +59,12 @@ public static class Tolerances
     public const double ParallelSine = 1e-15;
 
     /// <summary>
+    /// 1, sine of an angle: what is nearer to the line of sight than this points neither up nor down in the image. A camera that looks
+    /// straight down from 1 m sees its target off by 4e-9 rad, because positions are rounded.
+    /// </summary>
+    public const double UpAlongBoresight = 1e-6;
+
+    /// <summary>
     /// m: limits how far rounding moves a mesh vertex; twice the 2^-7 m step of the lattice on which vertices lie
     /// (docs/pattern-format.md).
     /// </summary>
