@@ -25,7 +25,7 @@ public static class LdemCatalog
         TryFind(pixelsPerDegree, explicitPath, folders) ?? throw new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
             $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", PlacesOf(explicitPath, folders))}. "
-                + WaysToGet(pixelsPerDegree)));
+                + $"{WaysToGet(pixelsPerDegree)}"));
 
     /// <summary>Finds a model as <see cref="Find"/> does; null if there is none of that resolution.</summary>
     /// <inheritdoc cref="Find"/>
