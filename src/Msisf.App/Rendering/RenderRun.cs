@@ -8,6 +8,7 @@ using Msisf.Adapters.Render;
 using Msisf.Adapters.Tiles;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Preview;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
@@ -52,6 +53,7 @@ internal sealed class RenderRun
         using PreparedRun run = PreparedRun.Of(camera, _settings, ephemeris, _host, cancellation);
         inputs.Begin(run.Model.Set);
         RequireParts();
+        _times.Measure(Phase.Preview, () => RunNotes.Write(camera, run.Frames, run.Model.Grid, _host.Log, cancellation));
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
         IReadOnlyList<InputFile> kernels = await inputs.Kernels.ConfigureAwait(false);
         OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;
