@@ -78,7 +78,7 @@ internal sealed class FuzzWorld : IDisposable
     /// <summary>All samples are 0, and take no room on most file systems.</summary>
     private string WriteFlatModel()
     {
-        SyntheticLdemProduct product = new(FlatResolution, MoonRegion.WholeMoon, SyntheticRest.Base, SyntheticSampleFormat.Int16);
+        SyntheticLdemProduct product = new(FlatResolution, MoonRegion.WholeMoon, SyntheticRest.Base, SyntheticSampleFormat.Integers);
         string folder = Directory.CreateDirectory(Path.Combine(_folder.FullName, "flat")).FullName;
         using (FileStream image = File.Create(Path.Combine(folder, product.ProductId + ".IMG")))
         {
