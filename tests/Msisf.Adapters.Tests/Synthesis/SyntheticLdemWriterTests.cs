@@ -55,7 +55,9 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         string label = SyntheticLdemWriter.Write(
             Options(64, "label") with
             {
-                Region = new MoonRegion(0, 2, 350, 353), Rest = SyntheticRest.None, Format = SyntheticSampleFormat.Integers,
+                Region = new MoonRegion(0, 2, 350, 353),
+                Rest = SyntheticRest.None,
+                Format = SyntheticSampleFormat.Integers,
             },
             null,
             CancellationToken.None);
@@ -83,7 +85,7 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
     {
         const int Resolution = 8;
         const int Samples = 360 * Resolution;
-        IElevationGrid baseModel = FunctionGrid.Hilly(2);
+        FunctionGrid baseModel = FunctionGrid.Hilly(2);
         SyntheticLdemOptions options = Options(Resolution, "whole") with { Base = baseModel, Format = SyntheticSampleFormat.Floats };
         float[] whole = Floats(Image(options));
         float[] filled = Floats(Image(options with { Region = MoonRegion.Parse("-10:10:350:10") }));
@@ -113,7 +115,8 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         const int Samples = 360 * Resolution;
         SyntheticLdemOptions options = Options(Resolution, "whole") with
         {
-            Base = FunctionGrid.Hilly(2), Format = SyntheticSampleFormat.Floats,
+            Base = FunctionGrid.Hilly(2),
+            Format = SyntheticSampleFormat.Floats,
         };
         float[] whole = Floats(Image(options));
         float[] filled = Floats(Image(options with { Region = new MoonRegion(0, 10, 20, 60) }));

@@ -70,7 +70,8 @@ internal sealed class FuzzWorld : IDisposable
         SyntheticLdemWriter.Write(
             new SyntheticLdemOptions(pixelsPerDegree, 1, Path.Combine(_folder.FullName, name))
             {
-                Region = region, Rest = SyntheticRest.None,
+                Region = region,
+                Rest = SyntheticRest.None,
             },
             progress: null,
             CancellationToken.None);
