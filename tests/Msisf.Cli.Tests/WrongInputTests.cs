@@ -67,6 +67,34 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Orbit} --time 55289 --attitude-transition {{0,0,1}}", 1, "--attitude-transition needs --attitude")]
     [InlineData("--state-vectors {1.9E6,0,0,0,1600,0} --time 55289", 1, "--state-vectors needs --epoch")]
 
+    // A camera by its place.
+    [InlineData("--position 1,2,3E4", 1, "--position needs one of --time, --times, --time-interval")]
+    [InlineData($"--position 1,2,3E4 {Fixed}", 1, "exclude each other")]
+    [InlineData("--position 1,2,3E4 --time 55289 --epoch 55289", 1, "--epoch is not allowed with --position")]
+    [InlineData("--position 1,2,3E4 --time 55289 --attitude {0,0,0,1}", 1, "--attitude is not allowed with --position")]
+    [InlineData("--position 1,2,3E4 --time 55289 --look-at nadir --off-nadir 5", 1, "--look-at and --off-nadir exclude each other")]
+    [InlineData($"{Fixed} --look-at 1,2", 1, "--look-at is not allowed with --fixed-state, but with --position only")]
+    [InlineData($"{Orbit} --time 55289 --roll 5", 1, "--roll is not allowed with --kepler-set")]
+    [InlineData("--batch-file a.tab --off-nadir 5", 1, "--off-nadir is not allowed with --batch-file")]
+    [InlineData("--position 1,2 --time 55289", 2, "--position: '1,2' has 2 parts; LAT,LON,HEIGHT is needed")]
+    [InlineData("--position 100,2,3E4 --time 55289", 2, "latitude and longitude swapped?")]
+    [InlineData("--position -1,2,3E4 --time 55289 --look-at moon", 2, "--look-at: 'moon' is nothing to look at")]
+    [InlineData("--position 1,2,3E4 --time 55289 --off-nadir 200", 2, "--off-nadir: The angle from the nadir")]
+    [InlineData("--position 1,2,3E4 --time 55289 --up left", 2, "zenith, north, sun")]
+    [InlineData("--position 1,2,3E4 --time 55289 --roll left", 2, "--roll: 'left' is not a number")]
+
+    // Times.
+    [InlineData($"{Orbit} --time 2455289.5", 2, "--time: '2455289.5' looks like a Julian Date; its MJD is 55289 (")]
+    [InlineData($"{Orbit} --time 2016-12-31T23:59:60Z", 2, "no leap second")]
+    [InlineData($"{Kepler} --epoch 2016-12-31 --time 55289", 2, "--epoch: '2016-12-31' has no time of day; write e.g. 2016-12-31T00:00:00Z")]
+    [InlineData("--fixed-state {2455289.5,2E6,2E6,0,0,0,0,1}", 2, "number 1 (MJD): '2455289.5' looks like a Julian Date")]
+    [InlineData($"{Orbit} --times {{55289,2016-12-31T12:00:00}}", 2, "number 2 (MJD2): '2016-12-31T12:00:00' has no time zone")]
+
+    // Frames.
+    [InlineData($"{Orbit} --time 55289 --attitude-frame lvlh", 1, "--attitude-frame needs --attitude")]
+    [InlineData($"{Fixed} --attitude-frame lvlh", 1, "--attitude-frame is not allowed with --fixed-state")]
+    [InlineData($"{Orbit} --time 55289 --attitude {{0,0,0,1}} --attitude-frame vvlh", 2, "moon-me, moon-me-epoch, j2000, lvlh")]
+
     // Single values.
     [InlineData($"{Fixed} --width 0", 1, "--width is '0'")]
     [InlineData($"{Fixed} --width -5", 1, "--width is '-5'")]
@@ -178,6 +206,8 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --pov-path missing-folder", 3, "missing-folder")]
     [InlineData("--fixed-state {55289,1.7E6,0,0,0,0,0,1}", 2, "the camera is inside the Moon")]
     [InlineData("--fixed-state {55289,0,0,-1.7E6,0,0,0,1} --list-patterns", 2, "the camera is inside the Moon")]
+    [InlineData("--fixed-state {55289,0,0,-1837,0,0,0,1}", 2, "1837 from the centre looks like kilometres")]
+    [InlineData("--position 10,20,terrain-1 --time 55289", 2, "by 1.0 m. Choose positions above the terrain.")]
     public void Run_WrongArgumentsThatTheModelShows_EndWithCodeAndOneLine(string words, int exitCode, string message) =>
         RefusedRun.Check(_folder, [.. words.Split(' '), "--ephemeris", "builtin", "--ldem", TestParts.Ldem4Label!], exitCode, message);
 
@@ -187,6 +217,9 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("55289 2E6 2E6 0 0 0 0 1 2", 2, "line 1", "9 numbers, 8 expected")]
     [InlineData("55289 2E6 2E6 0 0 0 0 1\n55289 2E6 2E6 0 0 0 0 2", 2, "line 2", "length 1")]
     [InlineData("55289 NaN 2E6 0 0 0 0 1", 2, "line 1", "'NaN' is not finite")]
+    [InlineData("time,lat,lon,hight\n1,2,3,4", 2, "standard input, line 1", "The nearest one is 'height'")]
+    [InlineData("time,lat,lon,height\n55289,2,3,x", 2, "line 2, column height", "'x' is no height")]
+    [InlineData("time,lat,lon,height\n", 4, "no state in it", "header line of its columns")]
     [InlineData("", 4, "no state in it", "MJD rx ry rz")]
     [InlineData("# only this\n", 4, "no state in it", "MJD rx ry rz")]
     public void Run_WrongBatchFile_NamesLineAndColumn(string content, int exitCode, string place, string message)

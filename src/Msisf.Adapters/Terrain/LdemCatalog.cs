@@ -21,7 +21,15 @@ public static class LdemCatalog
     /// <exception cref="BadInputException">
     /// There is none (the message says where it looked), its parts don't make up a whole Moon, or the explicit one has another resolution.
     /// </exception>
-    public static LdemSet Find(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
+    public static LdemSet Find(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders) =>
+        TryFind(pixelsPerDegree, explicitPath, folders) ?? throw new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", PlacesOf(explicitPath, folders))}. "
+                + $"{WaysToGet(pixelsPerDegree)}"));
+
+    /// <summary>Finds a model as <see cref="Find"/> does; null if there is none of that resolution.</summary>
+    /// <inheritdoc cref="Find"/>
+    public static LdemSet? TryFind(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
     {
         if (explicitPath is not null && !Directory.Exists(explicitPath))
         {
@@ -32,9 +40,8 @@ public static class LdemCatalog
                     + $"Give --res {label.PixelsPerDegree}, or another model."));
         }
 
-        IReadOnlyList<string> places = explicitPath is null ? folders : [explicitPath];
         BadInputException? incomplete = null;
-        foreach (string folder in places.Where(Directory.Exists))
+        foreach (string folder in PlacesOf(explicitPath, folders).Where(Directory.Exists))
         {
             if (FindIn(folder, pixelsPerDegree, ref incomplete) is { } found)
             {
@@ -42,9 +49,7 @@ public static class LdemCatalog
             }
         }
 
-        throw incomplete ?? new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
-            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", places)}. {WaysToGet(pixelsPerDegree)}"));
+        return incomplete is null ? null : throw incomplete;
     }
 
     /// <summary>A named model.</summary>
@@ -55,6 +60,9 @@ public static class LdemCatalog
     /// It is missing, no label of a cylindrical lunar model, or its parts don't make up a whole Moon.
     /// </exception>
     public static LdemSet Read(string labelOrImage) => WithSiblings(LdemLabelReader.ReadFile(LabelOf(labelOrImage)));
+
+    private static IReadOnlyList<string> PlacesOf(string? explicitPath, IReadOnlyList<string> folders) =>
+        explicitPath is null ? folders : [explicitPath];
 
     private static string WaysToGet(int pixelsPerDegree)
     {

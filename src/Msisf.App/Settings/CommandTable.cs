@@ -174,10 +174,15 @@ internal static class CommandTable
                 "msis --fixed-state '{55289,1.9E6,0,0,0,0,0,1}' --renderer native --samples 9"),
             ("101 images along an orbit:", "msis --kepler-set '{1.9E6,0.05,0.7,1.1,0.9,2.0}' --epoch 55289 --time-interval "
                 + "'[55289:0.001:55289.1]' --output-dir orbit"),
+            ("What the images of a batch file would show, without drawing:", "msis --batch-file approach.tab --dry-run"),
         ],
         MakeGroups = () =>
         [
-            .. OfRender[..^1], RunOptions.Group with { Options = [.. RunOptions.Group.Options, RunOptions.Help, RunOptions.Version] }
+            .. OfRender[..^1],
+            RunOptions.Group with
+            {
+                Options = [.. RunOptions.Group.Options, DryRunOptions.DryRun, DryRunOptions.Format, RunOptions.Help, RunOptions.Version],
+            }
         ],
         Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Config, Completion, Man, Help],
     };

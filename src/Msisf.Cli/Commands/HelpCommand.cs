@@ -1,3 +1,4 @@
+using Msisf.Adapters.Input;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Cli.Help;

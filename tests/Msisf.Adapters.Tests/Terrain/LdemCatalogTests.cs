@@ -51,6 +51,15 @@ public sealed class LdemCatalogTests : IDisposable
     }
 
     [Fact]
+    public void TryFind_Nothing_IsNull()
+    {
+        Put("LDEM_1.LBL");
+
+        Assert.Null(LdemCatalog.TryFind(16, null, ["/nowhere", _folder.Path]));
+        Assert.Equal(_folder["LDEM_1.LBL"], LdemCatalog.TryFind(1, null, ["/nowhere", _folder.Path])?.Location);
+    }
+
+    [Fact]
     public void Find_Nothing_SaysWhereItLookedAndWhatToDo()
     {
         Put("LDEM_1.LBL");

@@ -56,7 +56,7 @@ public sealed class BatchConvertTests : IDisposable
 
         Assert.True(run.ExitCode == 0, run.Error);
         using StreamReader reader = new(_folder["o.sh.states.tab"]);
-        Assert.Equal(StatesOf(mode.Split(' ')), BatchFileReader.Read(reader, "states"));
+        Assert.Equal(StatesOf(mode.Split(' ')), BatchFileReader.Read(reader, "states", new SphereScene()));
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -158,6 +158,7 @@ public sealed class BatchConvertTests : IDisposable
         ProgramHost host = ConsoleHost.Create(TextWriter.Null, TextWriter.Null, () => TextReader.Null, TimeProvider.System, _ => null);
         return new StateReader(
             () => throw new InvalidOperationException("no ephemeris is needed"),
+            new SphereScene(),
             host).Read(CameraSettingsReader.Read(values), CancellationToken.None);
     }
 }
