@@ -30,7 +30,7 @@ public sealed record SyntheticLdemOptions(int PixelsPerDegree, ulong Seed, strin
     /// The format if none is asked for: floats from 64 samples a degree on, because steps of 0.5 m show where samples lie close together.
     /// </summary>
     public static SyntheticSampleFormat DefaultFormat(int pixelsPerDegree) =>
-        pixelsPerDegree < FirstResolutionOfFloats ? SyntheticSampleFormat.Int16 : SyntheticSampleFormat.Float32;
+        pixelsPerDegree < FirstResolutionOfFloats ? SyntheticSampleFormat.Integers : SyntheticSampleFormat.Floats;
 
     /// <summary>
     /// The most threads to compute with; fewer are used where their blocks would take more than 220 MB. The bytes do not depend on it.

@@ -14,10 +14,10 @@ public sealed record SyntheticSampleFormat(LdemSampleType Type)
     private const double MetresPerKilometre = 1000.0;
 
     /// <summary>16-bit integers.</summary>
-    public static SyntheticSampleFormat Int16 { get; } = new(LdemSampleType.Int16LittleEndian);
+    public static SyntheticSampleFormat Integers { get; } = new(LdemSampleType.Int16LittleEndian);
 
     /// <summary>32-bit floats.</summary>
-    public static SyntheticSampleFormat Float32 { get; } = new(LdemSampleType.Float32LittleEndian);
+    public static SyntheticSampleFormat Floats { get; } = new(LdemSampleType.Float32LittleEndian);
 
     /// <summary>Whether the samples are integers.</summary>
     public bool IsInteger => Type == LdemSampleType.Int16LittleEndian;

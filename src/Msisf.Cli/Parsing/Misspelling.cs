@@ -14,7 +14,7 @@ internal static class Misspelling
     public static string? In(ParseResult line, CommandSpec command)
     {
         // A word behind a misspelt option is its value.
-        string? word = line.UnmatchedTokens.FirstOrDefault(IsOption) ?? line.UnmatchedTokens.FirstOrDefault();
+        string? word = line.UnmatchedTokens.FirstOrDefault(IsOption) ?? (line.UnmatchedTokens is [var first, ..] ? first : null);
         return word is null ? null : IsOption(word) ? OfOption(word, command) : OfWord(word, IsInPlaceOfCommand(word, line), command);
     }
 

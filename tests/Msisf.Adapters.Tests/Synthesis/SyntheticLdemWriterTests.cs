@@ -55,7 +55,9 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         string label = SyntheticLdemWriter.Write(
             Options(64, "label") with
             {
-                Region = new MoonRegion(0, 2, 350, 353), Rest = SyntheticRest.None, Format = SyntheticSampleFormat.Int16,
+                Region = new MoonRegion(0, 2, 350, 353),
+                Rest = SyntheticRest.None,
+                Format = SyntheticSampleFormat.Integers,
             },
             null,
             CancellationToken.None);
@@ -83,8 +85,8 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
     {
         const int Resolution = 8;
         const int Samples = 360 * Resolution;
-        IElevationGrid baseModel = FunctionGrid.Hilly(2);
-        SyntheticLdemOptions options = Options(Resolution, "whole") with { Base = baseModel, Format = SyntheticSampleFormat.Float32 };
+        FunctionGrid baseModel = FunctionGrid.Hilly(2);
+        SyntheticLdemOptions options = Options(Resolution, "whole") with { Base = baseModel, Format = SyntheticSampleFormat.Floats };
         float[] whole = Floats(Image(options));
         float[] filled = Floats(Image(options with { Region = MoonRegion.Parse("-10:10:350:10") }));
 
@@ -113,7 +115,8 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         const int Samples = 360 * Resolution;
         SyntheticLdemOptions options = Options(Resolution, "whole") with
         {
-            Base = FunctionGrid.Hilly(2), Format = SyntheticSampleFormat.Float32,
+            Base = FunctionGrid.Hilly(2),
+            Format = SyntheticSampleFormat.Floats,
         };
         float[] whole = Floats(Image(options));
         float[] filled = Floats(Image(options with { Region = new MoonRegion(0, 10, 20, 60) }));
@@ -156,7 +159,7 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
     {
         string integers = SyntheticLdemWriter.Write(Options(4, "integers"), null, CancellationToken.None);
         string floats = SyntheticLdemWriter.Write(
-            Options(4, "floats") with { Format = SyntheticSampleFormat.Float32 }, null, CancellationToken.None);
+            Options(4, "floats") with { Format = SyntheticSampleFormat.Floats }, null, CancellationToken.None);
         string text = File.ReadAllText(floats);
         Assert.Equal("PC_REAL", Value(text, "SAMPLE_TYPE"));
         Assert.Equal("32", Value(text, "SAMPLE_BITS"));

@@ -70,7 +70,8 @@ internal sealed class FuzzWorld : IDisposable
         SyntheticLdemWriter.Write(
             new SyntheticLdemOptions(pixelsPerDegree, 1, Path.Combine(_folder.FullName, name))
             {
-                Region = region, Rest = SyntheticRest.None,
+                Region = region,
+                Rest = SyntheticRest.None,
             },
             progress: null,
             CancellationToken.None);
@@ -78,7 +79,7 @@ internal sealed class FuzzWorld : IDisposable
     /// <summary>All samples are 0, and take no room on most file systems.</summary>
     private string WriteFlatModel()
     {
-        SyntheticLdemProduct product = new(FlatResolution, MoonRegion.WholeMoon, SyntheticRest.Base, SyntheticSampleFormat.Int16);
+        SyntheticLdemProduct product = new(FlatResolution, MoonRegion.WholeMoon, SyntheticRest.Base, SyntheticSampleFormat.Integers);
         string folder = Directory.CreateDirectory(Path.Combine(_folder.FullName, "flat")).FullName;
         using (FileStream image = File.Create(Path.Combine(folder, product.ProductId + ".IMG")))
         {
