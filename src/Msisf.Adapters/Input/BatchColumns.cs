@@ -1,4 +1,3 @@
-using Msisf.Core;
 using Msisf.Core.Attitude;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
@@ -22,7 +21,8 @@ internal sealed class BatchColumns
     private static readonly string[] Position = ["x", "y", "z"];
     private static readonly string[] Quaternion = ["qx", "qy", "qz", "qw"];
     private static readonly string[] Target = ["look_lat", "look_lon"];
-    private static readonly string[] Known = [Time, .. Place, .. Position, .. Quaternion, .. Target, LookHeight, OffNadir, Azimuth, Roll, Up];
+    private static readonly string[] Known =
+        [Time, .. Place, .. Position, .. Quaternion, .. Target, LookHeight, OffNadir, Azimuth, Roll, Up];
 
     private static readonly Dictionary<string, string> NamesOfThesis = new(StringComparer.OrdinalIgnoreCase)
     {
@@ -49,8 +49,8 @@ internal sealed class BatchColumns
                 throw Wrong(lineNumber, name.Length == 0
                     ? $"column {index + 1} has no name. Name or remove it."
                     : name.Contains(';') ? "columns and values are apart by commas, not by semicolons. Save the file with commas."
-                    : $"column {index + 1}: {NumberText.Shown(name)} is no column. The nearest one is '{NearestName.To(name, Known)}'; there "
-                        + $"are {string.Join(", ", Known)}.");
+                    : $"column {index + 1}: {NumberText.Shown(name)} is no column. "
+                        + $"The nearest one is '{NearestName.To(name, Known)}'; there are {string.Join(", ", Known)}.");
             }
 
             if (!_columns.TryAdd(name, index))

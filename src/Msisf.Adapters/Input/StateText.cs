@@ -117,7 +117,7 @@ public static class StateText
             : inner;
     }
 
-    private static double[] ParseAll(string option, IReadOnlyList<string> texts, Func<int, string> fieldName, Func<int, bool> isTime)
+    private static double[] ParseAll(string option, List<string> texts, Func<int, string> fieldName, Func<int, bool> isTime)
     {
         double[] values = new double[texts.Count];
         for (int index = 0; index < values.Length; index++)

@@ -5,7 +5,7 @@ using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Input;
 
-/// <summary>Reads times: Modified Julian Dates (UTC), or dates and times of the calendar as ISO 8601 writes them, with their zone.</summary>
+/// <summary>Reads times: Modified Julian Dates (UTC), or dates and times of the calendar with their zone, as ISO 8601 has them.</summary>
 public static partial class TimeText
 {
     /// <summary>Name of a field that holds a time, in lists and messages.</summary>

@@ -18,15 +18,16 @@ internal static class OrbitNotes
         double seconds = orbit.Times.Select(time => Math.Abs(time.SecondsSince(orbit.Epoch))).DefaultIfEmpty().Max();
         if (orbit.Frame == OrbitFrame.MoonMe && !orbit.IsFrameGiven && seconds > 0.0)
         {
-            yield return $"the orbit is propagated in Moon axes that turn with the Moon (the default, {CameraOptions.OrbitFrame.Name} moon-me, "
-                + $"as in the thesis): {Cost(seconds)}. For a real orbit take {CameraOptions.OrbitFrame.Name} moon-me-epoch (given in the "
-                + $"Moon's axes of the epoch) or j2000.";
+            yield return $"the orbit is propagated in Moon axes that turn with the Moon (the default, {CameraOptions.OrbitFrame.Name} "
+                + $"moon-me, as in the thesis): {Cost(seconds)}. For a real orbit take {CameraOptions.OrbitFrame.Name} moon-me-epoch "
+                + "(given in the Moon's axes of the epoch) or j2000.";
         }
 
         if (orbit.Attitude is not null && orbit.AttitudeFrame is null && orbit.Frame != OrbitFrame.MoonMe)
         {
-            yield return $"--attitude is taken in Moon axes that turn with the Moon (the default, {CameraOptions.AttitudeFrame.Name} moon-me), "
-                + $"the orbit in {CameraOptions.OrbitFrame.WordOf(orbit.Frame)}. {CameraOptions.AttitudeFrame.Name} names other axes.";
+            yield return "--attitude is taken in Moon axes that turn with the Moon (the default, "
+                + $"{CameraOptions.AttitudeFrame.Name} moon-me), the orbit in {CameraOptions.OrbitFrame.WordOf(orbit.Frame)}. "
+                + $"{CameraOptions.AttitudeFrame.Name} names other axes.";
         }
     }
 

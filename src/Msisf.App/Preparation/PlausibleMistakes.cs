@@ -8,7 +8,9 @@ using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>Finds input that is allowed, but most likely meant in another unit. Each warning says what the number means and would mean.</summary>
+/// <summary>
+/// Finds input that is allowed, but most likely meant in another unit. Each warning says what the number means and would mean.
+/// </summary>
 internal static class PlausibleMistakes
 {
     private const double FullTurn = 2.0 * Math.PI;
@@ -42,15 +44,15 @@ internal static class PlausibleMistakes
         {
             yield return string.Create(
                 CultureInfo.InvariantCulture,
-                $"--fov {text} is {degrees * 3600.0:G3} seconds of arc: the images are {Length(widestImage)} wide on the ground at the nearest. "
-                    + $"--fov is in degrees.");
+                $"--fov {text} is {degrees * 3600.0:G3} seconds of arc: the images are {Length(widestImage)} wide on the ground at the "
+                    + $"nearest. --fov is in degrees.");
         }
         else if (degrees < Math.PI && (IsRadiansOfWholeDegrees(text, asRadians) || widestImage < cell))
         {
             yield return string.Create(
                 CultureInfo.InvariantCulture,
-                $"--fov {text} is in degrees: the images are {Length(widestImage)} wide on the ground at the nearest, a cell of the elevation "
-                    + $"model is {Length(cell)}. {text} rad would be --fov {asRadians:G4}.");
+                $"--fov {text} is in degrees: the images are {Length(widestImage)} wide on the ground at the nearest, a cell of "
+                    + $"the elevation model is {Length(cell)}. {text} rad would be --fov {asRadians:G4}.");
         }
     }
 
@@ -100,8 +102,8 @@ internal static class PlausibleMistakes
         {
             yield return string.Create(
                 CultureInfo.InvariantCulture,
-                $"--time-interval: the step of {interval.StepDays:R} days is longer than the interval of {interval.LengthDays:G6} days, so there "
-                    + $"is one image. If the step is seconds, write {interval.StepDays / 86400.0:G10}.");
+                $"--time-interval: the step of {interval.StepDays:R} days is longer than the interval of {interval.LengthDays:G6} days, "
+                    + $"so there is one image. If the step is seconds, write {interval.StepDays / 86400.0:G10}.");
         }
     }
 

@@ -48,7 +48,8 @@ internal sealed class StateReader
         return states.Count > 0
             ? states
             : throw new NothingToRenderException(camera is BatchFileSettings empty
-                ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, or below a header line of its columns."
+                ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
+                    + "or below a header line of its columns."
                 : "--time-interval: no time in it: the step leads away from the end. Swap start and end, or change the step's sign.");
     }
 

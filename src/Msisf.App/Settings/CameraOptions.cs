@@ -49,7 +49,8 @@ internal static class CameraOptions
 
     /// <summary>Equidistant times.</summary>
     public static TextSpec TimeInterval { get; } = new(
-        "--time-interval", "[start:step:end]", "Times of a series of images: from start to end (UTC) in steps of days; the brackets may be left out");
+        "--time-interval", "[start:step:end]",
+        "Times of a series of images: from start to end (UTC) in steps of days; the brackets may be left out");
 
     /// <summary>Orientation at the epoch.</summary>
     public static NumberListSpec Attitude { get; } = new("--attitude", ["qx", "qy", "qz", "q0"], "Orientation at the epoch (quaternion)")
@@ -102,7 +103,7 @@ internal static class CameraOptions
     {
         Note =
             "Exactly one of the first five. An orbit (-k, -s) needs --epoch; it and --position need one of --time, --times and "
-                + "--time-interval. A time is an MJD (UTC) or ISO 8601 with its zone, e.g. 2024-01-19T12:00:00Z. Values in braces are quoted. "
-                + "docs/camera-model.md draws the axes.",
+                + "--time-interval. A time is an MJD (UTC) or ISO 8601 with its zone, e.g. 2024-01-19T12:00:00Z. "
+                + "Values in braces are quoted. docs/camera-model.md draws the axes.",
     };
 }

@@ -10,7 +10,8 @@ using Msisf.Core.Time;
 namespace Msisf.App.Settings;
 
 /// <summary>
-/// Reads the positions of the camera, given in one of the four ways of thesis table 6.1 or by a place, and checks which options are combined.
+/// Reads the positions of the camera, given in one of the four ways of thesis table 6.1 or by a place, and checks which options are
+/// combined.
 /// </summary>
 internal sealed class CameraSettingsReader
 {
@@ -18,7 +19,8 @@ internal sealed class CameraSettingsReader
 
     private static readonly OptionSpec[] OrbitOptions =
     [
-        CameraOptions.Epoch, CameraOptions.Attitude, CameraOptions.AttitudeTransition, CameraOptions.AttitudeFrame, CameraOptions.OrbitFrame,
+        CameraOptions.Epoch, CameraOptions.Attitude, CameraOptions.AttitudeTransition, CameraOptions.AttitudeFrame,
+        CameraOptions.OrbitFrame,
     ];
 
     private readonly OptionValues _values;

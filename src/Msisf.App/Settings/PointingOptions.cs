@@ -16,7 +16,8 @@ internal static class PointingOptions
     /// <summary>Target of the camera.</summary>
     public static TextSpec LookAt { get; } = new(
         "--look-at", "LAT,LON[,HEIGHT]|nadir|sun|horizon:AZIMUTH",
-        "With --position: what the camera looks at; a place without a height lies on the terrain; azimuths are degrees clockwise from north")
+        "With --position: what the camera looks at; a place without a height lies on the terrain; azimuths are degrees "
+            + "clockwise from north")
     {
         Words = ["nadir", "sun", "horizon:"],
         Default = "nadir",

@@ -4,7 +4,7 @@ using Msisf.Core.Time;
 
 namespace Msisf.Core.Attitude;
 
-/// <summary>The attitude of a spacecraft on its orbit, given in one of several frames. As safe for several threads as its ephemeris.</summary>
+/// <summary>The attitude of a spacecraft on its orbit, given in one of several frames. As thread-safe as its ephemeris.</summary>
 public sealed class FramedAttitude
 {
     private readonly AttitudeTransition _attitude;
@@ -19,7 +19,9 @@ public sealed class FramedAttitude
     /// <param name="epoch">Epoch of the attitude, UTC.</param>
     /// <param name="ephemeris">How the Moon turns; only the frames at rest need it.</param>
     /// <exception cref="ArgumentNullException">The frame is at rest, and there is no ephemeris.</exception>
-    /// <exception cref="Errors.SpiceException">The epoch is outside the kernels' cover (<see cref="AttitudeFrame.MoonMeEpoch"/>).</exception>
+    /// <exception cref="Errors.SpiceException">
+    /// The epoch is outside the kernels' cover (<see cref="AttitudeFrame.MoonMeEpoch"/>).
+    /// </exception>
     public FramedAttitude(AttitudeTransition attitude, AttitudeFrame frame, ModifiedJulianDate epoch, IEphemeris? ephemeris)
     {
         if (frame is AttitudeFrame.MoonMeEpoch or AttitudeFrame.J2000)

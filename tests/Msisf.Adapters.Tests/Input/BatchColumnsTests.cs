@@ -22,7 +22,8 @@ public class BatchColumnsTests
 
         Assert.Equal([expected], Read($"time,x,y,z,qx,qy,qz,qw\n2024-01-19T12:00:00Z,2E6,1,-3,{Quaternion}"));
         Assert.Equal([expected], Read($"MJD,rx,ry,rz,qx,qy,qz,q0\n60328.5,2E6,1,-3,{Quaternion}"));
-        Assert.Equal([expected], Read($"# flight\r\n\r\n Time , X,Y,Z,QX,QY,QZ,QW # names\r\n 60328.5 ,2E6, 1,-3,{Quaternion} # 1\r\n#end"));
+        Assert.Equal([expected], Read(
+            $"# flight\r\n\r\n Time , X,Y,Z,QX,QY,QZ,QW # names\r\n 60328.5 ,2E6, 1,-3,{Quaternion} # 1\r\n#end"));
         Assert.Equal([expected], Read($"z,y,x,time,qw,qx,qy,qz\n-3,1,2E6,60328.5,0.9273618495495703,0.1,0.2,0.3"));
     }
 
@@ -57,7 +58,9 @@ public class BatchColumnsTests
     }
 
     [Theory]
-    [InlineData("time,lat,lon,hight\n", "input/run7.csv, line 1: column 4: 'hight' is no column. The nearest one is 'height'; there are time, ")]
+    [InlineData(
+        "time,lat,lon,hight\n",
+        "input/run7.csv, line 1: column 4: 'hight' is no column. The nearest one is 'height'; there are time, ")]
     [InlineData("#\n,time,lat\n", "input/run7.csv, line 2: column 1 has no name.")]
     [InlineData("time,lat,LAT\n", "input/run7.csv, line 1: column 3: 'LAT' stands twice.")]
     [InlineData("time;lat;lon\n", "input/run7.csv, line 1: columns and values are apart by commas, not by semicolons.")]
@@ -70,11 +73,15 @@ public class BatchColumnsTests
     [InlineData("time,x,y,z,look_height\n", "input/run7.csv, line 1: column look_height needs look_lat.")]
     [InlineData("time,x,y,z,azimuth\n", "input/run7.csv, line 1: column azimuth needs off_nadir.")]
     [InlineData("time,x,y,z,look_lat,look_lon,off_nadir\n", "input/run7.csv, line 1: look_lat and off_nadir both say")]
-    [InlineData("time,x,y,z,qx,qy,qz,qw,roll\n", "input/run7.csv, line 1: qx, qy, qz, qw already say how the camera points. Remove them, or roll")]
+    [InlineData(
+        "time,x,y,z,qx,qy,qz,qw,roll\n",
+        "input/run7.csv, line 1: qx, qy, qz, qw already say how the camera points. Remove them, or roll")]
     [InlineData("time,x,y,z\n1,2,3\n", "input/run7.csv, line 2: 3 values, 4 columns.")]
     [InlineData("time,x,y,z\n1,2,3,4\n1,2,3,4,5\n", "input/run7.csv, line 3: 5 values, 4 columns.")]
     [InlineData("time,x,y,z\n1,2,,4\n", "input/run7.csv, line 2, column y: a number is missing.")]
-    [InlineData("time,x,y,z\n2460329,2,3,4\n", "input/run7.csv, line 2, column time: '2460329' looks like a Julian Date; its MJD is 60328.5")]
+    [InlineData(
+        "time,x,y,z\n2460329,2,3,4\n",
+        "input/run7.csv, line 2, column time: '2460329' looks like a Julian Date; its MJD is 60328.5")]
     [InlineData("time,x,y,z\n1e9,2,3,4\n", "input/run7.csv, line 2, column time: The MJD 1000000000 is not a date")]
     [InlineData("time,lat,lon,height\n1,2,3,terain\n", "input/run7.csv, line 2, column height: 'terain' is no height; write ")]
     [InlineData("time,lat,lon,height\n1,120,30,5\n", "input/run7.csv, line 2: The latitude (degrees) is 120; ")]

@@ -12,9 +12,13 @@ public sealed class PlausibleMistakesTests
     private const string Elements = "--kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289";
 
     [Theory]
-    [InlineData("--kepler-set {1.9E6,0.05,40,1.1,90,2} --epoch 55289 --time 55289", "omega 40 rad (if it is degrees: 0.6981317 rad), i 90 rad")]
+    [InlineData(
+        "--kepler-set {1.9E6,0.05,40,1.1,90,2} --epoch 55289 --time 55289",
+        "omega 40 rad (if it is degrees: 0.6981317 rad), i 90 rad")]
     [InlineData("--kepler-set {1.9E6,0.05,0.7,1.1,0.9,-200} --epoch 55289 --time 55289", "M0 -200 rad (if it is degrees: -3.490659 rad)")]
-    [InlineData($"{Elements} --time 55289 --attitude {{0,0,0,1}} --attitude-transition {{0,0,10}}", "10 rad/s is more than a full turn a second")]
+    [InlineData(
+        $"{Elements} --time 55289 --attitude {{0,0,0,1}} --attitude-transition {{0,0,10}}",
+        "10 rad/s is more than a full turn a second")]
     [InlineData($"{Elements} --time-interval [55289:60:55289.5]", "step of 60 days is longer than the interval of 0.5 days")]
     [InlineData($"{Elements} --time-interval [55289:60:55289.5]", "If the step is seconds, write 0.0006944444444.")]
     [InlineData("--position 1,2,3E4 --time-interval [55289:60:55289.5]", "step of 60 days is longer")]
@@ -37,7 +41,9 @@ public sealed class PlausibleMistakesTests
     [InlineData(0.01, 17.46, 7580.0, "--fov 0.01 is 36 seconds of arc: the images are 17.5 m wide")]
     [InlineData(0.7854, 1370.8, 7580.0, "0.7854 rad would be --fov 45.")]
     [InlineData(0.7854, 1370.8, 30.0, "0.7854 rad would be --fov 45.")] // 45 degrees to four digits, whatever the model
-    [InlineData(0.7, 1221.7, 7580.0, "the images are 1.2 km wide on the ground at the nearest, a cell of the elevation model is 7.6 km. 0.7 rad")]
+    [InlineData(
+        0.7, 1221.7, 7580.0,
+        "the images are 1.2 km wide on the ground at the nearest, a cell of the elevation model is 7.6 km. 0.7 rad")]
     public void FieldOfView_LikelyRadians_Warns(double degrees, double width, double cell, string message) =>
         Assert.Contains(message, Assert.Single(PlausibleMistakes.FieldOfView(degrees, width, cell)), StringComparison.Ordinal);
 

@@ -48,7 +48,8 @@ public class FramedAttitudeTests
     [Fact]
     public void MoonFromCamera_MoonMe_KeepsTheBitsOfTheTransition()
     {
-        AttitudeTransition transition = new(UnitQuaternion.FromComponents(0.1, 0.2, 0.3, 0.9273618495495703), new Vector3D(1e-3, 2e-3, 0.0));
+        AttitudeTransition transition = new(
+            UnitQuaternion.FromComponents(0.1, 0.2, 0.3, 0.9273618495495703), new Vector3D(1e-3, 2e-3, 0.0));
         FramedAttitude attitude = new(transition, AttitudeFrame.MoonMe, Epoch, ephemeris: null);
 
         Assert.Equal(transition.At(43200.0), attitude.MoonFromCamera(new ModifiedJulianDate(55289.5), Position, _ => Vector3D.UnitZ));

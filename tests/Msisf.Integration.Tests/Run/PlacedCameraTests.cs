@@ -49,7 +49,8 @@ public sealed class PlacedCameraTests : IDisposable
         Assert.StartsWith("--fixed-state '{55292.85,", canonical, StringComparison.Ordinal);
 
         File.WriteAllText(
-            _folder["flight.csv"], "time,lat,lon,height,look_lat,look_lon,roll\n2010-096T22:24:00+02:00,-55,-12,terrain+60000,-58.6,-14.5,25\n");
+            _folder["flight.csv"],
+            "time,lat,lon,height,look_lat,look_lon,roll\n2010-096T22:24:00+02:00,-55,-12,terrain+60000,-58.6,-14.5,25\n");
         Render("listed", $"--batch-file {Batch}");
         string state = canonical.Split('\'')[1];
         Render("fixed", $"--fixed-state {state}");
@@ -89,10 +90,14 @@ public sealed class PlacedCameraTests : IDisposable
     public void Run_OrbitWithDefaults_SaysOnceWhatTheFrameCosts()
     {
         CommandLineRun run = RunOf(
-            "orbit_{step}", "--kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time-interval 55289:0.04166666666667:55289.0833333333334");
+            "orbit_{step}",
+            "--kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time-interval 55289:0.04166666666667:55289.0833333333334");
 
         Assert.Equal(0, run.ExitCode);
-        Assert.Single(run.Error.Split('\n'), line => line.Contains("2 h from the epoch its ground track is off by 1.1 degrees, up to 33.3 km"));
+        Assert.Single(
+            run.Error.Split('\n'),
+            line => line.Contains(
+                "2 h from the epoch its ground track is off by 1.1 degrees, up to 33.3 km", StringComparison.Ordinal));
     }
 
     private XElement Render(string name, string words)
