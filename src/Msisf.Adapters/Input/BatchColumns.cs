@@ -30,6 +30,7 @@ internal sealed class BatchColumns
     };
 
     private readonly Dictionary<string, int> _columns = new(StringComparer.OrdinalIgnoreCase);
+    private readonly List<int> _hiddenTargets = [];
     private readonly string _fileName;
 
     /// <summary>Reads the header.</summary>
@@ -40,7 +41,7 @@ internal sealed class BatchColumns
     public BatchColumns(string header, string fileName, int lineNumber)
     {
         _fileName = fileName;
-        string[] names = header.Split(',', StringSplitOptions.TrimEntries);
+        string[] names = Fields(header);
         for (int index = 0; index < names.Length; index++)
         {
             string name = NamesOfThesis.GetValueOrDefault(names[index], names[index]);
@@ -62,6 +63,13 @@ internal sealed class BatchColumns
         CheckColumns(lineNumber);
     }
 
+    /// <summary>Numbers of the lines, read so far, whose camera looks at a place that the Moon hides.</summary>
+    public IReadOnlyList<int> HiddenTargets => _hiddenTargets;
+
+    /// <summary>Whether a word is the name of a column.</summary>
+    public static bool IsName(ReadOnlySpan<char> word) =>
+        Known.Contains(word.ToString(), StringComparer.OrdinalIgnoreCase) || NamesOfThesis.ContainsKey(word.ToString());
+
     /// <summary>Whether the first line of a file names columns; else it is a state of eight numbers.</summary>
     public static bool IsHeader(ReadOnlySpan<char> line) =>
         line.ContainsAny(',', ';') && !TimeText.TryParse(line[..line.IndexOfAny(',', ';')].Trim(), out _);
@@ -73,7 +81,7 @@ internal sealed class BatchColumns
     /// <exception cref="BadInputException">A value is wrong; the message names line and column.</exception>
     public SpacecraftState ReadState(ReadOnlySpan<char> line, int lineNumber, ISceneGeometry scene)
     {
-        string[] values = line.ToString().Split(',', StringSplitOptions.TrimEntries);
+        string[] values = Fields(line.ToString());
         if (values.Length != _columns.Count)
         {
             throw Wrong(lineNumber, $"{values.Length} values, {_columns.Count} columns. Complete, shorten or remove the line.");
@@ -85,8 +93,19 @@ internal sealed class BatchColumns
             : new Vector3D(Number(Position[0]), Number(Position[1]), Number(Position[2]));
         UnitQuaternion attitude = Checked(() => Has(Quaternion[0])
             ? UnitQuaternion.FromComponents(Number(Quaternion[0]), Number(Quaternion[1]), Number(Quaternion[2]), Number(Quaternion[3]))
-            : Pointing().MoonFromCamera(position, time, scene));
+            : Pointed(Pointing()));
         return new SpacecraftState(time, position, attitude);
+
+        UnitQuaternion Pointed(CameraPointing pointing)
+        {
+            UnitQuaternion pointed = pointing.MoonFromCamera(position, time, scene);
+            if (pointing.IsTargetHidden(position, scene))
+            {
+                _hiddenTargets.Add(lineNumber);
+            }
+
+            return pointed;
+        }
 
         CameraPointing Pointing() => Direction() with
         {
@@ -129,6 +148,10 @@ internal sealed class BatchColumns
             }
         }
     }
+
+    /// <summary>The fields of a line, without the quotes that spreadsheets put around them.</summary>
+    private static string[] Fields(string line) =>
+        [.. line.Split(',', StringSplitOptions.TrimEntries).Select(field => field is ['"', .. string inner, '"'] ? inner.Trim() : field)];
 
     private bool Has(string column) => _columns.ContainsKey(column);
 

@@ -18,10 +18,12 @@ public static class BatchFileReader
     /// <param name="reader">The text, read once from start to end; about 2 microseconds and 64 bytes a line.</param>
     /// <param name="fileName">For messages, e.g. "input/run7.tab".</param>
     /// <param name="scene">Terrain and Sun; asked only by columns that refer to them.</param>
+    /// <param name="warn">Receives a sentence about states that are right, but most likely not meant.</param>
     /// <returns>The states in the order of their lines; none if there are only comments.</returns>
     /// <exception cref="BadInputException">The first line that is wrong, by file, line and column; or not a text file.</exception>
     /// <exception cref="ExternalPartException">The file can't be read.</exception>
-    public static IReadOnlyList<SpacecraftState> Read(TextReader reader, string fileName, ISceneGeometry scene)
+    public static IReadOnlyList<SpacecraftState> Read(
+        TextReader reader, string fileName, ISceneGeometry scene, Action<string>? warn = null)
     {
         BoundedLineReader lines = new(reader, fileName);
         List<SpacecraftState> states = [];
@@ -57,6 +59,17 @@ public static class BatchFileReader
             throw new ExternalPartException($"{fileName}: can't be read after line {lines.LineNumber}: {exception.Message}", exception);
         }
 
+        if (columns?.HiddenTargets is [int first, ..] hidden)
+        {
+            string rest = hidden.Count switch
+            {
+                1 => string.Empty,
+                2 => " So it is in 1 more line.",
+                _ => $" So it is in {hidden.Count - 1} more lines.",
+            };
+            warn?.Invoke($"{fileName}, line {first}: the place to look at {PointingText.Hidden}{rest}");
+        }
+
         return states;
     }
 
@@ -72,7 +85,9 @@ public static class BatchFileReader
             if (isTime ? !TimeText.TryParse(word, out number) : !NumberText.TryParse(word, out number))
             {
                 string problem = isTime ? TimeText.ProblemWith(word) : NumberText.ProblemWith(word);
-                string header = word.Contains(',') ? $" Values apart by commas need a header line, e.g. {ExampleHeader}." : string.Empty;
+                string header = word.Contains(',') ? $" Values apart by commas need a header line, e.g. {ExampleHeader}."
+                    : BatchColumns.IsName(word) ? $" Names of columns, and their values, are apart by commas, e.g. {ExampleHeader}."
+                    : string.Empty;
                 throw new BadInputException(
                     $"{fileName}, line {lineNumber}, column {position - word.Length + 1}: {problem}. A line is: "
                         + $"{Expected}; comments begin with '#'.{header}");

@@ -10,6 +10,10 @@ public static class PointingText
     /// <summary>What a camera may look at, for messages.</summary>
     public const string ValidTargets = "LAT,LON[,HEIGHT], nadir, sun or horizon:AZIMUTH";
 
+    /// <summary>What is said of a place beyond the camera's horizon.</summary>
+    public const string Hidden = "lies behind ground that hides it from the camera; the image shows that ground. "
+        + "Are latitude (first) and longitude (east) what you mean?";
+
     private const string Horizon = "horizon:";
 
     /// <summary>Reads a position, <c>LAT,LON,HEIGHT</c>.</summary>
@@ -21,8 +25,8 @@ public static class PointingText
         return parts.Length == 3
             ? Place(parts)
             : throw new BadInputException(
-                $"{NumberText.Shown(text)} has {parts.Length} parts; LAT,LON,HEIGHT is needed: degrees, degrees east, "
-                    + $"{PlaceText.ValidHeights}.");
+                $"{NumberText.Shown(text)} has {parts.Length} {(parts.Length == 1 ? "part" : "parts")}; LAT,LON,HEIGHT is needed: "
+                    + $"degrees, degrees east, {PlaceText.ValidHeights}.");
     }
 
     /// <summary>Reads what the camera looks at: a place, or a word.</summary>

@@ -50,7 +50,8 @@ internal sealed class StateReader
             : throw new NothingToRenderException(camera is BatchFileSettings empty
                 ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
                     + "or below a header line of its columns."
-                : "--time-interval: no time in it: the step leads away from the end. Swap start and end, or change the step's sign.");
+                : "--time-interval: no time in it: the step leads away from the end. The order is start:step:end; swap start and end, "
+                    + "or change the step's sign.");
     }
 
     private static string NameOf(BatchFileSettings file) => file.IsStandardInput ? "standard input" : file.Path;
@@ -63,7 +64,7 @@ internal sealed class StateReader
     {
         if (file.IsStandardInput)
         {
-            return BatchFileReader.Read(_host.StandardInput(), NameOf(file), _scene);
+            return BatchFileReader.Read(_host.StandardInput(), NameOf(file), _scene, _host.Log.Warning);
         }
 
         if (!File.Exists(file.Path))
@@ -76,7 +77,7 @@ internal sealed class StateReader
         try
         {
             using StreamReader reader = new(file.Path, Encoding.UTF8);
-            return BatchFileReader.Read(reader, file.Path, _scene);
+            return BatchFileReader.Read(reader, file.Path, _scene, _host.Log.Warning);
         }
         catch (Exception exception) when (exception.IsFileError())
         {
@@ -87,6 +88,11 @@ internal sealed class StateReader
     private SpacecraftState[] AtPlace(PlaceSettings settings, CancellationToken cancellation)
     {
         Vector3D position = PointingOptions.Position.Concerned(() => settings.Place.ToPositionMoonMe(_scene.GroundRadius));
+        if (settings.Pointing.IsTargetHidden(position, _scene))
+        {
+            _host.Log.Warning($"{PointingOptions.LookAt.Name}: the place {PointingText.Hidden}");
+        }
+
         return [.. settings.Times.Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();

@@ -51,4 +51,11 @@ public sealed record CameraPointing
         };
         return Boresight.MoonFromCamera(positionMoonMe, forward, up, Roll);
     }
+
+    /// <summary>Whether the camera looks at a place beyond its horizon, so that it sees the ground in between.</summary>
+    /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
+    /// <param name="scene">Terrain and Sun.</param>
+    public bool IsTargetHidden(Vector3D positionMoonMe, ISceneGeometry scene) =>
+        Kind == BoresightKind.Place
+        && SightLine.IsBlocked(positionMoonMe, Target.ToPositionMoonMe(scene.GroundRadius), scene.GroundRadius);
 }

@@ -98,6 +98,33 @@ public class BatchColumnsTests
         Assert.Throws<BadInputException>(() => Read("55289,2E6,2E6,0,0,0,0,1")).Message,
         StringComparison.Ordinal);
 
+    [Theory]
+    [InlineData("time lat lon height\n55289 1 2 3")]
+    [InlineData("MJD\trx\try\trz\tqx\tqy\tqz\tq0\n55289\t2E6\t0\t0\t0\t0\t0\t1")]
+    public void Read_HeaderWithoutCommas_SaysThatTheyAreNeeded(string text) => Assert.EndsWith(
+        "Names of columns, and their values, are apart by commas, e.g. time,lat,lon,height.",
+        Assert.Throws<BadInputException>(() => Read(text)).Message,
+        StringComparison.Ordinal);
+
+    [Fact]
+    public void Read_QuotedFields_AreThoseWithoutQuotes() => Assert.Equal(
+        Read("time,lat,lon,height\n60328.5,1,2,3E4"), Read("\"time\",\"lat\", \"lon\",height\n\"60328.5\",\"1\",2, \"3E4\""));
+
+    [Theory]
+    [InlineData("60328.5,0,0,1E5,0,20\n60328.5,0,0,1E5,0,1\n60328.5,0,0,1E5,0,180", " So it is in 1 more line.")]
+    [InlineData("60328.5,0,0,1E5,0,20\n60328.5,0,0,1E5,0,1", " Are latitude (first) and longitude (east) what you mean?")]
+    public void Read_TargetBeyondTheHorizon_WarnsOnceByLine(string lines, string end)
+    {
+        using StringReader reader = new($"time,lat,lon,height,look_lat,look_lon\n{lines}");
+        List<string> warnings = [];
+
+        BatchFileReader.Read(reader, File, new SphereScene(), warnings.Add);
+
+        Assert.StartsWith(
+            "input/run7.csv, line 2: the place to look at lies behind ground", Assert.Single(warnings), StringComparison.Ordinal);
+        Assert.EndsWith(end, warnings[0], StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Read_OnlyHeader_NoState() => Assert.Empty(Read("time,x,y,z\n"));
 

@@ -19,6 +19,7 @@ public class PointingTextTests
 
     [Theory]
     [InlineData("-58.6,-14.5", "'-58.6,-14.5' has 2 parts; LAT,LON,HEIGHT is needed")]
+    [InlineData("-58.6 -14.5 3E4", "'-58.6 -14.5 3E4' has 1 part; LAT,LON,HEIGHT is needed")]
     [InlineData("1,2,3,4", "'1,2,3,4' has 4 parts")]
     [InlineData("north,2,3", "the latitude (degrees): 'north' is not a number")]
     [InlineData("1,,3", "the longitude (degrees east): a number is missing")]

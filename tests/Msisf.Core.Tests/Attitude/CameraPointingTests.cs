@@ -28,6 +28,26 @@ public class CameraPointingTests
         from height in Gen.Choose(lowest, highest)
         select new SurfacePlace(latitude / 100.0, longitude / 100.0, height + 0.5, isOverTerrain: true);
 
+    // The horizon of a camera 100 km over a sphere of 1,738,634.5 m is 19.0 degrees away: acos(1 / (1 + 100 / 1738.6345)).
+    [Theory]
+    [InlineData(18.9, 0.0, false)]
+    [InlineData(19.2, 0.0, true)]
+    [InlineData(180.0, 0.0, true)]
+    [InlineData(19.2, 1000.0, false)] // a summit over the horizon
+    [InlineData(0.0, -500.0, false)] // straight down into a hole
+    public void IsTargetHidden_OverASphere_IsWhatTheHorizonSays(double longitude, double height, bool isHidden)
+    {
+        Vector3D position = new SurfacePlace(0.0, 0.0, 100_000.0, isOverTerrain: true).ToPositionMoonMe(Scene.GroundRadius);
+        CameraPointing pointing = new()
+        {
+            Kind = BoresightKind.Place,
+            Target = new SurfacePlace(0.0, longitude, height, isOverTerrain: true),
+        };
+
+        Assert.Equal(isHidden, pointing.IsTargetHidden(position, Scene));
+        Assert.False((pointing with { Kind = BoresightKind.Horizon }).IsTargetHidden(position, Scene));
+    }
+
     [Fact]
     public void MoonFromCamera_AnyTarget_BoresightMeetsItWithTheHorizonLevel()
     {

@@ -39,6 +39,15 @@ public sealed class PlacedCameraTests : IDisposable
         Assert.Equal(longitude, Number(place, "lon"), Degrees);
     }
 
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("-58.6,-14.5", false)]
+    [InlineData("-14.5,-58.6", true)]
+    [InlineData("-58.6,165.5,0", true)]
+    public void Run_LookAtBeyondTheHorizon_Warns(string target, bool isHidden) => Assert.Equal(
+        isHidden,
+        CommandLineRun.Of([.. $"{Clavius} {target} --dry-run --ephemeris builtin --ldem".Split(' '), TestParts.Ldem4Label!])
+            .Error.Contains("msis: warning: --look-at: the place lies behind ground that hides it", StringComparison.Ordinal));
+
     [RequiresFact(Part.Ldem4)]
     public void Run_EachWayToSayAState_MakesTheSameBytes()
     {

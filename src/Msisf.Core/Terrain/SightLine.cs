@@ -1,0 +1,30 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Terrain;
+
+/// <summary>Finds out whether the Moon is between a camera and what it is to look at.</summary>
+public static class SightLine
+{
+    /// <summary>
+    /// 1: points of the line that are compared with the ground. A line that ends below the horizon runs through the ground for at least
+    /// half of its length, or over a mountain at its end.
+    /// </summary>
+    private const int Points = 256;
+
+    /// <summary>
+    /// Whether ground hides a target that lies beyond the camera's horizon. A target that sees the camera above its own horizontal plane
+    /// counts as visible: single mountains in between are not looked for.
+    /// </summary>
+    /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
+    /// <param name="targetMoonMe">Target, m, MOON_ME.</param>
+    /// <param name="groundRadius">Distance from the Moon's centre to the terrain in a direction, m.</param>
+    public static bool IsBlocked(Vector3D positionMoonMe, Vector3D targetMoonMe, Func<Vector3D, double> groundRadius)
+    {
+        Vector3D line = targetMoonMe - positionMoonMe;
+        return Vector3D.Dot(line, targetMoonMe) > 0.0 && Enumerable.Range(1, Points - 1).Any(index =>
+        {
+            Vector3D point = positionMoonMe + ((double)index / Points * line);
+            return point.Length < groundRadius(point);
+        });
+    }
+}
