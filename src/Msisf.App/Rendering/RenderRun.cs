@@ -57,13 +57,17 @@ internal sealed class RenderRun
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
         IReadOnlyList<InputFile> kernels = await inputs.Kernels.ConfigureAwait(false);
         OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;
-        RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(run.States, run.Names, RunIdentity.Of(
-            _host.Version,
-            FrameArguments.OfSettings(_settings, sun?.Choice),
-            run.Model.Fingerprint(),
-            sun?.Engine.EngineName,
-            kernels,
-            version)));
+        RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(
+            run.States,
+            run.Names,
+            RunIdentity.Of(
+                _host.Version,
+                FrameArguments.OfSettings(_settings, sun?.Choice),
+                run.Model.Fingerprint(),
+                sun?.Engine.EngineName,
+                kernels,
+                version),
+            camera as OrbitSettings));
         return await RenderAsync(run, plan, inputs, cancellation).ConfigureAwait(false);
     }
 
