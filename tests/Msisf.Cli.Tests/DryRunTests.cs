@@ -66,6 +66,12 @@ public sealed class DryRunTests : IDisposable
     }
 
     [Fact]
+    public void DryRun_FieldOfViewInRadians_Warns() => Assert.Contains(
+        "msis: warning: --fov 0.7854 is in degrees: ",
+        Run($"{WithoutModel} --fov 0.7854 --batch-file -", ThreeStates).Error,
+        StringComparison.Ordinal);
+
+    [Fact]
     public void DryRun_Notes_StandOnStandardErrorOnce()
     {
         CommandLineRun run = Run($"{WithoutModel} --batch-file -", ThreeStates);

@@ -78,7 +78,7 @@ public sealed class NativeOptionsTests : IDisposable
     [InlineData($"{Native} --timeout 5", 1, "--timeout has no meaning with --renderer native")]
     [InlineData($"{Native} --list-patterns", 1, "--list-patterns has no meaning with --renderer native")]
     [InlineData($"{Native} --pattern-repos p", 1, "--pattern-repos has no meaning with --renderer native")]
-    [InlineData($"{Native} --renderer native", 1, "'--renderer' expects a single argument")]
+    [InlineData($"{Native} --renderer native", 1, "--renderer is given 2 times. Give it once.")]
     [InlineData("patterns --renderer native", 1, "--renderer")]
 
     // What only the model or the camera shows.

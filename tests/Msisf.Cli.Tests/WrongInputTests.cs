@@ -32,7 +32,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --renderer native --reflectance lambrt", 1, "'lambrt' is no law: did you mean lambert?")]
     [InlineData("--batch", 1, "nothing says where the camera is")]
     [InlineData("--width", 1, "--width")]
-    [InlineData($"{Fixed} --width 5 --width 6", 1, "--width")]
+    [InlineData($"{Fixed} --width 5 --width 6", 1, "--width is given 2 times. Give it once. See msis --help.")]
     [InlineData($"{Fixed} --fixed-state {{55289,2E6,2E6,0,0,0,0,1}}", 1, "--fixed-state is given 2 times")]
     [InlineData("--batch patterns --res 4", 1, "--batch stands before the command patterns")]
     [InlineData("@missing.rsp", 1, "missing.rsp")]
@@ -43,7 +43,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("ldem pyramid", 1, "pyramid needs a model: give its label, or --res")]
     [InlineData("ldem pyramid .", 1, "pyramid needs a model: give its label, or --res")]
     [InlineData("ldem pyramid ", 1, "The model's name is empty")]
-    [InlineData("ldem pyramid missing.lbl", 2, "missing.lbl")]
+    [InlineData("ldem pyramid missing.lbl", 2, "missing.lbl: there is no such file or folder.")]
     [InlineData("ldem pyramid --res 1025", 1, "--res is '1025'")]
 
     // Table 6.1: which argument goes with which mode.

@@ -22,6 +22,11 @@ public static class LdemLabelReader
     /// </exception>
     public static LdemLabel ReadFile(string labelPath) => FileErrors.ToBadInput($"{labelPath}: can't be read", () =>
     {
+        if (!File.Exists(labelPath))
+        {
+            throw new BadInputException($"{labelPath}: there is no such file or folder. Name an elevation model's label or its folder.");
+        }
+
         using FileStream stream = File.OpenRead(labelPath);
         return Read(stream, labelPath);
     });

@@ -24,11 +24,17 @@ internal static class PlausibleMistakes
     /// <summary>rad: a full turn, typed with four digits, is no mistake.</summary>
     private const double RoundedTurn = 1e-3;
 
+    /// <summary>1: of 1 - e; a spacecraft that is slower than a hundredth of a circular orbit's 1,600 m/s has less.</summary>
+    private const double StraightFall = 1e-4;
+
+    /// <summary>m: a height between the Moon's radius and so much more looks like a distance from the Moon's centre.</summary>
+    private const double LowOrbit = 200_000.0;
+
     /// <summary>The warnings that the camera's settings deserve.</summary>
     public static IEnumerable<string> In(CameraSettings camera) => camera switch
     {
-        OrbitSettings orbit => [.. Elements(orbit.Elements), .. Rates(orbit), .. Interval(orbit.Times)],
-        PlaceSettings place => Interval(place.Times),
+        OrbitSettings orbit => [.. Elements(orbit.Elements), .. Fall(orbit.Elements), .. Rates(orbit), .. Interval(orbit.Times)],
+        PlaceSettings place => [.. Radius(place.Place), .. Interval(place.Times)],
         _ => [],
     };
 
@@ -82,6 +88,29 @@ internal static class PlausibleMistakes
             CultureInfo.InvariantCulture,
             $"{angle.Name} {angle.Angle:R} rad (if it is degrees: {double.DegreesToRadians(angle.Angle):G7} rad)"))];
         return large.Length == 0 ? [] : [$"--kepler-set: more than a full turn: {string.Join(", ", large)}. Angles are in radians."];
+    }
+
+    private static IEnumerable<string> Fall(KeplerElements elements)
+    {
+        if (1.0 - elements.Eccentricity < StraightFall)
+        {
+            yield return string.Create(
+                CultureInfo.InvariantCulture,
+                $"the orbit is a fall straight to the Moon's centre (e = {elements.Eccentricity:G10}): the velocity of --state-vectors is "
+                    + $"in m/s. One in km/s is to be multiplied by 1000.");
+        }
+    }
+
+    private static IEnumerable<string> Radius(SurfacePlace place)
+    {
+        double height = place.Height - MoonConstants.ReferenceRadius;
+        if (!place.IsOverTerrain && height is >= 0.0 and <= LowOrbit)
+        {
+            yield return string.Create(
+                CultureInfo.InvariantCulture,
+                $"--position: heights are over the surface, not from the Moon's centre. If {place.Height:R} m is from the centre, write "
+                    + $"{height:R}.");
+        }
     }
 
     private static IEnumerable<string> Rates(OrbitSettings orbit)

@@ -32,23 +32,13 @@ internal sealed record PreparedRun(
         {
             RunFrames run = RunFrames.Read(camera, settings, ephemeris, model, host, cancellation);
             GroundCheck.Refuse(run.Frames, model.Opened, cancellation);
-            WarnOfFieldOfView(run.Frames, settings, host);
+            run.WarnOfFieldOfView(settings, host);
             return new PreparedRun(run.States, run.Names, run.Frames, model.Opened);
         }
         catch
         {
             model.Dispose();
             throw;
-        }
-    }
-
-    private static void WarnOfFieldOfView(IReadOnlyList<Frame> frames, RenderSettings settings, ProgramHost host)
-    {
-        double cell = MoonConstants.ReferenceRadius * double.DegreesToRadians(1.0 / settings.PixelsPerDegree);
-        double widest = frames.Max(PlausibleMistakes.WidthOnGround);
-        foreach (string mistake in PlausibleMistakes.FieldOfView(settings.FieldOfViewDegrees, widest, cell))
-        {
-            host.Log.Warning(mistake);
         }
     }
 

@@ -2,6 +2,7 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preparation;
 
@@ -33,5 +34,18 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
         IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
         Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
         return new RunFrames(states, names, frames);
+    }
+
+    /// <summary>Warns of a field of view that is most likely meant in another unit.</summary>
+    /// <param name="settings">The run's settings.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    public void WarnOfFieldOfView(RenderSettings settings, ProgramHost host)
+    {
+        double cell = MoonConstants.ReferenceRadius * double.DegreesToRadians(1.0 / settings.PixelsPerDegree);
+        double widest = Frames.Max(PlausibleMistakes.WidthOnGround);
+        foreach (string mistake in PlausibleMistakes.FieldOfView(settings.FieldOfViewDegrees, widest, cell))
+        {
+            host.Log.Warning(mistake);
+        }
     }
 }

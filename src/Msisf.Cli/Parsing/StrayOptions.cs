@@ -15,13 +15,13 @@ internal static class StrayOptions
     /// <param name="command">The command of the line.</param>
     public static void Refuse(ParseResult line, CommandSpec command)
     {
+        if (Repeated(line) is { } repeated)
+        {
+            throw new UsageException(repeated);
+        }
+
         foreach (OptionResult option in OptionsOf(line.CommandResult))
         {
-            if (option.IdentifierTokenCount > 1)
-            {
-                throw new UsageException($"{option.Option.Name} is given {option.IdentifierTokenCount} times. Give it once.");
-            }
-
             // A value in braces takes all words up to the next option, including a misspelt option. The value of --pov-options may
             // contain words that look like options.
             if (option.Option.Name != PovOptions.MoreOptions.Name
@@ -48,6 +48,13 @@ internal static class StrayOptions
             }
         }
     }
+
+    /// <summary>The problem with the first option that is given more than once; null if none is.</summary>
+    /// <param name="line">The parsed command line, which may have errors.</param>
+    public static string? Repeated(ParseResult line) =>
+        OptionsOf(line.CommandResult).FirstOrDefault(option => option.IdentifierTokenCount > 1) is { } repeated
+            ? $"{repeated.Option.Name} is given {repeated.IdentifierTokenCount} times. Give it once."
+            : null;
 
     private static bool IsNoValue(string word) =>
         word.StartsWith("--", StringComparison.Ordinal)

@@ -22,6 +22,10 @@ public sealed class PlausibleMistakesTests
     [InlineData($"{Elements} --time-interval [55289:60:55289.5]", "step of 60 days is longer than the interval of 0.5 days")]
     [InlineData($"{Elements} --time-interval [55289:60:55289.5]", "If the step is seconds, write 0.0006944444444.")]
     [InlineData("--position 1,2,3E4 --time-interval [55289:60:55289.5]", "step of 60 days is longer")]
+    [InlineData("--position 1,2,1837400 --time 55289", "If 1837400 m is from the centre, write 100000.")]
+    [InlineData(
+        "--state-vectors {1.9E6,0,0,0,1.6,0} --epoch 55289 --time 55289",
+        "the velocity of --state-vectors is in m/s. One in km/s is to be multiplied by 1000.")]
     public void In_OtherUnit_WarnsAndSaysWhatItWouldMean(string words, string message) => Assert.Contains(
         message, Assert.Single(PlausibleMistakes.In(CameraSettingsReader.Read(Given.Options(words)))), StringComparison.Ordinal);
 
@@ -32,6 +36,9 @@ public sealed class PlausibleMistakesTests
     [InlineData($"{Elements} --time-interval [55289:60:55289]")] // one time, on purpose
     [InlineData($"{Elements} --time-interval [55289:60:55200]")] // leads away: an error of its own
     [InlineData("--position 1,2,3E4 --times {55289}")]
+    [InlineData("--position 1,2,terrain+1837400 --time 55289")]
+    [InlineData("--position 1,2,2E6 --time 55289")]
+    [InlineData("--state-vectors {1.9E6,0,0,0,160,0} --epoch 55289 --time 55289")] // a landing from a tenth of the circular velocity
     [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1}")]
     public void In_Plausible_NoWarning(string words) =>
         Assert.Empty(PlausibleMistakes.In(CameraSettingsReader.Read(Given.Options(words))));
