@@ -20,6 +20,9 @@ public sealed class OpenedAlbedoMap : IDisposable
     /// <summary>The map's file.</summary>
     public string FilePath { get; }
 
+    /// <summary>Length of the file.</summary>
+    public long FileBytes => _levels.Header.SourceBytes;
+
     /// <summary>SHA-256 of the file: 64 hexadecimal digits.</summary>
     public string Sha256 { get; }
 

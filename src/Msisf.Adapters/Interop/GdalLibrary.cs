@@ -13,7 +13,7 @@ internal static unsafe class GdalLibrary
     private const int OldestVersion = 26;
 
     private static readonly Lock Gate = new();
-    private static GdalNative? _loaded;
+    private static readonly Dictionary<string, GdalNative> Loaded = new(StringComparer.Ordinal);
 
     /// <summary>The library's functions.</summary>
     /// <param name="explicitPath">MSISF_GDAL, or null to search the system.</param>
@@ -23,7 +23,8 @@ internal static unsafe class GdalLibrary
     {
         lock (Gate)
         {
-            return _loaded ??= Load(explicitPath, purpose);
+            string key = explicitPath ?? string.Empty;
+            return Loaded.TryGetValue(key, out GdalNative? gdal) ? gdal : Loaded[key] = Load(explicitPath, purpose);
         }
     }
 

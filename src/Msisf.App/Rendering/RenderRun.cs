@@ -13,6 +13,7 @@ using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Tiles;
 
@@ -51,19 +52,20 @@ internal sealed class RenderRun
             ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
             : null;
         using PreparedRun run = PreparedRun.Of(camera, _settings, ephemeris, _host, cancellation);
-        using OpenedAlbedoMap? map = _times.Measure(Phase.Model, () => AlbedoSource.Open(_settings, _host));
+        using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(_settings, _host));
         RequireParts();
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
         IReadOnlyList<(string Name, string Sha256)> checksums = await kernels.ConfigureAwait(false);
         OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;
         RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(run.States, run.Names, RunIdentity.Of(
             _host.Version,
-            FrameArguments.OfSettings(_settings, sun?.Choice, map is null ? null : (Path.GetFileName(map.FilePath), map.Sha256)),
+            FrameArguments.OfSettings(_settings, sun?.Choice, maps.Files.FirstOrDefault(file => file.Kind == InputKind.AlbedoMap)),
             run.Model.Fingerprint(),
             sun?.Engine.EngineName,
             checksums,
-            version)));
-        return await RenderAsync(run.Frames, plan, run.Model, map, cancellation).ConfigureAwait(false);
+            version,
+            maps.Files)));
+        return await RenderAsync(run.Frames, plan, run.Model, maps, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
@@ -84,7 +86,7 @@ internal sealed class RenderRun
         PovOptions.Program.Concerned(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
-        IReadOnlyList<Frame> frames, RunPlan plan, ElevationModel model, OpenedAlbedoMap? map, CancellationToken cancellation)
+        IReadOnlyList<Frame> frames, RunPlan plan, ElevationModel model, SurfaceInputs maps, CancellationToken cancellation)
     {
         CreateFolder(_settings.OutputFolder);
         using FrameLedger ledger = _times.Measure(
@@ -96,7 +98,7 @@ internal sealed class RenderRun
         int atOnce = ResourceCheck.AtOnce(_settings, missing, cores, memory);
         ResourceCheck.Check(_settings, missing, atOnce, memory, new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
         FrameFiles files = new(_settings, model.Grid, ledger, _times);
-        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, map, files) : PovRay(model, files, atOnce);
+        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, maps, files) : PovRay(model, maps.Albedo, files, atOnce);
         using FrameTimes frameTimes = new(_settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
@@ -128,18 +130,19 @@ internal sealed class RenderRun
             state == FrameState.Complete ? new FrameOutputs(ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true) : null)];
     }
 
-    private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files, int processes)
+    private PovRayFrameRenderer PovRay(ElevationModel model, OpenedAlbedoMap? map, FrameFiles files, int processes)
     {
         PovRayProcess povRay = new(FindPovRay());
         ScenePatterns patterns = new(
             new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
-        return new PovRayFrameRenderer(_settings, model, patterns, povRay, processes, files, _times);
+        PovAlbedo? albedo = map is null ? null : new PovAlbedo(map, patterns.Folder);
+        return new PovRayFrameRenderer(_settings, model, patterns, povRay, albedo, processes, files, _times);
     }
 
-    private NativeFrameRenderer Native(ElevationModel model, OpenedAlbedoMap? map, FrameFiles files)
+    private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files)
     {
         NativeLevels levels = new(model.Grid, () => model.Levels, _settings.LevelOfDetailError);
-        return new NativeFrameRenderer(_settings.Native, model.Grid, map, levels, files, _times);
+        return new NativeFrameRenderer(_settings.Native, model.Grid, maps, levels, files, _times);
     }
 
     private static void CreateFolder(string folder) => OutputOptions.Folder.Concerned(
