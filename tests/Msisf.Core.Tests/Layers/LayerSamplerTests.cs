@@ -77,11 +77,22 @@ public class LayerSamplerTests
         Vector3D north = new(-sin30 * cos40, -sin30 * sin40, cos30);
         Vector3D normal = (cosSlope * up) + (sinSlope * ((sinAspect * east) + (cosAspect * north)));
 
-        double[] values = PixelOf(TruthOf(1.74e6 * up, normal), 1, 1, "slope", "aspect", "sphere-incidence");
+        double[] values = PixelOf(TruthOf(1.74e6 * up, normal), 1, 1, "slope", "aspect");
 
         Assert.Equal(slope, values[0], 1e-9);
         Assert.Equal(aspect, values[1], 1e-6);
-        Assert.Equal(double.RadiansToDegrees(Vector3D.AngleBetween(up, Sun - (1.74e6 * up))), values[2], 1e-9);
+    }
+
+    [Fact]
+    public void SampleRow_SphereIncidence_IsThatOfTheSmoothSphere()
+    {
+        double[][] planes = Sample(new SphereTruth(NadirCamera(21, 21), Sun, 4), "incidence", "sphere-incidence");
+
+        Assert.Contains(planes[1], double.IsFinite);
+        for (int i = 0; i < planes[0].Length; i++)
+        {
+            Assert.Equal(planes[0][i], planes[1][i], 1e-9);
+        }
     }
 
     [Fact]
@@ -146,9 +157,9 @@ public class LayerSamplerTests
 
         double[][] planes = Sample(new SphereTruth(away, Sun, 4), [.. LayerCatalogue.All.Select(layer => layer.Name)]);
 
-        Assert.Equal(21, planes.Length);
+        Assert.Equal(26, planes.Length);
         Assert.Single(planes, plane => plane.All(value => value == 0.0));
-        Assert.Equal(20, planes.Count(plane => plane.All(double.IsNaN)));
+        Assert.Equal(25, planes.Count(plane => plane.All(double.IsNaN)));
     }
 
     [Fact]
