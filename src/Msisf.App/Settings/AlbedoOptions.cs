@@ -22,7 +22,7 @@ internal static partial class AlbedoOptions
     /// <summary>What the map's values mean.</summary>
     public static TextSpec Properties { get; } = new(
         "--albedo-map-properties", "LIST",
-        "What the map's values mean: scale=,offset=,west=,incidence=,emission=,phase=,band= (degrees, nm)")
+        "What the map's values mean, as in scale=3.16e-4,west=-180; also offset, incidence, emission, phase (degrees) and band (nm)")
     {
         DefaultNote = "those of the known map, or of its label",
     };

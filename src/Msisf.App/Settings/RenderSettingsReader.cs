@@ -19,6 +19,7 @@ internal static class RenderSettingsReader
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
         RendererKind renderer = RendererOptions.Renderer.Read(values);
+        RendererOptions.Check(values);
         AlbedoSettings albedo = AlbedoOptions.Read(values);
         RenderSettings settings = new()
         {
@@ -55,7 +56,6 @@ internal static class RenderSettingsReader
             ListPatterns = PovOptions.ListPatterns.Read(values),
             Timing = RunOptions.Timing.Read(values),
         };
-        RendererOptions.Check(values);
         return settings;
     }
 
