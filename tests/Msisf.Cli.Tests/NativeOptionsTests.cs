@@ -65,7 +65,7 @@ public sealed class NativeOptionsTests : IDisposable
     [InlineData($"{Native} --albedo-map a.img --albedo-map-properties scale=0", 2, "scale is 0; a number from 1E-12 to")]
     [InlineData($"{Native} --albedo-map a.img --albedo-map-properties size=3", 2, "'size=3' is no property of a map")]
     [InlineData($"{Native} --albedo-map a.img --albedo-map-properties scale=1,scale=2", 2, "the property scale is given twice")]
-    [InlineData($"{Native} --albedo-map-sha256 12", 2, "64 hexadecimal digits are needed")]
+    [InlineData($"{Native} --albedo-map-checksum 12", 2, "64 hexadecimal digits are needed")]
     [InlineData($"{Native} --hapke-map nowhere.img", 2, "nowhere.img: there is no such file")]
     [InlineData($"{Native} --hapke-map a.img --reflectance lambert", 1, "--hapke-map is for --reflectance moon")]
     [InlineData($"{Native} --hapke-map a.img --band 415", 1, "holds the parameters at 643 nm, but --band is 415")]

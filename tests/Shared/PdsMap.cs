@@ -24,11 +24,13 @@ internal static class PdsMap
         TemporaryFolder folder, string product, string type, int bits, int perDegree, Func<int, int, double> valueOf, string more = "",
         double west = 0.0, double north = 90.0, (int Width, int Height)? degrees = null)
     {
-        (int width, int height) = degrees is { } part ? (part.Width * perDegree, part.Height * perDegree) : (360 * perDegree, 180 * perDegree);
+        (int width, int height) = degrees is { } part ? (part.Width * perDegree, part.Height * perDegree) : (360 * perDegree,
+            180 * perDegree);
         string label = string.Create(
             CultureInfo.InvariantCulture,
             $"PDS_VERSION_ID = PDS3\r\nRECORD_BYTES = {LabelBytes}\r\n^IMAGE = 2\r\nPRODUCT_ID = \"{product}\"\r\n"
-                + $"OBJECT = IMAGE\r\n LINES = {height}\r\n LINE_SAMPLES = {width}\r\n SAMPLE_TYPE = {type}\r\n SAMPLE_BITS = {bits}\r\n {more}\r\n"
+                + $"OBJECT = IMAGE\r\n LINES = {height}\r\n LINE_SAMPLES = {width}\r\n SAMPLE_TYPE = {type}\r\n SAMPLE_BITS = {bits}\r\n"
+                + $" {more}\r\n"
                 + $"END_OBJECT = IMAGE\r\nOBJECT = IMAGE_MAP_PROJECTION\r\n MAP_PROJECTION_TYPE = \"EQUIRECTANGULAR\"\r\n"
                 + $" MAP_RESOLUTION = {perDegree} <PIX/DEG>\r\n WESTERNMOST_LONGITUDE = {west} <DEG>\r\n"
                 + $" MAXIMUM_LATITUDE = {north} <DEG>\r\nEND_OBJECT = IMAGE_MAP_PROJECTION\r\nEND\r\n");

@@ -18,7 +18,9 @@ internal static unsafe class GdalLibrary
     /// <summary>The library's functions.</summary>
     /// <param name="explicitPath">MSISF_GDAL, or null to search the system.</param>
     /// <param name="purpose">What it is needed for, for the message.</param>
-    /// <exception cref="ExternalPartException">It is missing, or it is another library; the message says where it was looked for.</exception>
+    /// <exception cref="ExternalPartException">
+    /// It is missing, or it is another library; the message says where it was looked for.
+    /// </exception>
     public static GdalNative Require(string? explicitPath, string purpose)
     {
         lock (Gate)

@@ -33,7 +33,8 @@ public static class PovAlbedoImage
             double grey = (map.Offset + (map.Step * codes[i])) / white;
             greys[i] = codes[i] != 0 && grey >= 0.0
                 ? (ushort)Math.Min((grey * ushort.MaxValue) + 0.5, ushort.MaxValue)
-                : throw new BadInputException($"{name}: has places without a reflectance, which POV-Ray can't draw. Use --renderer native.");
+                : throw new BadInputException(
+                    $"{name}: has places without a reflectance, which POV-Ray can't draw. Use --renderer native.");
         }
 
         PngWriter.Write(stream, greys, wanted.Width, GreyTransfer.Linear);

@@ -86,7 +86,8 @@ internal sealed class RenderRun
         PovOptions.Program.Concerned(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
-        IReadOnlyList<Frame> frames, RunPlan plan, ElevationModel model, SurfaceInputs maps, CancellationToken cancellation)
+        IReadOnlyList<Frame> frames, RunPlan plan, ElevationModel model, SurfaceInputs maps,
+        CancellationToken cancellation)
     {
         CreateFolder(_settings.OutputFolder);
         using FrameLedger ledger = _times.Measure(
@@ -98,7 +99,9 @@ internal sealed class RenderRun
         int atOnce = ResourceCheck.AtOnce(_settings, missing, cores, memory);
         ResourceCheck.Check(_settings, missing, atOnce, memory, new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
         FrameFiles files = new(_settings, model.Grid, ledger, _times);
-        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, maps, files) : PovRay(model, maps.Albedo, files, atOnce);
+        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native
+            ? Native(model, maps, files)
+            : PovRay(model, maps.Albedo, files, atOnce);
         using FrameTimes frameTimes = new(_settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 

@@ -28,7 +28,7 @@ internal static partial class AlbedoOptions
     };
 
     /// <summary>Checksum of the map.</summary>
-    public static TextSpec Sha256 { get; } = new("--albedo-map-sha256", "HEX", "SHA-256 that the map's file must have")
+    public static TextSpec Checksum { get; } = new("--albedo-map-checksum", "HEX", "SHA-256 that the map's file must have")
     {
         Form = (HexDigits(), "64 hexadecimal digits are needed"),
     };
@@ -43,7 +43,7 @@ internal static partial class AlbedoOptions
     };
 
     /// <summary>The options of this class as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Albedo", [Map, Properties, Sha256, Band]);
+    public static OptionGroup Group { get; } = new("Albedo", [Map, Properties, Checksum, Band]);
 
     /// <summary>Reads the options.</summary>
     /// <exception cref="Core.Errors.MsisfException">A value is wrong.</exception>
@@ -54,7 +54,7 @@ internal static partial class AlbedoOptions
             path is not null && Path.GetFileName(path) == NoMap ? null : path,
             path is not null,
             Properties.ReadIfGiven(values) is { } text ? Properties.Named(() => MapProperties.Parse(text)) : new MapProperties(),
-            Sha256.ReadIfGiven(values)?.ToLowerInvariant(),
+            Checksum.ReadIfGiven(values)?.ToLowerInvariant(),
             SpectralBand.Of(Band.Read(values)));
     }
 

@@ -75,7 +75,7 @@ internal static class FrameArguments
         List<string> words = [];
         if (map is not null)
         {
-            words.AddRange([AlbedoOptions.Map.Name, Quoted(map.Name), AlbedoOptions.Sha256.Name, map.Sha256]);
+            words.AddRange([AlbedoOptions.Map.Name, Quoted(map.Name), AlbedoOptions.Checksum.Name, map.Sha256]);
             if (settings.Albedo.Properties.ToString() is { Length: > 0 } properties)
             {
                 words.AddRange([AlbedoOptions.Properties.Name, properties]);

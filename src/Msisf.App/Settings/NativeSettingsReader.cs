@@ -65,7 +65,8 @@ internal static class NativeSettingsReader
         return path is null || map.Band.Nanometres == HapkeMapFile.BandNanometres
             ? path
             : throw new UsageException(
-                $"--hapke-map holds the parameters at {HapkeMapFile.BandNanometres} nm, but --band is {map.Band.Nanometres}. Leave one out.")
+                $"--hapke-map holds the parameters at {HapkeMapFile.BandNanometres} nm, but --band is {map.Band.Nanometres}. "
+                    + $"Leave one out.")
                 .About(NativeOptions.HapkeMap, AlbedoOptions.Band);
     }
 

@@ -101,7 +101,8 @@ public sealed class OpenedAlbedoMapTests : IDisposable
     {
         string path = PdsMap.Write(_folder, "SOME_MAP", "PC_REAL", 32, 1, (_, _) => 0.1);
 
-        Assert.Contains("its incidence, emission and phase angle is not known", Refused(path, new MapProperties()), StringComparison.Ordinal);
+        Assert.Contains(
+            "its incidence, emission and phase angle is not known", Refused(path, new MapProperties()), StringComparison.Ordinal);
         Assert.Contains(
             "no surface has incidence 60, emission 0 and phase angle 30",
             Refused(path, MapProperties.Parse("incidence=60,emission=0,phase=30")),
@@ -151,7 +152,8 @@ public sealed class OpenedAlbedoMapTests : IDisposable
 
     [RequiresFact(Part.GdalLibrary)]
     public void Open_NoImage_IsBadInput() =>
-        Assert.Contains("GDAL can't read it as an image", Refused(_folder.Write("a.tif", "no image"), new MapProperties()), StringComparison.Ordinal);
+        Assert.Contains(
+            "GDAL can't read it as an image", Refused(_folder.Write("a.tif", "no image"), new MapProperties()), StringComparison.Ordinal);
 
     private static double Reflectance(AlbedoMap map, int column, int row) =>
         map.Offset + (map.Step * map.Levels[0].Codes.Span[(row * map.Levels[0].Width) + column]);

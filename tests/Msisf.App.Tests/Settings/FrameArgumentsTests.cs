@@ -52,7 +52,7 @@ public sealed class FrameArgumentsTests
             map);
 
         Assert.EndsWith(
-            $"--renderer povray --albedo-map 'a map.img' --albedo-map-sha256 {map.Sha256} --albedo-map-properties scale=2E-05,west=0 "
+            $"--renderer povray --albedo-map 'a map.img' --albedo-map-checksum {map.Sha256} --albedo-map-properties scale=2E-05,west=0 "
                 + "--band 415",
             canonical,
             StringComparison.Ordinal);

@@ -221,7 +221,8 @@ public class LayerSamplerTests
     /// <summary>A pixel that shows one point.</summary>
     private static FunctionTruth TruthOf(Vector3D point, Vector3D normal) => new(
         NadirCamera(1, 1), Sun,
-        (_, _) => (new SurfaceHit(point, normal, new FacetId(1, 1, FacetHalf.SouthWest), 1.0), new PixelIllumination(IlluminationState.Lit, 1.0)));
+        (_, _) => (new SurfaceHit(point, normal, new FacetId(1, 1, FacetHalf.SouthWest), 1.0),
+            new PixelIllumination(IlluminationState.Lit, 1.0)));
 
     private static double[][] Sample(SphereTruth truth, params string[] names)
     {

@@ -39,8 +39,8 @@ public sealed class HapkeMap
     /// <summary>Computes the radiance factors of pixels with the parameters of their places.</summary>
     /// <param name="points">The pixels with their angles; get the radiance factors.</param>
     /// <param name="reference">
-    /// The geometry of a map of the reflectance; the radiance factors there go to <see cref="SunlitPoints.ReferenceFactors"/>. Null if there
-    /// is no map.
+    /// The geometry of a map of the reflectance; the radiance factors there go to <see cref="SunlitPoints.ReferenceFactors"/>. Null if
+    /// there is no map.
     /// </param>
     internal void FindFactors(SunlitPoints points, ReferenceGeometry? reference)
     {

@@ -53,7 +53,9 @@ internal sealed class SunlitPoints
     /// <summary>Radiance factor of each pixel.</summary>
     public double[] Factors { get; private set; } = [];
 
-    /// <summary>Radiance factor of each pixel's surface in the geometry of a map of the reflectance, if that differs from place to place.</summary>
+    /// <summary>
+    /// Radiance factor of each pixel's surface in the geometry of a map of the reflectance, if that differs from place to place.
+    /// </summary>
     public double[] ReferenceFactors { get; private set; } = [];
 
     /// <summary>Forgets all pixels and makes room for a row.</summary>
@@ -108,7 +110,8 @@ internal sealed class SunlitPoints
             Vector512<double> perLengths = one / (sunLength * viewLength);
             Vector512<double> perSun = viewLength * perLengths;
             Vector512<double> perView = sunLength * perLengths;
-            Vector512<double> cosEmission = ((Load(NormalX, i) * viewX) + (Load(NormalY, i) * viewY) + (Load(NormalZ, i) * viewZ)) * perView;
+            Vector512<double> cosEmission = perView
+                * ((Load(NormalX, i) * viewX) + (Load(NormalY, i) * viewY) + (Load(NormalZ, i) * viewZ));
             Vector512<double> differenceX = (sunX * perSun) - (viewX * perView);
             Vector512<double> differenceY = (sunY * perSun) - (viewY * perView);
             Vector512<double> differenceZ = (sunZ * perSun) - (viewZ * perView);

@@ -56,7 +56,8 @@ public class HapkeMapTests
         double[] others = [0.2375, 0.3253, 1.686, 0.0672, Math.Tan(double.DegreesToRadians(23.6566))];
         double[] first = [.. Enumerable.Range(0, Width * Height).Select(i => w(i / Width, i % Width))];
         return new HapkeMap(
-            [first, .. others.Select(value => Enumerable.Repeat(value, Width * Height).ToArray())], Width, northDegrees: 60.0, westDegrees: 15.0);
+            [first, .. others.Select(value => Enumerable.Repeat(value, Width * Height).ToArray())], Width, northDegrees: 60.0,
+                westDegrees: 15.0);
     }
 
     private static SunlitPoints Points(params (double Latitude, double Longitude)[] places)

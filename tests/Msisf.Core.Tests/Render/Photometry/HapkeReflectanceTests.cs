@@ -105,7 +105,8 @@ public class HapkeReflectanceTests
                 Enumerable.Repeat(at.CosIncidence, 9).ToArray(), Enumerable.Repeat(at.CosEmission, 9).ToArray(),
                 Enumerable.Repeat(at.PhaseHaversine, 9).ToArray(), actual);
 
-            // With Sun and viewer both at the horizon the law has differences of almost equal numbers, and single points have no more digits.
+            // With Sun and viewer both at the horizon the law has differences of almost equal numbers, and single points have no
+            // more digits.
             bool isGrazing = Math.Max(at.CosIncidence, at.CosEmission) < BothAtHorizon;
             return Math.Abs(actual[0] - expected) <= (isGrazing ? InPlane : Rounding) * expected && actual[8] == actual[0];
         }).Check(Geometries.Seeded);

@@ -41,5 +41,6 @@ public class MapReducerTests
 
     [Fact]
     public void Add_PixelsWithoutData_DoNotCount() => Assert.Equal(
-        [2f, float.NaN], SyntheticMaps.Reduced(4, 2, Strip, [1f, float.NaN, float.NaN, float.NaN, 3f, float.NaN, float.NaN, float.NaN]).Values);
+        [2f, float.NaN], SyntheticMaps.Reduced(4, 2, Strip, [1f, float.NaN, float.NaN, float.NaN, 3f, float.NaN, float.NaN,
+            float.NaN]).Values);
 }
