@@ -22,6 +22,7 @@ internal static class CommandActions
         [CommandTable.Pyramid] = InBackground(PyramidCommand.Run),
         [CommandTable.ConfigShow] = Printing(call => Configuration.Show(call.Values.Text(RunOptions.Config), call.Host)),
         [CommandTable.Completion] = Printing(call => call.Host.Results.Write(CompletionScript.For(call.Values.Argument!))),
+        [CommandTable.Help] = Printing(HelpCommand.Run),
         [CommandTable.Man] = Printing(call => call.Host.Results.Write(ManualPage.Text(call.Host.Version))),
     };
 
