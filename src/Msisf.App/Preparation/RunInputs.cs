@@ -48,7 +48,7 @@ internal sealed class RunInputs : IDisposable
         _model = Task.Run(() => OfModel(model, end), end);
     }
 
-    /// <summary>All files: those of the elevation model first, then the kernels and the maps. Waits until their checksums are known.</summary>
+    /// <summary>All files: the elevation model, the kernels and the maps. Waits until their checksums are known.</summary>
     /// <exception cref="MsisfException">A file can't be read.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled.</exception>
     public IReadOnlyList<InputFile> All() =>
