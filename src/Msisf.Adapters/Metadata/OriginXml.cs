@@ -21,6 +21,8 @@ internal static class OriginXml
         InputKind.ElevationLabel => "elevation-label",
         InputKind.ElevationImage => "elevation-image",
         InputKind.Kernel => "kernel",
+        InputKind.AlbedoMap => "albedo-map",
+        InputKind.HapkeMap => "hapke-map",
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "Not a kind of input."),
     };
 

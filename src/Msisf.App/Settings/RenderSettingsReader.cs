@@ -19,6 +19,8 @@ internal static class RenderSettingsReader
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
         RendererKind renderer = RendererOptions.Renderer.Read(values);
+        RendererOptions.Check(values);
+        AlbedoSettings albedo = AlbedoOptions.Read(values);
         RenderSettings settings = new()
         {
             FieldOfViewDegrees = ImageOptions.FieldOfView.Read(values),
@@ -29,7 +31,8 @@ internal static class RenderSettingsReader
             Surface = surface,
             PixelsPerDegree = SurfaceOptions.Resolution.Read(values),
             Renderer = renderer,
-            Native = NativeSettingsReader.Read(values, needsTruth: surface == PixelSurface.Terrain),
+            Native = NativeSettingsReader.Read(values, albedo, needsTruth: surface == PixelSurface.Terrain),
+            Albedo = albedo,
             LevelOfDetailError = LevelOfDetailError(values, renderer),
             IgnoreSun = LightOptions.IgnoreSun.Read(values),
             Annotate = OutputOptions.Annotation.Read(values),
@@ -53,7 +56,6 @@ internal static class RenderSettingsReader
             ListPatterns = PovOptions.ListPatterns.Read(values),
             Timing = RunOptions.Timing.Read(values),
         };
-        RendererOptions.Check(values);
         return settings;
     }
 
