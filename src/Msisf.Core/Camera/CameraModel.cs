@@ -229,10 +229,14 @@ public sealed class CameraModel
         return (left, top, right, bottom);
     }
 
-    private string NoInverse((double X, double Y) measured) => string.Create(
-        CultureInfo.InvariantCulture,
-        $"these coefficients do not invert inside the image: pixel ({PrincipalX + (FocalX * measured.X) + (Skew * measured.Y):F0}, "
-            + $"{PrincipalY + (FocalY * measured.Y):F0}) shows no direction, or the image folds on the way there");
+    private string NoInverse((double X, double Y) measured)
+    {
+        double x = Math.Clamp(Math.Round(PrincipalX + (FocalX * measured.X) + (Skew * measured.Y)), 1.0, Width);
+        double y = Math.Clamp(Math.Round(PrincipalY + (FocalY * measured.Y)), 1.0, Height);
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"these coefficients do not invert inside the image: pixel ({x}, {y}) shows no direction, or the image folds on the way there");
+    }
 
     private static string Degrees(double angle) =>
         double.RadiansToDegrees(angle).ToString("R", CultureInfo.InvariantCulture);

@@ -12,8 +12,10 @@ namespace Msisf.Core.Camera.Lenses;
 /// </remarks>
 public sealed class FisheyeDistortion : Distortion
 {
-    /// <summary>rad: no angle beyond is looked for; fields end at 85 degrees from the axis.</summary>
-    private const double MaxAngle = 1.5;
+    /// <summary>
+    /// rad: what is measured farther out counts as seen at this angle, so that it is refused: fields end at 85 degrees from the axis.
+    /// </summary>
+    private const double MaxAngle = 1.57;
 
     /// <summary>From any start, steps of Newton's method after which the angle no longer changes.</summary>
     private const int Steps = 20;
@@ -52,7 +54,8 @@ public sealed class FisheyeDistortion : Distortion
         }
 
         Vector512<double> error = Vector512.Abs(Distance(angle, out Vector512<double> perAngle) - measured);
-        Vector512<double> isFound = Vector512.LessThan(error, Vector512.Create(AngleError)) & Vector512.GreaterThan(perAngle, Vector512<double>.Zero);
+        Vector512<double> isFound = Vector512.GreaterThan(perAngle, Vector512<double>.Zero)
+            & (Vector512.LessThan(error, Vector512.Create(AngleError)) | Vector512.Equals(angle, Vector512.Create(MaxAngle)));
         Vector512<double> tangent = Vector512.ConditionalSelect(isFound, Tangent(angle), Vector512.Create(double.NaN));
         Vector512<double> isMiddle = Vector512.LessThan(measured, Vector512.Create(Middle));
         Vector512<double> factor = Vector512.ConditionalSelect(isMiddle, Vector512<double>.One, tangent / measured);
@@ -64,7 +67,7 @@ public sealed class FisheyeDistortion : Distortion
 
     private static Vector512<double> Tangent(Vector512<double> angle)
     {
-        // Taylor series of half the angle, below 0.75: the first terms left out are below 2^-53.
+        // Taylor series of half the angle, below pi/4: the first terms left out are below 2^-53.
         Vector512<double> half = 0.5 * angle;
         Vector512<double> square = half * half;
         Vector512<double> one = Vector512<double>.One;
