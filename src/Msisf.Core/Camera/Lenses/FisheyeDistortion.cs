@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Camera.Lenses;
@@ -41,6 +42,7 @@ public sealed class FisheyeDistortion : Distortion
     internal override bool IsFromIdeal => false;
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be prepared with unoptimised vectors
     internal override LanePoints Apply(in LanePoints points, out LaneSlopes slopes)
     {
         (Vector512<double> x, Vector512<double> y) = points;
@@ -65,6 +67,7 @@ public sealed class FisheyeDistortion : Distortion
         return new LanePoints(factor * x, factor * y);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static Vector512<double> Tangent(Vector512<double> angle)
     {
         // Taylor series of half the angle, below pi/4: the first terms left out are below 2^-53.
@@ -87,6 +90,7 @@ public sealed class FisheyeDistortion : Distortion
         return 2.0 * tangent / (one - (tangent * tangent));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private Vector512<double> Distance(Vector512<double> angle, out Vector512<double> slope)
     {
         Vector512<double> square = angle * angle;
