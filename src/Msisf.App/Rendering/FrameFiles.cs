@@ -9,7 +9,6 @@ using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
@@ -21,16 +20,19 @@ namespace Msisf.App.Rendering;
 internal sealed class FrameFiles
 {
     private readonly RenderSettings _settings;
-    private readonly string _product;
-    private readonly int _pixelsPerDegree;
+    private readonly ElevationModel _model;
+    private readonly RunInputs _inputs;
+    private readonly InputComparison _comparison;
     private readonly FrameLedger _ledger;
     private readonly RunTimes _times;
 
-    public FrameFiles(RenderSettings settings, IElevationGrid model, FrameLedger ledger, RunTimes times)
+    public FrameFiles(
+        RenderSettings settings, ElevationModel model, RunInputs inputs, InputComparison comparison, FrameLedger ledger, RunTimes times)
     {
         _settings = settings;
-        _product = model.ProductId;
-        _pixelsPerDegree = model.PixelsPerDegree;
+        _model = model;
+        _inputs = inputs;
+        _comparison = comparison;
         _ledger = ledger;
         _times = times;
     }
@@ -45,6 +47,7 @@ internal sealed class FrameFiles
         string stem = Path.Combine(_settings.OutputFolder, frame.Name);
         FrameMetadata metadata = Describe(frame, rendered);
         PixelSampler pixels = Sampler(frame, rendered);
+        _comparison.Compare($"{stem}.xml", metadata.Inputs);
         string? annotated = _settings.Annotate ? $"{stem}.annotated.png" : null;
         List<string> paths = annotated is null ? [$"{stem}.png"] : [$"{stem}.png", annotated];
         using AtomicFileSet files = new(_ledger.Staging);
@@ -82,8 +85,8 @@ internal sealed class FrameFiles
         AtomicFileSet files, string stem, FrameMetadata metadata, RenderedFrame rendered, LayerSet layers, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        int level = int.Log2(_pixelsPerDegree / rendered.PixelsPerDegree);
-        LayerProvenance provenance = new(_product, rendered.PixelsPerDegree, level, "native");
+        int level = int.Log2(_model.Grid.PixelsPerDegree / rendered.PixelsPerDegree);
+        LayerProvenance provenance = new(_model.Grid.ProductId, rendered.PixelsPerDegree, level, metadata.RendererName);
         if (_settings.Native.LayersFormat == LayersFormat.Npy)
         {
             return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, cancellation);
@@ -98,10 +101,13 @@ internal sealed class FrameFiles
         frame.Camera,
         _settings.FieldOfViewDegrees,
         frame.Light.PositionMoonMe,
-        rendered.PixelsPerDegree,
+        new DrawnElevation(
+            _model.Grid.ProductId, _model.Set.IsSynthetic, _model.Grid.PixelsPerDegree, rendered.Drawn.Finest, rendered.Drawn.Coarsest),
+        _model.HeightOverTerrain(frame.Camera.PositionMoonMe),
         _ledger.Plan.Identity.Version,
         _ledger.Plan.ArgumentsOf(frame.Step),
-        rendered.Renderer);
+        rendered.Renderer,
+        _inputs.All());
 
     private PixelSampler Sampler(Frame frame, RenderedFrame rendered)
     {

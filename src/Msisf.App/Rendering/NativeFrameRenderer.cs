@@ -63,9 +63,13 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         image.SetLength(0);
         _times.Measure(Phase.Output, () => Encode(drawn, image));
         RenderedFrame rendered = new(
-            RendererKind.Native, image, "the image", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepGroundTruth
-                ? drawn
-                : null);
+            RendererKind.Native,
+            image,
+            "the image",
+            WriteScene: null,
+            renderer.PixelsPerDegree,
+            (renderer.PixelsPerDegree, renderer.PixelsPerDegree),
+            _settings.Render.KeepGroundTruth ? drawn : null);
         FrameOutputs outputs = new(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
         _idleImages.Add(image);
         if (Interlocked.Increment(ref _frames) % FramesBetweenReleases == 0)
