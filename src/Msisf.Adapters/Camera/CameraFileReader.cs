@@ -26,9 +26,9 @@ public static class CameraFileReader
 
     /// <summary>Reads a file.</summary>
     /// <param name="path">Its path.</param>
-    /// <param name="name">Name of the camera for messages and for what is written; null for the file's name.</param>
+    /// <param name="preset">Name of the preset; null for a file of the user, which is named by its file name.</param>
     /// <exception cref="BadInputException">There is no such file, or what is wrong in it, by file, line and column.</exception>
-    public static CameraFile Read(string path, string? name = null)
+    public static CameraFile Read(string path, string? preset = null)
     {
         byte[] content = FileErrors.ToBadInput($"{path}: the camera file can't be read", () =>
         {
@@ -36,15 +36,15 @@ public static class CameraFileReader
             byte[] bytes = new byte[ConfigFileReader.LargestSize + 1];
             return bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
         });
-        return Parse(content, path, name ?? Path.GetFileName(path));
+        return Parse(content, path, preset);
     }
 
     /// <summary>Reads a file's content.</summary>
     /// <param name="content">The bytes.</param>
     /// <param name="path">For messages.</param>
-    /// <param name="name">Name of the camera.</param>
+    /// <param name="preset">Name of the preset; null for a file of the user.</param>
     /// <exception cref="BadInputException">What is wrong in it, by file, line and column.</exception>
-    public static CameraFile Parse(byte[] content, string path, string name)
+    public static CameraFile Parse(byte[] content, string path, string? preset = null)
     {
         using MemoryStream stream = new(content);
         CameraSection file = new(path, "a camera", (1, 1), ConfigFileReader.Read(stream, path, hasSections: true), Keys);
@@ -71,7 +71,9 @@ public static class CameraFileReader
         }
 
         return new CameraFile(
-            name, Convert.ToHexStringLower(SHA256.HashData(content)), file.Text("description"), model, metric?.FocalLength, metric?.Pitch);
+            preset ?? Path.GetFileName(path), Convert.ToHexStringLower(SHA256.HashData(content)), file.Text("description"), model,
+            metric?.FocalLength, metric?.Pitch, path, content.Length, preset is not null,
+            model.Distortion is null && file.Number("field-of-view") is double given ? given : double.RadiansToDegrees(model.FieldOfView));
 
         static double focalMillimetres(double focalLength) => focalLength / MetresPerMillimetre;
     }

@@ -21,6 +21,7 @@ internal static class OriginXml
         InputKind.ElevationLabel => "elevation-label",
         InputKind.ElevationImage => "elevation-image",
         InputKind.Kernel => "kernel",
+        InputKind.Camera => "camera",
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "Not a kind of input."),
     };
 
@@ -41,6 +42,9 @@ internal static class OriginXml
         "      <t unit=\"m\">",
         Row(camera.Translation),
         "      </t>",
+        .. camera.Distortion is { } distortion
+            ? [$"      <Distortion model=\"{distortion.Name}\">{string.Join(' ', distortion.Coefficients.Select(LongE.ToText))}</Distortion>"]
+            : (string[])[],
         "    </Camera>",
     ];
 

@@ -20,9 +20,7 @@ internal static class FrameArguments
     {
         List<string> words =
         [
-            ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),
-            ImageOptions.Width.Name, Text(settings.Width),
-            ImageOptions.Height.Name, Text(settings.Height),
+            .. OfImage(settings),
             OutputOptions.GridHorizontal.Name, Text(settings.GridHorizontal),
             OutputOptions.GridVertical.Name, Text(settings.GridVertical),
             .. OutputOptions.Surface.Words(settings.Surface),
@@ -58,6 +56,17 @@ internal static class FrameArguments
     /// <param name="settings">The result of <see cref="OfSettings"/>.</param>
     public static string Of(SpacecraftState state, string settings) =>
         $"{CameraOptions.FixedState.Name} '{{{string.Join(',', state.ToNumbers().Select(NumberSpec.TextOf))}}}' {settings}";
+
+    private static IEnumerable<string> OfImage(RenderSettings settings) => settings.Camera is { } camera
+        ? [ImageOptions.Camera.Name, WordOf(CameraChoice.TextOf(camera))]
+        :
+        [
+            ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),
+            ImageOptions.Width.Name, Text(settings.Width),
+            ImageOptions.Height.Name, Text(settings.Height),
+        ];
+
+    private static string WordOf(string text) => text.Contains(' ', StringComparison.Ordinal) ? $"'{text}'" : text;
 
     private static IEnumerable<string> OfNative(NativeSettings native) =>
     [

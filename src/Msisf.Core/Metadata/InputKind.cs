@@ -11,4 +11,7 @@ public enum InputKind
 
     /// <summary>A SPICE kernel.</summary>
     Kernel,
+
+    /// <summary>A camera file.</summary>
+    Camera,
 }

@@ -32,8 +32,11 @@ public sealed class FisheyeDistortion : Distortion
     /// <param name="k">k1 to k4, or fewer.</param>
     public FisheyeDistortion(ReadOnlySpan<double> k) => k.CopyTo(_k);
 
+    /// <inheritdoc/>
+    public override string Name => "fisheye";
+
     /// <summary>k1 to k4.</summary>
-    public IReadOnlyList<double> Coefficients => _k;
+    public override IReadOnlyList<double> Coefficients => _k;
 
     /// <inheritdoc/>
     public override bool IsNone => false;

@@ -25,8 +25,11 @@ public sealed class OpenCvDistortion : Distortion
         s.CopyTo(_s);
     }
 
+    /// <inheritdoc/>
+    public override string Name => "opencv";
+
     /// <summary>In OpenCV's order: k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4.</summary>
-    public IReadOnlyList<double> Coefficients => [_k[0], _k[1], _p[0], _p[1], _k[2], _k[3], _k[4], _k[5], .. _s];
+    public override IReadOnlyList<double> Coefficients => [_k[0], _k[1], _p[0], _p[1], _k[2], _k[3], _k[4], _k[5], .. _s];
 
     /// <inheritdoc/>
     public override bool IsNone => Coefficients.All(coefficient => coefficient == 0.0);

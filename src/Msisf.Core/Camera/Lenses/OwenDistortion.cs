@@ -22,6 +22,12 @@ public sealed class OwenDistortion : Distortion
     }
 
     /// <inheritdoc/>
+    public override string Name => "owen";
+
+    /// <inheritdoc/>
+    public override IReadOnlyList<double> Coefficients => _e;
+
+    /// <inheritdoc/>
     public override bool IsNone => _e.All(coefficient => coefficient == 0.0);
 
     /// <inheritdoc/>

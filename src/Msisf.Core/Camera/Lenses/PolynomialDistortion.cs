@@ -28,6 +28,12 @@ public sealed class PolynomialDistortion : Distortion
     }
 
     /// <inheritdoc/>
+    public override string Name => _isRadial ? "polynomial-radius" : "polynomial-x";
+
+    /// <inheritdoc/>
+    public override IReadOnlyList<double> Coefficients => [.. _x, .. _y];
+
+    /// <inheritdoc/>
     public override bool IsNone => _x.Concat(_y).All(coefficient => coefficient == 0.0);
 
     /// <inheritdoc/>

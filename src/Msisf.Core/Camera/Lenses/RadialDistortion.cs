@@ -29,6 +29,12 @@ public sealed class RadialDistortion : Distortion
     }
 
     /// <inheritdoc/>
+    public override string Name => _isDivision ? "radial-division" : "radial-factor";
+
+    /// <inheritdoc/>
+    public override IReadOnlyList<double> Coefficients => _k;
+
+    /// <inheritdoc/>
     public override bool IsNone => _k.All(coefficient => coefficient == 0.0);
 
     /// <inheritdoc/>

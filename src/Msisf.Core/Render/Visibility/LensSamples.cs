@@ -7,7 +7,7 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// Where the ideal image plane is sampled by the pixels of a camera with a lens: a point for each pixel, and the tiles in which they are
-/// drawn. One object serves many frames; it is computed again only for another camera or other offsets.
+/// drawn. One object serves many frames; see <see cref="IsOf"/>.
 /// </summary>
 internal sealed class LensSamples
 {
@@ -43,7 +43,11 @@ internal sealed class LensSamples
     /// <summary>The part of the ideal image plane in which all samples lie.</summary>
     public TangentBox Tangents { get; private set; }
 
-    /// <summary>Computes the samples of a camera, if they are not there already.</summary>
+    /// <summary>Whether these are the samples of a camera at these offsets.</summary>
+    public bool IsOf(CameraModel model, double offsetX, double offsetY) =>
+        ReferenceEquals(_model, model) && _offset == (offsetX, offsetY);
+
+    /// <summary>Computes the samples of a camera.</summary>
     /// <param name="model">The camera, with a lens.</param>
     /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
     /// <param name="offsetY">px down.</param>
@@ -51,11 +55,6 @@ internal sealed class LensSamples
     /// <param name="cancellation">Cancels the work.</param>
     public void Prepare(CameraModel model, double offsetX, double offsetY, int threads, CancellationToken cancellation)
     {
-        if (ReferenceEquals(_model, model) && _offset == (offsetX, offsetY))
-        {
-            return;
-        }
-
         _model = null;
         int size = model.Width * model.Height;
         if (Right.Length < size)
