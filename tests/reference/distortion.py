@@ -55,7 +55,7 @@ def polynomial(x, y, f, radial, *c):
 
 
 MODELS = {
-    "opencv": lambda x, y: opencv(x, y, *m("-0.25 0.08 0.003 -0.002 -0.01 0.05 0.02 0.004 0.001 -0.0005 -0.002 0.0007".split())),
+    "opencv": lambda x, y: opencv(x, y, *m("-0.15 0.04 0.003 -0.002 -0.005 0.02 0.01 0.002 0.001 -0.0005 -0.002 0.0007".split())),
     "fisheye": lambda x, y: fisheye(x, y, *m("0.02 -0.005 0.001 -0.0002".split())),
     "owen": lambda x, y: owen(x, y, mpf(10), *m("1e-4 -5e-4 2e-6 -1e-6 3e-4 -2e-4".split())),
     "radial-factor": lambda x, y: factor(x, y, mpf("6.0308669"), *m("0.0113109452166359 0.000144463288593614 4.88754251291127e-6".split())),
