@@ -57,7 +57,7 @@ public sealed class CameraFileTests : IClassFixture<RenderFixture>, IDisposable
     public void Run_PinholeOffTheAxis_IsTheSameByBothRenderers()
     {
         string pinhole = Lens[..Lens.IndexOf("distortion", StringComparison.Ordinal)];
-        Render("povray", pinhole, "--pov-options", "Antialias=Off", "--lod", "off");
+        Render("povray", pinhole, "--pov-options", "Antialias=Off", "--lod", "off", "--pattern-repos", _fixture.Repository);
         Render("native", pinhole, "--renderer", "native", "--lod", "off");
 
         PngPixels expected = PngPixels.Read(_folder["povray.png"]);
@@ -78,7 +78,7 @@ public sealed class CameraFileTests : IClassFixture<RenderFixture>, IDisposable
         CommandLineRun run = CommandLineRun.Of(
         [
             "--fixed-state", State, "--camera", _folder["camera.yaml"], "--gridH", "20", "--gridV", "20",
-            "--output-name", name, .. more, .. _fixture.Common(_folder.Path),
+            "--output-name", name, .. more, "--ldem", TestParts.Ldem4Label!, "--output-dir", _folder.Path, "--ephemeris", "builtin", "--batch",
         ]);
         Assert.True(run.ExitCode == 0, run.Error);
     }
