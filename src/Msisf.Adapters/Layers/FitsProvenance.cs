@@ -67,6 +67,16 @@ internal static class FitsProvenance
         unit.Put("CAMT1", camera.Translation.X, "[m] t = -R times the camera's position");
         unit.Put("CAMT2", camera.Translation.Y, "[m]");
         unit.Put("CAMT3", camera.Translation.Z, "[m]");
+        if (camera.Distortion is not { } distortion)
+        {
+            return;
+        }
+
+        unit.Put("CAMDIST", distortion.Name, "distortion, before K; docs/cameras.md");
+        for (int i = 0; i < distortion.Coefficients.Count; i++)
+        {
+            unit.Put(string.Create(CultureInfo.InvariantCulture, $"CAMD{i + 1}"), distortion.Coefficients[i], string.Empty);
+        }
     }
 
     private static void PutRows(FitsUnit unit, string key, IReadOnlyList<Vector3D> rows, string what)

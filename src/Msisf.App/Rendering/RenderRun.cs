@@ -47,7 +47,8 @@ internal sealed class RenderRun
         using EphemerisSource ephemeris = new(_settings, _host);
 
         // The checksums take long and are needed late, so they are started first.
-        using RunInputs inputs = new(() => _settings.IgnoreSun ? [] : ephemeris.KernelFiles(), _host, cancellation);
+        using RunInputs inputs = new(
+            () => _settings.IgnoreSun ? [] : ephemeris.KernelFiles(), _settings.Camera, _host, cancellation);
         Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay
             ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
             : null;

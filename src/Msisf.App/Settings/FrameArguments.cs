@@ -23,9 +23,7 @@ internal static class FrameArguments
     {
         List<string> words =
         [
-            ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),
-            ImageOptions.Width.Name, Text(settings.Width),
-            ImageOptions.Height.Name, Text(settings.Height),
+            .. OfImage(settings),
             OutputOptions.GridHorizontal.Name, Text(settings.GridHorizontal),
             OutputOptions.GridVertical.Name, Text(settings.GridVertical),
             .. OutputOptions.Surface.Words(settings.Surface),
@@ -94,7 +92,16 @@ internal static class FrameArguments
         return words;
     }
 
-    private static string Quoted(string name) => name.Contains(' ', StringComparison.Ordinal) ? $"'{name}'" : name;
+    private static IEnumerable<string> OfImage(RenderSettings settings) => settings.Camera is { } camera
+        ? [ImageOptions.Camera.Name, Quoted(CameraChoice.TextOf(camera))]
+        :
+        [
+            ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),
+            ImageOptions.Width.Name, Text(settings.Width),
+            ImageOptions.Height.Name, Text(settings.Height),
+        ];
+
+    private static string Quoted(string text) => text.Contains(' ', StringComparison.Ordinal) ? $"'{text}'" : text;
 
     private static IEnumerable<string> OfNative(NativeSettings native) =>
     [

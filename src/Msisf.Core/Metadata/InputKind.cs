@@ -17,4 +17,7 @@ public enum InputKind
 
     /// <summary>A map of Hapke's parameters.</summary>
     HapkeMap,
+
+    /// <summary>A camera file.</summary>
+    Camera,
 }
