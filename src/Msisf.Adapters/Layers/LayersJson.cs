@@ -60,6 +60,11 @@ internal static class LayersJson
         WriteRows(json, "K", camera.IntrinsicRows);
         WriteRows(json, "R", camera.RotationRows);
         WriteNumbers(json, "t", camera.Translation.X, camera.Translation.Y, camera.Translation.Z);
+        if (camera.Distortion is { } distortion)
+        {
+            json.WriteString("distortionModel", distortion.Name);
+            WriteNumbers(json, "distortion", [.. distortion.Coefficients]);
+        }
     }
 
     private static void WriteRows(Utf8JsonWriter json, string name, IReadOnlyList<Vector3D> rows)

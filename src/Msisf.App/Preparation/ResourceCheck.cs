@@ -25,7 +25,7 @@ internal static class ResourceCheck
     private const long LayerBytesPerPixel = 24;
 
     /// <summary>Bytes per pixel of all layers on disk.</summary>
-    private const long LayersBytesPerPixel = 160;
+    private const long LayersBytesPerPixel = 200;
 
     /// <summary>Bytes per pixel of the annotated image in memory: cairo's ARGB32, and the PNG at its largest.</summary>
     private const long AnnotationBytesPerPixel = 8;

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Camera;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
@@ -19,14 +20,18 @@ internal sealed class RunInputs : IDisposable
     private readonly CancellationTokenSource _end;
     private readonly ILog _log;
     private readonly string? _cacheFolder;
+    private readonly CameraFile? _camera;
     private Task<IReadOnlyList<InputFile>>? _model;
+    private IReadOnlyList<InputFile> _maps = [];
 
     /// <summary>Begins with the kernels.</summary>
     /// <param name="kernels">Finds the paths of the kernels, in load order.</param>
+    /// <param name="camera">The camera file; null for none.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work.</param>
-    public RunInputs(Func<IReadOnlyList<string>> kernels, ProgramHost host, CancellationToken cancellation)
+    public RunInputs(Func<IReadOnlyList<string>> kernels, CameraFile? camera, ProgramHost host, CancellationToken cancellation)
     {
+        _camera = camera;
         _end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
         _log = host.Log;
         _cacheFolder = CacheFolder.Of(host);
@@ -38,17 +43,29 @@ internal sealed class RunInputs : IDisposable
     public Task<IReadOnlyList<InputFile>> Kernels { get; }
 
     /// <summary>Begins with the elevation model.</summary>
-    public void Begin(LdemSet model)
+    /// <param name="model">The model.</param>
+    /// <param name="maps">The maps of the surface, whose checksums are known.</param>
+    public void Begin(LdemSet model, IReadOnlyList<InputFile> maps)
     {
+        _maps = maps;
         CancellationToken end = _end.Token;
         _model = Task.Run(() => OfModel(model, end), end);
     }
 
-    /// <summary>All files: those of the elevation model first. Waits until their checksums are known.</summary>
+    /// <summary>
+    /// All files: the elevation model, the kernels, the maps and the camera file. Waits until their checksums are known.
+    /// </summary>
     /// <exception cref="MsisfException">A file can't be read.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled.</exception>
     public IReadOnlyList<InputFile> All() =>
-        [.. _model?.GetAwaiter().GetResult() ?? throw new InvalidOperationException("no model yet"), .. Kernels.GetAwaiter().GetResult()];
+    [
+        .. _model?.GetAwaiter().GetResult() ?? throw new InvalidOperationException("no model yet"),
+        .. Kernels.GetAwaiter().GetResult(),
+        .. _maps,
+        .. _camera is { } camera
+            ? [new InputFile(InputKind.Camera, Path.GetFileName(camera.Path), camera.Bytes, camera.Sha256)]
+            : (InputFile[])[],
+    ];
 
     /// <summary>Ends what is still going on; its result is not needed.</summary>
     public void Dispose()

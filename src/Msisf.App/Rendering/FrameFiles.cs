@@ -86,7 +86,8 @@ internal sealed class FrameFiles
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);
         int level = int.Log2(_model.Grid.PixelsPerDegree / rendered.PixelsPerDegree);
-        LayerProvenance provenance = new(_model.Grid.ProductId, rendered.PixelsPerDegree, level, metadata.RendererName);
+        LayerProvenance provenance = new(
+            _model.Grid.ProductId, rendered.PixelsPerDegree, level, metadata.RendererName, _settings.Albedo.Band);
         if (_settings.Native.LayersFormat == LayersFormat.Npy)
         {
             return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, cancellation);

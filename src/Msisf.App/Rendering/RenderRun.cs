@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Albedo;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
@@ -46,12 +47,14 @@ internal sealed class RenderRun
         using EphemerisSource ephemeris = new(_settings, _host);
 
         // The checksums take long and are needed late, so they are started first.
-        using RunInputs inputs = new(() => _settings.IgnoreSun ? [] : ephemeris.KernelFiles(), _host, cancellation);
+        using RunInputs inputs = new(
+            () => _settings.IgnoreSun ? [] : ephemeris.KernelFiles(), _settings.Camera, _host, cancellation);
         Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay
             ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
             : null;
         using PreparedRun run = PreparedRun.Of(camera, _settings, ephemeris, _host, cancellation);
-        inputs.Begin(run.Model.Set);
+        using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(_settings, _host));
+        inputs.Begin(run.Model.Set, maps.Files);
         RequireParts();
         _times.Measure(Phase.Preview, () => RunNotes.Write(camera, run.Frames, run.Model.Grid, _host.Log, cancellation));
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
@@ -62,13 +65,14 @@ internal sealed class RenderRun
             run.Names,
             RunIdentity.Of(
                 _host.Version,
-                FrameArguments.OfSettings(_settings, sun?.Choice),
+                FrameArguments.OfSettings(_settings, sun?.Choice, maps.Files.FirstOrDefault(file => file.Kind == InputKind.AlbedoMap)),
                 run.Model.Fingerprint(),
                 sun?.Engine.EngineName,
                 kernels,
-                version),
+                version,
+                maps.Files),
             camera as OrbitSettings));
-        return await RenderAsync(run, plan, inputs, cancellation).ConfigureAwait(false);
+        return await RenderAsync(run, plan, inputs, maps, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
@@ -89,7 +93,7 @@ internal sealed class RenderRun
         PovOptions.Program.Concerned(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
-        PreparedRun run, RunPlan plan, RunInputs inputs, CancellationToken cancellation)
+        PreparedRun run, RunPlan plan, RunInputs inputs, SurfaceInputs maps, CancellationToken cancellation)
     {
         IReadOnlyList<Frame> frames = run.Frames;
         CreateFolder(_settings.OutputFolder);
@@ -104,8 +108,8 @@ internal sealed class RenderRun
         InputComparison comparison = new(_host.Log);
         FrameFiles files = new(_settings, run.Model, inputs, comparison, ledger, _times);
         using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native
-            ? Native(run.Model, files)
-            : PovRay(run.Model, files, atOnce);
+            ? Native(run.Model, maps, files)
+            : PovRay(run.Model, maps.Albedo, files, atOnce);
         using FrameTimes frameTimes = new(_settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
@@ -149,18 +153,19 @@ internal sealed class RenderRun
             state == FrameState.Complete ? new FrameOutputs(ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true) : null)];
     }
 
-    private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files, int processes)
+    private PovRayFrameRenderer PovRay(ElevationModel model, OpenedAlbedoMap? map, FrameFiles files, int processes)
     {
         PovRayProcess povRay = new(FindPovRay());
         ScenePatterns patterns = new(
             new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
-        return new PovRayFrameRenderer(_settings, model, patterns, povRay, processes, files, _times);
+        PovAlbedo? albedo = map is null ? null : new PovAlbedo(map, patterns.Folder);
+        return new PovRayFrameRenderer(_settings, model, patterns, povRay, albedo, processes, files, _times);
     }
 
-    private NativeFrameRenderer Native(ElevationModel model, FrameFiles files)
+    private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files)
     {
         NativeLevels levels = new(model.Grid, () => model.Levels, _settings.LevelOfDetailError);
-        return new NativeFrameRenderer(_settings.Native, model.Grid, levels, files, _times);
+        return new NativeFrameRenderer(_settings.Native, model.Grid, maps, levels, files, _times);
     }
 
     private static void CreateFolder(string folder) => OutputOptions.Folder.Concerned(

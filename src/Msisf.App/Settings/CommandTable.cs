@@ -13,8 +13,8 @@ internal static class CommandTable
 
     private static OptionGroup[] OfRender =>
     [
-        CameraOptions.Group, ImageOptions.Group, LightOptions.Group, SurfaceOptions.Group, OutputOptions.Group, RendererOptions.Group,
-        NativeOptions.Group, PovOptions.Group, RunOptions.Group,
+        CameraOptions.Group, ImageOptions.Group, LightOptions.Group, SurfaceOptions.Group, AlbedoOptions.Group, OutputOptions.Group,
+        RendererOptions.Group, NativeOptions.Group, PovOptions.Group, RunOptions.Group,
     ];
 
     /// <summary>All options of a run.</summary>
@@ -132,6 +132,15 @@ internal static class CommandTable
         Commands = [ConfigShow],
     };
 
+    /// <summary>msis cameras.</summary>
+    public static CommandSpec Cameras { get; } = new("cameras", "List the presets of --camera.")
+    {
+        Details =
+            "A line for each preset (name, width and height in px, horizontal field of view in degrees, what it is; separated by tabs). "
+                + "Their files are in the folder cameras; docs/cameras.md says what a camera file holds.",
+        MakeGroups = () => [OnlyHelp],
+    };
+
     /// <summary>msis completion.</summary>
     public static CommandSpec Completion { get; } = new("completion", "Print a script that completes commands, options and values.")
     {
@@ -184,7 +193,7 @@ internal static class CommandTable
                 Options = [.. RunOptions.Group.Options, DryRunOptions.DryRun, DryRunOptions.Format, RunOptions.Help, RunOptions.Version],
             }
         ],
-        Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Config, Completion, Man, Help],
+        Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Cameras, Config, Completion, Man, Help],
     };
 
     /// <summary>All commands, each with the words by which it is called, e.g. "ldem pyramid"; none for the render command.</summary>

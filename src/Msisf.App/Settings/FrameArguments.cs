@@ -1,7 +1,9 @@
 using System.Globalization;
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Metadata;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Settings;
@@ -16,13 +18,12 @@ internal static class FrameArguments
     /// <summary>The arguments of the settings, without the state.</summary>
     /// <param name="settings">Settings of the run.</param>
     /// <param name="engine">The ephemeris engine for the Sun's position; null if none is used.</param>
-    public static string OfSettings(RenderSettings settings, EphemerisChoice? engine)
+    /// <param name="map">The map of the Moon's reflectance; null if none is used.</param>
+    public static string OfSettings(RenderSettings settings, EphemerisChoice? engine, InputFile? map = null)
     {
         List<string> words =
         [
-            ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),
-            ImageOptions.Width.Name, Text(settings.Width),
-            ImageOptions.Height.Name, Text(settings.Height),
+            .. OfImage(settings),
             OutputOptions.GridHorizontal.Name, Text(settings.GridHorizontal),
             OutputOptions.GridVertical.Name, Text(settings.GridVertical),
             .. OutputOptions.Surface.Words(settings.Surface),
@@ -41,6 +42,7 @@ internal static class FrameArguments
         }
 
         words.AddRange(RendererOptions.Renderer.Words(settings.Renderer));
+        words.AddRange(OfAlbedo(settings, map));
         if (settings.Renderer == RendererKind.Native)
         {
             words.AddRange(OfNative(settings.Native));
@@ -59,9 +61,52 @@ internal static class FrameArguments
     public static string Of(SpacecraftState state, string settings) =>
         $"{CameraOptions.FixedState.Name} '{{{string.Join(',', state.ToNumbers().Select(NumberSpec.TextOf))}}}' {settings}";
 
+    /// <summary>
+    /// The map with its properties, and the band where a map, the law or the radiance depends on it. A frame without a map says so if an
+    /// installed one would be used.
+    /// </summary>
+    private static List<string> OfAlbedo(RenderSettings settings, InputFile? map)
+    {
+        bool isMoon = settings.Renderer == RendererKind.Native && settings.Native.ReflectanceText == ReflectanceFactory.DefaultLaw;
+        bool hasRadiance = settings.Renderer == RendererKind.Native
+            && settings.Native.Layers?.Layers.Any(layer => layer.Name == "radiance") == true;
+        List<string> words = [];
+        if (map is not null)
+        {
+            words.AddRange([AlbedoOptions.Map.Name, Quoted(map.Name), AlbedoOptions.Checksum.Name, map.Sha256]);
+            if (settings.Albedo.Properties.ToString() is { Length: > 0 } properties)
+            {
+                words.AddRange([AlbedoOptions.Properties.Name, properties]);
+            }
+        }
+        else if (isMoon)
+        {
+            words.AddRange([AlbedoOptions.Map.Name, AlbedoOptions.NoMap]);
+        }
+
+        if (map is not null || isMoon || hasRadiance)
+        {
+            words.AddRange(AlbedoOptions.Band.Words(settings.Albedo.Band.Nanometres));
+        }
+
+        return words;
+    }
+
+    private static IEnumerable<string> OfImage(RenderSettings settings) => settings.Camera is { } camera
+        ? [ImageOptions.Camera.Name, Quoted(CameraChoice.TextOf(camera))]
+        :
+        [
+            ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),
+            ImageOptions.Width.Name, Text(settings.Width),
+            ImageOptions.Height.Name, Text(settings.Height),
+        ];
+
+    private static string Quoted(string text) => text.Contains(' ', StringComparison.Ordinal) ? $"'{text}'" : text;
+
     private static IEnumerable<string> OfNative(NativeSettings native) =>
     [
         NativeOptions.Reflectance.Name, native.ReflectanceText,
+        .. native.HapkeMap is { } hapkeMap ? (string[])[NativeOptions.HapkeMap.Name, Quoted(Path.GetFileName(hapkeMap))] : [],
         .. native.Albedo is double albedo ? (string[])[NativeOptions.Albedo.Name, NumberSpec.TextOf(albedo)] : [],
         .. NativeOptions.Sun.Words(native.Render.Sun),
         NativeOptions.Samples.Name, Text(native.Render.SubsamplesPerAxis * native.Render.SubsamplesPerAxis),

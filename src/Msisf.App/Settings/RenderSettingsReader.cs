@@ -1,3 +1,4 @@
+using Msisf.Adapters.Camera;
 using Msisf.Adapters.Render;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
@@ -19,17 +20,22 @@ internal static class RenderSettingsReader
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
         RendererKind renderer = RendererOptions.Renderer.Read(values);
+        RendererOptions.Check(values);
+        AlbedoSettings albedo = AlbedoOptions.Read(values);
+        CameraFile? camera = CameraChoice.Read(values);
         RenderSettings settings = new()
         {
-            FieldOfViewDegrees = ImageOptions.FieldOfView.Read(values),
-            Width = ImageOptions.Width.Read(values),
-            Height = ImageOptions.Height.Read(values),
+            Camera = camera,
+            FieldOfViewDegrees = camera?.FieldOfViewDegrees ?? ImageOptions.FieldOfView.Read(values),
+            Width = camera?.Model.Width ?? ImageOptions.Width.Read(values),
+            Height = camera?.Model.Height ?? ImageOptions.Height.Read(values),
             GridHorizontal = OutputOptions.GridHorizontal.ReadIfGiven(values) ?? grid,
             GridVertical = OutputOptions.GridVertical.ReadIfGiven(values) ?? grid,
             Surface = surface,
             PixelsPerDegree = SurfaceOptions.Resolution.Read(values),
             Renderer = renderer,
-            Native = NativeSettingsReader.Read(values, needsTruth: surface == PixelSurface.Terrain),
+            Native = NativeSettingsReader.Read(values, albedo, needsTruth: surface == PixelSurface.Terrain),
+            Albedo = albedo,
             LevelOfDetailError = LevelOfDetailError(values, renderer),
             IgnoreSun = LightOptions.IgnoreSun.Read(values),
             Annotate = OutputOptions.Annotation.Read(values),
@@ -53,7 +59,6 @@ internal static class RenderSettingsReader
             ListPatterns = PovOptions.ListPatterns.Read(values),
             Timing = RunOptions.Timing.Read(values),
         };
-        RendererOptions.Check(values);
         return settings;
     }
 

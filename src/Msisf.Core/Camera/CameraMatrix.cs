@@ -1,3 +1,4 @@
+using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Camera;
@@ -8,7 +9,7 @@ namespace Msisf.Core.Camera;
 /// </summary>
 /// <param name="Width">Image width, px.</param>
 /// <param name="Height">Image height, px.</param>
-/// <param name="FocalLength">f, px; pixels are square.</param>
+/// <param name="FocalLength">f, px, along rows.</param>
 /// <param name="PrincipalX">cx, px: where the optical axis meets the image.</param>
 /// <param name="PrincipalY">cy, px.</param>
 /// <param name="Rotation">R: turns MOON_ME vectors into camera axes.</param>
@@ -16,9 +17,18 @@ namespace Msisf.Core.Camera;
 public sealed record CameraMatrix(
     int Width, int Height, double FocalLength, double PrincipalX, double PrincipalY, RotationMatrix Rotation, Vector3D Translation)
 {
+    /// <summary>f along columns, px; equal to the one along rows where pixels are square.</summary>
+    public double FocalLengthDown { get; init; } = FocalLength;
+
+    /// <summary>px: the element of K's first row and second column.</summary>
+    public double Skew { get; init; }
+
+    /// <summary>The distortion of the lens, applied before K; null for a pinhole.</summary>
+    public Distortion? Distortion { get; init; }
+
     /// <summary>The three rows of K.</summary>
     public IReadOnlyList<Vector3D> IntrinsicRows =>
-        [new(FocalLength, 0.0, PrincipalX), new(0.0, FocalLength, PrincipalY), Vector3D.UnitZ];
+        [new(FocalLength, Skew, PrincipalX), new(0.0, FocalLengthDown, PrincipalY), Vector3D.UnitZ];
 
     /// <summary>The three rows of R.</summary>
     public IReadOnlyList<Vector3D> RotationRows => [Rotation.Row0, Rotation.Row1, Rotation.Row2];
@@ -28,6 +38,19 @@ public sealed record CameraMatrix(
     {
         UnitQuaternion moonFromCamera = camera.MoonFromCamera;
         RotationMatrix rotation = new(moonFromCamera * Vector3D.UnitY, moonFromCamera * -Vector3D.UnitZ, camera.ForwardMoonMe);
+        Vector3D translation = default(Vector3D) - (rotation * camera.PositionMoonMe); // no negative zeros
+        if (!camera.Model.IsThesis)
+        {
+            CameraModel model = camera.Model;
+            return new CameraMatrix(
+                model.Width, model.Height, model.FocalX, model.PrincipalX - 1.0, model.PrincipalY - 1.0, rotation, translation)
+            {
+                FocalLengthDown = model.FocalY,
+                Skew = model.Skew,
+                Distortion = model.Distortion,
+            };
+        }
+
         return new CameraMatrix(
             camera.Width,
             camera.Height,
@@ -35,6 +58,6 @@ public sealed record CameraMatrix(
             (camera.Width - 1) / 2.0,
             (camera.Height - 1) / 2.0,
             rotation,
-            default(Vector3D) - (rotation * camera.PositionMoonMe)); // no negative zeros
+            translation);
     }
 }

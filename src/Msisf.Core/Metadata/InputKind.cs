@@ -11,4 +11,13 @@ public enum InputKind
 
     /// <summary>A SPICE kernel.</summary>
     Kernel,
+
+    /// <summary>A map of the Moon's reflectance.</summary>
+    AlbedoMap,
+
+    /// <summary>A map of Hapke's parameters.</summary>
+    HapkeMap,
+
+    /// <summary>A camera file.</summary>
+    Camera,
 }

@@ -332,7 +332,7 @@ public sealed class SeriesTests : IDisposable
     private string[] Arguments(string folder) =>
     [
         "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.005]", "--renderer",
-        "native",
+        "native", "--reflectance", "lambert",
         "--width", "24", "--height", "16", "--grid", "8", "--ephemeris", "builtin", "--output-dir",
         _folder[folder], "--batch",
     ];

@@ -1,5 +1,6 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Settings.Config;
 
@@ -45,8 +46,14 @@ internal sealed class ConfigRules
             rules.LeaveOut(PatternsOptions.DefaultsFile);
         }
 
-        if (rules.Effective(NativeOptions.Reflectance) is { } law && law.StartsWith("hapke:", StringComparison.OrdinalIgnoreCase)
-            && law.Contains("w=", StringComparison.OrdinalIgnoreCase))
+        string law = rules.Effective(NativeOptions.Reflectance) ?? ReflectanceFactory.DefaultLaw;
+        if (law.ToLowerInvariant() is "moon" or "nac"
+            || (law.StartsWith("hapke:", StringComparison.OrdinalIgnoreCase) && law.Contains("w=", StringComparison.OrdinalIgnoreCase)))
+        {
+            rules.LeaveOut(NativeOptions.Albedo);
+        }
+
+        if (rules.Effective(AlbedoOptions.Map) is { } map && Path.GetFileName(map) != AlbedoOptions.NoMap)
         {
             rules.LeaveOut(NativeOptions.Albedo);
         }

@@ -8,14 +8,16 @@ internal sealed class BandWorker
     private readonly ProjectedBlock _block = new();
     private readonly CellSieve _sieve = new();
     private readonly NearPlaneCells _crossing = new();
+    private readonly List<VisibleBlock> _touching = [];
+    private double[] _sampleColumns = [];
+    private double[] _sampleRows = [];
 
     /// <summary>Draws all blocks that touch a band and returns how much work that was.</summary>
     public VisibilityCounts Draw(SurfaceModel surface, ImageView view, List<VisibleBlock> blocks, Band band)
     {
         long read = 0;
         long sieved = 0;
-        _sieve.Begin(view);
-        _crossing.Begin(view);
+        Begin(view);
         foreach (VisibleBlock visible in blocks)
         {
             if (visible.Rows.First > band.LastRow || visible.Rows.End <= band.FirstRow)
@@ -23,11 +25,69 @@ internal sealed class BandWorker
                 continue;
             }
 
-            _block.Load(surface, visible.Block, view);
+            _block.Read(surface, visible.Block, view);
             read++;
-            sieved += _block.IsInFront ? _sieve.Draw(_block, band) : _crossing.DrawAll(_block, band);
+            sieved += DrawBlock<PixelCentres>(view, band);
         }
 
         return new VisibilityCounts(0, read, sieved, band.RecordCount);
+    }
+
+    /// <summary>Draws all blocks that touch a band of an image with a lens, each tile by tile.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="view">The projection without the lens.</param>
+    /// <param name="lens">The samples of the image.</param>
+    /// <param name="index">Index of the band.</param>
+    /// <param name="blocks">The blocks that the image may show.</param>
+    /// <param name="band">The band.</param>
+    public VisibilityCounts Draw(
+        SurfaceModel surface, ImageView view, LensSamples lens, int index, List<VisibleBlock> blocks, Band band)
+    {
+        _touching.Clear();
+        double width = 0.0;
+        foreach (VisibleBlock visible in blocks)
+        {
+            if (visible.Tangents.Meets(lens.TangentsOf(index)))
+            {
+                _touching.Add(visible);
+                width += Math.Sqrt(Math.Max(0.0, visible.Tangents.Area));
+            }
+        }
+
+        // One division for the whole band: a sample must see both sides of an edge in the same plane.
+        double cell = width * view.PixelsPerTangent / (_touching.Count * CellBlock.Size);
+        IReadOnlyList<LensTile> tiles = lens.TilesOf(index, cell);
+        band.Place(tiles, lens, ref _sampleColumns, ref _sampleRows);
+        ImageView[] views = [.. tiles.Select(tile => new ImageView(view.Camera, view.OffsetX, view.OffsetY, lens, tile))];
+        Begin(view);
+        long sieved = 0;
+        foreach (VisibleBlock visible in _touching)
+        {
+            _block.Read(surface, visible.Block, view);
+            for (int tile = 0; tile < views.Length; tile++)
+            {
+                if (visible.Tangents.Meets(tiles[tile].Tangents))
+                {
+                    band.Narrow(tiles[tile]);
+                    _crossing.Begin(views[tile]);
+                    sieved += DrawBlock<AnySamples>(views[tile], band);
+                }
+            }
+        }
+
+        return new VisibilityCounts(0, _touching.Count, sieved, band.RecordCount);
+    }
+
+    private void Begin(ImageView view)
+    {
+        _sieve.Begin(view);
+        _crossing.Begin(view);
+    }
+
+    private long DrawBlock<TSamples>(ImageView view, Band band)
+        where TSamples : struct, ISampleKind
+    {
+        _block.Project(view);
+        return _block.IsInFront ? _sieve.Draw<TSamples>(_block, band) : _crossing.DrawAll<TSamples>(_block, band);
     }
 }

@@ -9,10 +9,14 @@ namespace Msisf.Core.Render.Visibility;
 /// </summary>
 internal sealed class VisibilityPass
 {
+    /// <summary>Samples of lenses that are kept, of 16 bytes each: nine for each pixel of an image of 1024 x 1024 px.</summary>
+    private const long MaxLensSamples = 10_000_000;
+
     private readonly SurfaceModel _surface;
     private readonly BlockCuller _culler;
     private readonly VisibleSurface _result = new();
     private readonly List<BandWorker> _workers = [];
+    private readonly List<LensSamples> _lenses = [];
 
     /// <param name="surface">The surface; blocks are read when they are first needed.</param>
     public VisibilityPass(SurfaceModel surface)
@@ -32,9 +36,10 @@ internal sealed class VisibilityPass
     /// <exception cref="Errors.BadInputException">The elevation model holds what can't be right.</exception>
     public VisibleSurface Run(PinholeCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
     {
-        ImageView view = new(camera, offsetX, offsetY);
+        LensSamples? lens = LensOf(camera, offsetX, offsetY, threads, cancellation);
+        ImageView view = new(camera, offsetX, offsetY, lens);
         List<VisibleBlock> blocks = _culler.Find(view, threads, cancellation);
-        _result.Begin(view);
+        _result.Begin(view, lens);
         while (_workers.Count < threads)
         {
             _workers.Add(new BandWorker());
@@ -44,9 +49,36 @@ internal sealed class VisibilityPass
         WorkerTeam.Run(
             threads,
             counts.Length,
-            (worker, band) => counts[band] = _workers[worker].Draw(_surface, view, blocks, _result.BeginBand(band)),
+            (worker, band) => counts[band] = lens is null
+                ? _workers[worker].Draw(_surface, view, blocks, _result.BeginBand(band))
+                : _workers[worker].Draw(_surface, view, lens, band, blocks, _result.BeginBand(band)),
             cancellation);
         _result.End(counts.Aggregate(new VisibilityCounts(blocks.Count, 0, 0, 0), (sum, next) => sum + next));
         return _result;
+    }
+
+    /// <summary>The samples of a camera with a lens; as many as <see cref="MaxLensSamples"/> are kept from frame to frame.</summary>
+    private LensSamples? LensOf(PinholeCamera camera, double offsetX, double offsetY, int threads, CancellationToken cancellation)
+    {
+        if (camera.Model.Lens is null)
+        {
+            return null;
+        }
+
+        LensSamples? lens = _lenses.Find(samples => samples.IsOf(camera.Model, offsetX, offsetY));
+        if (lens is null)
+        {
+            // The last one is computed again for each further offset, so that the memory is bounded.
+            bool isRoom = (long)camera.Width * camera.Height * (_lenses.Count + 1) <= MaxLensSamples;
+            if (_lenses.Count == 0 || isRoom)
+            {
+                _lenses.Add(new LensSamples());
+            }
+
+            lens = _lenses[^1];
+            lens.Prepare(camera.Model, offsetX, offsetY, threads, cancellation);
+        }
+
+        return lens;
     }
 }
