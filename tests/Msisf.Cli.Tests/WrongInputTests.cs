@@ -33,6 +33,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("--batch", 1, "nothing says where the camera is")]
     [InlineData("--width", 1, "--width")]
     [InlineData($"{Fixed} --width 5 --width 6", 1, "--width is given 2 times. Give it once. See msis --help.")]
+    [InlineData("--times=55289 --times=55290 --times=55291", 1, "--times is given 3 times. Give it once, and quote a value in braces")]
     [InlineData($"{Fixed} --fixed-state {{55289,2E6,2E6,0,0,0,0,1}}", 1, "--fixed-state is given 2 times")]
     [InlineData("--batch patterns --res 4", 1, "--batch stands before the command patterns")]
     [InlineData("@missing.rsp", 1, "missing.rsp")]

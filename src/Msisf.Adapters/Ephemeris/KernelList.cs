@@ -40,6 +40,16 @@ public static class KernelList
         return kernels.Count > 0 ? kernels : throw new BadInputException("No kernel is named. Name a meta-kernel with --kernels.");
     }
 
+    /// <summary>Requires that a file is a meta-kernel: no single kernel has Sun, Moon and time together.</summary>
+    /// <param name="file">The file that the user names.</param>
+    /// <returns>The same file.</returns>
+    /// <exception cref="BadInputException">It is missing, or none.</exception>
+    public static string RequireMetaKernel(string file) => IsMetaKernel(Existing(Path.GetFullPath(file), ""))
+        ? file
+        : throw new BadInputException(
+            $"{file}: one kernel is not enough. Name a meta-kernel: a text file that begins with {MetaKernelIdWord} and names all "
+                + $"kernels in {Kernels}, as kernels/msisf.tm does (kernels/README.md).");
+
     private static bool IsMetaKernel(string path) =>
         path.EndsWith(".tm", StringComparison.OrdinalIgnoreCase)
         || KernelFile.IdWordOf(path) == MetaKernelIdWord;

@@ -14,7 +14,8 @@ internal sealed class EphemerisSource : IDisposable
 
     public EphemerisSource(RenderSettings settings, ProgramHost host) => (_settings, _host) = (settings, host);
 
-    private string[] KernelNames => [_settings.Kernels ?? _host.Installation.MetaKernel];
+    private string[] KernelNames =>
+        [_settings.Kernels is { } kernels ? KernelList.RequireMetaKernel(kernels) : _host.Installation.MetaKernel];
 
     /// <summary>The opened engine; null if it was not needed yet.</summary>
     public OpenedEphemeris? Opened { get; private set; }

@@ -53,7 +53,8 @@ internal static class StrayOptions
     /// <param name="line">The parsed command line, which may have errors.</param>
     public static string? Repeated(ParseResult line) =>
         OptionsOf(line.CommandResult).FirstOrDefault(option => option.IdentifierTokenCount > 1) is { } repeated
-            ? $"{repeated.Option.Name} is given {repeated.IdentifierTokenCount} times. Give it once."
+            ? $"{repeated.Option.Name} is given {repeated.IdentifierTokenCount} times. Give it once"
+                + (repeated.IdentifierTokenCount > 2 ? ", and quote a value in braces: the shell may have taken it apart." : ".")
             : null;
 
     private static bool IsNoValue(string word) =>

@@ -78,6 +78,17 @@ public sealed class KernelListTests : IDisposable
         StringComparison.Ordinal);
 
     [Fact]
+    public void RequireMetaKernel_OneKernelAlone_SaysThatAMetaKernelIsNeeded()
+    {
+        string meta = Path.Combine(TestParts.Kernels, "msisf.tm");
+        Assert.Equal(meta, KernelList.RequireMetaKernel(meta));
+        Assert.Contains(
+            "de421.bsp: one kernel is not enough. Name a meta-kernel",
+            Assert.Throws<BadInputException>(() => KernelList.RequireMetaKernel(Path.Combine(TestParts.Kernels, "de421.bsp"))).Message,
+            StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Expand_NothingNamed_SaysSo() =>
         Assert.Contains(
             "No kernel is named", Assert.Throws<BadInputException>(() => KernelList.Expand([])).Message, StringComparison.Ordinal);
