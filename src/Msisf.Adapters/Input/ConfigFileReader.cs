@@ -6,8 +6,9 @@ using YamlDotNet.Core.Events;
 namespace Msisf.Adapters.Input;
 
 /// <summary>
-/// Reads configuration files: one YAML map from keys to values or lists of values. Everything else in YAML (maps in maps, anchors, aliases,
-/// tags, several documents) is refused. No other class names YamlDotNet, so that it is loaded only when there is a file to read.
+/// Reads configuration files: one YAML map from keys to values or lists of values; in files that have sections also to such maps. Everything
+/// else in YAML (anchors, aliases, tags, several documents) is refused. No other class names YamlDotNet, so that it is loaded only when there
+/// is a file to read.
 /// </summary>
 public sealed class ConfigFileReader
 {
@@ -18,20 +19,23 @@ public sealed class ConfigFileReader
 
     private readonly IParser _parser;
     private readonly string _fileName;
+    private readonly bool _hasSections;
 
-    private ConfigFileReader(IParser parser, string fileName) => (_parser, _fileName) = (parser, fileName);
+    private ConfigFileReader(IParser parser, string fileName, bool hasSections) =>
+        (_parser, _fileName, _hasSections) = (parser, fileName, hasSections);
 
     /// <summary>Reads all entries.</summary>
     /// <param name="stream">UTF-8, with or without byte order mark; any line ends.</param>
     /// <param name="fileName">For messages.</param>
+    /// <param name="hasSections">Whether a key may have keys below it.</param>
     /// <returns>In the order of the file; no key is there twice.</returns>
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
-    public static IReadOnlyList<ConfigEntry> Read(Stream stream, string fileName)
+    public static IReadOnlyList<ConfigEntry> Read(Stream stream, string fileName, bool hasSections = false)
     {
         Parser parser = new(new StringReader(TextOf(stream, fileName)));
         try
         {
-            return new ConfigFileReader(parser, fileName).ReadDocument();
+            return new ConfigFileReader(parser, fileName, hasSections).ReadDocument();
         }
         catch (YamlException exception)
         {
@@ -105,13 +109,17 @@ public sealed class ConfigFileReader
             throw Wrong(root, "a line 'key: value' is needed");
         }
 
+        return ReadEntries(start, _hasSections);
+    }
+
+    private IReadOnlyList<ConfigEntry> ReadEntries(MappingStart start, bool maySection)
+    {
         RefuseProperties(start);
         Dictionary<string, ConfigEntry> entries = new(StringComparer.Ordinal);
         while (!_parser.TryConsume<MappingEnd>(out _))
         {
             Scalar key = ReadScalar("a key is a single word");
-            (List<string> values, bool isList) = ReadValues(key.Value);
-            ConfigEntry entry = new(key.Value, values, isList, (int)key.Start.Line, (int)key.Start.Column);
+            ConfigEntry entry = ReadEntry(key, maySection);
             if (!entries.TryAdd(entry.Key, entry))
             {
                 throw Wrong(key, $"{NumberText.Shown(entry.Key)} is there already, in line {entries[entry.Key].Line}. Leave one out");
@@ -119,6 +127,18 @@ public sealed class ConfigFileReader
         }
 
         return [.. entries.Values];
+    }
+
+    private ConfigEntry ReadEntry(Scalar key, bool maySection)
+    {
+        (int line, int column) = ((int)key.Start.Line, (int)key.Start.Column);
+        if (maySection && _parser.TryConsume<MappingStart>(out MappingStart? section))
+        {
+            return new ConfigEntry(key.Value, [], IsList: false, line, column, ReadEntries(section, maySection: false));
+        }
+
+        (List<string> values, bool isList) = ReadValues(key.Value);
+        return new ConfigEntry(key.Value, values, isList, line, column);
     }
 
     private (List<string> Values, bool IsList) ReadValues(string key)

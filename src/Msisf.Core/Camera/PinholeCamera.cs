@@ -1,18 +1,17 @@
-using System.Globalization;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Camera;
 
 /// <summary>
-/// The perspective camera of thesis section 8.2, as POV-Ray sees it. Camera axes: it looks along -x, y is to the right,
-/// z is up; the user's quaternion turns camera axes into Moon axes (chapter 7; docs/deviations.md, row 7).
+/// The perspective camera of thesis section 8.2, as POV-Ray sees it, or one with a principal point and a lens of its own. Camera axes: it
+/// looks along -x, y is to the right, z is up; the user's quaternion turns camera axes into Moon axes (chapter 7; docs/deviations.md, row 7).
 /// </summary>
 public sealed class PinholeCamera
 {
     private readonly double _imagePlaneDistance;
 
-    /// <summary>Places the camera.</summary>
+    /// <summary>Places the camera of the thesis.</summary>
     /// <param name="positionMoonMe">Focal point, m, MOON_ME.</param>
     /// <param name="moonFromCamera">Orientation.</param>
     /// <param name="fieldOfView">Horizontal field of view, rad, from <see cref="Tolerances.MinFieldOfView"/> to below pi.</param>
@@ -22,45 +21,65 @@ public sealed class PinholeCamera
     /// <exception cref="ArgumentOutOfRangeException">A size is below 1.</exception>
     /// <exception cref="ArgumentException">The orientation is <c>default</c>, which is no rotation.</exception>
     public PinholeCamera(Vector3D positionMoonMe, UnitQuaternion moonFromCamera, double fieldOfView, int width, int height)
+        : this(positionMoonMe, moonFromCamera, CameraModel.FromFieldOfView(fieldOfView, width, height))
     {
-        if (!(fieldOfView >= Tolerances.MinFieldOfView && fieldOfView < Math.PI))
-        {
-            throw new BadInputException(
-                $"The field of view is {Degrees(fieldOfView)} degrees; it must lie between {Degrees(Tolerances.MinFieldOfView)} and 180 "
-                    + $"degrees.");
-        }
+    }
 
+    /// <summary>Places a camera.</summary>
+    /// <param name="positionMoonMe">Focal point, m, MOON_ME.</param>
+    /// <param name="moonFromCamera">Orientation.</param>
+    /// <param name="model">Size, focal length, principal point and distortion.</param>
+    /// <exception cref="BadInputException">The position's length is not finite.</exception>
+    /// <exception cref="ArgumentException">The orientation is <c>default</c>, which is no rotation.</exception>
+    public PinholeCamera(Vector3D positionMoonMe, UnitQuaternion moonFromCamera, CameraModel model)
+    {
         if (!double.IsFinite(positionMoonMe.Length))
         {
             throw new BadInputException($"The camera position {positionMoonMe} m is not finite, or farther away than numbers reach.");
         }
-
-        ArgumentOutOfRangeException.ThrowIfLessThan(width, 1);
-        ArgumentOutOfRangeException.ThrowIfLessThan(height, 1);
 
         if (moonFromCamera == default)
         {
             throw new ArgumentException("The default quaternion is no rotation.", nameof(moonFromCamera));
         }
 
+        Model = model;
         PositionMoonMe = positionMoonMe;
         MoonFromCamera = moonFromCamera;
-        FieldOfView = fieldOfView;
-        Width = width;
-        Height = height;
-
-        double aspect = (double)width / height;
         ForwardMoonMe = moonFromCamera * -Vector3D.UnitX;
-        Right = aspect * (moonFromCamera * Vector3D.UnitY);
-        Up = moonFromCamera * Vector3D.UnitZ;
-        _imagePlaneDistance = aspect / 2.0 / Math.Tan(fieldOfView / 2.0);
-        Direction = _imagePlaneDistance * ForwardMoonMe;
+        UnitRight = moonFromCamera * Vector3D.UnitY;
+        UnitUp = moonFromCamera * Vector3D.UnitZ;
+        if (model.IsThesis)
+        {
+            double aspect = (double)Width / Height;
+            Right = aspect * UnitRight;
+            Up = UnitUp;
+            _imagePlaneDistance = aspect / 2.0 / Math.Tan(FieldOfView / 2.0);
+            Direction = _imagePlaneDistance * ForwardMoonMe;
 
-        double right = Math.Tan(fieldOfView / 2.0);
-        PixelTangent = 2.0 * right / width;
-        double up = 0.5 * height * PixelTangent;
-        Footprint = new PixelFootprint(positionMoonMe, ForwardMoonMe, PixelTangent, 1.0 / Math.Sqrt(1.0 + (right * right) + (up * up)));
+            double right = Math.Tan(FieldOfView / 2.0);
+            PixelTangent = 2.0 * right / Width;
+            double up = 0.5 * Height * PixelTangent;
+            Footprint = new PixelFootprint(
+                positionMoonMe, ForwardMoonMe, PixelTangent, 1.0 / Math.Sqrt(1.0 + (right * right) + (up * up)));
+            return;
+        }
+
+        // The axes of POV-Ray for a pinhole of any kind: up again has the length of the image's height, but for the skew.
+        _imagePlaneDistance = model.FocalY / Height;
+        double shear = model.Skew / model.FocalX;
+        double middleDown = ((0.5 * (1.0 + Height)) - model.PrincipalY) / model.FocalY;
+        double middleRight = (((0.5 * (1.0 + Width)) - model.PrincipalX) / model.FocalX) - (shear * middleDown);
+        Right = _imagePlaneDistance * Width / model.FocalX * UnitRight;
+        Up = UnitUp + (shear * UnitRight);
+        Direction = _imagePlaneDistance * (ForwardMoonMe + (middleRight * UnitRight) - (middleDown * UnitUp));
+        PixelTangent = model.MinPixelTangent();
+        double border = model.BorderTangent();
+        Footprint = new PixelFootprint(positionMoonMe, ForwardMoonMe, PixelTangent, 1.0 / Math.Sqrt(1.0 + (border * border)));
     }
+
+    /// <summary>Size, focal length, principal point and distortion.</summary>
+    public CameraModel Model { get; }
 
     /// <summary>Focal point, m, MOON_ME.</summary>
     public Vector3D PositionMoonMe { get; }
@@ -69,27 +88,49 @@ public sealed class PinholeCamera
     public UnitQuaternion MoonFromCamera { get; }
 
     /// <summary>Horizontal field of view, rad.</summary>
-    public double FieldOfView { get; }
+    public double FieldOfView => Model.FieldOfView;
 
     /// <summary>Image width, px.</summary>
-    public int Width { get; }
+    public int Width => Model.Width;
 
     /// <summary>Image height, px.</summary>
-    public int Height { get; }
+    public int Height => Model.Height;
 
     /// <summary>Viewing direction of length 1, MOON_ME.</summary>
     public Vector3D ForwardMoonMe { get; }
 
-    /// <summary>POV-Ray's direction vector, MOON_ME, length aspect / (2 tan(fov / 2)) (thesis eq. 8.10).</summary>
+    /// <summary>To the right in the image along its rows, MOON_ME, length 1, perpendicular to the viewing direction.</summary>
+    public Vector3D UnitRight { get; }
+
+    /// <summary>Up, MOON_ME, length 1, perpendicular to the viewing direction and to the right.</summary>
+    public Vector3D UnitUp { get; }
+
+    /// <summary>
+    /// POV-Ray's direction vector, MOON_ME: of the thesis's camera the viewing direction with length aspect / (2 tan(fov / 2)) (thesis eq.
+    /// 8.10), of others towards the middle of the image without distortion.
+    /// </summary>
     public Vector3D Direction { get; }
 
-    /// <summary>POV-Ray's right vector, MOON_ME, length width / height (thesis eq. 8.8).</summary>
+    /// <summary>POV-Ray's right vector, MOON_ME: the image's width without distortion; of the thesis's camera of length width / height (eq.
+    /// 8.8).</summary>
     public Vector3D Right { get; }
 
-    /// <summary>POV-Ray's up vector, MOON_ME, length 1 (thesis eq. 8.11).</summary>
+    /// <summary>POV-Ray's up vector, MOON_ME: the image's height without distortion; of the thesis's camera of length 1 (eq. 8.11).</summary>
     public Vector3D Up { get; }
 
-    /// <summary>Tangent of the angle of a pixel in the middle of the image; pixels are square.</summary>
+    /// <summary>Component of each ray's direction along the viewing direction.</summary>
+    public double ImagePlaneDistance => _imagePlaneDistance;
+
+    /// <summary>Direction of the ray along the optical axis, as <see cref="RayThrough"/> has it for a camera with a lens.</summary>
+    internal Vector3D LensAxis => _imagePlaneDistance * ForwardMoonMe;
+
+    /// <summary>Change of the direction of a ray with the tangent to the right, for a camera with a lens.</summary>
+    internal Vector3D LensRight => _imagePlaneDistance * UnitRight;
+
+    /// <summary>Change of the direction of a ray with the tangent down, for a camera with a lens.</summary>
+    internal Vector3D LensDown => -_imagePlaneDistance * UnitUp;
+
+    /// <summary>Tangent of the angle of a pixel in the middle of the image, or of the smallest pixel if they differ.</summary>
     public double PixelTangent { get; }
 
     /// <summary>The width that the pixels cover at a distance.</summary>
@@ -102,6 +143,12 @@ public sealed class PinholeCamera
     /// <param name="y">Rendering coordinate.</param>
     public Ray RayThrough(double x, double y)
     {
+        if (Model.Lens is not null)
+        {
+            (double idealRight, double idealDown) = Model.ToIdeal(x, y);
+            return new Ray(PositionMoonMe, LensAxis + (idealRight * LensRight) + (idealDown * LensDown));
+        }
+
         double up = (1.0 + Height - (2.0 * y)) / (2.0 * Height);
         double right = ((2.0 * x) - 1.0 - Width) / (2.0 * Width);
         return new Ray(PositionMoonMe, Direction + (up * Up) + (right * Right));
@@ -118,6 +165,11 @@ public sealed class PinholeCamera
     public bool TryProject(Vector3D directionMoonMe, out RenderingPoint point)
     {
         Vector3D inCamera = MoonFromCamera.Conjugate * directionMoonMe;
+        if (!Model.IsThesis)
+        {
+            point = default;
+            return -inCamera.X > 0.0 && Model.TryToImage(inCamera.Y / -inCamera.X, inCamera.Z / inCamera.X, out point);
+        }
 
         // One unit of the image plane is Height px in both directions: Right spans aspect units and Width px.
         double scale = Height * _imagePlaneDistance / -inCamera.X;
@@ -128,6 +180,18 @@ public sealed class PinholeCamera
         return isInFront;
     }
 
-    private static string Degrees(double angle) =>
-        double.RadiansToDegrees(angle).ToString("R", CultureInfo.InvariantCulture);
+    /// <summary>How a direction in the image plane of a pinhole appears in the image.</summary>
+    /// <param name="lineOfSightMoonMe">The line of sight through the point, forward.</param>
+    /// <param name="right">Component to the right.</param>
+    /// <param name="down">Component down.</param>
+    internal (double Right, double Down) DirectionInImage(Vector3D lineOfSightMoonMe, double right, double down)
+    {
+        if (Model.IsThesis)
+        {
+            return (right, down);
+        }
+
+        Vector3D inCamera = MoonFromCamera.Conjugate * lineOfSightMoonMe;
+        return Model.DirectionInImage((inCamera.Y / -inCamera.X, inCamera.Z / inCamera.X), right, down);
+    }
 }

@@ -5,7 +5,12 @@ namespace Msisf.Core.Camera;
 /// <summary>The space that an image, or some of its rows, shows: a four-sided cone from the camera, widened by a margin.</summary>
 internal sealed class ViewFrustum
 {
+    /// <summary>Widens the tangents of a box: more than their rounding.</summary>
+    private const double TangentRounding = 1e-12;
+
     private readonly Vector3D _forward;
+    private readonly Vector3D _unitRight;
+    private readonly Vector3D _unitUp;
     private readonly Vector3D _down;
     private readonly Vector3D[] _inward;
     private readonly Vector3D[] _edges;
@@ -13,42 +18,65 @@ internal sealed class ViewFrustum
     private readonly double _forwardRow;
     private readonly double _margin;
 
-    /// <param name="camera">The camera.</param>
+    /// <param name="camera">The camera, without a lens.</param>
     /// <param name="margin">px beyond the border of the image on each side.</param>
     /// <param name="rows">The rows that are shown; null for the whole image.</param>
     /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
     /// <param name="offsetY">px down, added to each pixel's centre.</param>
     public ViewFrustum(PinholeCamera camera, double margin, PixelRows? rows = null, double offsetX = 0.0, double offsetY = 0.0)
+        : this(camera, BorderOf(camera, margin, rows ?? new PixelRows(0, camera.Height), offsetX, offsetY))
+    {
+        _rows = rows ?? new PixelRows(0, camera.Height);
+        _margin = margin;
+        if (camera.Model.IsThesis)
+        {
+            _down = -1.0 / camera.PixelTangent * UnitUp(camera);
+            _forwardRow = (0.5 * (camera.Height - 1)) - offsetY;
+        }
+        else
+        {
+            _down = -camera.Model.FocalY * camera.UnitUp;
+            _forwardRow = camera.Model.PrincipalY - 1.0 - offsetY;
+        }
+    }
+
+    private ViewFrustum(PinholeCamera camera, (double Left, double Right, double Top, double Bottom) border)
     {
         CameraMoonMe = camera.PositionMoonMe;
         _forward = camera.ForwardMoonMe;
-        _rows = rows ?? new PixelRows(0, camera.Height);
-        _margin = margin;
-        double pixel = camera.PixelTangent;
-        double left = ((0.5 * camera.Width) - offsetX + margin) * pixel;
-        double right = ((0.5 * camera.Width) + offsetX + margin) * pixel;
-        double top = ((0.5 * camera.Height) - offsetY + margin - _rows.First) * pixel;
-        double bottom = ((0.5 * camera.Height) - offsetY - margin - _rows.End) * pixel;
-        Vector3D unitRight = camera.Right.Normalized();
-        Vector3D unitUp = camera.Up.Normalized();
-        _down = -1.0 / pixel * unitUp;
-        _forwardRow = (0.5 * (camera.Height - 1)) - offsetY;
+        _rows = new PixelRows(0, camera.Height);
+        (double left, double right, double top, double bottom) = border;
+        _unitRight = UnitRight(camera);
+        _unitUp = UnitUp(camera);
         _inward =
         [
-            ((left * _forward) + unitRight).Normalized(),
-            ((right * _forward) - unitRight).Normalized(),
-            (unitUp - (bottom * _forward)).Normalized(),
-            ((top * _forward) - unitUp).Normalized(),
+            ((left * _forward) + _unitRight).Normalized(),
+            ((right * _forward) - _unitRight).Normalized(),
+            (_unitUp - (bottom * _forward)).Normalized(),
+            ((top * _forward) - _unitUp).Normalized(),
         ];
         _edges =
         [
-            _forward + (right * unitRight) + (top * unitUp),
-            _forward + (right * unitRight) + (bottom * unitUp),
-            _forward - (left * unitRight) + (top * unitUp),
-            _forward - (left * unitRight) + (bottom * unitUp),
+            _forward + (right * _unitRight) + (top * _unitUp),
+            _forward + (right * _unitRight) + (bottom * _unitUp),
+            _forward - (left * _unitRight) + (top * _unitUp),
+            _forward - (left * _unitRight) + (bottom * _unitUp),
         ];
-        Middle = (_forward + (0.5 * (right - left) * unitRight) + (0.5 * (top + bottom) * unitUp)).Normalized();
+        Middle = (_forward + (0.5 * (right - left) * _unitRight) + (0.5 * (top + bottom) * _unitUp)).Normalized();
     }
+
+    /// <summary>The frustum around the samples of a camera with a lens.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="tangents">The samples lie in this part of the ideal image plane.</param>
+    public static ViewFrustum Of(PinholeCamera camera, in TangentBox tangents)
+    {
+        double margin = camera.PixelTangent;
+        return new ViewFrustum(
+            camera, (margin - tangents.Left, tangents.Right + margin, margin - tangents.Top, -tangents.Bottom - margin)) { IsOfLens = true };
+    }
+
+    /// <summary>Whether the frustum is that of a camera with a lens, so that rows of the image say nothing about it.</summary>
+    public bool IsOfLens { get; private init; }
 
     /// <summary>Where the rays come from, m, MOON_ME.</summary>
     public Vector3D CameraMoonMe { get; }
@@ -126,6 +154,29 @@ internal sealed class ViewFrustum
         return rows.First < rows.End;
     }
 
+    /// <summary>The part of the ideal image plane in which a box may be seen; everything for a box that is not wholly in front.</summary>
+    public TangentBox TangentsOf(in OrientedBox box)
+    {
+        Vector3D centre = box.Centre - CameraMoonMe;
+        if (Vector3D.Dot(_forward, centre) - box.ReachAlong(_forward) <= 0.0)
+        {
+            return TangentBox.Everything;
+        }
+
+        TangentBox tangents = TangentBox.Nothing;
+        for (int corner = 0; corner < 8; corner++)
+        {
+            Vector3D at = centre + ((corner & 1) == 0 ? -box.HalfX : box.HalfX) + ((corner & 2) == 0 ? -box.HalfY : box.HalfY)
+                + ((corner & 4) == 0 ? -box.HalfZ : box.HalfZ);
+            double perDepth = 1.0 / Vector3D.Dot(_forward, at);
+            tangents = tangents.With(perDepth * Vector3D.Dot(_unitRight, at), -perDepth * Vector3D.Dot(_unitUp, at));
+        }
+
+        double rounding = TangentRounding * (1.0 + tangents.Right - tangents.Left + tangents.Bottom - tangents.Top);
+        return new TangentBox(
+            tangents.Left - rounding, tangents.Top - rounding, tangents.Right + rounding, tangents.Bottom + rounding);
+    }
+
     /// <summary>Cuts off the part of a polygon that is outside.</summary>
     /// <param name="polygon">Corners, m, MOON_ME; convex. Replaced by the corners of the part inside; there can be four more.</param>
     /// <param name="count">Corners before; after: 0 if nothing is inside.</param>
@@ -185,4 +236,34 @@ internal sealed class ViewFrustum
     }
 
     private (double Down, double Depth) Project(Vector3D vector) => (Vector3D.Dot(_down, vector), Vector3D.Dot(_forward, vector));
+
+    private static Vector3D UnitRight(PinholeCamera camera) => camera.Model.IsThesis ? camera.Right.Normalized() : camera.UnitRight;
+
+    private static Vector3D UnitUp(PinholeCamera camera) => camera.Model.IsThesis ? camera.Up.Normalized() : camera.UnitUp;
+
+    /// <summary>Tangents to the borders of some rows of a pinhole's image: to the left, to the right, and two upwards.</summary>
+    private static (double Left, double Right, double Top, double Bottom) BorderOf(
+        PinholeCamera camera, double margin, PixelRows rows, double offsetX, double offsetY)
+    {
+        if (camera.Model.IsThesis)
+        {
+            double pixel = camera.PixelTangent;
+            return (
+                ((0.5 * camera.Width) - offsetX + margin) * pixel,
+                ((0.5 * camera.Width) + offsetX + margin) * pixel,
+                ((0.5 * camera.Height) - offsetY + margin - rows.First) * pixel,
+                ((0.5 * camera.Height) - offsetY - margin - rows.End) * pixel);
+        }
+
+        (double left, double right) = (0.5 - margin + offsetX, camera.Width + 0.5 + margin + offsetX);
+        (double top, double bottom) = (rows.First + 0.5 - margin + offsetY, rows.End + 0.5 + margin + offsetY);
+        TangentBox box = TangentBox.Nothing;
+        foreach ((double x, double y) in (ReadOnlySpan<(double, double)>)[(left, top), (right, top), (left, bottom), (right, bottom)])
+        {
+            (double ofRight, double ofDown) = camera.Model.ToIdeal(x, y);
+            box = box.With(ofRight, ofDown);
+        }
+
+        return (-box.Left, box.Right, -box.Top, -box.Bottom);
+    }
 }

@@ -42,8 +42,13 @@ public static class IlluminationDirection
         Vector3D planeNormal = camera.MoonFromCamera.Conjugate * Vector3D.Cross(lineOfSight, alongGround);
         double right = -planeNormal.Z;
         double down = -planeNormal.Y;
-        return double.Hypot(right, down) < Tolerances.IlluminationDirectionSine
-            ? null
-            : AngleReduction.ToFullTurn(Math.Atan2(right, down));
+        if (double.Hypot(right, down) < Tolerances.IlluminationDirectionSine)
+        {
+            return null;
+        }
+
+        // A lens turns the direction as it turns a short line at the point.
+        (right, down) = camera.DirectionInImage(lineOfSightMoonMe, right, down);
+        return AngleReduction.ToFullTurn(Math.Atan2(right, down));
     }
 }

@@ -33,6 +33,20 @@ internal sealed class Band
     /// <summary>The band's last row in the image, counted from 0.</summary>
     public int LastRow { get; private set; }
 
+    /// <summary>The pixels that are being drawn: the whole band, or a tile of it.</summary>
+    public PixelRange Window { get; private set; }
+
+    /// <summary>
+    /// Column of each pixel's sample in the plane that is drawn in; empty for a pinhole, whose samples are the pixels' centres.
+    /// </summary>
+    public double[] SampleColumns { get; private set; } = [];
+
+    /// <summary>Row of each pixel's sample; ordered like <see cref="SampleColumns"/>.</summary>
+    public double[] SampleRows { get; private set; } = [];
+
+    /// <summary>px: maximum distance of a sample from its pixel's centre along columns or rows; 0 for a pinhole.</summary>
+    public double Margin { get; private set; }
+
     /// <summary>1/m: the inverse depth of each pixel's nearest point; 0 where no facet has been drawn.</summary>
     public double[] InverseDepths { get; private set; } = [];
 
@@ -53,6 +67,9 @@ internal sealed class Band
         LastRow = firstRow + rows - 1;
         Stride = width + Padding;
         RecordCount = 0;
+        Window = new PixelRange(0, width - 1, firstRow, LastRow);
+        SampleColumns = SampleRows = [];
+        Margin = 0.0;
         int size = Stride * rows;
         if (InverseDepths.Length < size)
         {
@@ -62,6 +79,37 @@ internal sealed class Band
         else
         {
             InverseDepths.AsSpan(0, size).Clear();
+        }
+    }
+
+    /// <summary>Goes on with one tile of an image with a lens.</summary>
+    /// <param name="tile">The tile.</param>
+    /// <param name="lens">The samples of the image.</param>
+    /// <param name="columns">Memory for the columns of the samples; replaced if it is too small.</param>
+    /// <param name="rows">Memory for their rows.</param>
+    public void Narrow(LensTile tile, LensSamples lens, ref double[] columns, ref double[] rows)
+    {
+        int size = Stride * (LastRow - FirstRow + 1);
+        if (columns.Length < size)
+        {
+            columns = new double[size];
+            rows = new double[size];
+        }
+
+        Window = tile.Pixels;
+        Margin = tile.Margin;
+        (SampleColumns, SampleRows) = (columns, rows);
+        int width = Window.LastColumn - Window.FirstColumn + 1;
+        for (int row = Window.FirstRow; row <= Window.LastRow; row++)
+        {
+            int start = ((row - FirstRow) * Stride) + Window.FirstColumn;
+            ReadOnlySpan<double> right = lens.Right.AsSpan((row * Width) + Window.FirstColumn, width);
+            ReadOnlySpan<double> down = lens.Down.AsSpan((row * Width) + Window.FirstColumn, width);
+            for (int i = 0; i < width; i++)
+            {
+                columns[start + i] = tile.Map.Column(right[i], down[i]);
+                rows[start + i] = tile.Map.Row(right[i], down[i]);
+            }
         }
     }
 

@@ -126,7 +126,7 @@ internal sealed class BlockCuller
             return null;
         }
 
-        return new VisibleBlock(block, rows);
+        return new VisibleBlock(block, rows, frustum.IsOfLens ? frustum.TangentsOf(box.Box) : default);
     }
 
     private BadInputException OutsideLimits(CellBlock block, NodeBounds bounds)

@@ -18,17 +18,19 @@ internal static class CellFill
     /// <param name="halves">Bits of <see cref="FacetCorners"/> for those of the cell's two halves that are facets.</param>
     /// <param name="band">The band into which to draw.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public static void Draw(ProjectedBlock block, int index, uint halves, Band band)
+    public static void Draw<TSamples>(ProjectedBlock block, int index, uint halves, Band band)
+        where TSamples : struct, ISampleKind
     {
         CellCorner northWest = new(block, index);
         CellCorner northEast = new(block, index + FacetCorners.NorthEast);
         CellCorner southWest = new(block, index + FacetCorners.SouthWest);
         CellCorner southEast = new(block, index + FacetCorners.SouthEast);
+        double margin = TSamples.IsPixelCentre ? 0.0 : band.Margin;
         PixelRange pixels = PixelRange.Within(
-            Math.Min(Math.Min(northWest.X, northEast.X), Math.Min(southWest.X, southEast.X)),
-            Math.Max(Math.Max(northWest.X, northEast.X), Math.Max(southWest.X, southEast.X)),
-            Math.Min(Math.Min(northWest.Y, northEast.Y), Math.Min(southWest.Y, southEast.Y)),
-            Math.Max(Math.Max(northWest.Y, northEast.Y), Math.Max(southWest.Y, southEast.Y)),
+            Math.Min(Math.Min(northWest.X, northEast.X), Math.Min(southWest.X, southEast.X)) - margin,
+            Math.Max(Math.Max(northWest.X, northEast.X), Math.Max(southWest.X, southEast.X)) + margin,
+            Math.Min(Math.Min(northWest.Y, northEast.Y), Math.Min(southWest.Y, southEast.Y)) - margin,
+            Math.Max(Math.Max(northWest.Y, northEast.Y), Math.Max(southWest.Y, southEast.Y)) + margin,
             band);
         if (pixels.IsEmpty)
         {
@@ -49,7 +51,7 @@ internal static class CellFill
         int northEastNumber = Band.NotRecorded;
         for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
         {
-            (double first, double last) = sides.At(row);
+            (double first, double last) = TSamples.IsPixelCentre ? sides.At(row) : sides.Within(row, margin);
             int begin = (int)Math.Max(pixels.FirstColumn, Math.Ceiling(first));
             int end = (int)Math.Min(pixels.LastColumn, last);
             if (begin > end)
@@ -69,10 +71,24 @@ internal static class CellFill
             for (int column = begin; column <= end; column += Lanes)
             {
                 Vector512<double> columns = Vector512.Create((double)column) + Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
-                Vector512<double> acrossNorthWest = Vector512.Create(northWest.X) - columns;
-                Vector512<double> acrossNorthEast = Vector512.Create(northEast.X) - columns;
-                Vector512<double> acrossSouthWest = Vector512.Create(southWest.X) - columns;
-                Vector512<double> acrossSouthEast = Vector512.Create(southEast.X) - columns;
+                Vector512<double> samples = columns;
+                if (!TSamples.IsPixelCentre)
+                {
+                    int sample = start + column;
+                    samples = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(band.SampleColumns), (nuint)sample);
+                    Vector512<double> rows = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(band.SampleRows), (nuint)sample);
+                    downNorthWest = Vector512.Create(northWest.Y) - rows;
+                    downNorthEast = Vector512.Create(northEast.Y) - rows;
+                    downSouthWest = Vector512.Create(southWest.Y) - rows;
+                    downSouthEast = Vector512.Create(southEast.Y) - rows;
+                    southWestStart = southWestPlane.AtColumn0(rows);
+                    northEastStart = northEastPlane.AtColumn0(rows);
+                }
+
+                Vector512<double> acrossNorthWest = Vector512.Create(northWest.X) - samples;
+                Vector512<double> acrossNorthEast = Vector512.Create(northEast.X) - samples;
+                Vector512<double> acrossSouthWest = Vector512.Create(southWest.X) - samples;
+                Vector512<double> acrossSouthEast = Vector512.Create(southEast.X) - samples;
                 CellEdges edges = new(
                     acrossNorthWest, downNorthWest, acrossNorthEast, downNorthEast, acrossSouthWest, downSouthWest, acrossSouthEast,
                     downSouthEast);
@@ -80,8 +96,8 @@ internal static class CellFill
                 Vector512<double> inNorthEast = northEastMask & Vector512.LessThanOrEqual(edges.MaxOfNorthEast, Vector512<double>.Zero);
                 Vector512<double> inverseDepth = Vector512.ConditionalSelect(
                     inSouthWest,
-                    southWestStart + (Vector512.Create(southWestPlane.PerColumn) * columns),
-                    northEastStart + (Vector512.Create(northEastPlane.PerColumn) * columns));
+                    southWestStart + (Vector512.Create(southWestPlane.PerColumn) * samples),
+                    northEastStart + (Vector512.Create(northEastPlane.PerColumn) * samples));
                 inverseDepth = Vector512.MinNative(Vector512.MaxNative(inverseDepth, min), max);
                 Vector512<double> before = Vector512.LoadUnsafe(ref nearest, (nuint)column);
                 Vector512<double> wins = (inSouthWest | inNorthEast)
@@ -135,5 +151,8 @@ internal static class CellFill
         public double PerColumn { get; }
 
         public double AtColumn0(double row) => _a.InverseDepth + (_perRow * (row - _a.Y)) - (PerColumn * _a.X);
+
+        public Vector512<double> AtColumn0(Vector512<double> rows) =>
+            Vector512.Create(_a.InverseDepth) + (_perRow * (rows - Vector512.Create(_a.Y))) - Vector512.Create(PerColumn * _a.X);
     }
 }

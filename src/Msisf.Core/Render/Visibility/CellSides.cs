@@ -27,6 +27,20 @@ internal readonly struct CellSides
         _perRow = (Vector512.Create(c.X, d.X, b.X, a.X, d.X, d.X, d.X, d.X) - _x) / (_otherY - _y);
     }
 
+    /// <summary>Returns columns outside of which no sample lies in the cell, for samples near a row.</summary>
+    /// <param name="row">The row.</param>
+    /// <param name="margin">px: maximum distance of a sample from the row, and from the column of its pixel.</param>
+    public (double First, double Last) Within(double row, double margin)
+    {
+        (double aboveFirst, double aboveLast) = At(row - margin);
+        (double belowFirst, double belowLast) = At(row + margin);
+        Vector512<double> isBetween = Vector512.LessThanOrEqual(Vector512.Abs(_y - Vector512.Create(row)), Vector512.Create(margin));
+        Vector512<double> low = Vector512.ConditionalSelect(isBetween, _x, Vector512.Create(double.PositiveInfinity));
+        Vector512<double> high = Vector512.ConditionalSelect(isBetween, _x, Vector512.Create(double.NegativeInfinity));
+        (double first, double last) = Ends(low, high);
+        return (Math.Min(Math.Min(aboveFirst, belowFirst), first) - margin, Math.Max(Math.Max(aboveLast, belowLast), last) + margin);
+    }
+
     /// <summary>
     /// Returns columns outside of which no pixel of the row lies in the cell. A side parallel to the row adds no crossing: its end points
     /// are also ends of the neighbouring sides.
@@ -41,6 +55,12 @@ internal readonly struct CellSides
             & Vector512.Equals(crossing, crossing);
         Vector512<double> low = Vector512.ConditionalSelect(isCrossed, crossing, Vector512.Create(double.PositiveInfinity));
         Vector512<double> high = Vector512.ConditionalSelect(isCrossed, crossing, Vector512.Create(double.NegativeInfinity));
+        return Ends(low, high);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static (double First, double Last) Ends(Vector512<double> low, Vector512<double> high)
+    {
         Vector256<double> low4 = Vector256.MinNative(low.GetLower(), low.GetUpper());
         Vector256<double> high4 = Vector256.MaxNative(high.GetLower(), high.GetUpper());
         Vector128<double> low2 = Vector128.MinNative(low4.GetLower(), low4.GetUpper());

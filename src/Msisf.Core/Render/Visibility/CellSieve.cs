@@ -27,6 +27,8 @@ internal sealed class CellSieve
 
     private readonly double[] _inverseDepths = new double[Lanes];
     private readonly double[] _pixels = new double[Lanes];
+    private readonly double[] _sampleColumns = new double[Lanes];
+    private readonly double[] _sampleRows = new double[Lanes];
     private readonly int[] _numbers = new int[2 * Lanes];
     private double _turnedArea;
 
@@ -35,13 +37,15 @@ internal sealed class CellSieve
 
     /// <summary>Draws the cells of a block that is in front of the camera and returns the number of cells that were tested.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
-    public long Draw(ProjectedBlock block, Band band)
+    public long Draw<TSamples>(ProjectedBlock block, Band band)
+        where TSamples : struct, ISampleKind
     {
+        double margin = TSamples.IsPixelCentre ? 0.0 : band.Margin;
         int samples = block.Vertices.Samples - 1;
         long sieved = 0;
         for (int line = 0; line < block.Vertices.Lines - 1; line++)
         {
-            if (!block.Touches(line, band.FirstRow, band.LastRow))
+            if (!block.Touches(line, band.Window.FirstRow - margin, band.Window.LastRow + margin))
             {
                 continue;
             }
@@ -51,7 +55,7 @@ internal sealed class CellSieve
             for (int sample = 0; sample < samples; sample += Lanes)
             {
                 uint lanes = samples - sample >= Lanes ? 0xffu : (1u << (samples - sample)) - 1;
-                DrawEight(block, (line * ProjectedBlock.Stride) + sample, lanes, halves, band);
+                DrawEight<TSamples>(block, (line * ProjectedBlock.Stride) + sample, lanes, halves, band);
             }
         }
 
@@ -59,17 +63,28 @@ internal sealed class CellSieve
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void DrawEight(ProjectedBlock block, int index, uint lanes, uint halves, Band band)
+    private void DrawEight<TSamples>(ProjectedBlock block, int index, uint lanes, uint halves, Band band)
+        where TSamples : struct, ISampleKind
     {
         EightCells cells = new(block, index);
         Vector512<double> left = cells.Left;
         Vector512<double> right = cells.Right;
         Vector512<double> top = cells.Top;
         Vector512<double> bottom = cells.Bottom;
-        Vector512<double> firstColumn = Vector512.MaxNative(Vector512.Ceiling(left), Vector512<double>.Zero);
-        Vector512<double> lastColumn = Vector512.MinNative(Vector512.Floor(right), Vector512.Create(band.Width - 1.0));
-        Vector512<double> firstRow = Vector512.MaxNative(Vector512.Ceiling(top), Vector512.Create((double)band.FirstRow));
-        Vector512<double> lastRow = Vector512.MinNative(Vector512.Floor(bottom), Vector512.Create((double)band.LastRow));
+        if (!TSamples.IsPixelCentre)
+        {
+            Vector512<double> margin = Vector512.Create(band.Margin);
+            left -= margin;
+            right += margin;
+            top -= margin;
+            bottom += margin;
+        }
+
+        PixelRange window = band.Window;
+        Vector512<double> firstColumn = Vector512.MaxNative(Vector512.Ceiling(left), Vector512.Create((double)window.FirstColumn));
+        Vector512<double> lastColumn = Vector512.MinNative(Vector512.Floor(right), Vector512.Create((double)window.LastColumn));
+        Vector512<double> firstRow = Vector512.MaxNative(Vector512.Ceiling(top), Vector512.Create((double)window.FirstRow));
+        Vector512<double> lastRow = Vector512.MinNative(Vector512.Floor(bottom), Vector512.Create((double)window.LastRow));
         Vector512<double> southWestArea = cells.SouthWestArea;
         Vector512<double> northEastArea = cells.NorthEastArea;
         lanes &= Bits(Vector512.LessThanOrEqual(firstColumn, lastColumn)
@@ -87,13 +102,13 @@ internal sealed class CellSieve
         {
             Vector512.Create(Band.NotRecorded).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_numbers));
             bool isOverfull = (rows & Bits(Vector512.GreaterThan(lastColumn - firstColumn, Vector512<double>.One))) != 0;
-            ShearedBounds box = isOverfull ? ShearedBounds.Along(cells) : ShearedBounds.Upright(left, right);
+            ShearedBounds box = isOverfull ? ShearedBounds.Along(cells, band.Margin) : ShearedBounds.Upright(left, right);
             for (Vector512<double> row = firstRow; rows != 0;)
             {
                 (Vector512<double> begin, Vector512<double> end) = box.At(row);
                 begin = Vector512.MaxNative(firstColumn, Vector512.Ceiling(begin));
                 end = Vector512.MinNative(lastColumn, end);
-                TestRow(block, cells, index, row, begin, end, rows, halves, band);
+                TestRow<TSamples>(block, cells, index, row, begin, end, rows, halves, band);
                 row += Vector512<double>.One;
                 rows &= Bits(Vector512.LessThanOrEqual(row, lastRow));
             }
@@ -101,7 +116,7 @@ internal sealed class CellSieve
 
         for (; wide != 0; wide &= wide - 1)
         {
-            CellFill.Draw(block, index + BitOperations.TrailingZeroCount(wide), halves, band);
+            CellFill.Draw<TSamples>(block, index + BitOperations.TrailingZeroCount(wide), halves, band);
         }
     }
 
@@ -109,7 +124,7 @@ internal sealed class CellSieve
     /// Tests each cell against the pixels of one row, from its first to its last column; each cell has its own row and columns.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void TestRow(
+    private void TestRow<TSamples>(
         ProjectedBlock block,
         EightCells cells,
         int index,
@@ -119,6 +134,7 @@ internal sealed class CellSieve
         uint rows,
         uint halves,
         Band band)
+        where TSamples : struct, ISampleKind
     {
         Vector512<double> southWestMask = MaskOf(halves & FacetCorners.SouthWestHalf);
         Vector512<double> northEastMask = MaskOf(halves & FacetCorners.NorthEastHalf);
@@ -129,10 +145,22 @@ internal sealed class CellSieve
         uint active = rows & Bits(Vector512.LessThanOrEqual(column, end));
         while (active != 0)
         {
-            Vector512<double> acrossNorthWest = cells.X(0) - column;
-            Vector512<double> acrossNorthEast = cells.X(FacetCorners.NorthEast) - column;
-            Vector512<double> acrossSouthWest = cells.X(FacetCorners.SouthWest) - column;
-            Vector512<double> acrossSouthEast = cells.X(FacetCorners.SouthEast) - column;
+            Vector512<double> sample = column;
+            if (!TSamples.IsPixelCentre)
+            {
+                GatherSamples(PixelsOf(row, column, band), active, band);
+                sample = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(_sampleColumns));
+                Vector512<double> sampleRow = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(_sampleRows));
+                downNorthWest = cells.Y(0) - sampleRow;
+                downNorthEast = cells.Y(FacetCorners.NorthEast) - sampleRow;
+                downSouthWest = cells.Y(FacetCorners.SouthWest) - sampleRow;
+                downSouthEast = cells.Y(FacetCorners.SouthEast) - sampleRow;
+            }
+
+            Vector512<double> acrossNorthWest = cells.X(0) - sample;
+            Vector512<double> acrossNorthEast = cells.X(FacetCorners.NorthEast) - sample;
+            Vector512<double> acrossSouthWest = cells.X(FacetCorners.SouthWest) - sample;
+            Vector512<double> acrossSouthEast = cells.X(FacetCorners.SouthEast) - sample;
             CellEdges edges = new(
                 acrossNorthWest, downNorthWest, acrossNorthEast, downNorthEast, acrossSouthWest, downSouthWest, acrossSouthEast,
                 downSouthEast);
@@ -151,13 +179,41 @@ internal sealed class CellSieve
                     + (ofSouthEast * cells.InverseDepth(FacetCorners.SouthEast))
                     + (ofThird * atThird);
                 (weighted / (ofNorthWest + ofSouthEast + ofThird)).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_inverseDepths));
-                (((row - Vector512.Create((double)band.FirstRow)) * Vector512.Create((double)band.Stride)) + column)
-                    .StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_pixels));
+                if (TSamples.IsPixelCentre)
+                {
+                    PixelsOf(row, column, band).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_pixels));
+                }
+
                 Commit(block, index, hits, Bits(inSouthWest), band);
             }
 
             column += Vector512<double>.One;
             active &= Bits(Vector512.LessThanOrEqual(column, end));
+        }
+    }
+
+    /// <summary>Index of each lane's pixel in the band.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> PixelsOf(Vector512<double> row, Vector512<double> column, Band band) =>
+        ((row - Vector512.Create((double)band.FirstRow)) * Vector512.Create((double)band.Stride)) + column;
+
+    /// <summary>Reads where the samples of the active lanes' pixels lie.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void GatherSamples(Vector512<double> pixels, uint active, Band band)
+    {
+        pixels.StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_pixels));
+        ref double columns = ref MemoryMarshal.GetArrayDataReference(band.SampleColumns);
+        ref double rows = ref MemoryMarshal.GetArrayDataReference(band.SampleRows);
+        ref double ofPixels = ref MemoryMarshal.GetArrayDataReference(_pixels);
+        ref double sampleColumns = ref MemoryMarshal.GetArrayDataReference(_sampleColumns);
+        ref double sampleRows = ref MemoryMarshal.GetArrayDataReference(_sampleRows);
+        for (; active != 0; active &= active - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(active);
+            int pixel = (int)Unsafe.Add(ref ofPixels, lane);
+            Debug.Assert((uint)pixel < (uint)band.SampleRows.Length, "A pixel lies outside its band.");
+            Unsafe.Add(ref sampleColumns, lane) = Unsafe.Add(ref columns, pixel);
+            Unsafe.Add(ref sampleRows, lane) = Unsafe.Add(ref rows, pixel);
         }
     }
 

@@ -23,7 +23,7 @@ internal struct HomogeneousEdges
         _ca = new Edge(c, a, view);
     }
 
-    /// <summary>Sets the row for which <see cref="Outside"/> is computed.</summary>
+    /// <summary>Sets the row for which <see cref="Outside(Vector512{double})"/> is computed.</summary>
     public void MoveTo(double row)
     {
         _ab.MoveTo(row);
@@ -35,6 +35,10 @@ internal struct HomogeneousEdges
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector512<double> Outside(Vector512<double> columns) =>
         Vector512.MaxNative(_ab.At(columns), Vector512.MaxNative(_bc.At(columns), _ca.At(columns)));
+
+    /// <summary>Zero or negative for the points that lie in the facet or on its border.</summary>
+    public readonly Vector512<double> Outside(Vector512<double> columns, Vector512<double> rows) =>
+        Vector512.MaxNative(_ab.At(columns, rows), Vector512.MaxNative(_bc.At(columns, rows), _ca.At(columns, rows)));
 
     /// <summary>A facet's corner.</summary>
     /// <param name="FromCamera">Position relative to the camera, m, MOON_ME.</param>
@@ -78,5 +82,10 @@ internal struct HomogeneousEdges
         public readonly Vector512<double> At(Vector512<double> columns) => _isProjected
             ? ((Vector512.Create(_a.X) - columns) * _second) - ((Vector512.Create(_b.X) - columns) * _first)
             : _first + (_perColumn * columns);
+
+        public readonly Vector512<double> At(Vector512<double> columns, Vector512<double> rows) => _isProjected
+            ? ((Vector512.Create(_a.X) - columns) * (Vector512.Create(_b.Y) - rows))
+                - ((Vector512.Create(_b.X) - columns) * (Vector512.Create(_a.Y) - rows))
+            : Vector512.Create(_constant) + (_perRow * rows) + (_perColumn * columns);
     }
 }

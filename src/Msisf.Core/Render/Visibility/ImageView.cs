@@ -24,11 +24,16 @@ internal sealed class ImageView
     /// </summary>
     private const double FarDistance = 2.0 * MoonConstants.ReferenceRadius;
 
+    private readonly LensSamples? _lens;
+
     /// <param name="camera">The camera.</param>
     /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
     /// <param name="offsetY">px down.</param>
-    public ImageView(PinholeCamera camera, double offsetX, double offsetY)
+    /// <param name="lens">The samples of a camera with a lens; null for a pinhole.</param>
+    /// <param name="tile">The tile of the lens's image that is drawn; null for the whole image.</param>
+    public ImageView(PinholeCamera camera, double offsetX, double offsetY, LensSamples? lens = null, LensTile? tile = null)
     {
+        _lens = lens;
         Camera = camera;
         OffsetX = offsetX;
         OffsetY = offsetY;
@@ -37,18 +42,32 @@ internal sealed class ImageView
         Remainder = position - Origin;
         Anchor = position.Length < FarDistance ? Origin : default;
 
+        Forward = camera.ForwardMoonMe;
+        CoordinateLimit = Math.Max(MinCoordinateLimit, 4.0 * Math.Max(camera.Width, camera.Height));
+        if (!camera.Model.IsThesis)
+        {
+            ImagePlaneMap map = tile?.Map ?? ImagePlaneMap.Of(camera.Model, offsetX, offsetY);
+            Distance = camera.ImagePlaneDistance;
+            PixelsPerTangent = Math.Max(camera.Model.FocalX, camera.Model.FocalY);
+            Across = (map.ColumnPerRight * camera.UnitRight) - (map.ColumnPerDown * camera.UnitUp);
+            Down = (map.RowPerRight * camera.UnitRight) - (map.RowPerDown * camera.UnitUp);
+            (CentreX, CentreY) = (map.Column0, map.Row0);
+            FirstRay = RayAt(map, 0.0, 0.0);
+            RayPerColumn = RayAt(map, 1.0, 0.0) - FirstRay;
+            RayPerRow = RayAt(map, 0.0, 1.0) - FirstRay;
+            return;
+        }
+
         Distance = Vector3D.Dot(camera.Direction, camera.ForwardMoonMe);
         double aspect = (double)camera.Width / camera.Height;
         PixelsPerTangent = camera.Height * Distance;
         Across = (PixelsPerTangent / aspect) * camera.Right;
         Down = -PixelsPerTangent * camera.Up;
-        Forward = camera.ForwardMoonMe;
         CentreX = ((camera.Width - 1) / 2.0) - offsetX;
         CentreY = ((camera.Height - 1) / 2.0) - offsetY;
         FirstRay = camera.RayThrough(1.0 + offsetX, 1.0 + offsetY).Direction;
         RayPerColumn = camera.Right / camera.Width;
         RayPerRow = -camera.Up / camera.Height;
-        CoordinateLimit = Math.Max(MinCoordinateLimit, 4.0 * Math.Max(camera.Width, camera.Height));
     }
 
     /// <summary>The camera.</summary>
@@ -127,7 +146,15 @@ internal sealed class ImageView
     /// The view frustum of the image's samples. It is wider by half a pixel and by the rounding error of a projected direction (some 1e-16
     /// rad).
     /// </summary>
-    public ViewFrustum Frustum() => new(Camera, 0.5 + (PixelsPerTangent * 1e-14), null, OffsetX, OffsetY);
+    public ViewFrustum Frustum() => _lens is null
+        ? new ViewFrustum(Camera, 0.5 + (PixelsPerTangent * 1e-14), null, OffsetX, OffsetY)
+        : ViewFrustum.Of(Camera, _lens.Tangents);
+
+    private Vector3D RayAt(in ImagePlaneMap map, double column, double row)
+    {
+        (double right, double down) = map.Inverse(column, row);
+        return Distance * (Forward + (right * Camera.UnitRight) - (down * Camera.UnitUp));
+    }
 
     private static double OnLattice(double metres) => Math.Round(metres * LatticePoint.StepsPerMetre) / LatticePoint.StepsPerMetre;
 }

@@ -20,7 +20,8 @@ internal sealed class NearPlaneCells
     public void Begin(ImageView view) => _view = view;
 
     /// <summary>Draws the cells of any block one by one and returns the number of cells that were tested.</summary>
-    public long DrawAll(ProjectedBlock block, Band band)
+    public long DrawAll<TSamples>(ProjectedBlock block, Band band)
+        where TSamples : struct, ISampleKind
     {
         int lines = block.Vertices.Lines - 1;
         int samples = block.Vertices.Samples - 1;
@@ -29,31 +30,33 @@ internal sealed class NearPlaneCells
             uint halves = block.HalvesOf(line);
             for (int sample = 0; sample < samples; sample++)
             {
-                DrawCell(block, (line * ProjectedBlock.Stride) + sample, halves, band);
+                DrawCell<TSamples>(block, (line * ProjectedBlock.Stride) + sample, halves, band);
             }
         }
 
         return lines * samples;
     }
 
-    private void DrawCell(ProjectedBlock block, int index, uint halves, Band band)
+    private void DrawCell<TSamples>(ProjectedBlock block, int index, uint halves, Band band)
+        where TSamples : struct, ISampleKind
     {
         if (block.IsUsable(index, _view)
             && block.IsUsable(index + FacetCorners.NorthEast, _view)
             && block.IsUsable(index + FacetCorners.SouthWest, _view)
             && block.IsUsable(index + FacetCorners.SouthEast, _view))
         {
-            CellFill.Draw(block, index, halves, band);
+            CellFill.Draw<TSamples>(block, index, halves, band);
             return;
         }
 
         for (uint left = halves; left != 0; left &= left - 1)
         {
-            DrawFacet(block, index, BitOperations.TrailingZeroCount(left), band);
+            DrawFacet<TSamples>(block, index, BitOperations.TrailingZeroCount(left), band);
         }
     }
 
-    private void DrawFacet(ProjectedBlock block, int index, int half, Band band)
+    private void DrawFacet<TSamples>(ProjectedBlock block, int index, int half, Band band)
+        where TSamples : struct, ISampleKind
     {
         HomogeneousEdges.Corner a = Corner(block, index);
         HomogeneousEdges.Corner b = Corner(block, index + FacetCorners.Second(half));
@@ -69,17 +72,21 @@ internal sealed class NearPlaneCells
         if (!pixels.IsEmpty)
         {
             HomogeneousEdges edges = new(a, b, c, _view);
-            Fill(block, index, half, a.FromCamera, edges, pixels, band);
+            Fill<TSamples>(block, index, half, a.FromCamera, edges, pixels, band);
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void Fill(ProjectedBlock block, int index, int half, Vector3D corner, HomogeneousEdges edges, PixelRange pixels, Band band)
+    private void Fill<TSamples>(
+        ProjectedBlock block, int index, int half, Vector3D corner, HomogeneousEdges edges, PixelRange pixels, Band band)
+        where TSamples : struct, ISampleKind
     {
         // The inverse depth is linear in the image. It is above 0 at every pixel that passes the test of the edges.
         Vector3D normal = block.Record(index, half).Normal;
         double scale = 1.0 / (Vector3D.Dot(normal, corner) * _view.Distance);
         Vector512<double> perColumn = Vector512.Create(Vector3D.Dot(normal, _view.RayPerColumn) * scale);
+        Vector512<double> perRow = Vector512.Create(Vector3D.Dot(normal, _view.RayPerRow) * scale);
+        Vector512<double> atFirst = Vector512.Create(Vector3D.Dot(normal, _view.FirstRay) * scale);
         Vector512<double> lastColumn = Vector512.Create((double)pixels.LastColumn);
         int number = Band.NotRecorded;
         for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
@@ -92,8 +99,22 @@ internal sealed class NearPlaneCells
             {
                 Vector512<double> columns = Vector512.Create((double)column) + Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
                 Vector512<double> inverseDepth = atColumn0 + (perColumn * columns);
+                Vector512<double> outside;
+                if (TSamples.IsPixelCentre)
+                {
+                    outside = edges.Outside(columns);
+                }
+                else
+                {
+                    int sample = band.IndexOf(column, row);
+                    Vector512<double> sampleColumns = Vector512.LoadUnsafe(ref band.SampleColumns[sample]);
+                    Vector512<double> sampleRows = Vector512.LoadUnsafe(ref band.SampleRows[sample]);
+                    outside = edges.Outside(sampleColumns, sampleRows);
+                    inverseDepth = atFirst + (perColumn * sampleColumns) + (perRow * sampleRows);
+                }
+
                 Vector512<double> before = Vector512.LoadUnsafe(ref nearest[column]);
-                Vector512<double> wins = Vector512.LessThanOrEqual(edges.Outside(columns), Vector512<double>.Zero)
+                Vector512<double> wins = Vector512.LessThanOrEqual(outside, Vector512<double>.Zero)
                     & Vector512.GreaterThan(inverseDepth, before)
                     & Vector512.LessThanOrEqual(columns, lastColumn);
                 for (uint bits = (uint)wins.ExtractMostSignificantBits(); bits != 0; bits &= bits - 1)
@@ -148,7 +169,11 @@ internal sealed class NearPlaneCells
         }
 
         /// <summary>The pixels of the rectangle in a band, with one pixel added on each side for rounding.</summary>
-        public readonly PixelRange PixelsOf(Band band) => PixelRange.Within(_left - 1.0, _right + 1.0, _top - 1.0, _bottom + 1.0, band);
+        public readonly PixelRange PixelsOf(Band band)
+        {
+            double margin = 1.0 + band.Margin;
+            return PixelRange.Within(_left - margin, _right + margin, _top - margin, _bottom + margin, band);
+        }
 
         private static void Widen(double value, ref double min, ref double max)
         {

@@ -5,10 +5,10 @@ internal readonly record struct PixelRange(int FirstColumn, int LastColumn, int 
 {
     public bool IsEmpty => FirstColumn > LastColumn || FirstRow > LastRow;
 
-    /// <summary>The pixels of a band whose centres lie within limits (px), which may be infinite.</summary>
+    /// <summary>The pixels of a band that are drawn and whose centres lie within limits (px), which may be infinite.</summary>
     public static PixelRange Within(double left, double right, double top, double bottom, Band band) => new(
-        (int)Math.Clamp(Math.Ceiling(left), 0.0, band.Width),
-        (int)Math.Clamp(Math.Floor(right), -1.0, band.Width - 1.0),
-        (int)Math.Clamp(Math.Ceiling(top), band.FirstRow, band.LastRow + 1.0),
-        (int)Math.Clamp(Math.Floor(bottom), band.FirstRow - 1.0, band.LastRow));
+        (int)Math.Clamp(Math.Ceiling(left), band.Window.FirstColumn, band.Window.LastColumn + 1.0),
+        (int)Math.Clamp(Math.Floor(right), band.Window.FirstColumn - 1.0, band.Window.LastColumn),
+        (int)Math.Clamp(Math.Ceiling(top), band.Window.FirstRow, band.Window.LastRow + 1.0),
+        (int)Math.Clamp(Math.Floor(bottom), band.Window.FirstRow - 1.0, band.Window.LastRow));
 }

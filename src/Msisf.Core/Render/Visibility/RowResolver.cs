@@ -21,11 +21,13 @@ internal sealed class RowResolver
     private const double MaxCorrection = 1e-6;
 
     private readonly ImageView _view;
+    private readonly LensSamples? _lens;
     private readonly double[] _right;
 
-    public RowResolver(ImageView view)
+    public RowResolver(ImageView view, LensSamples? lens)
     {
         _view = view;
+        _lens = lens;
         _right = new double[view.Camera.Width];
         double width = view.Camera.Width;
         for (int column = 0; column < _right.Length; column++)
@@ -65,10 +67,11 @@ internal sealed class RowResolver
 
         Vector3D anchor = _view.Anchor;
         Vector3D position = _view.Camera.PositionMoonMe - anchor;
-        Vector3D right = _view.Camera.Right;
+        Vector3D right = _lens is null ? _view.Camera.Right : _view.Camera.LensRight;
+        Vector3D lensDown = _view.Camera.LensDown;
         double height = _view.Camera.Height;
         double up = (1.0 + height - (2.0 * (row + 1 + _view.OffsetY))) / (2.0 * height);
-        Vector3D middle = _view.Camera.Direction + (up * _view.Camera.Up);
+        Vector3D middle = _lens is null ? _view.Camera.Direction + (up * _view.Camera.Up) : _view.Camera.LensAxis;
         Vector512<double> distance = Vector512.Create(_view.Distance);
         Vector512<double> max = Vector512.Create(MaxCorrection);
         ref double parameters = ref MemoryMarshal.GetArrayDataReference(pixels.Parameters);
@@ -86,6 +89,14 @@ internal sealed class RowResolver
             Vector512<double> directionX = Vector512.Create(middle.X) + (toRight * Vector512.Create(right.X));
             Vector512<double> directionY = Vector512.Create(middle.Y) + (toRight * Vector512.Create(right.Y));
             Vector512<double> directionZ = Vector512.Create(middle.Z) + (toRight * Vector512.Create(right.Z));
+            if (_lens is not null)
+            {
+                Vector512<double> toDown = Vector512.LoadUnsafe(ref z, i);
+                directionX += toDown * Vector512.Create(lensDown.X);
+                directionY += toDown * Vector512.Create(lensDown.Y);
+                directionZ += toDown * Vector512.Create(lensDown.Z);
+            }
+
             Vector512<double> nearX = Along(Vector512.Create(position.X), parameter, directionX);
             Vector512<double> nearY = Along(Vector512.Create(position.Y), parameter, directionY);
             Vector512<double> nearZ = Along(Vector512.Create(position.Z), parameter, directionZ);
@@ -136,7 +147,7 @@ internal sealed class RowResolver
 
     /// <summary>
     /// Copies the row's surface pixels into consecutive elements. Until the points are computed, X holds the pixels' factors of the
-    /// camera's right vector and Y the offsets of their planes.
+    /// camera's right vector and Y the offsets of their planes; with a lens Z holds the factors of the vector down.
     /// </summary>
     private void Gather(Band band, int row, SurfaceRow pixels)
     {
@@ -161,7 +172,17 @@ internal sealed class RowResolver
             int run = column - first;
             inverses.Slice(first, run).CopyTo(pixels.Parameters.AsSpan(count));
             facets.Slice(first, run).CopyTo(pixels.Facets.AsSpan(count));
-            _right.AsSpan(first, run).CopyTo(pixels.X.AsSpan(count));
+            if (_lens is null)
+            {
+                _right.AsSpan(first, run).CopyTo(pixels.X.AsSpan(count));
+            }
+            else
+            {
+                int sample = (row * band.Width) + first;
+                _lens.Right.AsSpan(sample, run).CopyTo(pixels.X.AsSpan(count));
+                _lens.Down.AsSpan(sample, run).CopyTo(pixels.Z.AsSpan(count));
+            }
+
             count += run;
         }
 
@@ -169,7 +190,7 @@ internal sealed class RowResolver
         GatherPlanes(band.Records, pixels);
         for (int behind = count; behind < count + SurfaceRow.Padding; behind++)
         {
-            (pixels.Parameters[behind], pixels.X[behind], pixels.Y[behind]) = (1.0, 0.0, 0.0);
+            (pixels.Parameters[behind], pixels.X[behind], pixels.Y[behind], pixels.Z[behind]) = (1.0, 0.0, 0.0, 0.0);
             (pixels.NormalX[behind], pixels.NormalY[behind], pixels.NormalZ[behind]) = (1.0, 0.0, 0.0);
         }
     }

@@ -24,22 +24,25 @@ internal readonly struct ShearedBounds
     private readonly Vector512<double> _left;
     private readonly Vector512<double> _right;
 
-    private ShearedBounds(Vector512<double> top, Vector512<double> lean, Vector512<double> left, Vector512<double> right)
+    private ShearedBounds(
+        Vector512<double> top, Vector512<double> lean, Vector512<double> left, Vector512<double> right, Vector512<double> slack)
     {
         _top = top;
         _lean = lean;
-        _left = left - Vector512.Create(Slack);
-        _right = right + Vector512.Create(Slack);
+        _left = left - slack;
+        _right = right + slack;
     }
 
     /// <summary>Makes boxes with vertical sides.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static ShearedBounds Upright(Vector512<double> left, Vector512<double> right) =>
-        new(Vector512<double>.Zero, Vector512<double>.Zero, left, right);
+        new(Vector512<double>.Zero, Vector512<double>.Zero, left, right, Vector512.Create(Slack));
 
     /// <summary>Makes boxes with sides along the cells' western or northern sides, whichever cross more rows.</summary>
+    /// <param name="cells">The cells.</param>
+    /// <param name="margin">px: maximum distance of a sample from its pixel along columns or rows; 0 for a pinhole.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static ShearedBounds Along(EightCells cells)
+    public static ShearedBounds Along(EightCells cells, double margin)
     {
         Vector512<double> top = cells.Y(0);
         Vector512<double> x = cells.X(0);
@@ -57,7 +60,8 @@ internal readonly struct ShearedBounds
             top,
             lean,
             Vector512.MinNative(Vector512.MinNative(x, northEast), Vector512.MinNative(southWest, southEast)),
-            Vector512.MaxNative(Vector512.MaxNative(x, northEast), Vector512.MaxNative(southWest, southEast)));
+            Vector512.MaxNative(Vector512.MaxNative(x, northEast), Vector512.MaxNative(southWest, southEast)),
+            Vector512.Create(Slack + margin) + (margin * Vector512.Abs(lean)));
     }
 
     /// <summary>Left and right column of the box of each cell in a row, px.</summary>

@@ -13,6 +13,8 @@ internal sealed class VisibilityPass
     private readonly BlockCuller _culler;
     private readonly VisibleSurface _result = new();
     private readonly List<BandWorker> _workers = [];
+    private readonly LensSamples _centres = new();
+    private readonly LensSamples _shifted = new();
 
     /// <param name="surface">The surface; blocks are read when they are first needed.</param>
     public VisibilityPass(SurfaceModel surface)
@@ -32,9 +34,10 @@ internal sealed class VisibilityPass
     /// <exception cref="Errors.BadInputException">The elevation model holds what can't be right.</exception>
     public VisibleSurface Run(PinholeCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
     {
-        ImageView view = new(camera, offsetX, offsetY);
+        LensSamples? lens = LensOf(camera, threads, cancellation, offsetX, offsetY);
+        ImageView view = new(camera, offsetX, offsetY, lens);
         List<VisibleBlock> blocks = _culler.Find(view, threads, cancellation);
-        _result.Begin(view);
+        _result.Begin(view, lens);
         while (_workers.Count < threads)
         {
             _workers.Add(new BandWorker());
@@ -44,9 +47,24 @@ internal sealed class VisibilityPass
         WorkerTeam.Run(
             threads,
             counts.Length,
-            (worker, band) => counts[band] = _workers[worker].Draw(_surface, view, blocks, _result.BeginBand(band)),
+            (worker, band) => counts[band] = lens is null
+                ? _workers[worker].Draw(_surface, view, blocks, _result.BeginBand(band))
+                : _workers[worker].Draw(_surface, view, lens, lens.Tiles[band], blocks, _result.BeginBand(band)),
             cancellation);
         _result.End(counts.Aggregate(new VisibilityCounts(blocks.Count, 0, 0, 0), (sum, next) => sum + next));
         return _result;
+    }
+
+    /// <summary>The samples of a camera with a lens; those of the pixels' centres are kept from frame to frame.</summary>
+    private LensSamples? LensOf(PinholeCamera camera, int threads, CancellationToken cancellation, double offsetX, double offsetY)
+    {
+        if (camera.Model.Lens is null)
+        {
+            return null;
+        }
+
+        LensSamples lens = offsetX == 0.0 && offsetY == 0.0 ? _centres : _shifted;
+        lens.Prepare(camera.Model, offsetX, offsetY, threads, cancellation);
+        return lens;
     }
 }

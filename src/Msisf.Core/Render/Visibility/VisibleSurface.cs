@@ -60,7 +60,9 @@ internal sealed class VisibleSurface
     public FacetId FacetOf(int y, int number) => BandOf(y, out _).Records[number].Facet;
 
     /// <summary>Starts a new frame.</summary>
-    internal void Begin(ImageView view)
+    /// <param name="view">The frame's projection.</param>
+    /// <param name="lens">The samples of a camera with a lens; null for a pinhole.</param>
+    internal void Begin(ImageView view, LensSamples? lens)
     {
         View = view;
         Width = view.Camera.Width;
@@ -71,7 +73,7 @@ internal sealed class VisibleSurface
             _bands.Add(new Band());
         }
 
-        _resolver = new RowResolver(view);
+        _resolver = new RowResolver(view, lens);
     }
 
     /// <summary>Empties a band of the frame for drawing.</summary>

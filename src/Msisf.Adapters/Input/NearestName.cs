@@ -1,7 +1,7 @@
-namespace Msisf.App.Settings.Config;
+namespace Msisf.Adapters.Input;
 
 /// <summary>Finds the name that a misspelt word most likely means.</summary>
-internal static class NearestName
+public static class NearestName
 {
     /// <summary>Maximum length of a word, characters: a longer word is no misspelt name, and comparing it would take long.</summary>
     private const int LongestWord = 100;

@@ -1,7 +1,7 @@
-using Msisf.App.Settings.Config;
+using Msisf.Adapters.Input;
 using Xunit;
 
-namespace Msisf.App.Tests.Settings.Config;
+namespace Msisf.Adapters.Tests.Input;
 
 public sealed class NearestNameTests
 {

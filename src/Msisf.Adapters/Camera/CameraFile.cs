@@ -1,0 +1,13 @@
+using Msisf.Core.Camera;
+
+namespace Msisf.Adapters.Camera;
+
+/// <summary>What a camera file says.</summary>
+/// <param name="Name">Name of the preset, or of the file without folder.</param>
+/// <param name="Sha256">Checksum of the file, hexadecimal.</param>
+/// <param name="Description">What the camera is; null if the file does not say it.</param>
+/// <param name="Model">Size, focal length, principal point and distortion.</param>
+/// <param name="FocalLength">m; null if the file gives it in px, or a field of view.</param>
+/// <param name="PixelPitch">m, along rows and columns; null if the file gives the focal length in px, or a field of view.</param>
+public sealed record CameraFile(
+    string Name, string Sha256, string? Description, CameraModel Model, double? FocalLength, (double X, double Y)? PixelPitch);

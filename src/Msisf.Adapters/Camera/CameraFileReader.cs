@@ -1,0 +1,149 @@
+using System.Security.Cryptography;
+using Msisf.Adapters.Input;
+using Msisf.Core.Camera;
+using Msisf.Core.Camera.Lenses;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Camera;
+
+/// <summary>Reads camera files (docs/cameras.md): the keys of the top level; each section has a class of its own.</summary>
+public static class CameraFileReader
+{
+    /// <summary>px: maximum width and height.</summary>
+    public const int MaxSide = 16384;
+
+    private const double MetresPerMillimetre = 1e-3;
+
+    private static readonly string[] Keys =
+    [
+        "description", "width", "height", "focal-length", "pixel-pitch", "focal-length-px", "field-of-view", "principal-point",
+        "pixel-convention", "skew", "distortion", "detector",
+    ];
+
+    /// <summary>Coordinates of the middle of the first pixel, by convention.</summary>
+    private static readonly (string Name, double First)[] Conventions =
+        [("msis", 1.0), ("opencv", 0.0), ("colmap", 0.5), ("isis", 1.0), ("matlab", 1.0)];
+
+    /// <summary>Reads a file.</summary>
+    /// <param name="path">Its path.</param>
+    /// <param name="name">Name of the camera for messages and for what is written; null for the file's name.</param>
+    /// <exception cref="BadInputException">There is no such file, or what is wrong in it, by file, line and column.</exception>
+    public static CameraFile Read(string path, string? name = null)
+    {
+        byte[] content = FileErrors.ToBadInput($"{path}: the camera file can't be read", () =>
+        {
+            using FileStream stream = File.OpenRead(path);
+            byte[] bytes = new byte[ConfigFileReader.LargestSize + 1];
+            return bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
+        });
+        return Parse(content, path, name ?? Path.GetFileName(path));
+    }
+
+    /// <summary>Reads a file's content.</summary>
+    /// <param name="content">The bytes.</param>
+    /// <param name="path">For messages.</param>
+    /// <param name="name">Name of the camera.</param>
+    /// <exception cref="BadInputException">What is wrong in it, by file, line and column.</exception>
+    public static CameraFile Parse(byte[] content, string path, string name)
+    {
+        using MemoryStream stream = new(content);
+        CameraSection file = new(path, "a camera", (1, 1), ConfigFileReader.Read(stream, path, hasSections: true), Keys);
+        int width = file.Whole("width", 1, MaxSide) ?? throw file.Missing("width", "how many pixels a row of the image has");
+        int height = file.Whole("height", 1, MaxSide) ?? throw file.Missing("height", "how many rows the image has");
+        (double FocalLength, (double X, double Y) Pitch)? metric = Metric(file);
+        (double X, double Y) focal = FocalPixels(file, width, metric);
+        (double x, double y) = PrincipalPoint(file, width, height);
+        double skew = file.Number("skew") ?? 0.0;
+        Distortion? distortion = DistortionSection.Read(file, metric is null ? null : focalMillimetres(metric.Value.FocalLength));
+        CameraModel model;
+        try
+        {
+            model = new CameraModel(width, height, focal, (x, y), skew, distortion).Simplified();
+            if (model.Distortion is null && file.Number("field-of-view") is double degrees && model.FocalX == model.FocalY
+                && !file.Has("principal-point") && skew == 0.0)
+            {
+                model = CameraModel.FromFieldOfView(degrees * Math.PI / 180.0, width, height);
+            }
+        }
+        catch (BadInputException exception)
+        {
+            throw file.Wrong(distortion is null ? FocalKey(file) : "distortion", exception.Message.TrimEnd('.'));
+        }
+
+        return new CameraFile(
+            name, Convert.ToHexStringLower(SHA256.HashData(content)), file.Text("description"), model, metric?.FocalLength, metric?.Pitch);
+
+        static double focalMillimetres(double focalLength) => focalLength / MetresPerMillimetre;
+    }
+
+    /// <summary>The key that gives the focal length; exactly one of three does.</summary>
+    private static string FocalKey(CameraSection file)
+    {
+        string[] ways = ["focal-length", "focal-length-px", "field-of-view"];
+        string[] given = [.. ways.Where(file.Has)];
+        return given.Length switch
+        {
+            0 => throw file.Missing("focal-length", "the focal length in mm; 'focal-length-px' and 'field-of-view' (degrees) do as well"),
+            1 => given[0],
+            _ => throw file.Wrong(given[1], $"'{given[0]}' and '{given[1]}' exclude each other. Leave one out"),
+        };
+    }
+
+    private static (double FocalLength, (double X, double Y) Pitch)? Metric(CameraSection file)
+    {
+        double? focalLength = FocalKey(file) == "focal-length" ? file.Positive("focal-length") : null;
+        double[]? pitch = file.Numbers("pixel-pitch", 1, 2);
+        if (pitch is not null && pitch.Min() <= 0.0)
+        {
+            throw file.Wrong("pixel-pitch", "'pixel-pitch' is not above 0; the distance of two pixels in mm is needed");
+        }
+
+        if (focalLength is null != pitch is null)
+        {
+            throw focalLength is null
+                ? file.Wrong("pixel-pitch", "'pixel-pitch' has no meaning without 'focal-length' in mm. Leave it out")
+                : file.Missing("pixel-pitch", "the distance of two pixels in mm, or two of them, along rows and columns");
+        }
+
+        return focalLength is null
+            ? null
+            : (focalLength.Value * MetresPerMillimetre, (pitch![0] * MetresPerMillimetre, pitch[^1] * MetresPerMillimetre));
+    }
+
+    private static (double X, double Y) FocalPixels(
+        CameraSection file, int width, (double FocalLength, (double X, double Y) Pitch)? metric)
+    {
+        if (metric is { } known)
+        {
+            return (known.FocalLength / known.Pitch.X, known.FocalLength / known.Pitch.Y);
+        }
+
+        if (file.Numbers("focal-length-px", 1, 2) is { } pixels)
+        {
+            return pixels.Min() > 0.0
+                ? (pixels[0], pixels[^1])
+                : throw file.Wrong("focal-length-px", "'focal-length-px' is not above 0; the focal length in px is needed");
+        }
+
+        double degrees = file.Number("field-of-view")!.Value;
+        if (!(degrees > 0.0 && degrees < CameraModel.MaxFieldDegrees))
+        {
+            throw file.Wrong(
+                "field-of-view",
+                $"'field-of-view' is {file.Text("field-of-view")}; degrees above 0 and below {CameraModel.MaxFieldDegrees} are needed");
+        }
+
+        double focal = 0.5 * width / Math.Tan(degrees * Math.PI / 360.0);
+        return (focal, focal);
+    }
+
+    /// <summary>In rendering coordinates; the middle of the image if the file does not say it.</summary>
+    private static (double X, double Y) PrincipalPoint(CameraSection file, int width, int height)
+    {
+        string convention = file.Word("pixel-convention", [.. Conventions.Select(one => one.Name)]) ?? Conventions[0].Name;
+        double first = Conventions.First(one => one.Name == convention).First;
+        return file.Numbers("principal-point", 2, 2) is [double x, double y]
+            ? (x - first + 1.0, y - first + 1.0)
+            : (0.5 * (1.0 + width), 0.5 * (1.0 + height));
+    }
+}

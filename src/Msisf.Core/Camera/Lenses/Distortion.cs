@@ -1,0 +1,23 @@
+namespace Msisf.Core.Camera.Lenses;
+
+/// <summary>
+/// A formula between the ideal image plane, as a pinhole has it, and the measured one, as the lens has it. Both are in units of the focal
+/// length, x to the right and y down, from the principal point. Immutable.
+/// </summary>
+/// <remarks>
+/// Evaluated for eight points at a time by plain products and sums, without fused operations, so that a point alone gets the same bits.
+/// </remarks>
+public abstract class Distortion
+{
+    /// <summary>Whether it leaves every point where it is.</summary>
+    public abstract bool IsNone { get; }
+
+    /// <summary>Whether the formula goes from ideal to measured points; false if it goes from measured to ideal ones.</summary>
+    internal abstract bool IsFromIdeal { get; }
+
+    /// <summary>Applies the formula.</summary>
+    /// <param name="points">Points of the plane that the formula begins with.</param>
+    /// <param name="slopes">Derivatives at these points.</param>
+    /// <returns>The points in the other plane; NaN where the formula has no value.</returns>
+    internal abstract LanePoints Apply(in LanePoints points, out LaneSlopes slopes);
+}

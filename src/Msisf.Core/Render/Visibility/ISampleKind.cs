@@ -1,0 +1,8 @@
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>Where the samples of the pixels lie. The drawing code is compiled for each kind, so that a pinhole pays nothing.</summary>
+internal interface ISampleKind
+{
+    /// <summary>Whether each sample is its pixel's centre; otherwise it is where the band says.</summary>
+    static abstract bool IsPixelCentre { get; }
+}

@@ -1,0 +1,32 @@
+using Msisf.Core.Camera;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>
+/// A linear map from the ideal image plane (tangents to the right and down) to columns and rows, counted from 0. For a pinhole it is the
+/// camera matrix; for some pixels of a lens it puts every sample near its pixel.
+/// </summary>
+internal readonly record struct ImagePlaneMap(
+    double ColumnPerRight, double ColumnPerDown, double Column0, double RowPerRight, double RowPerDown, double Row0)
+{
+    /// <summary>The map of a pinhole.</summary>
+    /// <param name="model">The camera; its lens is left out.</param>
+    /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
+    /// <param name="offsetY">px down.</param>
+    public static ImagePlaneMap Of(CameraModel model, double offsetX, double offsetY) => new(
+        model.FocalX, model.Skew, model.PrincipalX - 1.0 - offsetX, 0.0, model.FocalY, model.PrincipalY - 1.0 - offsetY);
+
+    /// <summary>Column of a point of the ideal plane.</summary>
+    public double Column(double right, double down) => (ColumnPerRight * right) + (ColumnPerDown * down) + Column0;
+
+    /// <summary>Row of a point of the ideal plane.</summary>
+    public double Row(double right, double down) => (RowPerRight * right) + (RowPerDown * down) + Row0;
+
+    /// <summary>The point of the ideal plane at a column and row.</summary>
+    public (double Right, double Down) Inverse(double column, double row)
+    {
+        (double x, double y) = (column - Column0, row - Row0);
+        double determinant = (ColumnPerRight * RowPerDown) - (ColumnPerDown * RowPerRight);
+        return (((RowPerDown * x) - (ColumnPerDown * y)) / determinant, ((ColumnPerRight * y) - (RowPerRight * x)) / determinant);
+    }
+}
