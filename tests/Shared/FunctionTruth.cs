@@ -18,6 +18,10 @@ internal sealed class FunctionTruth(
 
     public Vector3D LightPositionMoonMe => lightPositionMoonMe;
 
+    public bool LightIsSun => true;
+
+    public ReadOnlySpan<double> RadianceFactors => [];
+
     /// <summary>
     /// A <see cref="SphereTruth"/> of 4 px/deg that shows all there is: the states take turns from column to column, the halves from row to
     /// row.

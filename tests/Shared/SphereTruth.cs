@@ -19,6 +19,10 @@ internal sealed class SphereTruth(
 
     public Vector3D LightPositionMoonMe => lightPositionMoonMe;
 
+    public bool LightIsSun => true;
+
+    public ReadOnlySpan<double> RadianceFactors => [];
+
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light)
     {
         Ray ray = camera.RayThrough(x, y);

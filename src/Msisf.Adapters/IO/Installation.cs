@@ -21,6 +21,9 @@ public sealed class Installation
     /// <summary>The folder into which the set-up script puts elevation models.</summary>
     public string ElevationModels => Path.Combine(Root, "input", "ldem");
 
+    /// <summary>The folder into which the set-up script puts maps of the Moon's reflectance.</summary>
+    public string AlbedoMaps => Path.Combine(Root, "input", "albedo");
+
     /// <summary>The command that starts the program in scripts that run later and elsewhere.</summary>
     public string Launcher => OperatingSystem.IsWindows() ? Path.Combine(Root, "publish", "msis.exe") : Path.Combine(Root, "msis");
 

@@ -39,7 +39,7 @@ public static class FitsLayerWriter
             primary.CopyTo(stream);
         }
 
-        LayerSampler sampler = new(truth, provenance.MeshPixelsPerDegree);
+        LayerSampler sampler = new(truth, provenance);
         LayerPasses.Run(sampler, layers.Layers, (layer, planes) => WriteLayer(stream, sampler, layer, planes), cancellation);
     }
 

@@ -34,7 +34,7 @@ public static class NpyLayerWriter
         CancellationToken cancellation = default)
     {
         List<string> paths = [];
-        LayerSampler sampler = new(truth, provenance.MeshPixelsPerDegree);
+        LayerSampler sampler = new(truth, provenance);
         LayerPasses.Run(
             sampler,
             layers.Layers,

@@ -83,7 +83,7 @@ internal sealed class FrameFiles
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);
         int level = int.Log2(_pixelsPerDegree / rendered.PixelsPerDegree);
-        LayerProvenance provenance = new(_product, rendered.PixelsPerDegree, level, "native");
+        LayerProvenance provenance = new(_product, rendered.PixelsPerDegree, level, "native", _settings.Albedo.Band);
         if (_settings.Native.LayersFormat == LayersFormat.Npy)
         {
             return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, cancellation);

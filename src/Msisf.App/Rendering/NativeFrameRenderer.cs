@@ -1,6 +1,7 @@
 using System.Buffers;
 using System.Collections.Concurrent;
 using System.Runtime.InteropServices;
+using Msisf.Adapters.Albedo;
 using Msisf.Adapters.Render;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
@@ -24,7 +25,9 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
     private const int FramesBetweenReleases = 16;
 
     private readonly NativeSettings _settings;
+    private readonly NativeRenderOptions _options;
     private readonly IElevationGrid _model;
+    private readonly OpenedAlbedoMap? _map;
     private readonly NativeLevels _levels;
     private readonly GreyTable _grey;
     private readonly FrameFiles _files;
@@ -32,10 +35,13 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
     private readonly ConcurrentBag<MemoryStream> _idleImages = [];
     private int _frames;
 
-    public NativeFrameRenderer(NativeSettings settings, IElevationGrid model, NativeLevels levels, FrameFiles files, RunTimes times)
+    public NativeFrameRenderer(
+        NativeSettings settings, IElevationGrid model, OpenedAlbedoMap? map, NativeLevels levels, FrameFiles files, RunTimes times)
     {
         _settings = settings;
+        _options = settings.Render with { Albedo = map?.Map };
         _model = model;
+        _map = map;
         _levels = levels;
         _grey = new GreyTable(settings.Grey, settings.BitDepth);
         _files = files;
@@ -58,7 +64,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
     {
         NativeRenderer renderer = _levels.For(frame.Camera, _settings.Render.SubsamplesPerAxis);
         using NativeFrame drawn = _times.Measure(
-            Phase.Draw, () => renderer.Render(frame.Camera, frame.Light, _settings.Render, threads, cancellation));
+            Phase.Draw, () => renderer.Render(frame.Camera, frame.Light, _options, threads, cancellation));
         MemoryStream image = _idleImages.TryTake(out MemoryStream? idle) ? idle : new MemoryStream();
         image.SetLength(0);
         _times.Measure(Phase.Output, () => Encode(drawn, image));
@@ -71,6 +77,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         if (Interlocked.Increment(ref _frames) % FramesBetweenReleases == 0)
         {
             _model.ReleasePages(); // an orbit would have the whole model in memory in the end
+            _map?.ReleasePages();
         }
 
         return outputs;

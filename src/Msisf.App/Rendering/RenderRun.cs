@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Albedo;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
@@ -50,18 +51,19 @@ internal sealed class RenderRun
             ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
             : null;
         using PreparedRun run = PreparedRun.Of(camera, _settings, ephemeris, _host, cancellation);
+        using OpenedAlbedoMap? map = _times.Measure(Phase.Model, () => AlbedoSource.Open(_settings, _host));
         RequireParts();
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
         IReadOnlyList<(string Name, string Sha256)> checksums = await kernels.ConfigureAwait(false);
         OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;
         RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(run.States, run.Names, RunIdentity.Of(
             _host.Version,
-            FrameArguments.OfSettings(_settings, sun?.Choice),
+            FrameArguments.OfSettings(_settings, sun?.Choice, map is null ? null : (Path.GetFileName(map.FilePath), map.Sha256)),
             run.Model.Fingerprint(),
             sun?.Engine.EngineName,
             checksums,
             version)));
-        return await RenderAsync(run.Frames, plan, run.Model, cancellation).ConfigureAwait(false);
+        return await RenderAsync(run.Frames, plan, run.Model, map, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
@@ -82,7 +84,7 @@ internal sealed class RenderRun
         PovOptions.Program.Concerned(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
-        IReadOnlyList<Frame> frames, RunPlan plan, ElevationModel model, CancellationToken cancellation)
+        IReadOnlyList<Frame> frames, RunPlan plan, ElevationModel model, OpenedAlbedoMap? map, CancellationToken cancellation)
     {
         CreateFolder(_settings.OutputFolder);
         using FrameLedger ledger = _times.Measure(
@@ -94,7 +96,7 @@ internal sealed class RenderRun
         int atOnce = ResourceCheck.AtOnce(_settings, missing, cores, memory);
         ResourceCheck.Check(_settings, missing, atOnce, memory, new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
         FrameFiles files = new(_settings, model.Grid, ledger, _times);
-        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, files) : PovRay(model, files, atOnce);
+        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, map, files) : PovRay(model, files, atOnce);
         using FrameTimes frameTimes = new(_settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
@@ -134,10 +136,10 @@ internal sealed class RenderRun
         return new PovRayFrameRenderer(_settings, model, patterns, povRay, processes, files, _times);
     }
 
-    private NativeFrameRenderer Native(ElevationModel model, FrameFiles files)
+    private NativeFrameRenderer Native(ElevationModel model, OpenedAlbedoMap? map, FrameFiles files)
     {
         NativeLevels levels = new(model.Grid, () => model.Levels, _settings.LevelOfDetailError);
-        return new NativeFrameRenderer(_settings.Native, model.Grid, levels, files, _times);
+        return new NativeFrameRenderer(_settings.Native, model.Grid, map, levels, files, _times);
     }
 
     private static void CreateFolder(string folder) => OutputOptions.Folder.Concerned(

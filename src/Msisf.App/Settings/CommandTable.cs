@@ -13,8 +13,8 @@ internal static class CommandTable
 
     private static readonly OptionGroup[] OfRender =
     [
-        CameraOptions.Group, ImageOptions.Group, LightOptions.Group, SurfaceOptions.Group, OutputOptions.Group, RendererOptions.Group,
-        NativeOptions.Group, PovOptions.Group, RunOptions.Group,
+        CameraOptions.Group, ImageOptions.Group, LightOptions.Group, SurfaceOptions.Group, AlbedoOptions.Group, OutputOptions.Group,
+        RendererOptions.Group, NativeOptions.Group, PovOptions.Group, RunOptions.Group,
     ];
 
     /// <summary>All options of a run.</summary>

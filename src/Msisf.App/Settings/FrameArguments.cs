@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Settings;
@@ -16,7 +17,8 @@ internal static class FrameArguments
     /// <summary>The arguments of the settings, without the state.</summary>
     /// <param name="settings">Settings of the run.</param>
     /// <param name="engine">The ephemeris engine for the Sun's position; null if none is used.</param>
-    public static string OfSettings(RenderSettings settings, EphemerisChoice? engine)
+    /// <param name="map">Name and checksum of the map of the Moon's reflectance; null if none is used.</param>
+    public static string OfSettings(RenderSettings settings, EphemerisChoice? engine, (string Name, string Sha256)? map = null)
     {
         List<string> words =
         [
@@ -41,6 +43,7 @@ internal static class FrameArguments
         }
 
         words.AddRange(RendererOptions.Renderer.Words(settings.Renderer));
+        words.AddRange(OfAlbedo(settings, map));
         if (settings.Renderer == RendererKind.Native)
         {
             words.AddRange(OfNative(settings.Native));
@@ -58,6 +61,39 @@ internal static class FrameArguments
     /// <param name="settings">The result of <see cref="OfSettings"/>.</param>
     public static string Of(SpacecraftState state, string settings) =>
         $"{CameraOptions.FixedState.Name} '{{{string.Join(',', state.ToNumbers().Select(NumberSpec.TextOf))}}}' {settings}";
+
+    /// <summary>
+    /// The map with its properties, and the band where a map, the law or the radiance depends on it. A frame without a map says so if an
+    /// installed one would be used.
+    /// </summary>
+    private static List<string> OfAlbedo(RenderSettings settings, (string Name, string Sha256)? map)
+    {
+        bool isMoon = settings.Renderer == RendererKind.Native && settings.Native.ReflectanceText == ReflectanceFactory.DefaultLaw;
+        bool hasRadiance = settings.Renderer == RendererKind.Native
+            && settings.Native.Layers?.Layers.Any(layer => layer.Name == "radiance") == true;
+        List<string> words = [];
+        if (map is { } used)
+        {
+            words.AddRange([AlbedoOptions.Map.Name, Quoted(used.Name), AlbedoOptions.Sha256.Name, used.Sha256]);
+            if (settings.Albedo.Properties.ToString() is { Length: > 0 } properties)
+            {
+                words.AddRange([AlbedoOptions.Properties.Name, properties]);
+            }
+        }
+        else if (isMoon)
+        {
+            words.AddRange([AlbedoOptions.Map.Name, AlbedoOptions.NoMap]);
+        }
+
+        if (map is not null || isMoon || hasRadiance)
+        {
+            words.AddRange(AlbedoOptions.Band.Words(settings.Albedo.Band.Nanometres));
+        }
+
+        return words;
+    }
+
+    private static string Quoted(string name) => name.Contains(' ', StringComparison.Ordinal) ? $"'{name}'" : name;
 
     private static IEnumerable<string> OfNative(NativeSettings native) =>
     [

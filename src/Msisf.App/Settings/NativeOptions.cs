@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Layers;
 using Msisf.Core.Render;
@@ -8,6 +9,12 @@ namespace Msisf.App.Settings;
 /// <summary>The options of the program's own renderer.</summary>
 internal static class NativeOptions
 {
+    /// <summary>Exposure for laws that have the Moon's own brightness: I/F of bright soil, 0.2, is white.</summary>
+    public const double ExposureOfMoon = 5.0;
+
+    /// <summary>Exposure for other laws: I/F = 1 is white.</summary>
+    public const double ExposureOfOtherLaws = 1.0;
+
     /// <summary>Number of samples per pixel.</summary>
     public static WholeNumberSpec Samples { get; } = new(
         "--samples", "N", 1, NativeRenderOptions.MaxSubsamplesPerAxis * NativeRenderOptions.MaxSubsamplesPerAxis,
@@ -34,24 +41,25 @@ internal static class NativeOptions
     /// <summary>Reflectance law and its parameters.</summary>
     public static TextSpec Reflectance { get; } = new(
         "--reflectance", "LAW",
-        "Law of reflectance: lambert, lommel-seeliger, lunar-lambert or hapke; parameters after a colon: hapke:w=0.3,b0=1.2")
+        "Law of reflectance: moon, nac, lambert, lommel-seeliger, lunar-lambert or hapke; parameters after a colon: hapke:w=0.3,b0=1.2")
     {
-        Default = "lambert",
+        Default = ReflectanceFactory.DefaultLaw,
         Words = ReflectanceFactory.Laws,
     };
 
     /// <summary>Albedo of the reflectance law.</summary>
-    public static NumberSpec Albedo { get; } = new("--albedo", "A", "Albedo of the law")
+    public static NumberSpec Albedo { get; } = new("--albedo", "A", "Albedo of a law that is not the Moon's own")
     {
         Limits = new NumberRange(0.0, 1.0),
-        Default = ReflectanceFactory.DefaultAlbedo,
+        DefaultNote = NumberSpec.TextOf(ReflectanceFactory.DefaultAlbedo),
     };
 
     /// <summary>Grey level of a radiance factor of 1.</summary>
     public static NumberSpec Exposure { get; } = new(
         "--exposure", "X", "Linear grey of a radiance factor of 1, where 1 is white")
     {
-        Default = 1.0,
+        DefaultNote = string.Create(
+            CultureInfo.InvariantCulture, $"{ExposureOfMoon} for moon, nac and hapke with w, else {ExposureOfOtherLaws}"),
     };
 
     /// <summary>Transfer curve of the grey levels.</summary>

@@ -12,12 +12,14 @@ internal static class NativeSettingsReader
 {
     /// <summary>Reads and checks all options.</summary>
     /// <param name="values">The options.</param>
+    /// <param name="map">The options of the map and of the band.</param>
     /// <param name="needsTruth">Whether the meta file needs ground truth, because its pixels lie on the terrain.</param>
     /// <exception cref="MsisfException">A value is wrong.</exception>
-    public static NativeSettings Read(OptionValues values, bool needsTruth)
+    public static NativeSettings Read(OptionValues values, AlbedoSettings map, bool needsTruth)
     {
         (string law, SortedDictionary<string, double> parameters) = Reflectance(NativeOptions.Reflectance.Read(values));
         double? albedo = NativeOptions.Albedo.ReadIfGiven(values);
+        RefuseTwoBrightnesses(albedo, map);
         LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
             ? NativeOptions.Layers.Concerned(() => LayerSet.Parse(names))
             : null;
@@ -27,7 +29,7 @@ internal static class NativeSettingsReader
             {
                 Reflectance = NativeOptions.Reflectance.Concerned(
                     () => (albedo is null ? (OptionSpec)NativeOptions.Reflectance : NativeOptions.Albedo).Named(
-                        () => ReflectanceFactory.Create(law, parameters, albedo))),
+                        () => ReflectanceFactory.Create(law, parameters, albedo, map.Band))),
                 Sun = NativeOptions.Sun.Read(values),
                 Normals = NativeOptions.Shading.Read(values),
                 SubsamplesPerAxis = SubsamplesPerAxis(NativeOptions.Samples.Read(values)),
@@ -38,11 +40,24 @@ internal static class NativeSettingsReader
                 : $"{law}:{string.Join(',', parameters.Select(pair => $"{pair.Key}={NumberSpec.TextOf(pair.Value)}"))}",
             Albedo = albedo,
             Grey = NativeOptions.Exposure.Named(
-                () => new GreyScale(NativeOptions.Exposure.Read(values), NativeOptions.Transfer.Read(values))),
+                () => new GreyScale(
+                    NativeOptions.Exposure.ReadIfGiven(values) ?? (ReflectanceFactory.IsAbsolute(law, parameters)
+                        ? NativeOptions.ExposureOfMoon
+                        : NativeOptions.ExposureOfOtherLaws),
+                    NativeOptions.Transfer.Read(values))),
             BitDepth = NativeOptions.BitDepth.Read(values),
             Layers = layers,
             LayersFormat = NativeOptions.LayersFormat.Read(values),
         };
+    }
+
+    private static void RefuseTwoBrightnesses(double? albedo, AlbedoSettings map)
+    {
+        if (albedo is not null && map.MapPath is not null)
+        {
+            throw new UsageException("--albedo and --albedo-map both set the brightness of the surface. Leave one out.")
+                .About(NativeOptions.Albedo, AlbedoOptions.Map);
+        }
     }
 
     private static int SubsamplesPerAxis(int samples)

@@ -28,6 +28,8 @@ internal sealed record RenderSettings
     /// <summary>Settings of the program's own renderer; defaults if POV-Ray is used.</summary>
     public required NativeSettings Native { get; init; }
 
+    public required AlbedoSettings Albedo { get; init; }
+
     /// <summary>px: how far coarser levels of the model may shift a point in the image; null to use the full model everywhere.</summary>
     public required double? LevelOfDetailError { get; init; }
 

@@ -19,6 +19,7 @@ internal static class RenderSettingsReader
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
         RendererKind renderer = RendererOptions.Renderer.Read(values);
+        AlbedoSettings albedo = AlbedoOptions.Read(values);
         RenderSettings settings = new()
         {
             FieldOfViewDegrees = ImageOptions.FieldOfView.Read(values),
@@ -29,7 +30,8 @@ internal static class RenderSettingsReader
             Surface = surface,
             PixelsPerDegree = SurfaceOptions.Resolution.Read(values),
             Renderer = renderer,
-            Native = NativeSettingsReader.Read(values, needsTruth: surface == PixelSurface.Terrain),
+            Native = NativeSettingsReader.Read(values, albedo, needsTruth: surface == PixelSurface.Terrain),
+            Albedo = albedo,
             LevelOfDetailError = LevelOfDetailError(values, renderer),
             IgnoreSun = LightOptions.IgnoreSun.Read(values),
             Annotate = OutputOptions.Annotation.Read(values),

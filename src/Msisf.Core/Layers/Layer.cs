@@ -38,4 +38,7 @@ public sealed class Layer
     public int Planes => Math.Max(1, PlaneNames.Count);
 
     internal LayerValue Value { get; }
+
+    /// <summary>Value of a pixel whose centre shows no surface; null where it has none.</summary>
+    internal Func<ImageBrightness, double?> EmptyValue { get; init; } = static _ => null;
 }

@@ -63,5 +63,32 @@ public static class LayerCatalogue
             "pixel-scale", LayerType.Real64, "m",
             "Side of the square with the area of the pixel's beam at the point, across the line of sight.",
             SurfaceValues.PixelScale),
+        new(
+            "slope", LayerType.Real64, "deg",
+            "Angle between NORMAL and the direction from the Moon's centre, 0 to 180.",
+            SlopeValues.Slope),
+        new(
+            "aspect", LayerType.Real64, "deg",
+            "Azimuth in which the ground falls, clockwise from north: 0 north, 90 east, 180 south, 270 west. "
+                + "Undefined on level ground and on the polar axis.",
+            SlopeValues.Aspect),
+        new(
+            "sphere-incidence", LayerType.Real64, "deg",
+            "Angle between the direction from the Moon's centre and the direction to the Sun's centre, 0 to 180.",
+            SlopeValues.SphereIncidence),
+        new(
+            "radiance-factor", LayerType.Real64, string.Empty,
+            "I/F of the image: pi times the radiance over the Sun's irradiance, mean over the pixel's samples; 0 without surface or light.",
+            ImageValues.RadianceFactor)
+        {
+            EmptyValue = static brightness => brightness.RadianceFactor,
+        },
+        new(
+            "radiance", LayerType.Real64, "W m-2 sr-1 nm-1",
+            "Spectral radiance of the image in the band of --band. Undefined without the Sun.",
+            ImageValues.Radiance)
+        {
+            EmptyValue = static brightness => brightness.Radiance,
+        },
     ];
 }

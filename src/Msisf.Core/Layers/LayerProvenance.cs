@@ -1,3 +1,5 @@
+using Msisf.Core.Render.Photometry;
+
 namespace Msisf.Core.Layers;
 
 /// <summary>Facts about a frame that the layers' files hold beyond its metadata.</summary>
@@ -7,4 +9,6 @@ namespace Msisf.Core.Layers;
 /// </param>
 /// <param name="LevelOfDetail">Level of detail; 0 is the model itself.</param>
 /// <param name="Renderer">Name of the renderer, e.g. "native".</param>
-public sealed record LayerProvenance(string ElevationProduct, int MeshPixelsPerDegree, int LevelOfDetail, string Renderer);
+/// <param name="Band">Band of the radiance.</param>
+public sealed record LayerProvenance(
+    string ElevationProduct, int MeshPixelsPerDegree, int LevelOfDetail, string Renderer, SpectralBand Band);

@@ -9,14 +9,18 @@ public sealed class LayerSampler
 {
     private readonly IGroundTruth _truth;
     private readonly int _meshPixelsPerDegree;
+    private readonly double? _radianceOfUnitFactor;
 
     /// <summary>Prepares a frame.</summary>
     /// <param name="truth">What the pixels show.</param>
-    /// <param name="meshPixelsPerDegree">See <see cref="LayerProvenance"/>.</param>
-    public LayerSampler(IGroundTruth truth, int meshPixelsPerDegree)
+    /// <param name="provenance">Resolution of the cells, and the band of the radiance.</param>
+    public LayerSampler(IGroundTruth truth, LayerProvenance provenance)
     {
         _truth = truth;
-        _meshPixelsPerDegree = meshPixelsPerDegree;
+        _meshPixelsPerDegree = provenance.MeshPixelsPerDegree;
+        _radianceOfUnitFactor = truth.LightIsSun
+            ? provenance.Band.RadianceOfUnitFactor(truth.LightPositionMoonMe.Length)
+            : null;
     }
 
     /// <summary>px.</summary>
@@ -36,16 +40,19 @@ public sealed class LayerSampler
     public void SampleRow(int row, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int start)
     {
         PinholeCamera camera = _truth.Camera;
+        ReadOnlySpan<double> factors = _truth.RadianceFactors;
         for (int column = 0; column < camera.Width; column++)
         {
+            ImageBrightness brightness = new(
+                factors.IsEmpty ? null : factors[(row * camera.Width) + column], _radianceOfUnitFactor);
             if (_truth.TryGet(column + 1, row + 1, out SurfaceHit hit, out PixelIllumination light))
             {
-                PixelTruth pixel = new(_truth, _meshPixelsPerDegree, camera.RayThrough(column + 1, row + 1), hit, light);
+                PixelTruth pixel = new(_truth, _meshPixelsPerDegree, camera.RayThrough(column + 1, row + 1), hit, light, brightness);
                 Fill(pixel, layers, planes, start + column);
             }
             else
             {
-                FillEmpty(layers, planes, start + column);
+                FillEmpty(brightness, layers, planes, start + column);
             }
         }
     }
@@ -62,12 +69,14 @@ public sealed class LayerSampler
         }
     }
 
-    private static void FillEmpty(IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int index)
+    private static void FillEmpty(ImageBrightness brightness, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int index)
     {
         int next = 0;
         foreach (Layer layer in layers)
         {
-            double value = layer.Type == LayerType.Unsigned8 ? (double)IlluminationState.NoSurface : double.NaN;
+            double value = layer.Type == LayerType.Unsigned8
+                ? (double)IlluminationState.NoSurface
+                : layer.EmptyValue(brightness) ?? double.NaN;
             for (int plane = 0; plane < layer.Planes; plane++)
             {
                 planes[next++][index] = value;

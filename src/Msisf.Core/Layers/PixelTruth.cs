@@ -10,13 +10,15 @@ internal readonly struct PixelTruth
 {
     private readonly IGroundTruth _frame;
 
-    public PixelTruth(IGroundTruth frame, int meshPixelsPerDegree, in Ray ray, in SurfaceHit hit, in PixelIllumination light)
+    public PixelTruth(
+        IGroundTruth frame, int meshPixelsPerDegree, in Ray ray, in SurfaceHit hit, in PixelIllumination light, ImageBrightness brightness)
     {
         _frame = frame;
         MeshPixelsPerDegree = meshPixelsPerDegree;
         LineOfSightMoonMe = ray.Direction;
         Hit = hit;
         Light = light;
+        Brightness = brightness;
 
         // Relative to the camera, so that a lamp at the camera lies exactly on the line of sight, however near the ground is.
         ToLightMoonMe = frame.LightPositionMoonMe - ray.Origin - (hit.RayParameter * ray.Direction);
@@ -36,6 +38,9 @@ internal readonly struct PixelTruth
     public SurfaceHit Hit { get; }
 
     public PixelIllumination Light { get; }
+
+    /// <summary>How bright the image is there.</summary>
+    public ImageBrightness Brightness { get; }
 
     /// <summary>m: from the point to the light.</summary>
     public Vector3D ToLightMoonMe { get; }

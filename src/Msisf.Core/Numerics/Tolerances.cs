@@ -81,4 +81,7 @@ public static class Tolerances
     /// the quotients become 0 / 0; at this value 7 digits are left, and the radiance factor is 1e-9 or no longer changes.
     /// </summary>
     public const double GrazingCosine = 1e-9;
+
+    /// <summary>1: slope below which rounding of the normal, a few 1e-16, decides in which direction the ground falls.</summary>
+    public const double LevelSlope = 1e-14;
 }

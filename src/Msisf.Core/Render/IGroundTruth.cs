@@ -13,6 +13,15 @@ public interface IGroundTruth
     /// <summary>Position of the Sun, or of the lamp at the camera that replaces it, m, MOON_ME.</summary>
     Vector3D LightPositionMoonMe { get; }
 
+    /// <summary>Whether the light is the Sun; if not, it is the lamp at the camera.</summary>
+    bool LightIsSun { get; }
+
+    /// <summary>
+    /// Radiance factor I/F of each pixel, by rows from the top, each from left to right; 0 where there is no surface or no light. Empty if
+    /// the renderer does not know them.
+    /// </summary>
+    ReadOnlySpan<double> RadianceFactors { get; }
+
     /// <summary>Gets the surface point on the ray through a pixel's centre (<see cref="PinholeCamera.RayThrough"/>).</summary>
     /// <param name="x">1 to the image's width, to the right.</param>
     /// <param name="y">1 to the image's height, down.</param>

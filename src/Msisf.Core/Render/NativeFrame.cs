@@ -22,9 +22,10 @@ public sealed class NativeFrame : IGroundTruth, IDisposable
     /// <inheritdoc/>
     public Vector3D LightPositionMoonMe => Pass.Light.PositionMoonMe;
 
-    /// <summary>
-    /// Radiance factor I/F of each pixel, by rows from the top, each from left to right; 0 where there is no surface or no light.
-    /// </summary>
+    /// <inheritdoc/>
+    public bool LightIsSun => Pass.Light.IsSun;
+
+    /// <inheritdoc/>
     public ReadOnlySpan<double> RadianceFactors => Pass.RadianceFactors;
 
     private FramePass Pass => _pass ?? throw new ObjectDisposedException(nameof(NativeFrame));

@@ -13,6 +13,9 @@ public sealed record NativeRenderOptions
     /// <summary>Reflectance law, which gives the radiance factor from the angles of light and view.</summary>
     public required IReflectance Reflectance { get; init; }
 
+    /// <summary>Map by which the law's radiance factors are scaled; null for the law alone.</summary>
+    public AlbedoMap? Albedo { get; init; }
+
     /// <summary>Whether the Sun is a point or a disc.</summary>
     public SunModel Sun { get; init; } = SunModel.Point;
 

@@ -32,6 +32,12 @@ public sealed class TracedFrameTruth : IGroundTruth
     public Vector3D LightPositionMoonMe => _light.PositionMoonMe;
 
     /// <inheritdoc/>
+    public bool LightIsSun => _light.IsSun;
+
+    /// <inheritdoc/>
+    public ReadOnlySpan<double> RadianceFactors => [];
+
+    /// <inheritdoc/>
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light)
     {
         bool isSurface = _tracer.TryTrace(Camera.RayThrough(x, y), out hit);

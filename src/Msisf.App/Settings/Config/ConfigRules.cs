@@ -1,5 +1,6 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Settings.Config;
 
@@ -45,8 +46,14 @@ internal sealed class ConfigRules
             rules.LeaveOut(PatternsOptions.DefaultsFile);
         }
 
-        if (rules.Effective(NativeOptions.Reflectance) is { } law && law.StartsWith("hapke:", StringComparison.Ordinal)
-            && law.Contains("w=", StringComparison.Ordinal))
+        string law = rules.Effective(NativeOptions.Reflectance) ?? ReflectanceFactory.DefaultLaw;
+        if (law is "moon" or "nac"
+            || (law.StartsWith("hapke:", StringComparison.Ordinal) && law.Contains("w=", StringComparison.Ordinal)))
+        {
+            rules.LeaveOut(NativeOptions.Albedo);
+        }
+
+        if (rules.Effective(AlbedoOptions.Map) is { } map && Path.GetFileName(map) != AlbedoOptions.NoMap)
         {
             rules.LeaveOut(NativeOptions.Albedo);
         }

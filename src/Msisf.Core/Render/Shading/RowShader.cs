@@ -35,7 +35,10 @@ internal sealed class RowShader
         int threads,
         CancellationToken cancellation)
     {
-        bool isFlat = options.Normals == NormalModel.Facet && !options.Reflectance.DependsOnViewer;
+        bool isFlat = options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, Albedo: null };
+        double factorOfReference = options.Albedo is { } map
+            ? options.Reflectance.RadianceFactor(map.Reference.CosIncidence, map.Reference.CosEmission, map.Reference.PhaseHaversine)
+            : 1.0;
         WorkerTeam.Run(threads, visible.Height, (_, row) =>
         {
             int start = row * visible.Width;
@@ -47,18 +50,21 @@ internal sealed class RowShader
             }
 
             Scratch scratch = _idle.TryTake(out Scratch? idle) ? idle : new Scratch(_surface);
-            visible.Read(row + 1, scratch.Row);
-            SmoothNormals? normals = options.Normals == NormalModel.Smooth ? scratch.Normals : null;
-            for (int i = 0; i < scratch.Row.Count; i++)
+            Gather(visible, row, light, sunlight, options, weight, scratch);
+            SunlitPoints points = scratch.Points;
+            int count = points.Count;
+            points.FindAngles(light.PositionMoonMe, visible.View.Camera.PositionMoonMe);
+            options.Reflectance.RadianceFactors(
+                points.CosIncidence.AsSpan(0, count), points.CosEmission.AsSpan(0, count), points.PhaseHaversine.AsSpan(0, count),
+                points.Factors);
+            if (options.Albedo is not null)
             {
-                int column = scratch.Row.Columns[i];
-                double fraction = sunlight.VisibleFraction(start + column);
-                if (fraction > 0.0)
-                {
-                    double cosIncidence = sunlight.CosIncidence[start + column];
-                    factors[column] += weight * fraction
-                        * RadianceFactor(visible, row + 1, scratch.Row, i, cosIncidence, normals, light, options.Reflectance);
-                }
+                scratch.Albedo.Scale(points, visible.View.Camera, options.SubsamplesPerAxis, options.Albedo, factorOfReference);
+            }
+
+            for (int i = 0; i < count; i++)
+            {
+                factors[points.Columns[i]] += points.Weights[i] * points.Factors[i];
             }
 
             _idle.Add(scratch);
@@ -91,31 +97,44 @@ internal sealed class RowShader
         }
     }
 
-    private static double RadianceFactor(
-        VisibleSurface visible, int y, SurfaceRow row, int i, double cosIncidence, SmoothNormals? normals, SceneLight light,
-        IReflectance law)
+    /// <summary>Collects the sunlit pixels of a row, with the normals that shade them.</summary>
+    private static void Gather(
+        VisibleSurface visible, int row, SceneLight light, PixelSunlight sunlight, NativeRenderOptions options, double weight,
+        Scratch scratch)
     {
-        Vector3D camera = visible.View.Camera.PositionMoonMe;
-        Vector3D point = new(row.X[i], row.Y[i], row.Z[i]);
-        Vector3D normal = new(row.NormalX[i], row.NormalY[i], row.NormalZ[i]);
-
-        // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
-        Vector3D toLight = light.PositionMoonMe - point;
-        toLight /= Math.Sqrt(toLight.LengthSquared);
-        Vector3D toCamera = camera - point;
-        toCamera /= Math.Sqrt(toCamera.LengthSquared);
-        if (normals is not null && Smooth(normals, visible.FacetOf(y, row.Facets[i]), normal, point, camera) is var smooth
-            && smooth != normal)
+        int start = row * visible.Width;
+        SurfaceRow pixels = scratch.Row;
+        visible.Read(row + 1, pixels);
+        scratch.Points.Clear(visible.Width);
+        for (int i = 0; i < pixels.Count; i++)
         {
-            normal = smooth;
-            cosIncidence = Math.Min(Vector3D.Dot(normal, toLight), 1.0);
-        }
+            int column = pixels.Columns[i];
+            double fraction = sunlight.VisibleFraction(start + column);
+            if (fraction <= 0.0)
+            {
+                continue;
+            }
 
-        // A smooth normal can point away from the light where the facet's normal does not, and a facet can be seen edge-on.
-        double cosEmission = Math.Min(Vector3D.Dot(normal, toCamera), 1.0);
-        return cosIncidence > 0.0 && cosEmission > 0.0
-            ? law.RadianceFactor(cosIncidence, cosEmission, PhaseAngle.Haversine(toLight, toCamera))
-            : 0.0;
+            Vector3D point = new(pixels.X[i], pixels.Y[i], pixels.Z[i]);
+            Vector3D normal = new(pixels.NormalX[i], pixels.NormalY[i], pixels.NormalZ[i]);
+            double cosIncidence = sunlight.CosIncidence[start + column];
+            if (options.Normals == NormalModel.Smooth)
+            {
+                FacetId facet = visible.FacetOf(row + 1, pixels.Facets[i]);
+                Vector3D smooth = Smooth(scratch.Normals, facet, normal, point, visible.View.Camera.PositionMoonMe);
+                if (smooth != normal)
+                {
+                    // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
+                    Vector3D toLight = light.PositionMoonMe - point;
+                    normal = smooth;
+                    cosIncidence = Math.Min(Vector3D.Dot(normal, toLight / Math.Sqrt(toLight.LengthSquared)), 1.0);
+                }
+            }
+
+            // A smooth normal can point away from the light where the facet's normal does not, and a facet can be seen edge-on: the laws
+            // give 0 there.
+            scratch.Points.Add(column, weight * fraction, point, normal, cosIncidence);
+        }
     }
 
     /// <summary>
@@ -134,5 +153,9 @@ internal sealed class RowShader
         public SurfaceRow Row { get; } = new();
 
         public SmoothNormals Normals { get; } = new(surface);
+
+        public SunlitPoints Points { get; } = new();
+
+        public AlbedoSampler Albedo { get; } = new();
     }
 }

@@ -1,0 +1,101 @@
+using System.Runtime.InteropServices;
+using System.Text;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Interop;
+
+/// <summary>An image that GDAL reads; its first band counts. Not safe for several threads.</summary>
+internal sealed unsafe class GdalImage : IDisposable
+{
+    private readonly GdalNative _gdal;
+    private readonly string _path;
+    private readonly nint _band;
+    private nint _image;
+
+    private GdalImage(GdalNative gdal, string path, nint image)
+    {
+        _gdal = gdal;
+        _path = path;
+        _image = image;
+        Width = gdal.GDALGetRasterXSize(image);
+        Height = gdal.GDALGetRasterYSize(image);
+        _band = gdal.GDALGetRasterBand(image, 1);
+        IsBytes = gdal.GDALGetRasterDataType(_band) == GdalNative.TypeByte;
+        int isThere = 0;
+        double value = gdal.GDALGetRasterNoDataValue(_band, &isThere);
+        NoData = isThere != 0 ? value : null;
+    }
+
+    /// <summary>Pixels of a row.</summary>
+    public int Width { get; }
+
+    /// <summary>Number of rows.</summary>
+    public int Height { get; }
+
+    /// <summary>The values are whole numbers from 0 to 255.</summary>
+    public bool IsBytes { get; }
+
+    /// <summary>The value of pixels without data; null if there is none.</summary>
+    public double? NoData { get; }
+
+    /// <summary>Opens an image.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="libraryPath">MSISF_GDAL, or null.</param>
+    /// <exception cref="ExternalPartException">GDAL is missing.</exception>
+    /// <exception cref="BadInputException">GDAL can't read the file.</exception>
+    public static GdalImage Open(string path, string? libraryPath)
+    {
+        GdalNative gdal = GdalLibrary.Require(libraryPath, $"{Path.GetFileName(path)}, which is no PDS3 image,");
+        nint image;
+        fixed (byte* name = Encoding.UTF8.GetBytes(path + '\0'))
+        {
+            image = gdal.GDALOpenEx(name, GdalNative.OpenRaster, 0, 0, 0);
+        }
+
+        return image != 0
+            ? new GdalImage(gdal, path, image)
+            : throw new BadInputException($"{path}: GDAL can't read it as an image ({Message(gdal)}). Give a PDS3, TIFF, JPEG or PNG image.");
+    }
+
+    /// <summary>The six numbers that give map coordinates of a pixel; null if the image has none.</summary>
+    public double[]? GeoTransform()
+    {
+        double[] numbers = new double[6];
+        fixed (double* start = numbers)
+        {
+            return _gdal.GDALGetGeoTransform(_image, start) < GdalNative.Failure ? numbers : null;
+        }
+    }
+
+    /// <summary>Reads whole rows.</summary>
+    /// <param name="first">The first row, from 0.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="values">Receives them, row by row.</param>
+    /// <exception cref="BadInputException">The file is damaged.</exception>
+    public void Read(int first, int count, Span<float> values)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(values.Length, count * Width);
+        fixed (float* start = values)
+        {
+            int result = _gdal.GDALRasterIO(
+                _band, 0, 0, first, Width, count, start, Width, count, GdalNative.TypeFloat32, 0, 0);
+            if (result >= GdalNative.Failure)
+            {
+                throw new BadInputException($"{_path}: GDAL can't read it to its end ({Message(_gdal)}). Get the file again.");
+            }
+        }
+    }
+
+    /// <summary>Closes the image.</summary>
+    public void Dispose()
+    {
+        if (Interlocked.Exchange(ref _image, 0) is not 0 and nint image)
+        {
+            _gdal.GDALClose(image);
+        }
+    }
+
+    private static string Message(GdalNative gdal) => Marshal.PtrToStringUTF8((nint)gdal.CPLGetLastErrorMsg()) is { Length: > 0 } text
+        ? text.ReplaceLineEndings(" ")
+        : "no reason given";
+}

@@ -1,0 +1,58 @@
+using System.Runtime.InteropServices;
+
+namespace Msisf.Adapters.Interop;
+
+/// <summary>
+/// The functions of GDAL's C library that read images; C names, no logic. The library's name has a version in it and differs between
+/// systems, so the functions are looked up when it is found.
+/// </summary>
+internal sealed unsafe class GdalNative
+{
+    /// <summary>GDAL_OF_RASTER of gdal.h.</summary>
+    internal const uint OpenRaster = 2;
+
+    /// <summary>GDT_Byte.</summary>
+    internal const int TypeByte = 1;
+
+    /// <summary>GDT_Float32.</summary>
+    internal const int TypeFloat32 = 6;
+
+    /// <summary>CE_Failure; smaller results are successes or warnings.</summary>
+    internal const int Failure = 3;
+
+    internal readonly delegate* unmanaged[Cdecl]<void> GDALAllRegister;
+    internal readonly delegate* unmanaged[Cdecl]<byte*, uint, nint, nint, nint, nint> GDALOpenEx;
+    internal readonly delegate* unmanaged[Cdecl]<nint, void> GDALClose;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int> GDALGetRasterXSize;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int> GDALGetRasterYSize;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int, nint> GDALGetRasterBand;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int> GDALGetRasterDataType;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int*, double> GDALGetRasterNoDataValue;
+    internal readonly delegate* unmanaged[Cdecl]<nint, double*, int> GDALGetGeoTransform;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int, int, int, int, int, void*, int, int, int, int, int, int> GDALRasterIO;
+    internal readonly delegate* unmanaged[Cdecl]<byte*> CPLGetLastErrorMsg;
+    internal readonly delegate* unmanaged[Cdecl]<nint, nint> CPLSetErrorHandler;
+    internal readonly nint CPLQuietErrorHandler;
+
+    /// <summary>Looks the functions up.</summary>
+    /// <param name="library">The loaded library.</param>
+    /// <exception cref="EntryPointNotFoundException">It is not GDAL.</exception>
+    internal GdalNative(nint library)
+    {
+        nint Find(string name) => NativeLibrary.GetExport(library, name);
+        GDALAllRegister = (delegate* unmanaged[Cdecl]<void>)Find(nameof(GDALAllRegister));
+        GDALOpenEx = (delegate* unmanaged[Cdecl]<byte*, uint, nint, nint, nint, nint>)Find(nameof(GDALOpenEx));
+        GDALClose = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(GDALClose));
+        GDALGetRasterXSize = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(GDALGetRasterXSize));
+        GDALGetRasterYSize = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(GDALGetRasterYSize));
+        GDALGetRasterBand = (delegate* unmanaged[Cdecl]<nint, int, nint>)Find(nameof(GDALGetRasterBand));
+        GDALGetRasterDataType = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(GDALGetRasterDataType));
+        GDALGetRasterNoDataValue = (delegate* unmanaged[Cdecl]<nint, int*, double>)Find(nameof(GDALGetRasterNoDataValue));
+        GDALGetGeoTransform = (delegate* unmanaged[Cdecl]<nint, double*, int>)Find(nameof(GDALGetGeoTransform));
+        GDALRasterIO = (delegate* unmanaged[Cdecl]<nint, int, int, int, int, int, void*, int, int, int, int, int, int>)
+            Find(nameof(GDALRasterIO));
+        CPLGetLastErrorMsg = (delegate* unmanaged[Cdecl]<byte*>)Find(nameof(CPLGetLastErrorMsg));
+        CPLSetErrorHandler = (delegate* unmanaged[Cdecl]<nint, nint>)Find(nameof(CPLSetErrorHandler));
+        CPLQuietErrorHandler = Find(nameof(CPLQuietErrorHandler));
+    }
+}

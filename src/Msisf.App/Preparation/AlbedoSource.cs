@@ -1,0 +1,82 @@
+using Msisf.Adapters.Albedo;
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Render;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>Finds and opens the map of the Moon's reflectance that a run draws with.</summary>
+internal static class AlbedoSource
+{
+    /// <summary>Opens the map; null if the run has none. What is used is logged.</summary>
+    /// <param name="settings">The run's settings.</param>
+    /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
+    /// <exception cref="MsisfException">A map is given, but can't be used.</exception>
+    public static OpenedAlbedoMap? Open(RenderSettings settings, ProgramHost host)
+    {
+        AlbedoSettings albedo = settings.Albedo;
+        if (albedo.MapPath is { } given)
+        {
+            return AlbedoOptions.Map.Concerned(() => Open(Find(given, host), albedo, host));
+        }
+
+        bool isMoon = settings.Renderer == RendererKind.Native && settings.Native.ReflectanceText == "moon";
+        if (albedo.IsGiven || !isMoon)
+        {
+            return null;
+        }
+
+        if (Installed(host) is not { } installed)
+        {
+            host.Log.Note(
+                "Albedo: no map in input/albedo (scripts/get-albedo.sh fetches one); the surface reflects alike everywhere.");
+            return null;
+        }
+
+        try
+        {
+            return Open(installed, albedo, host);
+        }
+        catch (ExternalPartException exception)
+        {
+            host.Log.Warning($"{exception.Message} The map is not used: the surface reflects alike everywhere.");
+            return null;
+        }
+    }
+
+    /// <summary>Folders in which maps are searched if no path is given, in the order of the search.</summary>
+    private static string[] Folders(ProgramHost host) =>
+        [.. ((string[])[Path.Combine("input", "albedo"), host.Installation.AlbedoMaps]).DistinctBy(Path.GetFullPath)];
+
+    /// <summary>The path of a given map; a plain name is also looked for where maps are installed.</summary>
+    private static string Find(string given, ProgramHost host) => File.Exists(given) || Path.GetFileName(given) != given
+        ? given
+        : Folders(host).Select(folder => Path.Combine(folder, given)).FirstOrDefault(File.Exists) ?? given;
+
+    /// <summary>The largest file that is a known map; null if there is none.</summary>
+    private static string? Installed(ProgramHost host) => Folders(host).Where(Directory.Exists)
+        .Select(folder => Directory.EnumerateFiles(folder)
+            .Where(OpenedAlbedoMap.IsKnown)
+            .OrderByDescending(path => new FileInfo(path).Length)
+            .ThenBy(path => path, StringComparer.Ordinal)
+            .FirstOrDefault())
+        .FirstOrDefault(path => path is not null);
+
+    private static OpenedAlbedoMap Open(string path, AlbedoSettings albedo, ProgramHost host)
+    {
+        OpenedAlbedoMap map = OpenedAlbedoMap.Open(
+            path, albedo.Properties, albedo.Band.Nanometres, CacheFolder.Of(host), host.Environment("MSISF_GDAL"));
+        if (albedo.Sha256 is { } expected && expected != map.Sha256)
+        {
+            map.Dispose();
+            throw new BadInputException(
+                $"{path}: its SHA-256 is {map.Sha256}, but --albedo-map-sha256 is {expected}. Give the map that was meant.")
+                .About(AlbedoOptions.Sha256);
+        }
+
+        host.Log.Note($"Albedo: {Path.GetFileName(path)}, {map.Map.Levels[0].Width} x {map.Map.Levels[0].Height} px.");
+        return map;
+    }
+}

@@ -1,0 +1,63 @@
+using System.Text.RegularExpressions;
+using Msisf.Adapters.Albedo;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Render.Photometry;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of the map of the Moon's reflectance, and of the band.</summary>
+internal static partial class AlbedoOptions
+{
+    /// <summary>The word in place of a map for none.</summary>
+    public const string NoMap = "none";
+
+    /// <summary>The map.</summary>
+    public static PathSpec Map { get; } = new(
+        "--albedo-map", PathKind.File,
+        "Map of the Moon's reflectance: a PDS3 image (WAC_EMP, WAC_HAPKE, ...), or an image that GDAL reads; none for no map")
+    {
+        DefaultNote = "the one in ./input/albedo, then in the installation, with --reflectance moon; else none",
+    };
+
+    /// <summary>What the map's values mean.</summary>
+    public static TextSpec Properties { get; } = new(
+        "--albedo-map-properties", "LIST",
+        "What the map's values mean: scale=,offset=,west=,incidence=,emission=,phase=,band= (degrees, nm)")
+    {
+        DefaultNote = "those of the known map, or of its label",
+    };
+
+    /// <summary>Checksum of the map.</summary>
+    public static TextSpec Sha256 { get; } = new("--albedo-map-sha256", "HEX", "SHA-256 that the map's file must have")
+    {
+        Form = (HexDigits(), "64 hexadecimal digits are needed"),
+    };
+
+    /// <summary>Spectral band.</summary>
+    public static ChoiceSpec<int> Band { get; } = new(
+        "--band",
+        [.. SpectralBand.All.Select(band => (NumberSpec.TextOf(band.Nanometres), band.Nanometres))],
+        "Band of the law moon, of the map and of the radiance, nm")
+    {
+        Default = SpectralBand.Default.Nanometres,
+    };
+
+    /// <summary>The options of this class as a group of the help text.</summary>
+    public static OptionGroup Group { get; } = new("Albedo", [Map, Properties, Sha256, Band]);
+
+    /// <summary>Reads the options.</summary>
+    /// <exception cref="Core.Errors.MsisfException">A value is wrong.</exception>
+    public static AlbedoSettings Read(OptionValues values)
+    {
+        string? path = Map.ReadIfGiven(values);
+        return new AlbedoSettings(
+            path is not null && Path.GetFileName(path) == NoMap ? null : path,
+            path is not null,
+            Properties.ReadIfGiven(values) is { } text ? Properties.Named(() => MapProperties.Parse(text)) : new MapProperties(),
+            Sha256.ReadIfGiven(values)?.ToLowerInvariant(),
+            SpectralBand.Of(Band.Read(values)));
+    }
+
+    [GeneratedRegex("^[0-9A-Fa-f]{64}$")]
+    private static partial Regex HexDigits();
+}

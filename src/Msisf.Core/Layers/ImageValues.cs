@@ -1,0 +1,9 @@
+namespace Msisf.Core.Layers;
+
+/// <summary>Layer values of the brightness of a pixel.</summary>
+internal static class ImageValues
+{
+    public static double? RadianceFactor(in PixelTruth pixel, int plane) => pixel.Brightness.RadianceFactor;
+
+    public static double? Radiance(in PixelTruth pixel, int plane) => pixel.Brightness.Radiance;
+}

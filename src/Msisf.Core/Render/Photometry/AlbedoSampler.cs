@@ -1,0 +1,95 @@
+using Msisf.Core.Camera;
+
+namespace Msisf.Core.Render.Photometry;
+
+/// <summary>
+/// Scales radiance factors by a map: I/F = A f(i, e, g) / f(i0, e0, g0), where A is the map's mean over the pixel and (i0, e0, g0) its
+/// geometry. Where the map has no data, the law alone counts. Keeps buffers, so each thread needs its own object.
+/// </summary>
+internal sealed class AlbedoSampler
+{
+    /// <summary>Most places at which a level is read for one pixel; a longer footprint is read from a coarser level.</summary>
+    private const int MaxProbes = 16;
+
+    private readonly MapFootprints _footprints = new();
+
+    /// <summary>Scales the radiance factors of a row.</summary>
+    /// <param name="points">The pixels, with the law's radiance factors.</param>
+    /// <param name="camera">The camera that sees them.</param>
+    /// <param name="samplesAcross">Samples along a pixel's edge.</param>
+    /// <param name="map">The map.</param>
+    /// <param name="factorOfReference">The law's radiance factor in the map's geometry, above 0.</param>
+    public void Scale(SunlitPoints points, PinholeCamera camera, int samplesAcross, AlbedoMap map, double factorOfReference)
+    {
+        _footprints.Find(points, camera, samplesAcross, map);
+        double offset = map.Offset / factorOfReference;
+        double step = map.Step / factorOfReference;
+        Span<double> factors = points.Factors.AsSpan(0, points.Count);
+        MapLevelReader fine = default;
+        MapLevelReader coarse = default;
+        int current = -1;
+        for (int i = 0; i < factors.Length; i++)
+        {
+            double along = _footprints.Along[i];
+            double across = Math.Max(_footprints.Across[i], along * (1.0 / MaxProbes));
+            (int level, double part) = LevelOf(across, map.Levels.Count);
+            if (level != current)
+            {
+                current = level;
+                fine = new MapLevelReader(map, level);
+                coarse = new MapLevelReader(map, Math.Min(level + 1, map.Levels.Count - 1));
+            }
+
+            double widths = Math.Min(along / Math.Max(across, 1.0), MaxProbes);
+            double code = widths <= 1.0
+                ? Mixed(fine, coarse, part, _footprints.X[i], _footprints.Y[i])
+                : MeanAlong(fine, coarse, part, i, (int)Math.Ceiling(widths));
+            if (code > 0.0)
+            {
+                factors[i] *= offset + (step * code);
+            }
+        }
+    }
+
+    /// <summary>The finer of two levels between which a width lies, and how far it lies towards the coarser one.</summary>
+    /// <param name="across">In pixels of the finest level.</param>
+    /// <param name="levels">Number of levels.</param>
+    private static (int Level, double Part) LevelOf(double across, int levels)
+    {
+        if (!(across > 1.0))
+        {
+            return (0, 0.0);
+        }
+
+        int level = Math.ILogB(across);
+        return level >= levels - 1 ? (levels - 1, 0.0) : (level, Math.ScaleB(across, -level) - 1.0);
+    }
+
+    private static double Mixed(in MapLevelReader fine, in MapLevelReader coarse, double part, double x, double y)
+    {
+        double near = fine.At(x, y);
+        if (part == 0.0)
+        {
+            return near;
+        }
+
+        double far = coarse.At(x, y);
+        return near == 0.0 || far == 0.0 ? Math.Max(near, far) : near + (part * (far - near));
+    }
+
+    private double MeanAlong(in MapLevelReader fine, in MapLevelReader coarse, double part, int i, int probes)
+    {
+        double sum = 0.0;
+        int count = 0;
+        for (int probe = 0; probe < probes; probe++)
+        {
+            double along = ((probe + 0.5) / probes) - 0.5;
+            double code = Mixed(
+                fine, coarse, part, _footprints.X[i] + (along * _footprints.AxisX[i]), _footprints.Y[i] + (along * _footprints.AxisY[i]));
+            sum += code;
+            count += code > 0.0 ? 1 : 0;
+        }
+
+        return count == 0 ? 0.0 : sum / count;
+    }
+}
