@@ -9,5 +9,7 @@ namespace Msisf.Adapters.Camera;
 /// <param name="Model">Size, focal length, principal point and distortion.</param>
 /// <param name="FocalLength">m; null if the file gives it in px, or a field of view.</param>
 /// <param name="PixelPitch">m, along rows and columns; null if the file gives the focal length in px, or a field of view.</param>
+/// <param name="Detector">Optics and detector; null if the file does not describe them.</param>
 public sealed record CameraFile(
-    string Name, string Sha256, string? Description, CameraModel Model, double? FocalLength, (double X, double Y)? PixelPitch);
+    string Name, string Sha256, string? Description, CameraModel Model, double? FocalLength, (double X, double Y)? PixelPitch,
+    CameraFileDetector? Detector = null);

@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using System.Text;
 using Msisf.Adapters.Input;
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
@@ -70,11 +71,17 @@ public static class CameraFileReader
             throw file.Wrong(distortion is null ? FocalKey(file) : "distortion", exception.Message.TrimEnd('.'));
         }
 
+        CameraFileDetector? detector = DetectorSection.Read(
+            file, new DetectorGeometry(path, width, height, metric?.FocalLength, metric?.Pitch));
         return new CameraFile(
-            name, Convert.ToHexStringLower(SHA256.HashData(content)), file.Text("description"), model, metric?.FocalLength, metric?.Pitch);
+            name, Checksum(content, detector), file.Text("description"), model, metric?.FocalLength, metric?.Pitch, detector);
 
         static double focalMillimetres(double focalLength) => focalLength / MetresPerMillimetre;
     }
+
+    /// <summary>Of the file, and of the kernel that it names.</summary>
+    private static string Checksum(byte[] content, CameraFileDetector? detector) => Convert.ToHexStringLower(SHA256.HashData(
+        detector?.KernelSha256 is string kernel ? [.. content, .. Encoding.ASCII.GetBytes(kernel)] : content));
 
     /// <summary>The key that gives the focal length; exactly one of three does.</summary>
     private static string FocalKey(CameraSection file)

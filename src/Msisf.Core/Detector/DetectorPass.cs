@@ -29,12 +29,14 @@ internal sealed class DetectorPass
 
     /// <summary>Computes <see cref="DetectorImage.Electrons"/>.</summary>
     /// <param name="light">Radiance factor of each pixel of the frame, wider and higher than the detector by the PSF's radius on each side.</param>
-    /// <param name="electrons">Electrons that a pixel collects at a radiance factor of 1.</param>
+    /// <param name="throughput">Throughput of each pixel of the detector, steradians.</param>
+    /// <param name="perSteradian">Electrons that a pixel collects at a radiance factor of 1, for each steradian.</param>
     /// <param name="image">Receives the electrons.</param>
     /// <param name="threads">Number of threads.</param>
     /// <param name="cancellation">Stops the work.</param>
     public void Expose(
-        ReadOnlyMemory<double> light, ReadOnlyMemory<double> electrons, DetectorImage image, int threads, CancellationToken cancellation)
+        ReadOnlyMemory<double> light, ReadOnlyMemory<double> throughput, double perSteradian, DetectorImage image, int threads,
+        CancellationToken cancellation)
     {
         int width = image.Width;
         int margin = _settings.PointSpread?.Radius ?? 0;
@@ -50,10 +52,10 @@ internal sealed class DetectorPass
                 light.Span.Slice(row * width, width).CopyTo(target);
             }
 
-            ReadOnlySpan<double> factors = electrons.Span.Slice(row * width, width);
+            ReadOnlySpan<double> factors = throughput.Span.Slice(row * width, width);
             for (int column = 0; column < width; column++)
             {
-                target[column] *= factors[column];
+                target[column] *= perSteradian * factors[column];
             }
         }, cancellation);
     }

@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
 
 namespace Msisf.Core.Detector;
 
@@ -11,21 +12,32 @@ internal static class PixelThroughput
     /// left and right, above and below; a flat aperture at an angle t off the axis has the area A cos t. For a pinhole this is
     /// (p / f)^2 cos^4 t.
     /// </summary>
-    /// <param name="camera">Only its inner geometry counts, not its place and orientation.</param>
+    /// <param name="model">The camera.</param>
+    /// <param name="isFlatFielded">Whether all pixels get the throughput of a pixel on the axis.</param>
+    /// <param name="threads">Number of threads.</param>
     /// <returns>By rows from the top, each from left to right.</returns>
-    public static double[] Of(PinholeCamera camera)
+    public static double[] Of(CameraModel model, bool isFlatFielded, int threads)
     {
         // In camera axes, so that the same camera has the same bits in all frames.
-        PinholeCamera atOrigin = new(default, UnitQuaternion.Identity, camera.FieldOfView, camera.Width, camera.Height);
-        double[] throughput = new double[camera.Width * camera.Height];
-        for (int row = 0; row < camera.Height; row++)
+        PinholeCamera camera = new(default, UnitQuaternion.Identity, model);
+        double[] throughput = new double[model.Width * model.Height];
+        if (isFlatFielded)
         {
-            for (int column = 0; column < camera.Width; column++)
-            {
-                throughput[(row * camera.Width) + column] = At(atOrigin, column + 1, row + 1);
-            }
+            Array.Fill(throughput, 1.0 / (model.FocalX * model.FocalY));
+            return throughput;
         }
 
+        WorkerTeam.Run(
+            threads,
+            model.Height,
+            (_, row) =>
+            {
+                for (int column = 0; column < model.Width; column++)
+                {
+                    throughput[(row * model.Width) + column] = At(camera, column + 1, row + 1);
+                }
+            },
+            CancellationToken.None);
         return throughput;
     }
 
