@@ -11,6 +11,9 @@ internal readonly record struct TangentBox(double Left, double Top, double Right
     public static TangentBox Everything =>
         new(double.NegativeInfinity, double.NegativeInfinity, double.PositiveInfinity, double.PositiveInfinity);
 
+    /// <summary>Its area; infinite or NaN for one that is not bounded.</summary>
+    public double Area => (Right - Left) * (Bottom - Top);
+
     /// <summary>The smallest rectangle that holds this one and a point.</summary>
     public TangentBox With(double right, double down) =>
         new(Math.Min(Left, right), Math.Min(Top, down), Math.Max(Right, right), Math.Max(Bottom, down));

@@ -82,12 +82,12 @@ internal sealed class Band
         }
     }
 
-    /// <summary>Goes on with one tile of an image with a lens.</summary>
-    /// <param name="tile">The tile.</param>
+    /// <summary>Sets where the samples of an image with a lens lie, each in the plane of its tile.</summary>
+    /// <param name="tiles">All tiles of the band.</param>
     /// <param name="lens">The samples of the image.</param>
     /// <param name="columns">Memory for the columns of the samples; replaced if it is too small.</param>
     /// <param name="rows">Memory for their rows.</param>
-    public void Narrow(LensTile tile, LensSamples lens, ref double[] columns, ref double[] rows)
+    public void Place(IReadOnlyList<LensTile> tiles, LensSamples lens, ref double[] columns, ref double[] rows)
     {
         int size = Stride * (LastRow - FirstRow + 1);
         if (columns.Length < size)
@@ -96,21 +96,26 @@ internal sealed class Band
             rows = new double[size];
         }
 
-        Window = tile.Pixels;
-        Margin = tile.Margin;
         (SampleColumns, SampleRows) = (columns, rows);
-        int width = Window.LastColumn - Window.FirstColumn + 1;
-        for (int row = Window.FirstRow; row <= Window.LastRow; row++)
+        foreach (LensTile tile in tiles)
         {
-            int start = ((row - FirstRow) * Stride) + Window.FirstColumn;
-            ReadOnlySpan<double> right = lens.Right.AsSpan((row * Width) + Window.FirstColumn, width);
-            ReadOnlySpan<double> down = lens.Down.AsSpan((row * Width) + Window.FirstColumn, width);
-            for (int i = 0; i < width; i++)
+            int width = tile.Pixels.LastColumn - tile.Pixels.FirstColumn + 1;
+            for (int row = tile.Pixels.FirstRow; row <= tile.Pixels.LastRow; row++)
             {
-                columns[start + i] = tile.Map.Column(right[i], down[i]);
-                rows[start + i] = tile.Map.Row(right[i], down[i]);
+                int start = IndexOf(tile.Pixels.FirstColumn, row);
+                int sample = (row * Width) + tile.Pixels.FirstColumn;
+                tile.Map.Apply(
+                    lens.Right.AsSpan(sample, width), lens.Down.AsSpan(sample, width), columns.AsSpan(start, width),
+                    rows.AsSpan(start, width));
             }
         }
+    }
+
+    /// <summary>Goes on with one tile of an image with a lens.</summary>
+    public void Narrow(LensTile tile)
+    {
+        Window = tile.Pixels;
+        Margin = tile.Margin;
     }
 
     /// <summary>

@@ -8,7 +8,7 @@ internal sealed class BandWorker
     private readonly ProjectedBlock _block = new();
     private readonly CellSieve _sieve = new();
     private readonly NearPlaneCells _crossing = new();
-
+    private readonly List<VisibleBlock> _touching = [];
     private double[] _sampleColumns = [];
     private double[] _sampleRows = [];
 
@@ -25,35 +25,57 @@ internal sealed class BandWorker
                 continue;
             }
 
+            _block.Read(surface, visible.Block, view);
             read++;
-            sieved += DrawBlock<PixelCentres>(surface, visible.Block, view, band);
+            sieved += DrawBlock<PixelCentres>(view, band);
         }
 
         return new VisibilityCounts(0, read, sieved, band.RecordCount);
     }
 
-    /// <summary>Draws all blocks that touch a band of an image with a lens, tile by tile.</summary>
+    /// <summary>Draws all blocks that touch a band of an image with a lens, each tile by tile.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="view">The projection without the lens.</param>
+    /// <param name="lens">The samples of the image.</param>
+    /// <param name="index">Index of the band.</param>
+    /// <param name="blocks">The blocks that the image may show.</param>
+    /// <param name="band">The band.</param>
     public VisibilityCounts Draw(
-        SurfaceModel surface, ImageView view, LensSamples lens, IReadOnlyList<LensTile> tiles, List<VisibleBlock> blocks, Band band)
+        SurfaceModel surface, ImageView view, LensSamples lens, int index, List<VisibleBlock> blocks, Band band)
     {
-        long read = 0;
-        long sieved = 0;
-        foreach (LensTile tile in tiles)
+        _touching.Clear();
+        double width = 0.0;
+        foreach (VisibleBlock visible in blocks)
         {
-            ImageView tileView = new(view.Camera, view.OffsetX, view.OffsetY, lens, tile);
-            Begin(tileView);
-            band.Narrow(tile, lens, ref _sampleColumns, ref _sampleRows);
-            foreach (VisibleBlock visible in blocks)
+            if (visible.Tangents.Meets(lens.TangentsOf(index)))
             {
-                if (visible.Tangents.Meets(tile.Tangents))
+                _touching.Add(visible);
+                width += Math.Sqrt(Math.Max(0.0, visible.Tangents.Area));
+            }
+        }
+
+        // One division for the whole band: a sample must see both sides of an edge in the same plane.
+        double cell = width * view.PixelsPerTangent / (_touching.Count * CellBlock.Size);
+        IReadOnlyList<LensTile> tiles = lens.TilesOf(index, cell);
+        band.Place(tiles, lens, ref _sampleColumns, ref _sampleRows);
+        ImageView[] views = [.. tiles.Select(tile => new ImageView(view.Camera, view.OffsetX, view.OffsetY, lens, tile))];
+        Begin(view);
+        long sieved = 0;
+        foreach (VisibleBlock visible in _touching)
+        {
+            _block.Read(surface, visible.Block, view);
+            for (int tile = 0; tile < views.Length; tile++)
+            {
+                if (visible.Tangents.Meets(tiles[tile].Tangents))
                 {
-                    read++;
-                    sieved += DrawBlock<AnySamples>(surface, visible.Block, tileView, band);
+                    band.Narrow(tiles[tile]);
+                    _crossing.Begin(views[tile]);
+                    sieved += DrawBlock<AnySamples>(views[tile], band);
                 }
             }
         }
 
-        return new VisibilityCounts(0, read, sieved, band.RecordCount);
+        return new VisibilityCounts(0, _touching.Count, sieved, band.RecordCount);
     }
 
     private void Begin(ImageView view)
@@ -62,10 +84,10 @@ internal sealed class BandWorker
         _crossing.Begin(view);
     }
 
-    private long DrawBlock<TSamples>(SurfaceModel surface, CellBlock block, ImageView view, Band band)
+    private long DrawBlock<TSamples>(ImageView view, Band band)
         where TSamples : struct, ISampleKind
     {
-        _block.Load(surface, block, view);
+        _block.Project(view);
         return _block.IsInFront ? _sieve.Draw<TSamples>(_block, band) : _crossing.DrawAll<TSamples>(_block, band);
     }
 }

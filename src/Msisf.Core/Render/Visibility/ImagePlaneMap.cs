@@ -1,3 +1,4 @@
+using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 
 namespace Msisf.Core.Render.Visibility;
@@ -21,6 +22,24 @@ internal readonly record struct ImagePlaneMap(
 
     /// <summary>Row of a point of the ideal plane.</summary>
     public double Row(double right, double down) => (RowPerRight * right) + (RowPerDown * down) + Row0;
+
+    /// <summary>Columns and rows of points of the ideal plane, with the bits of <see cref="Column"/> and <see cref="Row"/>.</summary>
+    public void Apply(ReadOnlySpan<double> right, ReadOnlySpan<double> down, Span<double> columns, Span<double> rows)
+    {
+        int i = 0;
+        for (; i <= columns.Length - Vector512<double>.Count; i += Vector512<double>.Count)
+        {
+            Vector512<double> x = Vector512.Create(right[i..]);
+            Vector512<double> y = Vector512.Create(down[i..]);
+            ((ColumnPerRight * x) + (ColumnPerDown * y) + Vector512.Create(Column0)).CopyTo(columns[i..]);
+            ((RowPerRight * x) + (RowPerDown * y) + Vector512.Create(Row0)).CopyTo(rows[i..]);
+        }
+
+        for (; i < columns.Length; i++)
+        {
+            (columns[i], rows[i]) = (Column(right[i], down[i]), Row(right[i], down[i]));
+        }
+    }
 
     /// <summary>The point of the ideal plane at a column and row.</summary>
     public (double Right, double Down) Inverse(double column, double row)

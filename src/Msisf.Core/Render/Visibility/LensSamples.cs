@@ -10,8 +10,17 @@ namespace Msisf.Core.Render.Visibility;
 /// </summary>
 internal sealed class LensSamples
 {
-    /// <summary>px: tiles are halved until no sample is farther from its pixel. Measured: smaller tiles cost more blocks to read.</summary>
-    private const double MaxMargin = 0.15;
+    /// <summary>
+    /// Parts of a cell: tiles are halved until no sample is farther from its pixel. Measured: with less the tiles are smaller and each block
+    /// is projected more often; with more each cell is tested against more samples.
+    /// </summary>
+    private const double MarginPerCell = 0.15;
+
+    /// <summary>px: the smallest margin for which tiles are made; each further kind of tiles has twice the margin.</summary>
+    private const double MinMargin = 0.1;
+
+    /// <summary>Kinds of tiles.</summary>
+    private const int Kinds = 8;
 
     /// <summary>px: tiles are not halved below this side.</summary>
     private const int MinSide = 8;
@@ -20,6 +29,8 @@ internal sealed class LensSamples
     private const double Rounding = 1e-9;
 
     private CameraModel? _model;
+    private TangentBox[] _bands = [];
+    private IReadOnlyList<LensTile>?[] _tiles = [];
     private (double X, double Y) _offset;
 
     /// <summary>Tangent to the right of each pixel's sample, row by row.</summary>
@@ -30,9 +41,6 @@ internal sealed class LensSamples
 
     /// <summary>The part of the ideal image plane in which all samples lie.</summary>
     public TangentBox Tangents { get; private set; }
-
-    /// <summary>The tiles of each band.</summary>
-    public IReadOnlyList<LensTile>[] Tiles { get; private set; } = [];
 
     /// <summary>Computes the samples of a camera, if they are not there already.</summary>
     /// <param name="model">The camera, with a lens.</param>
@@ -55,24 +63,60 @@ internal sealed class LensSamples
             Down = new double[size];
         }
 
-        IReadOnlyList<LensTile>[] tiles = new IReadOnlyList<LensTile>[(model.Height + VisibleSurface.BandRows - 1) / VisibleSurface.BandRows];
-        WorkerTeam.Run(threads, tiles.Length, (_, band) =>
+        TangentBox[] bands = new TangentBox[(model.Height + VisibleSurface.BandRows - 1) / VisibleSurface.BandRows];
+        WorkerTeam.Run(threads, bands.Length, (_, band) =>
         {
-            int first = band * VisibleSurface.BandRows;
-            int last = Math.Min(model.Height, first + VisibleSurface.BandRows) - 1;
-            for (int row = first; row <= last; row++)
+            PixelRange pixels = PixelsOf(model, band);
+            for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
             {
                 FillRow(model, row, offsetX, offsetY);
             }
 
-            List<LensTile> found = [];
-            Divide(model, new PixelRange(0, model.Width - 1, first, last), offsetX, offsetY, found);
-            tiles[band] = found;
+            bands[band] = TangentsOf(model, pixels);
         }, cancellation);
 
-        Tiles = tiles;
-        Tangents = tiles.SelectMany(band => band).Aggregate(TangentBox.Nothing, (all, tile) => all.With(tile.Tangents));
+        _bands = bands;
+        _tiles = new IReadOnlyList<LensTile>?[bands.Length * Kinds];
+        Tangents = bands.Aggregate(TangentBox.Nothing, (all, band) => all.With(band));
         (_model, _offset) = (model, (offsetX, offsetY));
+    }
+
+    /// <summary>The part of the ideal image plane in which the samples of a band lie.</summary>
+    public TangentBox TangentsOf(int band) => _bands[band];
+
+    /// <summary>The tiles of a band; they are made when they are first needed, by the thread that draws the band.</summary>
+    /// <param name="band">Index of the band.</param>
+    /// <param name="cellPixels">px: about the width of the cells that are drawn.</param>
+    public IReadOnlyList<LensTile> TilesOf(int band, double cellPixels)
+    {
+        double kinds = Math.Floor(Math.Log2(Math.Max(MinMargin, MarginPerCell * cellPixels) / MinMargin));
+        int kind = kinds < Kinds ? (int)kinds : Kinds - 1; // also for cells of no known width
+        ref IReadOnlyList<LensTile>? tiles = ref _tiles[(band * Kinds) + kind];
+        if (tiles is null)
+        {
+            List<LensTile> found = [];
+            Divide(_model!, PixelsOf(_model!, band), Math.ScaleB(MinMargin, kind), found);
+            tiles = found;
+        }
+
+        return tiles;
+    }
+
+    private static PixelRange PixelsOf(CameraModel model, int band)
+    {
+        int first = band * VisibleSurface.BandRows;
+        return new PixelRange(0, model.Width - 1, first, Math.Min(model.Height, first + VisibleSurface.BandRows) - 1);
+    }
+
+    private TangentBox TangentsOf(CameraModel model, PixelRange pixels)
+    {
+        TangentBox tangents = TangentBox.Nothing;
+        for (int sample = pixels.FirstRow * model.Width; sample < (pixels.LastRow + 1) * model.Width; sample++)
+        {
+            tangents = tangents.With(Right[sample], Down[sample]);
+        }
+
+        return tangents;
     }
 
     private void FillRow(CameraModel model, int row, double offsetX, double offsetY)
@@ -96,11 +140,11 @@ internal sealed class LensSamples
     }
 
     /// <summary>Halves a rectangle until a linear map fits.</summary>
-    private void Divide(CameraModel model, PixelRange pixels, double offsetX, double offsetY, List<LensTile> tiles)
+    private void Divide(CameraModel model, PixelRange pixels, double maxMargin, List<LensTile> tiles)
     {
-        LensTile tile = TileOf(model, pixels, offsetX, offsetY);
+        LensTile tile = TileOf(model, pixels);
         (int width, int height) = (pixels.LastColumn - pixels.FirstColumn + 1, pixels.LastRow - pixels.FirstRow + 1);
-        if (tile.Margin <= MaxMargin || Math.Max(width, height) <= MinSide)
+        if (tile.Margin <= maxMargin || Math.Max(width, height) <= MinSide)
         {
             tiles.Add(tile);
             return;
@@ -109,20 +153,20 @@ internal sealed class LensSamples
         if (width >= height)
         {
             int middle = pixels.FirstColumn + (width / 2);
-            Divide(model, pixels with { LastColumn = middle - 1 }, offsetX, offsetY, tiles);
-            Divide(model, pixels with { FirstColumn = middle }, offsetX, offsetY, tiles);
+            Divide(model, pixels with { LastColumn = middle - 1 }, maxMargin, tiles);
+            Divide(model, pixels with { FirstColumn = middle }, maxMargin, tiles);
         }
         else
         {
             int middle = pixels.FirstRow + (height / 2);
-            Divide(model, pixels with { LastRow = middle - 1 }, offsetX, offsetY, tiles);
-            Divide(model, pixels with { FirstRow = middle }, offsetX, offsetY, tiles);
+            Divide(model, pixels with { LastRow = middle - 1 }, maxMargin, tiles);
+            Divide(model, pixels with { FirstRow = middle }, maxMargin, tiles);
         }
     }
 
-    private LensTile TileOf(CameraModel model, PixelRange pixels, double offsetX, double offsetY)
+    private LensTile TileOf(CameraModel model, PixelRange pixels)
     {
-        ImagePlaneMap map = MapOf(model, pixels, offsetX, offsetY);
+        ImagePlaneMap map = MapOf(model, pixels, _offset.X, _offset.Y);
         (double left, double right) = (double.PositiveInfinity, double.NegativeInfinity);
         (double above, double below) = (double.PositiveInfinity, double.NegativeInfinity);
         TangentBox tangents = TangentBox.Nothing;

@@ -81,13 +81,18 @@ internal sealed class ProjectedBlock
     /// <summary>Position of a vertex in m, MOON_ME, relative to <see cref="ImageView.Origin"/>.</summary>
     public Vector3D At(int index) => new(Vertices.X[index], Vertices.Y[index], Vertices.Z[index]);
 
-    /// <summary>Reads and projects a block.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else draw with unoptimised vectors
-    public void Load(SurfaceModel surface, CellBlock block, ImageView view)
+    /// <summary>Reads the vertices of a block.</summary>
+    public void Read(SurfaceModel surface, CellBlock block, ImageView view)
     {
         Vertices.Load(surface, block, view.Origin);
         _lastCellLine = surface.Mesh.Lines - 1;
         _originFromAnchor = view.OriginFromAnchor;
+    }
+
+    /// <summary>Projects the block that was read.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else draw with unoptimised vectors
+    public void Project(ImageView view)
+    {
         Vector512<double> limit = Vector512.Create(view.CoordinateLimit);
         Vector512<double> one = Vector512<double>.One;
         Projection across = new(view.Across, view.Remainder);

@@ -49,7 +49,7 @@ internal sealed class VisibilityPass
             counts.Length,
             (worker, band) => counts[band] = lens is null
                 ? _workers[worker].Draw(_surface, view, blocks, _result.BeginBand(band))
-                : _workers[worker].Draw(_surface, view, lens, lens.Tiles[band], blocks, _result.BeginBand(band)),
+                : _workers[worker].Draw(_surface, view, lens, band, blocks, _result.BeginBand(band)),
             cancellation);
         _result.End(counts.Aggregate(new VisibilityCounts(blocks.Count, 0, 0, 0), (sum, next) => sum + next));
         return _result;
