@@ -29,7 +29,7 @@ is_current() {
     local file
     for file in "output/$1.xml" "output/$1.png" "output/$1.annotated.png"; do
         [ -e "$file" ] || return 1
-        [ -z "$(find quickstart.sh publish/sources input/ldem lib kernels -type f -newer "$file" -print | head -n 1)" ] ||
+        [ -z "$(find quickstart.sh publish/sources input/ldem input/albedo lib kernels -type f -newer "$file" -print | head -n 1)" ] ||
             return 1
     done
 }
@@ -56,6 +56,10 @@ if library=$(scripts/get-cspice.sh); then
     say "CSPICE is $library."
 else
     say 'Going on without CSPICE, with the built-in kernel reader.'
+fi
+# GDAL decodes the map of the Moon's reflectance. Without one of them the native image shows a Moon without maria.
+if scripts/get-albedo.sh; then
+    install_parts gdal-library || say 'Going on without GDAL: the map of the reflectance is not used.'
 fi
 
 images=()

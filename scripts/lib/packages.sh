@@ -10,6 +10,7 @@ part_is_here() {
         cfitsio) library_is_here libcfitsio ;;
         astropy) python_package_is_here astropy ;;
         gdal) python_package_is_here osgeo ;;
+        gdal-library) library_is_here libgdal ;;
         matplotlib) python_package_is_here matplotlib ;;
         icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
         certificates) certificates_are_here ;;
@@ -54,6 +55,9 @@ package_of() {
         apt-cfitsio) echo libcfitsio10 ;;
         apt-astropy) echo python3-astropy python3-numpy ;;
         apt-gdal) echo python3-gdal ;;
+        apt-gdal-library) echo python3-gdal ;; # the library alone has its version in its name
+        dnf-gdal-library) echo gdal-libs ;;
+        *-gdal-library) echo gdal ;;
         apt-matplotlib) echo python3-matplotlib ;;
         dnf-astropy | dnf-gdal | dnf-matplotlib) echo "python3-$2" ;;
         pacman-astropy | pacman-matplotlib) echo "python-$2" ;;

@@ -11,6 +11,7 @@ make_built_clone() {
 #!/bin/sh
 echo built
 BUILD
+    printf '#!/bin/sh\necho no map\nexit 1\n' | make_executable clone/scripts/get-albedo.sh
     make_executable clone/scripts/get-cspice.sh <<'CSPICE'
 #!/bin/sh
 echo "${CSPICE:-}"

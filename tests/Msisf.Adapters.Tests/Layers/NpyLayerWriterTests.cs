@@ -6,6 +6,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render.Photometry;
 using Msisf.Core.Time;
 using Msisf.TestSupport;
 using Xunit;
@@ -68,7 +69,7 @@ public sealed class NpyLayerWriterTests : IDisposable
         FrameMetadata frame = new(new ModifiedJulianDate(55289.25), camera, 57.0, Sun, 16, "1.0.0", "--x '\u00e4'");
         using AtomicFileSet files = new();
         IReadOnlyList<string> paths = NpyLayerWriter.Write(
-            files, _folder["frame"], frame, new LayerProvenance("LDEM_16", 4, 2, "native"), new SphereTruth(camera, Sun, 4),
+            files, _folder["frame"], frame, new LayerProvenance("LDEM_16", 4, 2, "native", SpectralBand.Default), new SphereTruth(camera, Sun, 4),
             LayerSet.Parse(layers));
         files.Commit();
         return paths;

@@ -33,7 +33,7 @@ internal sealed class ImageMaker
         bool isPovRay = setting.Kind == SettingKind.PovRay;
         string[] renderer = isPovRay
             ? ["--renderer", "povray", "--pattern-repos", patterns, "--timeout", Timeout]
-            : ["--renderer", "native"];
+            : ["--renderer", "native", "--reflectance", "lambert"];
         return _bench.Msis.Run(
             ["--fixed-state", scene.FixedState, .. _bench.ImageOptions(scene.PixelsPerDegree, output), .. renderer, .. setting.Options],
             watch: isPovRay ? MemoryWatch.Children : MemoryWatch.None);

@@ -22,7 +22,7 @@ internal sealed class FirstFrames
     [
         "--fixed-state", scene.FixedState,
         .. _bench.ImageOptions(scene.PixelsPerDegree, _bench.NewOutputFolder()),
-        "--renderer", "native",
+        "--renderer", "native", "--reflectance", "lambert",
         .. scene.IsExact ? (string[])["--lod", "off"] : [],
     ]);
 }

@@ -43,7 +43,7 @@ internal sealed class Sequences
             [
                 .. Orbit(frames),
                 .. _bench.ImageOptions(_repeats.SequencePixelsPerDegree, folder),
-                "--renderer", "native",
+                "--renderer", "native", "--reflectance", "lambert",
                 .. options,
             ],
             watch: MemoryWatch.Own);

@@ -3,6 +3,7 @@ using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 using Msisf.Core.Tracing;
@@ -13,6 +14,8 @@ namespace Msisf.Core.Tests.Layers;
 
 public class LayerSamplerTests
 {
+    private static readonly LayerProvenance Provenance = new("LDEM_4", 4, 0, "native", SpectralBand.Default);
+
     private static readonly Vector3D Sun = 1.5e11 * new Vector3D(0.6, 0.8, 0.0);
 
     [Fact]
@@ -161,7 +164,7 @@ public class LayerSamplerTests
 
     private static double[][] Sample(SphereTruth truth, params string[] names)
     {
-        LayerSampler sampler = new(truth, 4);
+        LayerSampler sampler = new(truth, Provenance);
         IReadOnlyList<Layer> layers = LayerSet.Parse(string.Join(',', names)).Layers;
         double[][] planes = Planes(layers, sampler.Width * sampler.Height);
         for (int row = 0; row < sampler.Height; row++)
@@ -175,7 +178,7 @@ public class LayerSamplerTests
     /// <summary>The values of one pixel, in the order of the catalogue.</summary>
     private static double[] PixelOf(SphereTruth truth, int x, int y, params string[] names)
     {
-        LayerSampler sampler = new(truth, 4);
+        LayerSampler sampler = new(truth, Provenance);
         IReadOnlyList<Layer> layers = LayerSet.Parse(string.Join(',', names)).Layers;
         double[][] planes = Planes(layers, sampler.Width);
         sampler.SampleRow(y - 1, layers, planes, start: 0);

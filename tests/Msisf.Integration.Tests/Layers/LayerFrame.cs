@@ -3,6 +3,7 @@ using Msisf.Adapters.Layers;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render.Photometry;
 using Msisf.Integration.Tests.Metadata;
 using Msisf.TestSupport;
 
@@ -16,7 +17,7 @@ internal static class LayerFrame
 
     public const int Height = 67;
 
-    public static LayerProvenance Provenance { get; } = new("LDEM_16", 16, 2, "native");
+    public static LayerProvenance Provenance { get; } = new("LDEM_16", 16, 2, "native", SpectralBand.Default);
 
     public static FrameMetadata Metadata { get; } = ExampleFrame.OfSize(Width, Height) with
     {
@@ -36,7 +37,7 @@ internal static class LayerFrame
     /// <summary>A layer's numbers as bytes: plane by plane, each by rows from the top.</summary>
     public static byte[] ExpectedBytes(Layer layer)
     {
-        LayerSampler sampler = new(Truth, 16);
+        LayerSampler sampler = new(Truth, Provenance);
         double[][] planes = [.. Enumerable.Range(0, layer.Planes).Select(_ => new double[Width * Height])];
         for (int row = 0; row < Height; row++)
         {

@@ -88,7 +88,8 @@ public sealed class NativeImageTests(RenderFixture fixture, ITestOutputHelper ou
             [.. arguments, "--output-name", "povray", "--lod", "off", "--pov-options", "Antialias=Off", .. common]);
         Assert.True(povRay.ExitCode == 0, povRay.Error);
         string[] withoutPatterns = [.. common.Where((_, index) => index is not (2 or 3))];
-        CommandLineRun native = CommandLineRun.Of([.. arguments, "--output-name", "native", "--renderer", "native", .. withoutPatterns]);
+        CommandLineRun native = CommandLineRun.Of(
+            [.. arguments, "--output-name", "native", "--renderer", "native", "--reflectance", "lambert", .. withoutPatterns]);
         Assert.True(native.ExitCode == 0, native.Error);
         return (PngPixels.Read(_folder["povray.png"]), PngPixels.Read(_folder["native.png"]));
     }

@@ -132,7 +132,7 @@ public sealed class RenderRunTests : IClassFixture<RenderFixture>, IDisposable
     {
         CommandLineRun run = CommandLineRun.Of(
         [
-            .. SmallView, "--renderer", "native", "--aberration", aberration,
+            .. SmallView, "--renderer", "native", "--reflectance", "lambert", "--aberration", aberration,
             "--ldem", TestParts.Ldem4Label!, "--output-dir", _folder.Path, "--ephemeris", "builtin",
         ]);
 

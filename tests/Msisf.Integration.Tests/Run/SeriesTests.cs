@@ -158,7 +158,7 @@ public sealed class SeriesTests : IDisposable
     private CommandLineRun Run(string folder, params string[] more) => CommandLineRun.Of(
     [
         "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.005]", "--renderer",
-        "native",
+        "native", "--reflectance", "lambert",
         "--width", "24", "--height", "16", "--grid", "8", "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir",
         _folder[folder], "--batch", .. more,
     ]);

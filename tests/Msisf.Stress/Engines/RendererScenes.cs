@@ -46,7 +46,7 @@ internal sealed class RendererScenes(TemporaryFolder folder, IElevationGrid grid
             $"{kind}: {string.Join(' ', scene)}",
             position.Length,
             Run("povray", [.. scene, "--lod", "off", "--pov-options", "Antialias=Off", "--pattern-repos", folder["patterns"]]),
-            Run("native", [.. scene, "--renderer", "native", "--lod", "off"]));
+            Run("native", [.. scene, "--renderer", "native", "--reflectance", "lambert", "--lod", "off"]));
     }
 
     private double DayTime(Vector3D position, CaseRandom random)

@@ -49,7 +49,7 @@ internal sealed class ModelInputs(FuzzWorld world)
     {
         string[] source = ["--ldem", model, "--res", resolution.ToString(
             System.Globalization.CultureInfo.InvariantCulture), "--ignore-sun", "--fixed-state", FuzzWorld.State];
-        yield return [.. FuzzWorld.TinyImage, "--renderer", "native", .. source, "--output-dir", Path.Combine(
+        yield return [.. FuzzWorld.TinyImage, "--renderer", "native", "--reflectance", "lambert", .. source, "--output-dir", Path.Combine(
             Path.GetDirectoryName(model)!, "out")];
         yield return ListPatterns(model, resolution);
     }

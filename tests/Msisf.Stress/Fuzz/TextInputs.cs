@@ -88,8 +88,8 @@ internal sealed class TextInputs(FuzzWorld world)
         string metaKernel = Path.Combine(FolderOf(path), Path.GetFileName(world.Kernels));
         string[] call =
         [
-            .. FuzzWorld.TinyImage, "--renderer", "native", "--res", "1", "--ldem", world.Model, "--ephemeris", "builtin", "--kernels",
-            metaKernel, .. Output(path)
+            .. FuzzWorld.TinyImage, "--renderer", "native", "--reflectance", "lambert", "--res", "1", "--ldem", world.Model,
+            "--ephemeris", "builtin", "--kernels", metaKernel, .. Output(path)
         ];
         yield return [.. call, "--fixed-state", FuzzWorld.State];
         yield return [.. call, "--fixed-state", FuzzWorld.State, "--aberration", "lt+s"];
