@@ -7,6 +7,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
+using Msisf.Core.Detector;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Terrain;
@@ -57,6 +58,14 @@ internal sealed class FrameFiles
         _times.Measure(
             Phase.Xml, () => files.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation)));
         paths.Add($"{stem}.xml");
+        if (rendered.Detected is DetectorImage detected && _settings.Native.Detector is { WritesFits: true } detector)
+        {
+            _times.Measure(Phase.Output, () => files.Write(
+                $"{stem}.dn.fits",
+                stream => DetectorFitsWriter.Write(stream, detected, detector.Settings, metadata, Provenance(rendered))));
+            paths.Add($"{stem}.dn.fits");
+        }
+
         if (_settings.Native.Layers is LayerSet layers)
         {
             paths.AddRange(_times.Measure(Phase.Layers, () => WriteLayers(files, stem, metadata, rendered, layers, cancellation)));
@@ -82,8 +91,7 @@ internal sealed class FrameFiles
         AtomicFileSet files, string stem, FrameMetadata metadata, RenderedFrame rendered, LayerSet layers, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        int level = int.Log2(_pixelsPerDegree / rendered.PixelsPerDegree);
-        LayerProvenance provenance = new(_product, rendered.PixelsPerDegree, level, "native", _settings.Albedo.Band);
+        LayerProvenance provenance = Provenance(rendered);
         if (_settings.Native.LayersFormat == LayersFormat.Npy)
         {
             return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, cancellation);
@@ -92,6 +100,9 @@ internal sealed class FrameFiles
         files.Write($"{stem}.fits", stream => FitsLayerWriter.Write(stream, metadata, provenance, rendered.Truth, layers, cancellation));
         return [$"{stem}.fits"];
     }
+
+    private LayerProvenance Provenance(RenderedFrame rendered) => new(
+        _product, rendered.PixelsPerDegree, int.Log2(_pixelsPerDegree / rendered.PixelsPerDegree), "native", _settings.Albedo.Band);
 
     private FrameMetadata Describe(Frame frame, RenderedFrame rendered) => new(
         frame.Time,

@@ -1,3 +1,4 @@
+using Msisf.Core.Detector;
 using Msisf.Core.Render;
 
 namespace Msisf.App.Rendering;
@@ -9,5 +10,7 @@ namespace Msisf.App.Rendering;
 /// <param name="WriteScene">Writes the scene that was rendered; null if the renderer has none.</param>
 /// <param name="PixelsPerDegree">Resolution of the drawn surface, px/deg: that of the model or of its level of detail.</param>
 /// <param name="Truth">Ground truth of the pixels; may be null if the meta file's pixels lie on the reference sphere.</param>
+/// <param name="Detected">What the camera's detector read out; null without a detector.</param>
 internal sealed record RenderedFrame(
-    RendererKind Renderer, Stream Image, string ImageName, Action<TextWriter>? WriteScene, int PixelsPerDegree, IGroundTruth? Truth);
+    RendererKind Renderer, Stream Image, string ImageName, Action<TextWriter>? WriteScene, int PixelsPerDegree, IGroundTruth? Truth,
+    DetectorImage? Detected = null);

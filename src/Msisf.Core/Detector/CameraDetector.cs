@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Errors;
@@ -14,6 +15,7 @@ public sealed class CameraDetector
     private readonly double _electronsPerSteradian;
     private readonly double[] _throughput;
     private readonly DetectorPass _pass;
+    private readonly ConcurrentBag<DetectorImage> _idle = [];
 
     /// <summary>Prepares a camera.</summary>
     /// <param name="settings">Optics and detector.</param>
@@ -44,12 +46,19 @@ public sealed class CameraDetector
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public DetectorImage Expose(NativeFrame drawn, ModifiedJulianDate time, int threads, CancellationToken cancellation)
     {
-        DetectorImage image = new(drawn.Camera.Width - (2 * Margin), drawn.Camera.Height - (2 * Margin));
+        if (!_idle.TryTake(out DetectorImage? image))
+        {
+            image = new DetectorImage(drawn.Camera.Width - (2 * Margin), drawn.Camera.Height - (2 * Margin));
+        }
+
         double perSteradian = _electronsPerSteradian * SpectralBand.RadianceOfUnitIrradiance(drawn.LightPositionMoonMe.Length);
         _pass.Expose(drawn.RadianceFactorMemory, _throughput, perSteradian, image, threads, cancellation);
         _pass.Read(image, FrameNumber.Of(time, drawn.Camera), threads, cancellation);
         return image;
     }
+
+    /// <summary>Returns an image's memory for later frames; it must not be used after that.</summary>
+    public void GiveBack(DetectorImage image) => _idle.Add(image);
 
     private static CameraModel Widened(CameraModel model, int margin)
     {
