@@ -9,7 +9,11 @@ namespace Msisf.Adapters.Camera;
 /// <param name="Model">Size, focal length, principal point and distortion.</param>
 /// <param name="FocalLength">m; null if the file gives it in px, or a field of view.</param>
 /// <param name="PixelPitch">m, along rows and columns; null if the file gives the focal length in px, or a field of view.</param>
+/// <param name="Path">Where the file is.</param>
+/// <param name="Bytes">Its length.</param>
+/// <param name="IsPreset">Whether it belongs to the installation.</param>
+/// <param name="FieldOfViewDegrees">Horizontal field of view, as the file gives it or computed.</param>
 /// <param name="Detector">Optics and detector; null if the file does not describe them.</param>
 public sealed record CameraFile(
-    string Name, string Sha256, string? Description, CameraModel Model, double? FocalLength, (double X, double Y)? PixelPitch,
-    CameraFileDetector? Detector = null);
+    string Name, string Sha256, string? Description, CameraModel Model, double? FocalLength, (double X, double Y)? PixelPitch, string Path,
+    long Bytes, bool IsPreset, double FieldOfViewDegrees, CameraFileDetector? Detector = null);

@@ -27,9 +27,9 @@ public static class CameraFileReader
 
     /// <summary>Reads a file.</summary>
     /// <param name="path">Its path.</param>
-    /// <param name="name">Name of the camera for messages and for what is written; null for the file's name.</param>
+    /// <param name="preset">Name of the preset; null for a file of the user, which is named by its file name.</param>
     /// <exception cref="BadInputException">There is no such file, or what is wrong in it, by file, line and column.</exception>
-    public static CameraFile Read(string path, string? name = null)
+    public static CameraFile Read(string path, string? preset = null)
     {
         byte[] content = FileErrors.ToBadInput($"{path}: the camera file can't be read", () =>
         {
@@ -37,15 +37,15 @@ public static class CameraFileReader
             byte[] bytes = new byte[ConfigFileReader.LargestSize + 1];
             return bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
         });
-        return Parse(content, path, name ?? Path.GetFileName(path));
+        return Parse(content, path, preset);
     }
 
     /// <summary>Reads a file's content.</summary>
     /// <param name="content">The bytes.</param>
     /// <param name="path">For messages.</param>
-    /// <param name="name">Name of the camera.</param>
+    /// <param name="preset">Name of the preset; null for a file of the user.</param>
     /// <exception cref="BadInputException">What is wrong in it, by file, line and column.</exception>
-    public static CameraFile Parse(byte[] content, string path, string name)
+    public static CameraFile Parse(byte[] content, string path, string? preset = null)
     {
         using MemoryStream stream = new(content);
         CameraSection file = new(path, "a camera", (1, 1), ConfigFileReader.Read(stream, path, hasSections: true), Keys);
@@ -74,7 +74,10 @@ public static class CameraFileReader
         CameraFileDetector? detector = DetectorSection.Read(
             file, new DetectorGeometry(path, width, height, metric?.FocalLength, metric?.Pitch));
         return new CameraFile(
-            name, Checksum(content, detector), file.Text("description"), model, metric?.FocalLength, metric?.Pitch, detector);
+            preset ?? Path.GetFileName(path), Checksum(content, detector), file.Text("description"), model,
+            metric?.FocalLength, metric?.Pitch, path, content.Length, preset is not null,
+            model.Distortion is null && file.Number("field-of-view") is double given ? given : double.RadiansToDegrees(model.FieldOfView),
+            detector);
 
         static double focalMillimetres(double focalLength) => focalLength / MetresPerMillimetre;
     }

@@ -24,6 +24,9 @@ public sealed class Installation
     /// <summary>The folder into which the set-up script puts maps of the Moon's reflectance.</summary>
     public string AlbedoMaps => Path.Combine(Root, "input", "albedo");
 
+    /// <summary>The folder with the presets of cameras.</summary>
+    public string Cameras => Path.Combine(Root, "cameras");
+
     /// <summary>The command that starts the program in scripts that run later and elsewhere.</summary>
     public string Launcher => OperatingSystem.IsWindows() ? Path.Combine(Root, "publish", "msis.exe") : Path.Combine(Root, "msis");
 

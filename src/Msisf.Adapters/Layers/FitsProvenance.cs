@@ -1,4 +1,6 @@
+using System.Globalization;
 using Msisf.Adapters.Interop;
+using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
@@ -39,16 +41,50 @@ internal static class FitsProvenance
         unit.Put("CAMQ0", orientation.W, "real part");
         unit.Put("CAMFOV", frame.FieldOfViewDegrees, "[deg] horizontal field of view");
         unit.Put("CAMALT", frame.FlightAltitude, "[m] camera over the mean radius");
+        unit.Put("CAMTERR", frame.HeightOverTerrain, "[m] camera over the elevation model below");
+        PutMatrix(unit, CameraMatrix.Of(frame.Camera));
         PutVector(unit, "SUNPOS", frame.SunPositionMoonMe, "Sun, or lamp");
         unit.Put("MEANRAD", MoonConstants.MeanRadius, "[m] mean radius, for CAMALT");
         unit.Put("REFRAD", MoonConstants.ReferenceRadius, "[m] reference radius, for HEIGHT");
         unit.Put("ELEVMODL", FitsText.Ascii(provenance.ElevationProduct), "elevation model");
-        unit.Put("ELEVRES", frame.PixelsPerDegree, "[px/deg] of the elevation model");
+        unit.Put("ELEVRES", frame.Elevation.PixelsPerDegree, "[px/deg] of the elevation model");
         unit.Put("LOD", provenance.LevelOfDetail, "level of detail, 0 is the model itself");
         unit.Put("MESHRES", provenance.MeshPixelsPerDegree, "[px/deg] of the mesh that CELL counts in");
         foreach (string line in Remarks.SelectMany(FitsText.Wrap))
         {
             unit.PutComment(line);
+        }
+    }
+
+    /// <summary>OpenCV's form of the camera: K, R and t by rows and columns from 1, as the standard's CDi_j.</summary>
+    private static void PutMatrix(FitsUnit unit, CameraMatrix camera)
+    {
+        unit.Put("CAMW", camera.Width, "[px] image width");
+        unit.Put("CAMH", camera.Height, "[px] image height");
+        PutRows(unit, "CAMK", camera.IntrinsicRows, "[px] K: p = K (R X + t), pixels from 0");
+        PutRows(unit, "CAMR", camera.RotationRows, "R: MOON_ME to x right, y down, z ahead");
+        unit.Put("CAMT1", camera.Translation.X, "[m] t = -R times the camera's position");
+        unit.Put("CAMT2", camera.Translation.Y, "[m]");
+        unit.Put("CAMT3", camera.Translation.Z, "[m]");
+        if (camera.Distortion is not { } distortion)
+        {
+            return;
+        }
+
+        unit.Put("CAMDIST", distortion.Name, "distortion, before K; docs/cameras.md");
+        for (int i = 0; i < distortion.Coefficients.Count; i++)
+        {
+            unit.Put(string.Create(CultureInfo.InvariantCulture, $"CAMD{i + 1}"), distortion.Coefficients[i], string.Empty);
+        }
+    }
+
+    private static void PutRows(FitsUnit unit, string key, IReadOnlyList<Vector3D> rows, string what)
+    {
+        for (int row = 0; row < rows.Count; row++)
+        {
+            unit.Put(string.Create(CultureInfo.InvariantCulture, $"{key}{row + 1}_1"), rows[row].X, what);
+            unit.Put(string.Create(CultureInfo.InvariantCulture, $"{key}{row + 1}_2"), rows[row].Y, string.Empty);
+            unit.Put(string.Create(CultureInfo.InvariantCulture, $"{key}{row + 1}_3"), rows[row].Z, string.Empty);
         }
     }
 

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
@@ -27,8 +28,12 @@ internal static class LayersJson
             WriteNumbers(json, "cameraQuaternionXyz0", orientation.X, orientation.Y, orientation.Z, orientation.W);
             json.WriteNumber("fieldOfViewDegrees", frame.FieldOfViewDegrees);
             WriteNumbers(json, "sunPositionM", frame.SunPositionMoonMe.X, frame.SunPositionMoonMe.Y, frame.SunPositionMoonMe.Z);
+            json.WriteNumber("flightAltitudeM", frame.FlightAltitude);
+            json.WriteNumber("heightOverTerrainM", frame.HeightOverTerrain);
+            WriteCamera(json, CameraMatrix.Of(frame.Camera));
             json.WriteString("elevationModel", provenance.ElevationProduct);
-            json.WriteNumber("pixelsPerDegree", frame.PixelsPerDegree);
+            json.WriteBoolean("elevationModelIsSynthetic", frame.Elevation.IsSynthetic);
+            json.WriteNumber("pixelsPerDegree", frame.Elevation.PixelsPerDegree);
             json.WriteNumber("levelOfDetail", provenance.LevelOfDetail);
             json.WriteNumber("meshPixelsPerDegree", provenance.MeshPixelsPerDegree);
             json.WriteStartArray("layers");
@@ -46,6 +51,35 @@ internal static class LayersJson
         }
 
         stream.WriteByte((byte)'\n');
+    }
+
+    private static void WriteCamera(Utf8JsonWriter json, CameraMatrix camera)
+    {
+        json.WriteNumber("width", camera.Width);
+        json.WriteNumber("height", camera.Height);
+        WriteRows(json, "K", camera.IntrinsicRows);
+        WriteRows(json, "R", camera.RotationRows);
+        WriteNumbers(json, "t", camera.Translation.X, camera.Translation.Y, camera.Translation.Z);
+        if (camera.Distortion is { } distortion)
+        {
+            json.WriteString("distortionModel", distortion.Name);
+            WriteNumbers(json, "distortion", [.. distortion.Coefficients]);
+        }
+    }
+
+    private static void WriteRows(Utf8JsonWriter json, string name, IReadOnlyList<Vector3D> rows)
+    {
+        json.WriteStartArray(name);
+        foreach (Vector3D row in rows)
+        {
+            json.WriteStartArray();
+            json.WriteNumberValue(row.X);
+            json.WriteNumberValue(row.Y);
+            json.WriteNumberValue(row.Z);
+            json.WriteEndArray();
+        }
+
+        json.WriteEndArray();
     }
 
     private static void WriteNumbers(Utf8JsonWriter json, string name, params ReadOnlySpan<double> numbers)

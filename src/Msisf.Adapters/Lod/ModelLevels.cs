@@ -22,6 +22,11 @@ public sealed class ModelLevels : IDisposable
     /// <summary>Which sidecar exists but can't be used, and why; null if there is none such.</summary>
     public string? Warning { get; }
 
+    /// <summary>The places for the sidecar of a model.</summary>
+    /// <param name="set">The model.</param>
+    /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
+    public static SidecarPlaces PlacesOf(LdemSet set, string? cacheFolder) => SidecarPlaces.Of(set, ".pyramid", cacheFolder);
+
     /// <summary>Opens the levels; no sample is read.</summary>
     /// <param name="image">The model.</param>
     /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
@@ -33,7 +38,7 @@ public sealed class ModelLevels : IDisposable
         long cacheBytes = LodLevels.DefaultCacheBytes,
         int samplesBetweenReleases = LodLevels.DefaultSamplesBetweenReleases)
     {
-        PyramidPlaces places = PyramidPlaces.Of(image.Set, cacheFolder);
+        SidecarPlaces places = PlacesOf(image.Set, cacheFolder);
         PyramidFile? file = PyramidFile.TryOpen(places.Beside, image, out string? problem);
         string? warning = problem is null ? null : Unusable(places.Beside, problem);
         if (file is null && places.Cached is { } cached)

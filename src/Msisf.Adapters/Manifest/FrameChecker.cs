@@ -30,23 +30,26 @@ public sealed class FrameChecker
     /// <param name="failed">What failed since; null for nothing.</param>
     public FrameCheck Check(ExpectedRecord expected, FrameRecord? made, FailedRecord? failed)
     {
-        (FrameState state, string reason) = made is null ? (FrameState.Missing, "not made yet")
-            : made.Frame != expected.Frame ? (FrameState.OtherSettings, "made with other settings, or from another state")
-            : CheckFiles(made.Files);
+        (FrameState state, string reason) = made is null ? (FrameState.Missing, "not made yet") : CheckFiles(made, expected);
         return state != FrameState.Complete && failed is not null && failed.Frame == expected.Frame
             ? new FrameCheck(expected, FrameState.Failed, failed.Cause)
             : new FrameCheck(expected, state, reason);
     }
 
-    private (FrameState State, string Reason) CheckFiles(IReadOnlyList<OutputFile> files)
+    private (FrameState State, string Reason) CheckFiles(FrameRecord record, ExpectedRecord expected)
     {
-        FileInfo[] there = [.. files.Select(file => Target(new FileInfo(Path.Combine(_folder, file.Name))))];
+        FileInfo[] there = [.. record.Files.Select(file => Target(new FileInfo(Path.Combine(_folder, file.Name))))];
         if (Array.TrueForAll(there, file => !file.Exists))
         {
             return (FrameState.Missing, "its files are gone");
         }
 
-        foreach ((OutputFile made, FileInfo file) in files.Zip(there))
+        if (record.Frame != expected.Frame)
+        {
+            return (FrameState.OtherSettings, "made with other settings, or from another state");
+        }
+
+        foreach ((OutputFile made, FileInfo file) in record.Files.Zip(there))
         {
             try
             {

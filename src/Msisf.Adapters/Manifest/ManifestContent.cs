@@ -30,6 +30,11 @@ public sealed class ManifestContent
     /// <summary>Number of lines that could not be read and were left out.</summary>
     public int DamagedLines { get; private set; }
 
+    /// <summary>The settings of a run; null if the manifest does not have them.</summary>
+    /// <param name="run">Name of the run.</param>
+    public SettingsRecord? SettingsOf(string run) =>
+        _runs.TryGetValue(run, out RunRecord? record) ? _settings.GetValueOrDefault(record.Settings) : null;
+
     /// <summary>Adds a line.</summary>
     /// <param name="record">Null for one that could not be read.</param>
     public void Add(ManifestRecord? record)

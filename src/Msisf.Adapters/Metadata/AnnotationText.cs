@@ -17,12 +17,18 @@ internal static class AnnotationText
             Format($"S/C position:       {Components(frame.Camera.PositionMoonMe)} m"),
             Format($"S/C orientation:    {orientation.X:F6}, {orientation.Y:F6}, {orientation.Z:F6}, {orientation.W:F6} (x, y, z, r)"),
             Format($"Sun position:       {Components(frame.SunPositionMoonMe)} m"),
-            Format($"Flight altitude:    {frame.FlightAltitude:F0} m"),
-            Format($"Surface resolution: {frame.PixelsPerDegree} px/deg"),
+            Format($"Flight altitude:    {frame.FlightAltitude:F0} m ({frame.HeightOverTerrain:F0} m over the terrain)"),
+            Format($"Elevation model:    {frame.Elevation.ProductId}{(frame.Elevation.IsSynthetic ? " (SYNTHETIC)" : string.Empty)}"),
+            Format($"Surface resolution: {frame.Elevation.PixelsPerDegree} px/deg{Drawn(frame.Elevation)}"),
             Format($"Field of view:      {frame.FieldOfViewDegrees:R} deg"),
             Format($"MSIS version:       {frame.Version}"),
         ];
     }
+
+    /// <summary>The levels of detail, where the model itself is not all that was drawn.</summary>
+    private static string Drawn(DrawnElevation elevation) => elevation.CoarsestDrawn == elevation.PixelsPerDegree ? string.Empty
+        : elevation.CoarsestDrawn == elevation.FinestDrawn ? Format($", drawn at {elevation.FinestDrawn}")
+        : Format($", drawn at {elevation.CoarsestDrawn} to {elevation.FinestDrawn}");
 
     private static string Components(Vector3D v) => Format($"{v.X:F0}, {v.Y:F0}, {v.Z:F0}");
 

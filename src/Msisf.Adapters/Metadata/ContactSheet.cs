@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Adapters.Interop;
+using Msisf.Adapters.Render;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Metadata;
@@ -55,6 +56,7 @@ public static class ContactSheet
 
     private static CairoImage Read(string path)
     {
+        PngFile.CheckFile(path); // of some damage cairo says that the memory does not suffice
         try
         {
             using FileStream stream = File.OpenRead(path);

@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Text;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render;
 
 namespace Msisf.Adapters.Metadata;
 
@@ -14,10 +13,8 @@ public static class MetadataXmlWriter
     /// <summary>Below this many grid points, starting threads costs more than it gains.</summary>
     private const int MinPixelsInParallel = 4096;
 
-    /// <summary>
-    /// Format version of files with terrain points. Files with points on the reference sphere have the format of the thesis and no version.
-    /// </summary>
-    private const int TerrainFormatVersion = 2;
+    /// <summary>Version of the format (lib/MSISRendering.dtd).</summary>
+    private const int FormatVersion = 3;
 
     /// <summary>Writes one file. The bytes depend on the arguments alone, not on the number of cores.</summary>
     /// <param name="stream">Receives the file; stays open.</param>
@@ -70,30 +67,24 @@ public static class MetadataXmlWriter
                   {Vector3DElement(frame.SunPositionMoonMe)}
                 </SunPosition>
                 <FlightAltitude unit="m">{LongE.ToText(frame.FlightAltitude)}</FlightAltitude>
-                <SurfaceResolution unit="px/deg">{frame.PixelsPerDegree}</SurfaceResolution>
+                <SurfaceResolution unit="px/deg">{frame.Elevation.PixelsPerDegree}</SurfaceResolution>
                 <FOV unit="deg">{frame.FieldOfViewDegrees:R}</FOV>
                 <MSISVersion>{XmlText.Escape(frame.Version)}</MSISVersion>
-                <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>{SurfaceLine(surface, frame.Renderer)}
+                <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>{SurfaceLine(surface, frame)}
+                <FormatVersion>{FormatVersion}</FormatVersion>
+                <HeightOverTerrain unit="m">{LongE.ToText(frame.HeightOverTerrain)}</HeightOverTerrain>
+            {OriginXml.Lines(frame)}
               </GeneralInformation>
               <PixelInformation>
 
             """);
     }
 
-    private static string SurfaceLine(PixelSurface surface, RendererKind renderer)
-    {
-        string name = renderer switch
-        {
-            RendererKind.PovRay => "povray",
-            RendererKind.Native => "native",
-            _ => throw new ArgumentOutOfRangeException(nameof(renderer), renderer, "Not a renderer."),
-        };
-        return surface == PixelSurface.Terrain
-            ? string.Create(
-                CultureInfo.InvariantCulture,
-                $"\n    <PixelSurface type=\"terrain\" renderer=\"{name}\" formatVersion=\"{TerrainFormatVersion}\" />")
-            : string.Empty;
-    }
+    private static string SurfaceLine(PixelSurface surface, FrameMetadata frame) => surface == PixelSurface.Terrain
+        ? string.Create(
+            CultureInfo.InvariantCulture,
+            $"\n    <PixelSurface type=\"terrain\" renderer=\"{frame.RendererName}\" formatVersion=\"{FormatVersion}\" />")
+        : string.Empty;
 
     private static string Vector3DElement(Vector3D v) =>
         $"""<Vector3D x="{LongE.ToText(v.X)}" y="{LongE.ToText(v.Y)}" z="{LongE.ToText(v.Z)}" />""";

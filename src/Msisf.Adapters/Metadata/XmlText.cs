@@ -52,4 +52,8 @@ internal static class XmlText
 
         return escaped.ToString();
     }
+
+    /// <summary>Escapes a text for an attribute's value in double quotes.</summary>
+    /// <param name="text">Any text.</param>
+    public static string EscapeAttribute(string text) => Escape(text).Replace("\"", "&quot;", StringComparison.Ordinal);
 }

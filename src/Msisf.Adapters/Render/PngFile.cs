@@ -70,6 +70,16 @@ public static class PngFile
     /// <exception cref="BadInputException">Not a PNG, cut off, or damaged.</exception>
     public static PngHeader Check(Stream source, string name) => CopyImage(source, Stream.Null, name);
 
+    /// <summary>Checks the image of a finished frame.</summary>
+    /// <param name="path">The file.</param>
+    /// <exception cref="BadInputException">Not a PNG, cut off, or damaged; the message has the path.</exception>
+    /// <exception cref="ExternalPartException">It can't be read.</exception>
+    public static PngHeader CheckFile(string path) => FileErrors.ToExternalPart($"{path}: can't be read", () =>
+    {
+        using FileStream stream = File.OpenRead(path);
+        return Check(stream, path);
+    });
+
     private static bool IsImage(string type) => type is not ("tIME" or "tEXt" or "zTXt" or "iTXt" or "eXIf");
 
     /// <summary>Copies data and check value; of a chunk that fits, the data stay at the start of the buffer.</summary>

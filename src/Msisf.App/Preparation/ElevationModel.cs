@@ -42,6 +42,9 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>Identifies the model; the fingerprint is the same on every computer.</summary>
     public LdemFingerprint Fingerprint() => LdemFingerprint.Of(_image.Set);
 
+    /// <summary>The labels of the model.</summary>
+    public LdemSet Set => _image.Set;
+
     /// <summary>Traces single rays; created on first use.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
 
@@ -116,7 +119,11 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>
-        positionMoonMe.Length > _image.RadiusLimits.Max ? 0.0 : TerrainHeight.RadiusBelow(_image, positionMoonMe) - positionMoonMe.Length;
+        positionMoonMe.Length > _image.RadiusLimits.Max ? 0.0 : -HeightOverTerrain(positionMoonMe);
+
+    /// <summary>Height of a position over the surface of the model below it, m.</summary>
+    public double HeightOverTerrain(Vector3D positionMoonMe) =>
+        positionMoonMe.Length - TerrainHeight.RadiusBelow(_image, positionMoonMe);
 
     public void Dispose()
     {

@@ -11,9 +11,6 @@ namespace Msisf.App.Preparation;
 /// <summary>The file names of a run's frames, from a pattern such as "orbit_{step:00000}_{mjd:0.000000}".</summary>
 internal sealed partial class FrameNaming
 {
-    /// <summary>The default pattern, as in the thesis.</summary>
-    public const string DefaultPattern = "MoonSurfIllumSim_step_{step:00000}";
-
     /// <summary>
     /// Maximum length of a frame's name, bytes: file systems allow 255 bytes, and the rest is for ".annotated.png" and temporary names.
     /// </summary>

@@ -31,14 +31,15 @@ internal static class FrameSetup
         }
 
         IEphemeris? ephemeris = settings.IgnoreSun ? null : sun();
-        double fieldOfView = settings.FieldOfViewDegrees * Math.PI / 180.0;
+        CameraModel model = settings.Camera?.Model
+            ?? CameraModel.FromFieldOfView(settings.FieldOfViewDegrees * Math.PI / 180.0, settings.Width, settings.Height);
         List<Frame> frames = [];
         foreach (int step in settings.Frames?.Steps ?? Enumerable.Range(1, states.Count))
         {
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = states[step - 1];
             RefuseUndrawable(step, state, settings.Renderer);
-            PinholeCamera camera = new(state.PositionMoonMe, state.MoonFromCamera, fieldOfView, settings.Width, settings.Height);
+            PinholeCamera camera = new(state.PositionMoonMe, state.MoonFromCamera, model);
             SceneLight light = ephemeris is null
                 ? new SceneLight(state.PositionMoonMe, IsSun: false)
                 : new SceneLight(ephemeris.SunPositionMoonMe(state.Time, settings.Aberration), IsSun: true);

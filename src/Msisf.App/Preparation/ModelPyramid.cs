@@ -18,7 +18,7 @@ internal static class ModelPyramid
     public static string Make(PyramidSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         using LdemImage image = LdemImage.Open(Find(settings, host));
-        PyramidPlaces places = PyramidPlaces.Of(image.Set, CacheFolder.Of(host));
+        SidecarPlaces places = ModelLevels.PlacesOf(image.Set, CacheFolder.Of(host));
         string path = places.ForWriting();
         if (path != places.Beside)
         {
@@ -28,6 +28,7 @@ internal static class ModelPyramid
 
         using IRunProgress progress = host.Progress.Start("Pyramid", FractionProgress.Steps, settings.Unattended);
         PyramidWriter.Write(image, path, Environment.ProcessorCount, new FractionProgress(progress, "pyramid"), cancellation);
+        RememberChecksums(image, host, cancellation);
         return path;
     }
 
@@ -45,12 +46,21 @@ internal static class ModelPyramid
         {
             throw new BadInputException(
                 levels.Warning
-                    ?? $"{PyramidPlaces.Of(image.Set, CacheFolder.Of(host)).Beside}: missing. Make it with 'msis ldem pyramid'.");
+                    ?? $"{ModelLevels.PlacesOf(image.Set, CacheFolder.Of(host)).Beside}: missing. Make it with 'msis ldem pyramid'.");
         }
 
         sidecar.Verify(image, cancellation);
         host.Log.Note($"{sidecar.FilePath} is whole, and made of the samples that {image.ProductId} has.");
         return sidecar.FilePath;
+    }
+
+    /// <summary>The first run would read the whole model once more for them.</summary>
+    private static void RememberChecksums(LdemImage image, ProgramHost host, CancellationToken cancellation)
+    {
+        if (LdemChecksums.Open(image.Set, CacheFolder.Of(host)).Read(cancellation).Warning is { } warning)
+        {
+            host.Log.Warning(warning);
+        }
     }
 
     private static LdemSet Find(PyramidSettings settings, ProgramHost host)

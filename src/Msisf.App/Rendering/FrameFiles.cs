@@ -10,7 +10,6 @@ using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
@@ -22,16 +21,19 @@ namespace Msisf.App.Rendering;
 internal sealed class FrameFiles
 {
     private readonly RenderSettings _settings;
-    private readonly string _product;
-    private readonly int _pixelsPerDegree;
+    private readonly ElevationModel _model;
+    private readonly RunInputs _inputs;
+    private readonly InputComparison _comparison;
     private readonly FrameLedger _ledger;
     private readonly RunTimes _times;
 
-    public FrameFiles(RenderSettings settings, IElevationGrid model, FrameLedger ledger, RunTimes times)
+    public FrameFiles(
+        RenderSettings settings, ElevationModel model, RunInputs inputs, InputComparison comparison, FrameLedger ledger, RunTimes times)
     {
         _settings = settings;
-        _product = model.ProductId;
-        _pixelsPerDegree = model.PixelsPerDegree;
+        _model = model;
+        _inputs = inputs;
+        _comparison = comparison;
         _ledger = ledger;
         _times = times;
     }
@@ -46,6 +48,7 @@ internal sealed class FrameFiles
         string stem = Path.Combine(_settings.OutputFolder, frame.Name);
         FrameMetadata metadata = Describe(frame, rendered);
         PixelSampler pixels = Sampler(frame, rendered);
+        _comparison.Compare($"{stem}.xml", metadata.Inputs);
         string? annotated = _settings.Annotate ? $"{stem}.annotated.png" : null;
         List<string> paths = annotated is null ? [$"{stem}.png"] : [$"{stem}.png", annotated];
         using AtomicFileSet files = new(_ledger.Staging);
@@ -62,7 +65,7 @@ internal sealed class FrameFiles
         {
             _times.Measure(Phase.Output, () => files.Write(
                 $"{stem}.dn.fits",
-                stream => DetectorFitsWriter.Write(stream, detected, detector.Settings, metadata, Provenance(rendered))));
+                stream => DetectorFitsWriter.Write(stream, detected, detector.Settings, metadata, Provenance(metadata, rendered))));
             paths.Add($"{stem}.dn.fits");
         }
 
@@ -91,7 +94,7 @@ internal sealed class FrameFiles
         AtomicFileSet files, string stem, FrameMetadata metadata, RenderedFrame rendered, LayerSet layers, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        LayerProvenance provenance = Provenance(rendered);
+        LayerProvenance provenance = Provenance(metadata, rendered);
         if (_settings.Native.LayersFormat == LayersFormat.Npy)
         {
             return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, cancellation);
@@ -101,18 +104,25 @@ internal sealed class FrameFiles
         return [$"{stem}.fits"];
     }
 
-    private LayerProvenance Provenance(RenderedFrame rendered) => new(
-        _product, rendered.PixelsPerDegree, int.Log2(_pixelsPerDegree / rendered.PixelsPerDegree), "native", _settings.Albedo.Band);
+    private LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
+        _model.Grid.ProductId,
+        rendered.PixelsPerDegree,
+        int.Log2(_model.Grid.PixelsPerDegree / rendered.PixelsPerDegree),
+        metadata.RendererName,
+        _settings.Albedo.Band);
 
     private FrameMetadata Describe(Frame frame, RenderedFrame rendered) => new(
         frame.Time,
         frame.Camera,
         _settings.FieldOfViewDegrees,
         frame.Light.PositionMoonMe,
-        rendered.PixelsPerDegree,
+        new DrawnElevation(
+            _model.Grid.ProductId, _model.Set.IsSynthetic, _model.Grid.PixelsPerDegree, rendered.Drawn.Finest, rendered.Drawn.Coarsest),
+        _model.HeightOverTerrain(frame.Camera.PositionMoonMe),
         _ledger.Plan.Identity.Version,
         _ledger.Plan.ArgumentsOf(frame.Step),
-        rendered.Renderer);
+        rendered.Renderer,
+        _inputs.All());
 
     private PixelSampler Sampler(Frame frame, RenderedFrame rendered)
     {

@@ -81,9 +81,14 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         _times.Measure(Phase.Output, () => Encode(drawn, detected, image));
         IGroundTruth truth = detected is null ? drawn : new DetectedFrame(frame.Camera, drawn, detector!.Margin, detected);
         RenderedFrame rendered = new(
-            RendererKind.Native, image, "the image", WriteScene: null, renderer.PixelsPerDegree, _settings.Render.KeepGroundTruth
-                ? truth
-                : null, detected);
+            RendererKind.Native,
+            image,
+            "the image",
+            WriteScene: null,
+            renderer.PixelsPerDegree,
+            (renderer.PixelsPerDegree, renderer.PixelsPerDegree),
+            _settings.Render.KeepGroundTruth ? truth : null,
+            detected);
         FrameOutputs outputs = new(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
         _idleImages.Add(image);
         if (detected is not null)

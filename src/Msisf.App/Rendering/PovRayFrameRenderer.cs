@@ -75,7 +75,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
             using Stream image = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);
             void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, parts), _patterns.FileNameOf);
             RenderedFrame rendered = new(
-                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.Grid.PixelsPerDegree, TruthOf(frame));
+                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.Grid.PixelsPerDegree, LevelsOf(parts), TruthOf(frame));
             return new FrameOutputs(_files.Write(frame, rendered, cancellation), parts.Count, made);
         }
         finally
@@ -147,6 +147,11 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _times.Add(Phase.Trace, images.Max(strip => strip.Times.TraceSeconds) ?? 0.0);
         return image;
     }
+
+    /// <summary>px/deg of the finest and the coarsest part; those of the model if the image shows none.</summary>
+    private (int Finest, int Coarsest) LevelsOf(IReadOnlyList<SurfacePart> parts) => (
+        _model.Grid.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Min(),
+        _model.Grid.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Max());
 
     private TracedFrameTruth? TruthOf(Frame frame) =>
         _settings.Surface == PixelSurface.Terrain ? new TracedFrameTruth(frame.Camera, frame.Light, _model.Tracer) : null;

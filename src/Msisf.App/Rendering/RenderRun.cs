@@ -13,6 +13,7 @@ using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Tiles;
 
@@ -45,25 +46,26 @@ internal sealed class RenderRun
         using EphemerisSource ephemeris = new(_settings, _host);
 
         // The checksums take long and are needed late, so they are started first.
-        Task<IReadOnlyList<(string Name, string Sha256)>> kernels = Task.Run(
-            () => RunIdentity.ChecksumsOf(_settings.IgnoreSun ? [] : ephemeris.KernelFiles()), cancellation);
+        using RunInputs inputs = new(
+            () => _settings.IgnoreSun ? [] : ephemeris.KernelFiles(), _settings.Camera, _host, cancellation);
         Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay
             ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
             : null;
         using PreparedRun run = PreparedRun.Of(camera, _settings, ephemeris, _host, cancellation);
         using OpenedAlbedoMap? map = _times.Measure(Phase.Model, () => AlbedoSource.Open(_settings, _host));
+        inputs.Begin(run.Model.Set);
         RequireParts();
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
-        IReadOnlyList<(string Name, string Sha256)> checksums = await kernels.ConfigureAwait(false);
+        IReadOnlyList<InputFile> kernels = await inputs.Kernels.ConfigureAwait(false);
         OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;
         RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(run.States, run.Names, RunIdentity.Of(
             _host.Version,
             FrameArguments.OfSettings(_settings, sun?.Choice, map is null ? null : (Path.GetFileName(map.FilePath), map.Sha256)),
             run.Model.Fingerprint(),
             sun?.Engine.EngineName,
-            checksums,
+            kernels,
             version)));
-        return await RenderAsync(run.Frames, plan, run.Model, map, cancellation).ConfigureAwait(false);
+        return await RenderAsync(run, plan, inputs, map, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
@@ -84,8 +86,9 @@ internal sealed class RenderRun
         PovOptions.Program.Concerned(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
-        IReadOnlyList<Frame> frames, RunPlan plan, ElevationModel model, OpenedAlbedoMap? map, CancellationToken cancellation)
+        PreparedRun run, RunPlan plan, RunInputs inputs, OpenedAlbedoMap? map, CancellationToken cancellation)
     {
+        IReadOnlyList<Frame> frames = run.Frames;
         CreateFolder(_settings.OutputFolder);
         using FrameLedger ledger = _times.Measure(
             Phase.Manifest, () => new FrameLedger(_settings.OutputFolder, plan, _settings.Overwrite, _host.Log));
@@ -95,14 +98,29 @@ internal sealed class RenderRun
         long memory = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         int atOnce = ResourceCheck.AtOnce(_settings, missing, cores, memory);
         ResourceCheck.Check(_settings, missing, atOnce, memory, new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
-        FrameFiles files = new(_settings, model.Grid, ledger, _times);
-        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native ? Native(model, map, files) : PovRay(model, files, atOnce);
+        InputComparison comparison = new(_host.Log);
+        FrameFiles files = new(_settings, run.Model, inputs, comparison, ledger, _times);
+        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native
+            ? Native(run.Model, map, files)
+            : PovRay(run.Model, files, atOnce);
         using FrameTimes frameTimes = new(_settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
         using IRunProgress progress = _host.Progress.Start("Frames", missing, _settings.Unattended);
         FrameLoop loop = new(maker, renderer.FramesAhead, _settings.FailFast, progress, _host.Results, _host.Log);
-        return await loop.RunAsync(frames, known, atOnce, cores, cancellation).ConfigureAwait(false);
+        IReadOnlyList<FrameOutputs> outputs = await loop.RunAsync(frames, known, atOnce, cores, cancellation).ConfigureAwait(false);
+        Compare(known, inputs, comparison);
+        return outputs;
+    }
+
+    /// <summary>Compares the input files of the frames that were there before with those of this run.</summary>
+    private void Compare(IReadOnlyList<FrameOutputs?> known, RunInputs inputs, InputComparison comparison)
+    {
+        foreach (string metaFile in known.OfType<FrameOutputs>().SelectMany(outputs => outputs.Paths)
+            .Where(path => Path.GetExtension(path) == ".xml"))
+        {
+            comparison.Compare(metaFile, inputs.All());
+        }
     }
 
     /// <summary>

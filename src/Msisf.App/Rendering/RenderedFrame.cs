@@ -8,9 +8,16 @@ namespace Msisf.App.Rendering;
 /// <param name="Image">The image, PNG; can be read again from its start.</param>
 /// <param name="ImageName">Name of the image in messages.</param>
 /// <param name="WriteScene">Writes the scene that was rendered; null if the renderer has none.</param>
-/// <param name="PixelsPerDegree">Resolution of the drawn surface, px/deg: that of the model or of its level of detail.</param>
+/// <param name="PixelsPerDegree">px/deg of the grid whose cells the ground truth names: the model's, or its level's.</param>
+/// <param name="Drawn">px/deg of the finest and of the coarsest level of detail in the image.</param>
 /// <param name="Truth">Ground truth of the pixels; may be null if the meta file's pixels lie on the reference sphere.</param>
 /// <param name="Detected">What the camera's detector read out; null without a detector.</param>
 internal sealed record RenderedFrame(
-    RendererKind Renderer, Stream Image, string ImageName, Action<TextWriter>? WriteScene, int PixelsPerDegree, IGroundTruth? Truth,
+    RendererKind Renderer,
+    Stream Image,
+    string ImageName,
+    Action<TextWriter>? WriteScene,
+    int PixelsPerDegree,
+    (int Finest, int Coarsest) Drawn,
+    IGroundTruth? Truth,
     DetectorImage? Detected = null);

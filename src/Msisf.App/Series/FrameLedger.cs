@@ -22,12 +22,14 @@ internal sealed class FrameLedger : IDisposable
     private readonly FrameChecker _checker;
     private readonly ClaimFile _claims;
     private readonly WorkFolder _staging;
+    private readonly Lazy<IReadOnlyDictionary<string, string>> _owners;
 
     /// <summary>Opens the manifest of a folder, and registers the run there if it is new.</summary>
     /// <param name="folder">Existing folder of the outputs.</param>
     /// <param name="plan">The run.</param>
     /// <param name="overwrite">Whether existing frames are to be made again.</param>
-    /// <param name="log">Receives a warning about lines of the manifest that can't be read.</param>
+    /// <param name="log">Receives a warning about lines of the manifest that can't be read, and a note on a frame to replace.</param>
+    /// <exception cref="UsageException">Finished frames of a series would be replaced, without <paramref name="overwrite"/>.</exception>
     public FrameLedger(string folder, RunPlan plan, bool overwrite, ILog log)
     {
         _folder = folder;
@@ -35,7 +37,7 @@ internal sealed class FrameLedger : IDisposable
         _manifest = new ManifestFile(folder);
         _checker = new FrameChecker(folder, CheckDepth.Checksums);
         _reader = new ManifestReader(_manifest);
-        Register(log);
+        Register(overwrite, log);
         if (overwrite)
         {
             _reader.Dispose();
@@ -44,6 +46,7 @@ internal sealed class FrameLedger : IDisposable
 
         _claims = ClaimFile.Open(Path.Combine(folder, ClaimsName));
         _staging = Stage(folder);
+        _owners = new Lazy<IReadOnlyDictionary<string, string>>(Owners);
     }
 
     /// <summary>Folder of files that are not yet complete.</summary>
@@ -81,7 +84,8 @@ internal sealed class FrameLedger : IDisposable
     public IDisposable? TryClaim(Frame frame) => _claims.TryTake(frame.Name);
 
     /// <summary>
-    /// Records a frame's files in the manifest before they get their final names, so that no file exists without its record.
+    /// Records a frame's files in the manifest before they get their final names, so that no file exists without its record. Files of an
+    /// earlier frame of this name that the new one does not replace are removed.
     /// </summary>
     /// <param name="frame">The frame.</param>
     /// <param name="files">The frame's files, written but not yet renamed to their final names.</param>
@@ -93,7 +97,9 @@ internal sealed class FrameLedger : IDisposable
             (long bytes, string hash) = files.Measure(path);
             return new OutputFile(Path.GetFileName(path), bytes, hash);
         });
-        _manifest.Append(new FrameRecord(frame.Step, frame.Name, _plan.FrameKey(frame.Step), _plan.Identity.Record.Key, [.. made]));
+        FrameRecord record = new(frame.Step, frame.Name, _plan.FrameKey(frame.Step), _plan.Identity.Record.Key, [.. made]);
+        _manifest.Append(record);
+        RemoveOthers(record);
     }
 
     /// <summary>Records in the manifest that a frame could not be made.</summary>
@@ -110,7 +116,31 @@ internal sealed class FrameLedger : IDisposable
     private static WorkFolder Stage(string folder) =>
         FileErrors.ToExternalPart($"--output-dir {folder}: can't be written", () => WorkFolder.In(folder));
 
-    private void Register(ILog log)
+    /// <summary>Removes files that have the name of a file of the frame, but are not among those that were made now.</summary>
+    private void RemoveOthers(FrameRecord made)
+    {
+        foreach (string name in FrameFileNames.Of(made.Name).Except(made.Files.Select(file => file.Name)))
+        {
+            string path = Path.Combine(_folder, name);
+            if (File.Exists(path) && (!_owners.Value.TryGetValue(name, out string? owner) || owner == made.Name))
+            {
+                FileErrors.ToExternalPart($"{path}: can't be removed", () => File.Delete(path));
+            }
+        }
+    }
+
+    /// <summary>The frame of each file that the manifest names: "a.annotated.png" may be the image of a frame "a.annotated".</summary>
+    private Dictionary<string, string> Owners()
+    {
+        using ManifestReader all = new(_manifest);
+        all.Refresh();
+        return all.Content.Frames.Values
+            .SelectMany(frame => frame.Files.Select(file => (File: file.Name, Frame: frame.Name)))
+            .ToLookup(pair => pair.File, pair => pair.Frame)
+            .ToDictionary(group => group.Key, group => group.Last());
+    }
+
+    private void Register(bool overwrite, ILog log)
     {
         _reader.Refresh();
         if (_reader.Content.DamagedLines > 0)
@@ -122,6 +152,11 @@ internal sealed class FrameLedger : IDisposable
 
         if (_plan.Registration(_reader.Content).Count > 0)
         {
+            if (!overwrite)
+            {
+                ReplacedFrames.Refuse(_folder, _plan, _reader.Content, log);
+            }
+
             _manifest.Locked(() =>
             {
                 _reader.Refresh(); // another process may have told it meanwhile

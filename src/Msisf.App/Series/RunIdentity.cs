@@ -1,11 +1,10 @@
 using System.Security.Cryptography;
 using System.Text;
 using System.Text.Json;
-using Msisf.Adapters.IO;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Terrain;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
 
 namespace Msisf.App.Series;
 
@@ -26,10 +25,10 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
     /// <param name="arguments">Arguments of the frames as text; see <see cref="FrameArguments.OfSettings"/>.</param>
     /// <param name="model">The elevation model.</param>
     /// <param name="engine">Name and version of the ephemeris engine; null if the Sun is ignored.</param>
-    /// <param name="kernels">Names and checksums of the kernels; see <see cref="ChecksumsOf"/>.</param>
+    /// <param name="kernels">The kernels, in load order.</param>
     /// <param name="povRay">Version of POV-Ray; null if POV-Ray is not used.</param>
     public static RunIdentity Of(
-        string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<(string Name, string Sha256)> kernels,
+        string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<InputFile> kernels,
         string? povRay)
     {
         using MemoryStream stream = new();
@@ -45,11 +44,11 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
             json.WriteEndObject();
             json.WriteString("ephemeris", engine);
             json.WriteStartArray("kernels");
-            foreach ((string name, string hash) in kernels)
+            foreach (InputFile kernel in kernels)
             {
                 json.WriteStartObject();
-                json.WriteString("name", name);
-                json.WriteString("sha256", hash);
+                json.WriteString("name", kernel.Name);
+                json.WriteString("sha256", kernel.Sha256);
                 json.WriteEndObject();
             }
 
@@ -63,10 +62,4 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
 
     /// <summary>The key of a content: the first half of its SHA-256 hash, hexadecimal.</summary>
     public static string KeyOf(ReadOnlySpan<byte> content) => Convert.ToHexStringLower(SHA256.HashData(content))[..KeyLength];
-
-    /// <summary>Names and checksums of kernels; the call is started early because it reads about 20 MB.</summary>
-    /// <param name="kernels">Their paths, in load order.</param>
-    public static IReadOnlyList<(string Name, string Sha256)> ChecksumsOf(IReadOnlyList<string> kernels) => FileErrors.ToExternalPart(
-        "a kernel can't be read",
-        () => kernels.Select(path => (Path.GetFileName(path), FileHash.Sha256Of(path))).ToArray());
 }

@@ -36,6 +36,9 @@ internal sealed class RunPlan
     /// <param name="step">Number of the step, from 1.</param>
     public ExpectedRecord Expected(int step) => new(Key, step, _names[step - 1], FrameKey(step));
 
+    /// <summary>The manifest's records of all frames that the run should make, in the order of their steps.</summary>
+    public IEnumerable<ExpectedRecord> Frames => Enumerable.Range(1, _states.Count).Select(Expected);
+
     /// <summary>The arguments that describe one frame, for its metadata.</summary>
     /// <param name="step">Number of the step, from 1.</param>
     public string ArgumentsOf(int step) => FrameArguments.Of(_states[step - 1], Identity.Arguments);
@@ -53,8 +56,7 @@ internal sealed class RunPlan
         }
 
         ManifestRecord[] settings = known.Settings.ContainsKey(Identity.Record.Key) ? [] : [Identity.Record];
-        return [.. settings, new RunRecord(
-            Key, Identity.Record.Key, _states.Count), .. Enumerable.Range(1, _states.Count).Select(Expected)];
+        return [.. settings, new RunRecord(Key, Identity.Record.Key, _states.Count), .. Frames];
     }
 
     private string KeyOfAll()

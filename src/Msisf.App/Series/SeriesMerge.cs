@@ -11,8 +11,11 @@ namespace Msisf.App.Series;
 /// <summary>The final work when all pieces of a run are done.</summary>
 internal static class SeriesMerge
 {
-    private const string SheetName = "contact-sheet.png";
-    private const string VideoName = "video.mp4";
+    /// <summary>Name of the contact sheet.</summary>
+    public const string SheetName = "contact-sheet.png";
+
+    /// <summary>Name of the video.</summary>
+    public const string VideoName = "video.mp4";
 
     /// <summary>
     /// Sorts the manifest and, if requested, makes a contact sheet and a video of the last run; their paths are written to the host's
@@ -23,7 +26,9 @@ internal static class SeriesMerge
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work; no incomplete file is left.</param>
     /// <returns>The state of the frames.</returns>
-    /// <exception cref="MsisfException">The folder contains no run, or can't be written.</exception>
+    /// <exception cref="MsisfException">
+    /// The folder contains no run, or can't be written; an image is damaged, or there is no ffmpeg for the video.
+    /// </exception>
     public static async Task<SeriesStatus> RunAsync(string folder, MergeSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         ManifestFile manifest = SeriesManifest.Find(folder);
@@ -51,8 +56,11 @@ internal static class SeriesMerge
 
             if (settings.FrameRate is { } rate && images.Length > 0)
             {
+                string program = VideoEncoder.Find(host.Environment("PATH") ?? string.Empty) ?? throw new ExternalPartException(
+                    "no ffmpeg on the PATH: no video is made. Install it (Debian, Ubuntu: apt-get install ffmpeg) and run msis merge "
+                        + "again.");
                 await MakeVideoAsync(
-                    folder, [.. images.Select(image => image.Path)], rate, work.Path, host, cancellation).ConfigureAwait(false);
+                    program, folder, [.. images.Select(image => image.Path)], rate, work.Path, host, cancellation).ConfigureAwait(false);
             }
 
             return status;
@@ -74,13 +82,13 @@ internal static class SeriesMerge
     }
 
     private static async Task MakeVideoAsync(
-        string folder, IReadOnlyList<string> images, double rate, string work, ProgramHost host, CancellationToken cancellation)
+        string program, string folder, IReadOnlyList<string> images, double rate, string work, ProgramHost host,
+        CancellationToken cancellation)
     {
-        if (VideoEncoder.Find(host.Environment("PATH") ?? string.Empty) is not string program)
+        foreach (string image in images)
         {
-            host.Log.Warning(
-                "no ffmpeg on the PATH: no video is made. Install it (Debian, Ubuntu: apt-get install ffmpeg) and run msis merge again.");
-            return;
+            cancellation.ThrowIfCancellationRequested();
+            PngFile.CheckFile(image); // ffmpeg would leave it out, or show a part of it
         }
 
         string made = Path.Combine(work, VideoName);

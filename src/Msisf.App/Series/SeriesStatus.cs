@@ -12,6 +12,9 @@ internal sealed class SeriesStatus
 
     private SeriesStatus(string folder, IReadOnlyList<FrameCheck> frames) => (_folder, Frames) = (folder, frames);
 
+    /// <summary>Files in the folder that no record names; empty unless they were looked for.</summary>
+    public IReadOnlyList<StrayFile> Strays { get; private init; } = [];
+
     /// <summary>All frames, grouped by run with the last run at the end, in the order of their steps.</summary>
     public IReadOnlyList<FrameCheck> Frames { get; }
 
@@ -29,13 +32,16 @@ internal sealed class SeriesStatus
     public static SeriesStatus Read(string folder, ProgramHost host, CancellationToken cancellation) =>
         Of(folder, SeriesManifest.Read(folder, host.Log), new FrameChecker(folder, CheckDepth.Lengths), cancellation);
 
-    /// <summary>Checks a folder by reading every file: checksums, complete images, valid meta files.</summary>
+    /// <summary>
+    /// Checks a folder by reading every file: checksums, complete images, valid meta files; and looks for files that no record names.
+    /// </summary>
     /// <inheritdoc cref="Read"/>
-    public static SeriesStatus Verify(string folder, ProgramHost host, CancellationToken cancellation) => Of(
-        folder,
-        SeriesManifest.Read(folder, host.Log),
-        new FrameChecker(folder, CheckDepth.Checksums, new FileStructure(host.Installation.MetaFileDtd)),
-        cancellation);
+    public static SeriesStatus Verify(string folder, ProgramHost host, CancellationToken cancellation)
+    {
+        ManifestContent manifest = SeriesManifest.Read(folder, host.Log);
+        FrameChecker checker = new(folder, CheckDepth.Checksums, new FileStructure(host.Installation.MetaFileDtd));
+        return new SeriesStatus(folder, Of(folder, manifest, checker, cancellation).Frames) { Strays = StrayFile.In(folder, manifest) };
+    }
 
     /// <summary>The state of the frames that a manifest expects.</summary>
     /// <param name="folder">Folder of the outputs.</param>
@@ -50,8 +56,8 @@ internal sealed class SeriesStatus
             .ThenBy(expected => expected.Step)
             .ToArray()
             .AsParallel().AsOrdered().WithCancellation(cancellation)
-            .Select(expected => checker.Check(
-                expected, manifest.Frames.GetValueOrDefault(expected.Name), manifest.Failed.GetValueOrDefault(expected.Name)))]);
+            .Select(expected => Explained(manifest, checker.Check(
+                expected, manifest.Frames.GetValueOrDefault(expected.Name), manifest.Failed.GetValueOrDefault(expected.Name))))]);
 
     /// <summary>The number of frames in a state.</summary>
     public int CountOf(FrameState state) => Frames.Count(frame => frame.State == state);
@@ -67,4 +73,13 @@ internal sealed class SeriesStatus
                 $"{_folder}: frames of several runs are not complete; step numbers do not say which they are. "
                     + $"Run msis status without --print-frames, or give each run a folder of its own.");
     }
+
+    /// <summary>The check of a frame of other settings with the settings that differ as its reason.</summary>
+    private static FrameCheck Explained(ManifestContent manifest, FrameCheck check) => check.State != FrameState.OtherSettings ? check
+        : check with
+        {
+            Reason = SettingsDifference.Reason(
+                manifest.Settings.GetValueOrDefault(manifest.Frames[check.Expected.Name].Settings),
+                manifest.SettingsOf(check.Expected.Run)),
+        };
 }

@@ -129,6 +129,14 @@ internal static class CommandTable
         Commands = [ConfigShow],
     };
 
+    /// <summary>msis cameras.</summary>
+    public static CommandSpec Cameras { get; } = new("cameras", "List the presets of --camera.")
+    {
+        Details = "A line for each preset (name, width and height in px, horizontal field of view in degrees, what it is; separated by tabs). "
+            + "Their files are in the folder cameras; docs/cameras.md says what a camera file holds.",
+        Groups = [OnlyHelp],
+    };
+
     /// <summary>msis completion.</summary>
     public static CommandSpec Completion { get; } = new("completion", "Print a script that completes commands, options and values.")
     {
@@ -167,7 +175,7 @@ internal static class CommandTable
         [
             .. OfRender[..^1], RunOptions.Group with { Options = [.. RunOptions.Group.Options, RunOptions.Help, RunOptions.Version] }
         ],
-        Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Config, Completion, Man],
+        Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Cameras, Config, Completion, Man],
     };
 
     /// <summary>All commands, each with the words by which it is called, e.g. "ldem pyramid"; none for the render command.</summary>

@@ -22,9 +22,7 @@ internal static class FrameArguments
     {
         List<string> words =
         [
-            ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),
-            ImageOptions.Width.Name, Text(settings.Width),
-            ImageOptions.Height.Name, Text(settings.Height),
+            .. OfImage(settings),
             OutputOptions.GridHorizontal.Name, Text(settings.GridHorizontal),
             OutputOptions.GridVertical.Name, Text(settings.GridVertical),
             .. OutputOptions.Surface.Words(settings.Surface),
@@ -74,7 +72,7 @@ internal static class FrameArguments
         List<string> words = [];
         if (map is { } used)
         {
-            words.AddRange([AlbedoOptions.Map.Name, Quoted(used.Name), AlbedoOptions.Sha256.Name, used.Sha256]);
+            words.AddRange([AlbedoOptions.Map.Name, WordOf(used.Name), AlbedoOptions.Sha256.Name, used.Sha256]);
             if (settings.Albedo.Properties.ToString() is { Length: > 0 } properties)
             {
                 words.AddRange([AlbedoOptions.Properties.Name, properties]);
@@ -93,7 +91,16 @@ internal static class FrameArguments
         return words;
     }
 
-    private static string Quoted(string name) => name.Contains(' ', StringComparison.Ordinal) ? $"'{name}'" : name;
+    private static IEnumerable<string> OfImage(RenderSettings settings) => settings.Camera is { } camera
+        ? [ImageOptions.Camera.Name, WordOf(CameraChoice.TextOf(camera))]
+        :
+        [
+            ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),
+            ImageOptions.Width.Name, Text(settings.Width),
+            ImageOptions.Height.Name, Text(settings.Height),
+        ];
+
+    private static string WordOf(string text) => text.Contains(' ', StringComparison.Ordinal) ? $"'{text}'" : text;
 
     private static IEnumerable<string> OfNative(NativeSettings native) =>
     [

@@ -22,6 +22,11 @@ internal static class ImageOptions
     /// <summary>Height, px.</summary>
     public static WholeNumberSpec Height { get; } = new("--height", "PX", 1, MaxSide, "Image height") { Aliases = ["-h"], Default = 1024 };
 
+    /// <summary>A camera file, or a preset.</summary>
+    public static TextSpec Camera { get; } = new(
+        "--camera", "FILE", "Camera file, or a preset's name (msis cameras lists them): focal length, pixels and lens, in place of --fov, "
+            + "--width and --height");
+
     /// <summary>The options of this class as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Image", [FieldOfView, Width, Height]);
+    public static OptionGroup Group { get; } = new("Image", [FieldOfView, Width, Height, Camera]);
 }

@@ -7,6 +7,9 @@ namespace Msisf.App.Settings;
 /// <summary>The options of the output files, except those of a single renderer.</summary>
 internal static class OutputOptions
 {
+    /// <summary>Default pattern of the file names, as in the thesis.</summary>
+    public const string DefaultName = "MoonSurfIllumSim_step_{step:00000}";
+
     /// <summary>Folder of the outputs.</summary>
     public static PathSpec Folder { get; } = new("--output-dir", PathKind.Folder, "Folder of the outputs")
     {
@@ -20,7 +23,7 @@ internal static class OutputOptions
         "--output-name", "PATTERN",
         "File names without extension; {step}, {step:00000}, {mjd} and {mjd:0.000} stand for the image's number and time")
     {
-        Default = "MoonSurfIllumSim_step_{step:00000}",
+        Default = DefaultName,
     };
 
     /// <summary>Spacing of the meta file's pixels in both directions, px.</summary>

@@ -57,8 +57,8 @@ internal static class PatternsOptions
     /// <summary>Options of a run that determine its patterns, except for the camera, the ephemeris and the selection of frames.</summary>
     public static IReadOnlyList<OptionSpec> Deciding { get; } =
     [
-        ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height, SurfaceOptions.LevelOfDetail, SurfaceOptions.LevelOfDetailError,
-        LightOptions.IgnoreSun, .. Model.Options, LightOptions.Aberration, LightOptions.Kernels,
+        ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height, ImageOptions.Camera, SurfaceOptions.LevelOfDetail,
+        SurfaceOptions.LevelOfDetailError, LightOptions.IgnoreSun, .. Model.Options, LightOptions.Aberration, LightOptions.Kernels,
     ];
 
     /// <summary>Options that apply only to the patterns of a run.</summary>

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
@@ -9,6 +10,9 @@ namespace Msisf.App.Settings;
 /// <summary>The checked options of a render run, except for the camera.</summary>
 internal sealed record RenderSettings
 {
+    /// <summary>The camera file; null for the thesis's camera.</summary>
+    public CameraFile? Camera { get; init; }
+
     public required double FieldOfViewDegrees { get; init; }
 
     public required int Width { get; init; }

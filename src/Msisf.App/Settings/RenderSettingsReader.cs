@@ -1,3 +1,4 @@
+using Msisf.Adapters.Camera;
 using Msisf.Adapters.Render;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
@@ -20,11 +21,13 @@ internal static class RenderSettingsReader
         int grid = OutputOptions.Grid.Read(values);
         RendererKind renderer = RendererOptions.Renderer.Read(values);
         AlbedoSettings albedo = AlbedoOptions.Read(values);
+        CameraFile? camera = CameraChoice.Read(values);
         RenderSettings settings = new()
         {
-            FieldOfViewDegrees = ImageOptions.FieldOfView.Read(values),
-            Width = ImageOptions.Width.Read(values),
-            Height = ImageOptions.Height.Read(values),
+            Camera = camera,
+            FieldOfViewDegrees = camera?.FieldOfViewDegrees ?? ImageOptions.FieldOfView.Read(values),
+            Width = camera?.Model.Width ?? ImageOptions.Width.Read(values),
+            Height = camera?.Model.Height ?? ImageOptions.Height.Read(values),
             GridHorizontal = OutputOptions.GridHorizontal.ReadIfGiven(values) ?? grid,
             GridVertical = OutputOptions.GridVertical.ReadIfGiven(values) ?? grid,
             Surface = surface,

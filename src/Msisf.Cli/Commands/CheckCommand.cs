@@ -10,7 +10,7 @@ namespace Msisf.Cli.Commands;
 /// </summary>
 internal static class CheckCommand
 {
-    /// <summary>Exit code if frames are missing, damaged, failed or of other settings.</summary>
+    /// <summary>Exit code if frames are missing, damaged, failed or of other settings, or files of other frames pass for theirs.</summary>
     public const int ExitNotComplete = 5;
 
     /// <summary>Runs <c>msis status</c>, the quick check.</summary>
@@ -26,16 +26,17 @@ internal static class CheckCommand
         if (FolderOptions.PrintFrames.Read(call.Values))
         {
             call.Host.Results.WriteLine(status.StepsToMake().ToString());
-        }
-        else
-        {
-            Print(status, call.Host.Results);
+            return status.IsComplete ? 0 : ExitNotComplete;
         }
 
-        return status.IsComplete ? 0 : ExitNotComplete;
+        Print(status, call.Host.Results);
+        return status.IsComplete && !status.Strays.Any(file => file.IsLeftOver) ? 0 : ExitNotComplete;
     }
 
-    /// <summary>Prints a summary, and one line for each incomplete frame (step, name, state, reason; separated by tabs).</summary>
+    /// <summary>
+    /// Prints one line for each incomplete frame (step, name, state, reason; separated by tabs), one for each file that no record names
+    /// (without a step), and a summary.
+    /// </summary>
     private static void Print(SeriesStatus status, TextWriter results)
     {
         foreach (FrameCheck frame in status.Incomplete)
@@ -45,12 +46,25 @@ internal static class CheckCommand
                 $"{frame.Expected.Step}\t{frame.Expected.Name}\t{Word(frame.State)}\t{frame.Reason.ReplaceLineEndings(" ")}"));
         }
 
+        foreach (StrayFile file in status.Strays)
+        {
+            results.WriteLine(file.IsLeftOver
+                ? $"-\t{file.Name}\tleft over\tit is of another frame of this name; remove it"
+                : $"-\t{file.Name}\tunknown\tno record names it");
+        }
+
         int count = status.Frames.Count;
         IEnumerable<string> others = Enum.GetValues<FrameState>().Where(state => state != FrameState.Complete && status.CountOf(state) > 0)
             .Select(state => string.Create(CultureInfo.InvariantCulture, $", {status.CountOf(state)} {Word(state)}"));
+        string strays = status.Strays.Count == 0
+            ? string.Empty
+            : string.Create(
+                CultureInfo.InvariantCulture,
+                $" {status.Strays.Count} file{(status.Strays.Count == 1 ? string.Empty : "s")} that no record names.");
         results.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{count} frame{(count == 1 ? string.Empty : "s")}: {status.CountOf(FrameState.Complete)} complete{string.Concat(others)}."));
+            $"{count} frame{(count == 1 ? string.Empty : "s")}: {status.CountOf(FrameState.Complete)} complete{string.Concat(others)}.")
+            + strays);
     }
 
     private static string Word(FrameState state) =>

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Errors;
@@ -124,6 +125,7 @@ public sealed class CameraModel
     }
 
     /// <summary>The points of the ideal image plane that eight points of the image show; each has the bits of the point alone.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     internal LanePoints ToIdeal(Vector512<double> x, Vector512<double> y)
     {
         Vector512<double> down = (y - Vector512.Create(PrincipalY)) / Vector512.Create(FocalY);

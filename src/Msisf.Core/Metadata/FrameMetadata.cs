@@ -11,20 +11,32 @@ namespace Msisf.Core.Metadata;
 /// <param name="Camera">Position and orientation.</param>
 /// <param name="FieldOfViewDegrees">Horizontal field of view as the user gave it.</param>
 /// <param name="SunPositionMoonMe">m; with <c>--ignore-sun</c> the position of the light, which is the camera's.</param>
-/// <param name="PixelsPerDegree">Resolution of the elevation model, px/deg.</param>
+/// <param name="Elevation">The elevation model.</param>
+/// <param name="HeightOverTerrain">Of the camera over the model's surface below it, m.</param>
 /// <param name="Version">Version of the program.</param>
 /// <param name="CommandLine">The arguments of the call.</param>
 /// <param name="Renderer">The renderer that made the image.</param>
+/// <param name="Inputs">The files that the frame was made from.</param>
 public sealed record FrameMetadata(
     ModifiedJulianDate SimulationTime,
     PinholeCamera Camera,
     double FieldOfViewDegrees,
     Vector3D SunPositionMoonMe,
-    int PixelsPerDegree,
+    DrawnElevation Elevation,
+    double HeightOverTerrain,
     string Version,
     string CommandLine,
-    RendererKind Renderer = RendererKind.PovRay)
+    RendererKind Renderer,
+    IReadOnlyList<InputFile> Inputs)
 {
     /// <summary>Height of the camera over the Moon's mean radius, m (thesis section 9.2).</summary>
     public double FlightAltitude => Camera.PositionMoonMe.Length - MoonConstants.MeanRadius;
+
+    /// <summary>Name of the renderer, as the command line and the files have it.</summary>
+    public string RendererName => Renderer switch
+    {
+        RendererKind.PovRay => "povray",
+        RendererKind.Native => "native",
+        _ => throw new InvalidOperationException($"{Renderer} is not a renderer."),
+    };
 }

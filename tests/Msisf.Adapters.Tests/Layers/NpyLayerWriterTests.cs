@@ -6,6 +6,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Time;
 using Msisf.TestSupport;
@@ -56,17 +57,57 @@ public sealed class NpyLayerWriterTests : IDisposable
 
         using JsonDocument json = JsonDocument.Parse(File.ReadAllText(paths[^1]));
 
+        int Whole(string name) => json.RootElement.GetProperty(name).GetInt32();
         Assert.Equal(["frame.depth.npy", "frame.tile.npy", "frame.layers.json"], paths.Select(Path.GetFileName));
         Assert.Equal(4e6 / 3.0, json.RootElement.GetProperty("cameraPositionM")[0].GetDouble());
         Assert.Equal("--x '\u00e4'", json.RootElement.GetProperty("commandLine").GetString());
-        Assert.Equal(4, json.RootElement.GetProperty("meshPixelsPerDegree").GetInt32());
+        Assert.Equal((16, 4), (Whole("pixelsPerDegree"), Whole("meshPixelsPerDegree")));
+        Assert.Equal(1234.5, json.RootElement.GetProperty("heightOverTerrainM").GetDouble());
         Assert.Equal("depth", json.RootElement.GetProperty("layers")[0].GetProperty("name").GetString());
     }
+
+    [Fact]
+    public void Write_Camera_ProjectsThePositionsOntoTheirPixels()
+    {
+        IReadOnlyList<string> paths = Write("position", new Vector3D(2e6, 0.0, 0.0));
+        byte[] positions = File.ReadAllBytes(paths[0]);
+
+        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(paths[^1]));
+        double[][] k = Rows(json.RootElement.GetProperty("K"));
+        double[][] r = Rows(json.RootElement.GetProperty("R"));
+        double[] t = Row(json.RootElement.GetProperty("t"));
+
+        Assert.Equal((3, 3), (json.RootElement.GetProperty("width").GetInt32(), json.RootElement.GetProperty("height").GetInt32()));
+        for (int pixel = 0; pixel < 9; pixel++)
+        {
+            double[] point = [.. Enumerable.Range(0, 3).Select(
+                axis => BitConverter.ToDouble(positions, 128 + (((3 * pixel) + axis) * sizeof(double))))];
+            double[] seen = [.. r.Zip(t, (row, shift) => Dot(row, point) + shift)];
+            Assert.Equal(pixel % 3, Dot(k[0], seen) / Dot(k[2], seen), 1e-9);
+            Assert.Equal(pixel / 3, Dot(k[1], seen) / Dot(k[2], seen), 1e-9);
+        }
+    }
+
+    private static double[][] Rows(JsonElement matrix) => [.. matrix.EnumerateArray().Select(Row)];
+
+    private static double[] Row(JsonElement row) => [.. row.EnumerateArray().Select(number => number.GetDouble())];
+
+    private static double Dot(double[] a, double[] b) => a.Zip(b, (x, y) => x * y).Sum();
 
     private IReadOnlyList<string> Write(string layers, Vector3D position)
     {
         PinholeCamera camera = new(position, UnitQuaternion.Identity, 1.0, 3, 3);
-        FrameMetadata frame = new(new ModifiedJulianDate(55289.25), camera, 57.0, Sun, 16, "1.0.0", "--x '\u00e4'");
+        FrameMetadata frame = new(
+            new ModifiedJulianDate(55289.25),
+            camera,
+            57.0,
+            Sun,
+            new DrawnElevation("LDEM_16", IsSynthetic: false, 16, 4, 4),
+            1234.5,
+            "1.0.0",
+            "--x '\u00e4'",
+            RendererKind.Native,
+            []);
         using AtomicFileSet files = new();
         IReadOnlyList<string> paths = NpyLayerWriter.Write(
             files, _folder["frame"], frame, new LayerProvenance("LDEM_16", 4, 2, "native", SpectralBand.Default), new SphereTruth(camera, Sun, 4),

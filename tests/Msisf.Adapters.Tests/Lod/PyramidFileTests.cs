@@ -224,17 +224,19 @@ public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTes
         LdemSet set = LdemCatalog.Read(_label);
         LdemSet elsewhere = LdemSet.Join([set.Parts[0] with { ImagePath = "/nowhere/at all/LDEM_8.IMG" }]);
 
-        Assert.Equal(Sidecar, PyramidPlaces.Of(set, _folder["cache"]).ForWriting());
+        Assert.Equal(Sidecar, ModelLevels.PlacesOf(set, _folder["cache"]).ForWriting());
         Assert.StartsWith(
-            _folder["cache"] + "/LDEM_8_SYNTHETIC-", PyramidPlaces.Of(elsewhere, _folder["cache"]).ForWriting(), StringComparison.Ordinal);
-        Assert.Equal("/nowhere/at all/LDEM_8.pyramid", PyramidPlaces.Of(elsewhere, null).ForWriting());
+            _folder["cache"] + "/LDEM_8_SYNTHETIC-",
+            ModelLevels.PlacesOf(elsewhere, _folder["cache"]).ForWriting(),
+            StringComparison.Ordinal);
+        Assert.Equal("/nowhere/at all/LDEM_8.pyramid", ModelLevels.PlacesOf(elsewhere, null).ForWriting());
     }
 
     [Fact]
     public void Open_SidecarInTheCache_IsUsed()
     {
         using LdemImage image = Open();
-        string cached = PyramidPlaces.Of(image.Set, _folder["cache"]).Cached!;
+        string cached = ModelLevels.PlacesOf(image.Set, _folder["cache"]).Cached!;
         Directory.CreateDirectory(_folder["cache"]);
         PyramidWriter.Write(image, cached, 2, null, CancellationToken.None);
         File.WriteAllText(Sidecar, "not a pyramid");

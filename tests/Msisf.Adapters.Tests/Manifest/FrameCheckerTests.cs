@@ -47,6 +47,15 @@ public sealed class FrameCheckerTests : IDisposable
     }
 
     [Fact]
+    public void Check_OtherSettingsAndAllFilesGone_IsMissing()
+    {
+        FrameRecord made = Made() with { Frame = "f0" };
+        Array.ForEach(Directory.GetFiles(_folder.Path), File.Delete);
+
+        Assert.Equal(FrameState.Missing, Check(made, CheckDepth.Lengths).State);
+    }
+
+    [Fact]
     public void Check_LinkToTheFile_IsComplete()
     {
         FrameRecord made = Made();

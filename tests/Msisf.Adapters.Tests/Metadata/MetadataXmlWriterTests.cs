@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using System.Xml;
 using System.Xml.Linq;
+using System.Xml.Schema;
 using Msisf.Adapters.Metadata;
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
@@ -43,11 +44,31 @@ public class MetadataXmlWriterTests
             <FOV unit="deg">40</FOV>
             <MSISVersion>1.0.0</MSISVersion>
             <CommandLine>--fixed-state {55289,2E6} -r 64</CommandLine>
+            <FormatVersion>3</FormatVersion>
+            <HeightOverTerrain unit="m">+1.092583250000000E+006</HeightOverTerrain>
+            <ElevationModel product="LDEM_64" synthetic="no" drawnFinest="16" drawnCoarsest="2" unit="px/deg" />
+            <Camera width="1024" height="1024">
+              <K unit="px">
+                +1.406708438760767E+003 +0.000000000000000E+000 +5.115000000000000E+002
+                +0.000000000000000E+000 +1.406708438760767E+003 +5.115000000000000E+002
+                +0.000000000000000E+000 +0.000000000000000E+000 +1.000000000000000E+000
+              </K>
+              <R>
+        """;
+
+    private const string PublishedInputs = """
+            </Camera>
+            <Input kind="elevation-label" name="LDEM_64.LBL" bytes="5107" sha256="0123" />
+            <Input kind="elevation-image" name="LDEM_64.IMG" bytes="530841600" sha256="4567" />
+            <Input kind="kernel" name="&quot;a&quot; &amp; &lt;b&gt;.tls" bytes="7" sha256="89ab" />
           </GeneralInformation>
           <PixelInformation>
             <Pixel h="450" v="100">
               <SelenographicCoordinates lat="
         """;
+
+    /// <summary>px: latitude and longitude have 16 digits, so do K, R and t: 1e-9 m on the ground, some 1e-10 m of t a pixel.</summary>
+    private const double PixelError = 1e-9;
 
     [Fact]
     public void Write_PublishedExample_HasItsTextAndNumbers()
@@ -55,6 +76,7 @@ public class MetadataXmlWriterTests
         string xml = Text(Frame(), spacing: 50);
 
         Assert.StartsWith(PublishedHead, xml, StringComparison.Ordinal);
+        Assert.Contains(PublishedInputs, xml, StringComparison.Ordinal);
         Assert.EndsWith("    </Pixel>\n  </PixelInformation>\n</MSISRendering>\n", xml, StringComparison.Ordinal);
         XElement first = Parse(xml).Descendants("Pixel").First();
         XElement coordinates = first.Element("SelenographicCoordinates")!;
@@ -65,6 +87,63 @@ public class MetadataXmlWriterTests
         Assert.InRange(Number(direction.Value), 280.850536814846401 - 1e-9, 280.850536814846401 + 1e-9);
         Assert.Equal("deg", direction.Attribute("unit")!.Value);
         Assert.Equal("yes", direction.Attribute("defined")!.Value); // the DTD's default
+    }
+
+    /// <summary>K, R and t of the file lead from each pixel's coordinates in the file back to the pixel.</summary>
+    [Fact]
+    public void Write_Camera_ProjectsEachPixelOntoItself()
+    {
+        XDocument document = Parse(Text(Frame(), spacing: 14));
+        XElement camera = document.Descendants("Camera").Single();
+        double[] k = Numbers(camera.Element("K")!);
+        double[] r = Numbers(camera.Element("R")!);
+        double[] t = Numbers(camera.Element("t")!);
+        XElement[] pixels = [.. document.Descendants("Pixel")];
+
+        Assert.Equal((9, 9, 3), (k.Length, r.Length, t.Length));
+        Assert.InRange(pixels.Length, 3000, 5400);
+        Assert.All(pixels, pixel =>
+        {
+            double latitude = Number(pixel.Element("SelenographicCoordinates")!.Attribute("lat")!.Value) * Math.PI / 180.0;
+            double longitude = Number(pixel.Element("SelenographicCoordinates")!.Attribute("lon")!.Value) * Math.PI / 180.0;
+            double[] point =
+            [
+                1_737_400.0 * Math.Cos(latitude) * Math.Cos(longitude),
+                1_737_400.0 * Math.Cos(latitude) * Math.Sin(longitude),
+                1_737_400.0 * Math.Sin(latitude),
+            ];
+            double[] seen = [.. Enumerable.Range(0, 3).Select(
+                row => (r[3 * row] * point[0]) + (r[(3 * row) + 1] * point[1]) + (r[(3 * row) + 2] * point[2]) + t[row])];
+            Assert.Equal((int)pixel.Attribute("h")! - 1, ((k[0] * seen[0]) + (k[2] * seen[2])) / seen[2], PixelError);
+            Assert.Equal((int)pixel.Attribute("v")! - 1, ((k[4] * seen[1]) + (k[5] * seen[2])) / seen[2], PixelError);
+        });
+    }
+
+    [Theory]
+    [InlineData(false, "CommandLine")] // version 1
+    [InlineData(true, "PixelSurface")] // version 2
+    public void Dtd_FileOfAnEarlierVersion_IsValidAsItWas(bool isTerrain, string last)
+    {
+        string xml = isTerrain ? TerrainText(Frame(), spacing: 100) : Text(Frame(), spacing: 100);
+        int first = xml.IndexOf("    <FormatVersion>", StringComparison.Ordinal);
+        int end = xml.IndexOf("  </GeneralInformation>", StringComparison.Ordinal);
+
+        XElement general = Parse(xml.Remove(first, end - first)).Root!.Element("GeneralInformation")!;
+
+        Assert.Equal(last, general.Elements().Last().Name.LocalName);
+    }
+
+    [Theory]
+    [InlineData("<FormatVersion>3</FormatVersion>", "")]
+    [InlineData("synthetic=\"no\"", "synthetic=\"maybe\"")]
+    [InlineData(" sha256=", " md5=")]
+    [InlineData("</R>", "</R><R></R>")]
+    public void Dtd_Version3WithAnErrorInIt_IsInvalid(string text, string wrong)
+    {
+        string xml = Text(Frame(), spacing: 100);
+        Assert.Contains(text, xml, StringComparison.Ordinal);
+
+        Assert.ThrowsAny<XmlSchemaException>(() => Parse(xml.Replace(text, wrong, StringComparison.Ordinal)));
     }
 
     [Fact]
@@ -127,10 +206,10 @@ public class MetadataXmlWriterTests
 
         XDocument document = Parse(TerrainText(frame, spacing: 50));
 
-        XElement surface = document.Root!.Element("GeneralInformation")!.Elements().Last();
-        Assert.Equal("PixelSurface", surface.Name.LocalName);
+        XElement surface = document.Root!.Element("GeneralInformation")!.Element("PixelSurface")!;
+        Assert.Equal("CommandLine", surface.ElementsBeforeSelf().Last().Name.LocalName);
         Assert.Equal(
-            [("type", "terrain"), ("renderer", name), ("formatVersion", "2")],
+            [("type", "terrain"), ("renderer", name), ("formatVersion", "3")],
             surface.Attributes().Select(attribute => (attribute.Name.LocalName, attribute.Value)));
         XElement[] pixels = [.. document.Descendants("Pixel")];
         Assert.InRange(pixels.Length, 100, 400);
@@ -146,7 +225,7 @@ public class MetadataXmlWriterTests
         FrameMetadata frame = Frame() with { Renderer = RendererKind.Native };
         string[] added =
         [
-            "PixelSurface", "Height", "Position", "Range", "Normal", "IncidenceAngle", "EmissionAngle", "PhaseAngle", "Illumination ",
+            "PixelSurface", "Height ", "Position", "Range", "Normal", "IncidenceAngle", "EmissionAngle", "PhaseAngle", "Illumination ",
             "Facet"
         ];
 
@@ -212,9 +291,16 @@ public class MetadataXmlWriterTests
             new PinholeCamera(new Vector3D(2e6, 2e6, -0.0), orientation, double.DegreesToRadians(40.0), 1024, 1024),
             40.0,
             new Vector3D(+1.074955473280880E+011, -1.042430734878980E+011, +4.036164305561260E+009),
-            64,
+            new DrawnElevation("LDEM_64", IsSynthetic: false, 64, 16, 2),
+            1092583.25,
             "1.0.0",
-            "--fixed-state {55289,2E6} -r 64");
+            "--fixed-state {55289,2E6} -r 64",
+            RendererKind.PovRay,
+            [
+                new InputFile(InputKind.ElevationLabel, "LDEM_64.LBL", 5107, "0123"),
+                new InputFile(InputKind.ElevationImage, "LDEM_64.IMG", 530841600, "4567"),
+                new InputFile(InputKind.Kernel, "\"a\" & <b>.tls", 7, "89ab"),
+            ]);
     }
 
     private static PixelSampler Sampler(FrameMetadata frame, int spacing) =>
@@ -244,6 +330,9 @@ public class MetadataXmlWriterTests
     }
 
     private static string Text(FrameMetadata frame, int spacing) => Encoding.UTF8.GetString(Bytes(frame, spacing));
+
+    private static double[] Numbers(XElement element) =>
+        [.. element.Value.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Select(Number)];
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
 

@@ -1,4 +1,5 @@
 using Msisf.App.Preparation;
+using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Time;
 using Xunit;
@@ -10,8 +11,8 @@ public sealed class FrameNamingTests
     private static readonly ModifiedJulianDate Time = new(55289.25);
 
     [Theory]
-    [InlineData(FrameNaming.DefaultPattern, 7, "MoonSurfIllumSim_step_00007")]
-    [InlineData(FrameNaming.DefaultPattern, 123456, "MoonSurfIllumSim_step_123456")]
+    [InlineData(OutputOptions.DefaultName, 7, "MoonSurfIllumSim_step_00007")]
+    [InlineData(OutputOptions.DefaultName, 123456, "MoonSurfIllumSim_step_123456")]
     [InlineData("a{step}b", 7, "a7b")]
     [InlineData("{mjd}", 7, "55289.25")]
     [InlineData("t{mjd:0.000}_{step:000}", 7, "t55289.250_007")]

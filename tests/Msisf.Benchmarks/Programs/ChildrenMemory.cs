@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Core.Errors;
 
 namespace Msisf.Benchmarks.Programs;
 
@@ -54,7 +55,7 @@ internal sealed class ChildrenMemory
                 .FirstOrDefault(line => line.StartsWith(name, StringComparison.Ordinal))?
                 .Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries)[1];
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return null;
         }

@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render;
 using Msisf.Core.Time;
 using Msisf.Core.Tracing;
 using Msisf.TestSupport;
@@ -19,9 +20,12 @@ internal static class ExampleFrame
             new PinholeCamera(new Vector3D(2e6, 2e6, 0.0), orientation, double.DegreesToRadians(40.0), width, height),
             40.0,
             new Vector3D(+1.074955473280880E+011, -1.042430734878980E+011, +4.036164305561260E+009),
-            64,
+            new DrawnElevation("LDEM_64", IsSynthetic: false, 64, 16, 2),
+            1092583.25,
             "1.0.0",
-            "--fixed-state {55289,2E6} --output-dir \"<a> & b\"");
+            "--fixed-state {55289,2E6} --output-dir \"<a> & b\"",
+            RendererKind.PovRay,
+            [new InputFile(InputKind.ElevationImage, "\"a\" <b> & 'c'.IMG", 34_000_000_000, new string('0', 64))]);
     }
 
     public static PixelSampler Sampler(FrameMetadata frame, int spacing) =>

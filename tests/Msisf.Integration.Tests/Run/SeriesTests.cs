@@ -71,18 +71,174 @@ public sealed class SeriesTests : IDisposable
     }
 
     [RequiresFact(Part.Ldem4)]
-    public void Run_OtherSettings_ReplacesTheFrames()
+    public void Run_OtherSettings_StopsBeforeFinishedFramesAreReplaced()
+    {
+        Run("out", "--frames", "2:3");
+        byte[] manifest = File.ReadAllBytes(_folder["out/msisf-manifest.jsonl"]);
+        CommandLineRun wide = Run("out", "--fov", "50", "--samples", "4", "--frames", "1");
+
+        Assert.Equal(1, wide.ExitCode);
+        Assert.Contains(
+            "out: finished frames would be replaced: 2 frames made with --fov 40, now 50; --samples 1, now 4. "
+                + "Use --overwrite to replace them, or another --output-dir to keep them.",
+            wide.Error,
+            StringComparison.Ordinal);
+        Assert.Equal(manifest, File.ReadAllBytes(_folder["out/msisf-manifest.jsonl"]));
+        Assert.Equal(0, Run("out").ExitCode); // the old run goes on
+        Assert.Equal(0, Look("verify", "out").ExitCode);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Run_OtherOrbit_StopsToo()
+    {
+        Run("out");
+        string[] otherOrbit = [.. Arguments("out").Select(
+            argument => argument.Replace("{2.0E6,", "{2.1E6,", StringComparison.Ordinal))];
+        CommandLineRun higher = CommandLineRun.Of([.. otherOrbit, "--ldem", TestParts.Ldem4Label!]);
+
+        Assert.Equal(1, higher.ExitCode);
+        Assert.Contains("6 frames made for another time, position or orientation", higher.Error, StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Run_OtherSettingsWithoutAFileToReplace_GoesOn()
+    {
+        Run("out", "--frames", "1:2");
+        Array.ForEach(Directory.GetFiles(_folder["out"], "*.*"), path =>
+        {
+            if (Path.GetExtension(path) is ".png" or ".xml")
+            {
+                File.Delete(path);
+            }
+        });
+
+        Assert.Equal(0, Run("out", "--fov", "50").ExitCode);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Run_OtherSettingsWithOverwrite_ReplacesAndGoesOnWithoutIt()
     {
         Run("out");
         byte[] narrow = File.ReadAllBytes(Image("out", 1));
-        CommandLineRun wide = Run("out", "--fov", "50", "--frames", "1");
+        Assert.Equal(0, Run("out", "--fov", "50", "--overwrite", "--frames", "1").ExitCode);
 
-        Assert.Equal(0, wide.ExitCode);
-        Assert.Contains("to make: 0 missing, 0 damaged, 1 of other settings", wide.Error, StringComparison.Ordinal);
         Assert.NotEqual(narrow, File.ReadAllBytes(Image("out", 1)));
         CommandLineRun status = Look("status", "out");
         Assert.Equal(5, status.ExitCode);
+        Assert.StartsWith(
+            "2\tMoonSurfIllumSim_step_00002\tof other settings\tmade with --fov 40, now 50", status.Output, StringComparison.Ordinal);
         Assert.EndsWith("6 frames: 1 complete, 5 of other settings.", status.Output.Trim(), StringComparison.Ordinal);
+        CommandLineRun rest = Run("out", "--fov", "50");
+        Assert.Equal(0, rest.ExitCode);
+        Assert.Contains("1 there and complete", rest.Error, StringComparison.Ordinal);
+        Assert.Contains("to make: 0 missing, 0 damaged, 5 of other settings", rest.Error, StringComparison.Ordinal);
+        Assert.Equal(0, Look("verify", "out").ExitCode);
+    }
+
+    [RequiresFact(Part.Ldem4, Part.Cairo)]
+    public void Run_SingleImageAgain_IsReplacedWithItsCompanions()
+    {
+        Single("out", "--rendering-annotation", "--layers", "depth", "--layers-format", "npy");
+        File.WriteAllText(_folder["out/MoonSurfIllumSim_step_00001.txt"], "mine");
+        File.WriteAllText(_folder["out/MoonSurfIllumSim_step_00001.notes.png"], "mine");
+        CommandLineRun again = Single("out", "--fov", "50");
+
+        Assert.Equal(0, again.ExitCode);
+        Assert.Contains(
+            "Replaced: 1 frame made with --fov 40, now 50; --rendering-annotation, now without it; --layers depth, now without it; ",
+            again.Error,
+            StringComparison.Ordinal);
+        Assert.Equal(
+            [
+                "MoonSurfIllumSim_step_00001.notes.png", "MoonSurfIllumSim_step_00001.png", "MoonSurfIllumSim_step_00001.txt",
+                "MoonSurfIllumSim_step_00001.xml", "msisf-manifest.jsonl",
+            ],
+            NamesIn("out"));
+        CommandLineRun verify = Look("verify", "out");
+        Assert.Equal(0, verify.ExitCode);
+        Assert.Equal(
+            [
+                "-\tMoonSurfIllumSim_step_00001.notes.png\tunknown\tno record names it",
+                "-\tMoonSurfIllumSim_step_00001.txt\tunknown\tno record names it",
+                "1 frame: 1 complete. 2 files that no record names.",
+            ],
+            verify.Output.Trim().Split(Environment.NewLine));
+    }
+
+    /// <summary>The names of a frame's companions can be those of another frame's image.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_CompanionThatIsAnotherFrame_IsKept()
+    {
+        Single("out", "--output-name", "a.annotated");
+        byte[] other = File.ReadAllBytes(_folder["out/a.annotated.png"]);
+        Single("out", "--output-name", "a");
+        Assert.Equal(0, Single("out", "--output-name", "a", "--fov", "50").ExitCode);
+
+        Assert.Equal(other, File.ReadAllBytes(_folder["out/a.annotated.png"]));
+        Assert.Equal(0, Look("verify", "out").ExitCode);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Verify_FileOfAFrameThatNoRecordNames_IsNotRight()
+    {
+        Run("out");
+        File.Copy(Image("out", 1), _folder["out/MoonSurfIllumSim_step_00002.annotated.png"]);
+        CommandLineRun verify = Look("verify", "out");
+
+        Assert.Equal(5, verify.ExitCode);
+        Assert.StartsWith("-\tMoonSurfIllumSim_step_00002.annotated.png\tleft over\t", verify.Output, StringComparison.Ordinal);
+        Assert.Equal(0, Look("verify", "out", "--print-frames").ExitCode); // no frame has to be made again
+        Assert.Equal(0, Look("status", "out").ExitCode);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Run_OtherInputsThanTheFrameNames_WarnsOnceAndSaysWhich()
+    {
+        Directory.CreateDirectory(_folder["model"]);
+        string label = _folder["model/LDEM_4.LBL"];
+        File.Copy(TestParts.Ldem4Label!, label);
+        byte[] samples = File.ReadAllBytes(Path.ChangeExtension(TestParts.Ldem4Label!, ".IMG"));
+        File.WriteAllBytes(_folder["model/LDEM_4.IMG"], samples);
+        Run("out", "--ldem", label);
+
+        // Between the pieces that the manifest's checksum covers: the frames count as complete.
+        (samples[1_000_000], samples[1_000_001]) = (samples[1_000_002], samples[1_000_003]);
+        File.WriteAllBytes(_folder["model/LDEM_4.IMG"], samples);
+        CommandLineRun kept = Run("out", "--ldem", label);
+        CommandLineRun replaced = Run("out", "--ldem", label, "--overwrite");
+
+        Assert.All([kept, replaced], run => Assert.Equal(0, run.ExitCode));
+        Assert.All([kept, replaced], run => Assert.Equal(
+            1, run.Error.Split("was made from other input files: another LDEM_4.IMG (SHA-256 972d66d7f330..., now ").Length - 1));
+        Assert.DoesNotContain("other input files", Run("out", "--ldem", label).Error, StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Merge_VideoWithoutFfmpeg_IsAnError()
+    {
+        Run("out");
+        CommandLineRun merge = CommandLineRun.Of(["merge", _folder["out"], "--video", "10"], searchPath: "/nowhere");
+
+        Assert.Equal(3, merge.ExitCode);
+        Assert.Contains("error: no ffmpeg on the PATH: no video is made.", merge.Error, StringComparison.Ordinal);
+    }
+
+    [RequiresTheory(Part.Ldem4, Part.Cairo)]
+    [InlineData("--video", "10")]
+    [InlineData("--contact-sheet")]
+    public void Merge_FrameWithAFlippedBit_IsNamed(params string[] wish)
+    {
+        Run("out");
+        byte[] image = File.ReadAllBytes(Image("out", 4));
+        image[image.Length / 2] ^= 4;
+        File.WriteAllBytes(Image("out", 4), image);
+        string program = _folder.Write("programs/ffmpeg", "#!/bin/sh\nexit 0\n");
+        File.SetUnixFileMode(program, UnixFileMode.UserRead | UnixFileMode.UserExecute);
+        CommandLineRun merge = CommandLineRun.Of(["merge", _folder["out"], .. wish], searchPath: _folder["programs"]);
+
+        Assert.Equal(2, merge.ExitCode);
+        Assert.Contains($"{Path.GetFullPath(Image("out", 4))}: not a whole PNG image: ", merge.Error, StringComparison.Ordinal);
+        Assert.Empty(Directory.GetFiles(_folder["out"], "video*"));
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -156,25 +312,34 @@ public sealed class SeriesTests : IDisposable
     private string Image(string folder, int step) => Path.Combine(_folder[folder], $"MoonSurfIllumSim_step_{step:00000}.png");
 
     private CommandLineRun Run(string folder, params string[] more) => CommandLineRun.Of(
+        [.. Arguments(folder), .. more.Contains("--ldem") ? [] : (string[])["--ldem", TestParts.Ldem4Label!], .. more]);
+
+    private string[] Arguments(string folder) =>
     [
         "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.005]", "--renderer",
         "native", "--reflectance", "lambert",
-        "--width", "24", "--height", "16", "--grid", "8", "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir",
-        _folder[folder], "--batch", .. more,
+        "--width", "24", "--height", "16", "--grid", "8", "--ephemeris", "builtin", "--output-dir",
+        _folder[folder], "--batch",
+    ];
+
+    private CommandLineRun Single(string folder, params string[] more) => CommandLineRun.Of(
+    [
+        "--fixed-state", "{55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1}", "--renderer", "native", "--reflectance", "lambert", "--width", "24",
+        "--height", "16", "--grid", "8", "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder],
+        "--batch", .. more,
     ]);
+
+    private string[] NamesIn(string folder) => [.. Directory.EnumerateFiles(_folder[folder]).Select(Path.GetFileName).OfType<string>()
+        .Where(name => name[0] != '.').Order(StringComparer.Ordinal)];
 
     private CommandLineRun Look(string command, string folder, params string[] more) =>
         CommandLineRun.Of([command, _folder[folder], .. more]);
 
     private void AssertSameBytes(string folder, string other, int files)
     {
-        string[] names = [.. Directory.EnumerateFiles(_folder[folder]).Select(Path.GetFileName).OfType<string>().Where(
-            name => name[0] != '.').Order(StringComparer.Ordinal)];
+        string[] names = NamesIn(folder);
         Assert.Equal(files, names.Length);
-        Assert.Equal(
-            names,
-            Directory.EnumerateFiles(_folder[other]).Select(Path.GetFileName).OfType<string>().Where(
-                name => name[0] != '.').Order(StringComparer.Ordinal));
+        Assert.Equal(names, NamesIn(other));
         Assert.All(
             names,
             name => Assert.Equal(

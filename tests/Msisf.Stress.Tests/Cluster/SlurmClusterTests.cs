@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using Msisf.Core.Errors;
 using Msisf.Stress.Cluster;
 using Msisf.TestSupport;
 using Xunit;
@@ -74,7 +75,7 @@ public sealed class SlurmClusterTests
             {
                 return File.ReadAllText($"/proc/{process.Id}/environ");
             }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+            catch (Exception exception) when (exception.IsFileError())
             {
                 return string.Empty; // it has ended, or is another user's
             }

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
+using Msisf.Core.Errors;
 
 namespace Msisf.Stress.Cluster;
 
@@ -74,7 +75,7 @@ internal static class ProcessTable
         {
             return [.. Directory.EnumerateFileSystemEntries(PathOf(id, "fd")).Select(Target)];
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return []; // it has ended, or is another user's
         }
@@ -86,7 +87,7 @@ internal static class ProcessTable
         {
             return File.ResolveLinkTarget(link, returnFinalTarget: false)?.FullName;
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return null; // it has ended, or is another user's
         }
@@ -98,7 +99,7 @@ internal static class ProcessTable
         {
             return File.ReadAllText(PathOf(id, file));
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception.IsFileError())
         {
             return null; // it has ended, or is another user's
         }

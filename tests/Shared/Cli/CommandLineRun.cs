@@ -17,11 +17,15 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
     /// <param name="configHome">
     /// XDG_CONFIG_HOME; by default a folder that is not there, so that the settings of whoever runs the tests play no part.
     /// </param>
-    public static CommandLineRun Of(IReadOnlyList<string> arguments, string standardInput = "", string configHome = "/no-settings")
+    /// <param name="searchPath">PATH, if it is not that of the tests.</param>
+    public static CommandLineRun Of(
+        IReadOnlyList<string> arguments, string standardInput = "", string configHome = "/no-settings", string? searchPath = null)
     {
         using StringWriter output = new();
         using StringWriter error = new();
-        string? Variable(string name) => name == "XDG_CONFIG_HOME" ? configHome : Environment.GetEnvironmentVariable(name);
+        string? Variable(string name) => name == "XDG_CONFIG_HOME" ? configHome
+            : name == "PATH" && searchPath is not null ? searchPath
+            : Environment.GetEnvironmentVariable(name);
         ProgramHost host = ConsoleHost.Create(output, error, () => new StringReader(standardInput), TimeProvider.System, Variable);
         int exitCode = Within.Seconds(
             LimitSeconds, $"msis {string.Join(' ', arguments)}", Task.Run(() => CommandLineProgram.RunAsync(arguments, host)))

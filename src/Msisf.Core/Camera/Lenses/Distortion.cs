@@ -9,6 +9,12 @@ namespace Msisf.Core.Camera.Lenses;
 /// </remarks>
 public abstract class Distortion
 {
+    /// <summary>Name of the formula, as the meta file has it.</summary>
+    public abstract string Name { get; }
+
+    /// <summary>Coefficients of the formula (docs/cameras.md), with coordinates in units of the focal length.</summary>
+    public abstract IReadOnlyList<double> Coefficients { get; }
+
     /// <summary>Whether it leaves every point where it is.</summary>
     public abstract bool IsNone { get; }
 

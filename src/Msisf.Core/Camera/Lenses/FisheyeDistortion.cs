@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Camera.Lenses;
@@ -31,8 +32,11 @@ public sealed class FisheyeDistortion : Distortion
     /// <param name="k">k1 to k4, or fewer.</param>
     public FisheyeDistortion(ReadOnlySpan<double> k) => k.CopyTo(_k);
 
+    /// <inheritdoc/>
+    public override string Name => "fisheye";
+
     /// <summary>k1 to k4.</summary>
-    public IReadOnlyList<double> Coefficients => _k;
+    public override IReadOnlyList<double> Coefficients => _k;
 
     /// <inheritdoc/>
     public override bool IsNone => false;
@@ -41,6 +45,7 @@ public sealed class FisheyeDistortion : Distortion
     internal override bool IsFromIdeal => false;
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be prepared with unoptimised vectors
     internal override LanePoints Apply(in LanePoints points, out LaneSlopes slopes)
     {
         (Vector512<double> x, Vector512<double> y) = points;
@@ -65,6 +70,7 @@ public sealed class FisheyeDistortion : Distortion
         return new LanePoints(factor * x, factor * y);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static Vector512<double> Tangent(Vector512<double> angle)
     {
         // Taylor series of half the angle, below pi/4: the first terms left out are below 2^-53.
@@ -87,6 +93,7 @@ public sealed class FisheyeDistortion : Distortion
         return 2.0 * tangent / (one - (tangent * tangent));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private Vector512<double> Distance(Vector512<double> angle, out Vector512<double> slope)
     {
         Vector512<double> square = angle * angle;

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Camera.Lenses;
@@ -24,8 +25,11 @@ public sealed class OpenCvDistortion : Distortion
         s.CopyTo(_s);
     }
 
+    /// <inheritdoc/>
+    public override string Name => "opencv";
+
     /// <summary>In OpenCV's order: k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4.</summary>
-    public IReadOnlyList<double> Coefficients => [_k[0], _k[1], _p[0], _p[1], _k[2], _k[3], _k[4], _k[5], .. _s];
+    public override IReadOnlyList<double> Coefficients => [_k[0], _k[1], _p[0], _p[1], _k[2], _k[3], _k[4], _k[5], .. _s];
 
     /// <inheritdoc/>
     public override bool IsNone => Coefficients.All(coefficient => coefficient == 0.0);
@@ -34,6 +38,7 @@ public sealed class OpenCvDistortion : Distortion
     internal override bool IsFromIdeal => true;
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be prepared with unoptimised vectors
     internal override LanePoints Apply(in LanePoints points, out LaneSlopes slopes)
     {
         (Vector512<double> x, Vector512<double> y) = points;

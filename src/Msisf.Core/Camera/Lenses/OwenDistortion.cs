@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Camera.Lenses;
@@ -21,12 +22,19 @@ public sealed class OwenDistortion : Distortion
     }
 
     /// <inheritdoc/>
+    public override string Name => "owen";
+
+    /// <inheritdoc/>
+    public override IReadOnlyList<double> Coefficients => _e;
+
+    /// <inheritdoc/>
     public override bool IsNone => _e.All(coefficient => coefficient == 0.0);
 
     /// <inheritdoc/>
     internal override bool IsFromIdeal => true;
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be prepared with unoptimised vectors
     internal override LanePoints Apply(in LanePoints points, out LaneSlopes slopes)
     {
         (Vector512<double> x, Vector512<double> y) = points;

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Camera.Lenses;
@@ -27,12 +28,19 @@ public sealed class PolynomialDistortion : Distortion
     }
 
     /// <inheritdoc/>
+    public override string Name => _isRadial ? "polynomial-radius" : "polynomial-x";
+
+    /// <inheritdoc/>
+    public override IReadOnlyList<double> Coefficients => [.. _x, .. _y];
+
+    /// <inheritdoc/>
     public override bool IsNone => _x.Concat(_y).All(coefficient => coefficient == 0.0);
 
     /// <inheritdoc/>
     internal override bool IsFromIdeal => false;
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be prepared with unoptimised vectors
     internal override LanePoints Apply(in LanePoints points, out LaneSlopes slopes)
     {
         (Vector512<double> x, Vector512<double> y) = points;

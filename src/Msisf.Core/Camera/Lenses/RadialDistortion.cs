@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Camera.Lenses;
@@ -28,12 +29,19 @@ public sealed class RadialDistortion : Distortion
     }
 
     /// <inheritdoc/>
+    public override string Name => _isDivision ? "radial-division" : "radial-factor";
+
+    /// <inheritdoc/>
+    public override IReadOnlyList<double> Coefficients => _k;
+
+    /// <inheritdoc/>
     public override bool IsNone => _k.All(coefficient => coefficient == 0.0);
 
     /// <inheritdoc/>
     internal override bool IsFromIdeal => false;
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be prepared with unoptimised vectors
     internal override LanePoints Apply(in LanePoints points, out LaneSlopes slopes)
     {
         (Vector512<double> x, Vector512<double> y) = points;

@@ -6,16 +6,18 @@ namespace Msisf.Core.Render.Shading;
 /// <summary>
 /// Interpolates normals between the vertices. The normal of a vertex is perpendicular to the line through its west and east neighbours
 /// and to the line through its north and south neighbours. The normal at a point of a facet is the mean of the facet's vertex normals,
-/// weighted by the point's barycentric coordinates. The last cell is kept, so each thread needs its own object.
+/// weighted by the point's barycentric coordinates. Vertices are kept, so each thread needs its own object.
 /// </summary>
 /// <remarks>B. T. Phong, "Illumination for computer generated pictures", Comm. ACM 18 (1975) 311.</remarks>
 internal sealed class SmoothNormals
 {
-    private const int PatchSize = 4;
+    /// <summary>Number of vertices that are kept: a row of pixels crosses the same cells as the row above it.</summary>
+    private const int KeptVertices = 1 << 11;
 
     private readonly SurfaceModel _surface;
-    private readonly double[] _radii = new double[PatchSize];
-    private readonly Vector3D[] _vertices = new Vector3D[PatchSize * PatchSize];
+    private readonly Corner[] _kept = new Corner[KeptVertices];
+    private readonly long[] _keptKeys = new long[KeptVertices];
+    private readonly double[] _radii = new double[3];
     private int _line = int.MinValue;
     private int _sample;
     private Corner _northWest;
@@ -23,7 +25,11 @@ internal sealed class SmoothNormals
     private Corner _southWest;
     private Corner _southEast;
 
-    public SmoothNormals(SurfaceModel surface) => _surface = surface;
+    public SmoothNormals(SurfaceModel surface)
+    {
+        _surface = surface;
+        Array.Fill(_keptKeys, -1);
+    }
 
     /// <summary>The interpolated normal at a point of a facet.</summary>
     /// <param name="facet">The facet.</param>
@@ -51,42 +57,54 @@ internal sealed class SmoothNormals
 
     private void Load(int line, int sample)
     {
-        for (int row = 0; row < PatchSize; row++)
-        {
-            // There is no line beyond a pole: the values there are not used.
-            int vertexLine = Math.Clamp(line - 1 + row, -1, _surface.Mesh.Lines);
-            _surface.Mesh.ReadRadii(vertexLine, sample - 1, _radii);
-            for (int column = 0; column < PatchSize; column++)
-            {
-                int at = (sample - 1 + column + _surface.Mesh.Samples) % _surface.Mesh.Samples;
-                _vertices[(row * PatchSize) + column] = _surface.Vertex(vertexLine, at, _radii[column]);
-            }
-        }
-
+        int east = sample + 1 == _surface.Mesh.Samples ? 0 : sample + 1;
         _line = line;
         _sample = sample;
-        _northWest = CornerAt(1, 1);
-        _northEast = CornerAt(1, 2);
-        _southWest = CornerAt(2, 1);
-        _southEast = CornerAt(2, 2);
+        _northWest = CornerAt(line, sample);
+        _northEast = CornerAt(line, east);
+        _southWest = CornerAt(line + 1, sample);
+        _southEast = CornerAt(line + 1, east);
     }
 
-    private Corner CornerAt(int row, int column)
+    private Corner CornerAt(int line, int sample)
     {
-        Vector3D position = _vertices[(row * PatchSize) + column];
-        int line = _line - 1 + row;
+        // 64 samples of a line lie beside each other, so a cell and its neighbours do not replace each other.
+        int place = ((line << 6) ^ sample) & (KeptVertices - 1);
+        long key = ((long)(line + 1) << 32) | (uint)sample;
+        if (_keptKeys[place] != key)
+        {
+            _kept[place] = ReadCorner(line, sample);
+            _keptKeys[place] = key;
+        }
+
+        return _kept[place];
+    }
+
+    private Corner ReadCorner(int line, int sample)
+    {
+        int samples = _surface.Mesh.Samples;
+        _surface.Mesh.ReadRadii(line, sample - 1, _radii);
+        Vector3D position = _surface.Vertex(line, sample, _radii[1]);
         if (line < 0 || line >= _surface.Mesh.Lines)
         {
             // A pole has no west and east; its height is the mean of the nearest line, so the surface there is taken as level.
             return new Corner(position, line < 0 ? Vector3D.UnitZ : -Vector3D.UnitZ);
         }
 
-        Vector3D eastward = _vertices[(row * PatchSize) + column + 1] - _vertices[(row * PatchSize) + column - 1];
-        Vector3D northward = _vertices[((row - 1) * PatchSize) + column] - _vertices[((row + 1) * PatchSize) + column];
+        Vector3D eastward = _surface.Vertex(line, sample + 1, _radii[2])
+            - _surface.Vertex(line, sample == 0 ? samples - 1 : sample - 1, _radii[0]);
+        Vector3D northward = VertexAt(line - 1, sample) - VertexAt(line + 1, sample);
         Vector3D normal = Vector3D.Cross(eastward, northward);
 
         // Next to a pole of a fine model, neighbouring vertices can be at the same point of the vertex lattice.
         return new Corner(position, normal == default ? position.Normalized() : normal.Normalized());
+    }
+
+    private Vector3D VertexAt(int line, int sample)
+    {
+        Span<double> radius = _radii.AsSpan(0, 1);
+        _surface.Mesh.ReadRadii(line, sample, radius);
+        return _surface.Vertex(line, sample, radius[0]);
     }
 
     private readonly record struct Corner(Vector3D Position, Vector3D Normal);

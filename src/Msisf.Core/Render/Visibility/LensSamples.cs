@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
@@ -6,7 +7,7 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// Where the ideal image plane is sampled by the pixels of a camera with a lens: a point for each pixel, and the tiles in which they are
-/// drawn. One object serves many frames; it is computed again only for another camera or other offsets.
+/// drawn. One object serves many frames; see <see cref="IsOf"/>.
 /// </summary>
 internal sealed class LensSamples
 {
@@ -42,7 +43,11 @@ internal sealed class LensSamples
     /// <summary>The part of the ideal image plane in which all samples lie.</summary>
     public TangentBox Tangents { get; private set; }
 
-    /// <summary>Computes the samples of a camera, if they are not there already.</summary>
+    /// <summary>Whether these are the samples of a camera at these offsets.</summary>
+    public bool IsOf(CameraModel model, double offsetX, double offsetY) =>
+        ReferenceEquals(_model, model) && _offset == (offsetX, offsetY);
+
+    /// <summary>Computes the samples of a camera.</summary>
     /// <param name="model">The camera, with a lens.</param>
     /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
     /// <param name="offsetY">px down.</param>
@@ -50,11 +55,6 @@ internal sealed class LensSamples
     /// <param name="cancellation">Cancels the work.</param>
     public void Prepare(CameraModel model, double offsetX, double offsetY, int threads, CancellationToken cancellation)
     {
-        if (ReferenceEquals(_model, model) && _offset == (offsetX, offsetY))
-        {
-            return;
-        }
-
         _model = null;
         int size = model.Width * model.Height;
         if (Right.Length < size)
@@ -110,15 +110,19 @@ internal sealed class LensSamples
 
     private TangentBox TangentsOf(CameraModel model, PixelRange pixels)
     {
-        TangentBox tangents = TangentBox.Nothing;
-        for (int sample = pixels.FirstRow * model.Width; sample < (pixels.LastRow + 1) * model.Width; sample++)
+        Range right = Range.Nothing;
+        Range down = Range.Nothing;
+        int last = ((pixels.LastRow + 1) * model.Width) - 1;
+        for (int sample = pixels.FirstRow * model.Width; sample <= last; sample += Vector512<double>.Count)
         {
-            tangents = tangents.With(Right[sample], Down[sample]);
+            right.Widen(Read(Right, sample, last));
+            down.Widen(Read(Down, sample, last));
         }
 
-        return tangents;
+        return new TangentBox(right.Min, down.Min, right.Max, down.Max);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void FillRow(CameraModel model, int row, double offsetX, double offsetY)
     {
         Span<double> right = Right.AsSpan(row * model.Width, model.Width);
@@ -164,27 +168,54 @@ internal sealed class LensSamples
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private LensTile TileOf(CameraModel model, PixelRange pixels)
     {
         ImagePlaneMap map = MapOf(model, pixels, _offset.X, _offset.Y);
-        (double left, double right) = (double.PositiveInfinity, double.NegativeInfinity);
-        (double above, double below) = (double.PositiveInfinity, double.NegativeInfinity);
-        TangentBox tangents = TangentBox.Nothing;
+        Range across = Range.Nothing;
+        Range down = Range.Nothing;
+        Range right = Range.Nothing;
+        Range below = Range.Nothing;
         for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
         {
             int start = row * model.Width;
-            for (int column = pixels.FirstColumn; column <= pixels.LastColumn; column++)
+            for (int column = pixels.FirstColumn; column <= pixels.LastColumn; column += Vector512<double>.Count)
             {
-                (double x, double y) = (Right[start + column], Down[start + column]);
-                (double across, double down) = (map.Column(x, y) - column, map.Row(x, y) - row);
-                (left, right) = (Math.Min(left, across), Math.Max(right, across));
-                (above, below) = (Math.Min(above, down), Math.Max(below, down));
-                tangents = tangents.With(x, y);
+                // The last vector goes back over pixels that were met already, or repeats the last one.
+                int first = Math.Max(pixels.FirstColumn, Math.Min(column, pixels.LastColumn + 1 - Vector512<double>.Count));
+                Vector512<double> columns = Vector512.Min(
+                    Vector512.Create((double)first) + Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0),
+                    Vector512.Create((double)pixels.LastColumn));
+                Vector512<double> x = Read(Right, start + first, start + pixels.LastColumn);
+                Vector512<double> y = Read(Down, start + first, start + pixels.LastColumn);
+                across.Widen((map.ColumnPerRight * x) + (map.ColumnPerDown * y) + Vector512.Create(map.Column0) - columns);
+                down.Widen((map.RowPerRight * x) + (map.RowPerDown * y) + Vector512.Create(map.Row0 - row));
+                right.Widen(x);
+                below.Widen(y);
             }
         }
 
-        map = map with { Column0 = map.Column0 - (0.5 * (left + right)), Row0 = map.Row0 - (0.5 * (above + below)) };
-        return new LensTile(pixels, map, (0.5 * Math.Max(right - left, below - above)) + Rounding, tangents);
+        map = map with { Column0 = map.Column0 - across.Middle, Row0 = map.Row0 - down.Middle };
+        return new LensTile(
+            pixels, map, (0.5 * Math.Max(across.Width, down.Width)) + Rounding,
+            new TangentBox(right.Min, below.Min, right.Max, below.Max));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Read(double[] values, int first, int last)
+    {
+        if (last - first >= Vector512<double>.Count - 1)
+        {
+            return Vector512.LoadUnsafe(ref values[first]);
+        }
+
+        Vector512<double> read = Vector512.Create(values[last]);
+        for (int lane = 0; first + lane < last; lane++)
+        {
+            read = read.WithElement(lane, values[first + lane]);
+        }
+
+        return read;
     }
 
     /// <summary>The linear map that follows the lens from one side of a rectangle to the other.</summary>
@@ -212,5 +243,57 @@ internal sealed class LensSamples
             Column0 = x - 1.0 - offsetX - map.Column(middleRight, middleDown),
             Row0 = y - 1.0 - offsetY - map.Row(middleRight, middleDown),
         };
+    }
+
+    /// <summary>The limits of many numbers.</summary>
+    private struct Range
+    {
+        private Vector512<double> _min;
+        private Vector512<double> _max;
+
+        public static Range Nothing => new()
+        {
+            _min = Vector512.Create(double.PositiveInfinity),
+            _max = Vector512.Create(double.NegativeInfinity),
+        };
+
+        public readonly double Min
+        {
+            get
+            {
+                double min = _min[0];
+                for (int lane = 1; lane < Vector512<double>.Count; lane++)
+                {
+                    min = Math.Min(min, _min[lane]);
+                }
+
+                return min;
+            }
+        }
+
+        public readonly double Max
+        {
+            get
+            {
+                double max = _max[0];
+                for (int lane = 1; lane < Vector512<double>.Count; lane++)
+                {
+                    max = Math.Max(max, _max[lane]);
+                }
+
+                return max;
+            }
+        }
+
+        public readonly double Middle => 0.5 * (Min + Max);
+
+        public readonly double Width => Max - Min;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Widen(Vector512<double> by)
+        {
+            _min = Vector512.MinNative(_min, by);
+            _max = Vector512.MaxNative(_max, by);
+        }
     }
 }

@@ -9,12 +9,14 @@ namespace Msisf.Core.Render.Visibility;
 /// </summary>
 internal sealed class VisibilityPass
 {
+    /// <summary>Samples of lenses that are kept, of 16 bytes each: nine for each pixel of an image of 1024 x 1024 px.</summary>
+    private const long MaxLensSamples = 10_000_000;
+
     private readonly SurfaceModel _surface;
     private readonly BlockCuller _culler;
     private readonly VisibleSurface _result = new();
     private readonly List<BandWorker> _workers = [];
-    private readonly LensSamples _centres = new();
-    private readonly LensSamples _shifted = new();
+    private readonly List<LensSamples> _lenses = [];
 
     /// <param name="surface">The surface; blocks are read when they are first needed.</param>
     public VisibilityPass(SurfaceModel surface)
@@ -55,7 +57,7 @@ internal sealed class VisibilityPass
         return _result;
     }
 
-    /// <summary>The samples of a camera with a lens; those of the pixels' centres are kept from frame to frame.</summary>
+    /// <summary>The samples of a camera with a lens; as many as <see cref="MaxLensSamples"/> are kept from frame to frame.</summary>
     private LensSamples? LensOf(PinholeCamera camera, int threads, CancellationToken cancellation, double offsetX, double offsetY)
     {
         if (camera.Model.Lens is null)
@@ -63,8 +65,20 @@ internal sealed class VisibilityPass
             return null;
         }
 
-        LensSamples lens = offsetX == 0.0 && offsetY == 0.0 ? _centres : _shifted;
-        lens.Prepare(camera.Model, offsetX, offsetY, threads, cancellation);
+        LensSamples? lens = _lenses.Find(samples => samples.IsOf(camera.Model, offsetX, offsetY));
+        if (lens is null)
+        {
+            // The last one is computed again for each further offset, so that the memory is bounded.
+            bool isRoom = (long)camera.Width * camera.Height * (_lenses.Count + 1) <= MaxLensSamples;
+            if (_lenses.Count == 0 || isRoom)
+            {
+                _lenses.Add(new LensSamples());
+            }
+
+            lens = _lenses[^1];
+            lens.Prepare(camera.Model, offsetX, offsetY, threads, cancellation);
+        }
+
         return lens;
     }
 }

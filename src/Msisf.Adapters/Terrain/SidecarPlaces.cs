@@ -1,27 +1,26 @@
 using System.Security.Cryptography;
 using System.Text;
-using Msisf.Adapters.Terrain;
 using Msisf.Core.Errors;
 
-namespace Msisf.Adapters.Lod;
+namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// The possible places of a model's sidecar: beside the model, or, if that folder can't be written to, in the user's cache.
+/// The possible places of a file that is derived from a model: beside the model, or, if that folder can't be written to, in the user's
+/// cache.
 /// </summary>
 /// <param name="Beside">Beside the model.</param>
 /// <param name="Cached">In the cache, under a name of the model's own place; null without a cache.</param>
-public sealed record PyramidPlaces(string Beside, string? Cached)
+public sealed record SidecarPlaces(string Beside, string? Cached)
 {
-    private const string Extension = ".pyramid";
-
     /// <summary>The places for a model.</summary>
     /// <param name="set">The model.</param>
+    /// <param name="extension">Of the file, with its dot.</param>
     /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
-    public static PyramidPlaces Of(LdemSet set, string? cacheFolder)
+    public static SidecarPlaces Of(LdemSet set, string extension, string? cacheFolder)
     {
-        string beside = set.FileBeside(Extension);
+        string beside = set.FileBeside(extension);
         string place = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(Path.GetFullPath(beside))).AsSpan(0, 8));
-        return new PyramidPlaces(beside, cacheFolder is null ? null : Path.Combine(cacheFolder, $"{set.ProductId}-{place}{Extension}"));
+        return new SidecarPlaces(beside, cacheFolder is null ? null : Path.Combine(cacheFolder, $"{set.ProductId}-{place}{extension}"));
     }
 
     /// <summary>The first place whose folder takes files.</summary>

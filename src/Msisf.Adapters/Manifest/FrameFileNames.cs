@@ -1,0 +1,23 @@
+using Msisf.Core.Layers;
+
+namespace Msisf.Adapters.Manifest;
+
+/// <summary>The names that the files of a frame can have: the frame's name, and an ending for each kind of file.</summary>
+public static class FrameFileNames
+{
+    /// <summary>All endings, whatever a run was asked to write.</summary>
+    private static readonly string[] Endings =
+    [
+        ".png", ".annotated.png", ".pov", ".xml", ".fits", ".layers.json", .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
+    ];
+
+    /// <summary>All names that files of a frame can have.</summary>
+    /// <param name="frame">Name of the frame.</param>
+    public static IEnumerable<string> Of(string frame) => Endings.Select(ending => frame + ending);
+
+    /// <summary>The names of the frames that a file could belong to by its name.</summary>
+    /// <param name="file">Name of the file, without folder.</param>
+    public static IEnumerable<string> FramesOf(string file) => Endings
+        .Where(ending => file.EndsWith(ending, StringComparison.Ordinal))
+        .Select(ending => file[..^ending.Length]);
+}

@@ -1,0 +1,57 @@
+using System.Globalization;
+using Msisf.Core.Camera;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Adapters.Metadata;
+
+/// <summary>The elements that say what a frame was made with: elevation model, camera and input files.</summary>
+internal static class OriginXml
+{
+    /// <summary>Name of the element of an input file.</summary>
+    public const string InputElement = "Input";
+
+    /// <summary>The lines, without the last LF.</summary>
+    public static string Lines(FrameMetadata frame) =>
+        string.Join('\n', [Model(frame.Elevation), .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input)]);
+
+    /// <summary>The word by which an Input element names its kind.</summary>
+    public static string WordOf(InputKind kind) => kind switch
+    {
+        InputKind.ElevationLabel => "elevation-label",
+        InputKind.ElevationImage => "elevation-image",
+        InputKind.Kernel => "kernel",
+        InputKind.Camera => "camera",
+        _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "Not a kind of input."),
+    };
+
+    private static string Model(DrawnElevation model) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"    <ElevationModel product=\"{XmlText.EscapeAttribute(model.ProductId)}\" synthetic=\"{(model.IsSynthetic ? "yes" : "no")}\""
+            + $" drawnFinest=\"{model.FinestDrawn}\" drawnCoarsest=\"{model.CoarsestDrawn}\" unit=\"px/deg\" />");
+
+    private static IEnumerable<string> Camera(CameraMatrix camera) =>
+    [
+        string.Create(CultureInfo.InvariantCulture, $"    <Camera width=\"{camera.Width}\" height=\"{camera.Height}\">"),
+        "      <K unit=\"px\">",
+        .. camera.IntrinsicRows.Select(Row),
+        "      </K>",
+        "      <R>",
+        .. camera.RotationRows.Select(Row),
+        "      </R>",
+        "      <t unit=\"m\">",
+        Row(camera.Translation),
+        "      </t>",
+        .. camera.Distortion is { } distortion
+            ? [$"      <Distortion model=\"{distortion.Name}\">{string.Join(' ', distortion.Coefficients.Select(LongE.ToText))}</Distortion>"]
+            : (string[])[],
+        "    </Camera>",
+    ];
+
+    private static string Row(Vector3D row) => $"        {LongE.ToText(row.X)} {LongE.ToText(row.Y)} {LongE.ToText(row.Z)}";
+
+    private static string Input(InputFile file) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"    <{InputElement} kind=\"{WordOf(file.Kind)}\" name=\"{XmlText.EscapeAttribute(file.Name)}\" bytes=\"{file.Bytes}\""
+            + $" sha256=\"{file.Sha256}\" />");
+}

@@ -1,0 +1,92 @@
+using System.Globalization;
+using Msisf.Adapters.Camera;
+using Msisf.Adapters.IO;
+using Msisf.Adapters.Terrain;
+using Msisf.App.Host;
+using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>
+/// The files that the frames of a run are made from, with their checksums. They are computed while the run goes on, because that takes
+/// longer than a small image. Thread-safe.
+/// </summary>
+internal sealed class RunInputs : IDisposable
+{
+    /// <summary>Bytes: more than a second of reading.</summary>
+    private const long WorthANote = 1L << 30;
+
+    private readonly CancellationTokenSource _end;
+    private readonly ILog _log;
+    private readonly string? _cacheFolder;
+    private readonly CameraFile? _camera;
+    private Task<IReadOnlyList<InputFile>>? _model;
+
+    /// <summary>Begins with the kernels.</summary>
+    /// <param name="kernels">Finds the paths of the kernels, in load order.</param>
+    /// <param name="camera">The camera file; null for none.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    public RunInputs(Func<IReadOnlyList<string>> kernels, CameraFile? camera, ProgramHost host, CancellationToken cancellation)
+    {
+        _camera = camera;
+        _end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        _log = host.Log;
+        _cacheFolder = CacheFolder.Of(host);
+        CancellationToken end = _end.Token;
+        Kernels = Task.Run(() => OfKernels(kernels(), end), end);
+    }
+
+    /// <summary>The kernels, in load order.</summary>
+    public Task<IReadOnlyList<InputFile>> Kernels { get; }
+
+    /// <summary>Begins with the elevation model.</summary>
+    public void Begin(LdemSet model)
+    {
+        CancellationToken end = _end.Token;
+        _model = Task.Run(() => OfModel(model, end), end);
+    }
+
+    /// <summary>All files: those of the elevation model first, the camera file last. Waits until their checksums are known.</summary>
+    /// <exception cref="MsisfException">A file can't be read.</exception>
+    /// <exception cref="OperationCanceledException">The run was cancelled.</exception>
+    public IReadOnlyList<InputFile> All() =>
+    [
+        .. _model?.GetAwaiter().GetResult() ?? throw new InvalidOperationException("no model yet"),
+        .. Kernels.GetAwaiter().GetResult(),
+        .. _camera is { } camera
+            ? [new InputFile(InputKind.Camera, Path.GetFileName(camera.Path), camera.Bytes, camera.Sha256)]
+            : (InputFile[])[],
+    ];
+
+    /// <summary>Ends what is still going on; its result is not needed.</summary>
+    public void Dispose()
+    {
+        _end.Cancel();
+        _end.Dispose();
+    }
+
+    private static IReadOnlyList<InputFile> OfKernels(IReadOnlyList<string> paths, CancellationToken cancellation) =>
+        FileErrors.ToExternalPart("a kernel can't be read", () => paths.Select(path => new InputFile(
+            InputKind.Kernel, Path.GetFileName(path), new FileInfo(path).Length, FileHash.Sha256Of(path, cancellation))).ToArray());
+
+    private IReadOnlyList<InputFile> OfModel(LdemSet model, CancellationToken cancellation)
+    {
+        LdemChecksums checksums = LdemChecksums.Open(model, _cacheFolder);
+        if (checksums.BytesToRead > WorthANote)
+        {
+            _log.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"The checksum of {model.ProductId} is computed once, from all of its {checksums.BytesToRead / 1e9:F1} GB."));
+        }
+
+        (IReadOnlyList<InputFile> files, string? warning) = checksums.Read(cancellation);
+        if (warning is not null)
+        {
+            _log.Warning(warning);
+        }
+
+        return files;
+    }
+}

@@ -1,0 +1,86 @@
+using Msisf.Adapters.Camera;
+using Msisf.Adapters.Input;
+using Msisf.Adapters.IO;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Render;
+
+namespace Msisf.App.Settings;
+
+/// <summary>Reads the camera that <c>--camera</c> names: a preset of the installation, or a file.</summary>
+internal static class CameraChoice
+{
+    /// <summary>Separates a file from the beginning of its checksum, as the arguments of a frame name it.</summary>
+    private const char ChecksumMark = '#';
+
+    /// <summary>Digits of the checksum in the arguments of a frame.</summary>
+    private const int ShownDigits = 16;
+
+    private const string Extension = ".yaml";
+
+    /// <summary>Reads the camera; null if none is given.</summary>
+    /// <exception cref="MsisfException">
+    /// There is no such camera, its file is wrong or not the one that is meant, or the renderer or another option contradicts it.
+    /// </exception>
+    public static CameraFile? Read(OptionValues values)
+    {
+        if (ImageOptions.Camera.ReadIfGiven(values) is not { } given)
+        {
+            return null;
+        }
+
+        OptionSpec[] replaced = [ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height];
+        if (replaced.FirstOrDefault(values.IsGiven) is { } wrong)
+        {
+            throw new UsageException($"{wrong.Name} and --camera exclude each other: the camera file says it. Leave one of them out.")
+                .About(wrong, ImageOptions.Camera);
+        }
+
+        CameraFile camera = ImageOptions.Camera.Concerned(() => Open(given, Installation.Above(AppContext.BaseDirectory)));
+        return camera.Model.Distortion is null || RendererOptions.Renderer.Read(values) == RendererKind.Native
+            ? camera
+            : throw new UsageException(
+                $"--camera {given} has a lens with distortion, which POV-Ray can't draw. Add --renderer native, or remove its 'distortion'.")
+                .About(ImageOptions.Camera, RendererOptions.Renderer);
+    }
+
+    /// <summary>The presets of the installation, by name.</summary>
+    public static IReadOnlyList<CameraFile> Presets(Installation installation) =>
+        [.. NamesIn(installation).Select(name => CameraFileReader.Read(PathOf(installation, name), name))];
+
+    /// <summary>The camera as the arguments of a frame name it: a file with the beginning of its checksum, a preset by its name.</summary>
+    public static string TextOf(CameraFile camera) =>
+        camera.IsPreset ? camera.Name : $"{camera.Name}{ChecksumMark}{camera.Sha256[..ShownDigits]}";
+
+    private static CameraFile Open(string given, Installation installation)
+    {
+        string[] presets = [.. NamesIn(installation)];
+        if (presets.Contains(given))
+        {
+            return CameraFileReader.Read(PathOf(installation, given), given);
+        }
+
+        int mark = given.LastIndexOf(ChecksumMark);
+        (string path, string? checksum) = File.Exists(given) || mark < 0 ? (given, null) : (given[..mark], given[(mark + 1)..]);
+        if (!File.Exists(path))
+        {
+            throw new BadInputException(Directory.Exists(path)
+                ? $"--camera {path}: is a folder; a camera file is needed."
+                : $"--camera {path}: there is no such file, and no such preset. The nearest preset is '{NearestName.To(path, presets)}'; "
+                    + $"'msis cameras' lists them.");
+        }
+
+        CameraFile camera = CameraFileReader.Read(path);
+        return checksum is null || camera.Sha256.StartsWith(checksum, StringComparison.OrdinalIgnoreCase)
+            ? camera
+            : throw new BadInputException(
+                $"--camera {given}: the file's SHA-256 begins with {camera.Sha256[..ShownDigits]}. Give the file that is meant, or leave "
+                    + $"{ChecksumMark}{checksum} out.");
+    }
+
+    private static IEnumerable<string> NamesIn(Installation installation) => Directory.Exists(installation.Cameras)
+        ? Directory.EnumerateFiles(installation.Cameras, $"*{Extension}").Select(Path.GetFileNameWithoutExtension).Order(StringComparer.Ordinal)!
+        : [];
+
+    private static string PathOf(Installation installation, string name) => Path.Combine(installation.Cameras, name + Extension);
+}
