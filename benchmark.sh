@@ -74,7 +74,7 @@ get_model() {
         4) models+=(--model "$base") ;;
         128 | 512)
             name=${name}_$fine_ending
-            make_model "$ldem" "$name" "$base" --res "$1" "--region=$fine_region"
+            make_model "$ldem" "$name" "$base" --res "$1" "--region=$fine_region" --rest none
             "$program" fill "$ldem/$name.LBL"
             models+=(--model "$ldem/$name.LBL")
             ;;

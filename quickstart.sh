@@ -1,10 +1,33 @@
 #!/usr/bin/env bash
 # Sets up MSISF on a fresh machine and renders three images of the Moon into output/. As root, or as a user with sudo.
 # Can be run again at no cost: what is there and up to date is left alone.
+#     ./quickstart.sh
+#     ./quickstart.sh --install FOLDER     sets it up and puts msis, its manual page and completions there, e.g. into ~/.local
+#     ./quickstart.sh --uninstall FOLDER   takes them away again
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
 . "$root/scripts/lib/packages.sh"
+. "$root/scripts/lib/install.sh"
+
+usage='Usage: ./quickstart.sh [--install FOLDER | --uninstall FOLDER], e.g. --install ~/.local'
+prefix=''
+case "${1:-} $#" in
+    ' 0') ;;
+    '--install 2' | '--uninstall 2')
+        [ -n "$2" ] || die "$1 needs a folder. $usage"
+        case $2 in
+            /*) prefix=$2 ;;
+            *) prefix=$PWD/$2 ;;
+        esac
+        ;;
+    '--install '* | '--uninstall '*) die "$1 needs one folder. $usage" ;;
+    *) die "unknown argument $1. $usage" ;;
+esac
+if [ "${1:-}" = --uninstall ]; then
+    uninstall_program "$prefix"
+    exit 0
+fi
 cd "$root"
 require_own_folders
 
@@ -60,6 +83,10 @@ fi
 # GDAL decodes the map of the Moon's reflectance. Without one of them the native image shows a Moon without maria.
 if scripts/get-albedo.sh; then
     install_parts gdal-library || say 'Going on without GDAL: the map of the reflectance is not used.'
+fi
+if [ -n "$prefix" ]; then
+    install_program "$root" "$prefix"
+    exit 0
 fi
 
 images=()

@@ -28,6 +28,12 @@ def constant(type_name, name):
     return float(found[1].replace("_", ""))
 
 
+def enumeration(type_name):
+    """The names of the members of a C# enumeration."""
+    text = next(SOURCES.rglob(f"{type_name}.cs")).read_text(encoding="utf-8")
+    return re.findall(r"^    (\w+),$", text, re.MULTILINE)
+
+
 def stage(name):
     """A stage of the data's way, which must be a folder of the core."""
     if not (SOURCES / "Msisf.Core" / name).is_dir():
@@ -191,6 +197,72 @@ def illumination():
     return drawing
 
 
+def attitude_frames():
+    words = [word.lower() for word in enumeration("AttitudeFrame")]
+    if words != ["moonme", "moonmeepoch", "j2000", "lvlh"]:
+        sys.exit(f"draw.py: AttitudeFrame has {words}; draw the new ones too")
+    drawing = Drawing(960, 356, "The axes of --attitude-frame")
+    turned = math.radians(40.0)  # of the Moon since the epoch; a day is 13
+    radius, y = 62.0, 165.0
+
+    def towards(x, angle, length):
+        return x + length * math.cos(angle), y - length * math.sin(angle)
+
+    def axes(x, angle, colours=(RED, GREEN), names=("x", "y"), dashes=None):
+        for turn, colour, name in zip((0.0, math.pi / 2.0), colours, names):
+            drawing.arrow((x, y), towards(x, angle + turn, 92), colour=colour, width=1.2 if dashes else 2, dashes=dashes)
+            px, py = towards(x, angle + turn, 104)
+            drawing.text(px, py + 5, name, colour, "middle")
+        drawing.circle(x, y, 5, BLUE, 1.5, "white")
+        drawing.dot(x, y, 2, BLUE)
+        drawing.text(x - 10, y + 16, "z", BLUE, "end")
+
+    def moon(x):
+        drawing.circle(x, y, radius, GREY, 1, PALE[INK])
+        px, py = towards(x, turned, radius)
+        drawing.dot(px, py, 4.5, ORANGE)
+
+    notes = (
+        ("moon-me (the default)", "x: latitude 0, longitude 0\ny: longitude 90 east, z: north pole\nof the time of the image:\nthey turn with the Moon"),
+        ("moon-me-epoch", "the same axes at --epoch,\nheld still in space\n(orange: longitude 0 later)"),
+        ("j2000", "x: vernal equinox, z: Earth's\nnorth pole of J2000 (22 to 25\ndegrees from the Moon's), at rest"),
+        ("lvlh", "z: to the Moon's centre\ny: against the angular momentum\nx: forward"),
+    )
+    for index, (title, words) in enumerate(notes):
+        x = 118.0 + 240.0 * index
+        drawing.text(x, 24, title, bold=True, anchor="middle")
+        drawing.text(x, 272, words, INK, "middle", 12)
+        if title.startswith("moon-me"):
+            moon(x)
+            axes(x, turned if index == 0 else 0.0)
+            if index == 0:
+                drawing.path([towards(x, 0.0, 0), towards(x, 0.0, 92)], GREY, 1, "4 4")
+                px, py = towards(x, 0.0, 100)
+                drawing.text(px, py + 16, "epoch", GREY, "middle", 12)
+        elif title == "j2000":
+            moon(x)
+            axes(x, math.radians(-25.0))
+        else:
+            drawing.circle(x, y, 82, GREY, 1)
+            drawing.circle(x, y, 44, GREY, 1, PALE[INK])
+            at = math.radians(60.0)
+            px, py = towards(x, at, 82)
+            ex, ey = px - 52 * math.sin(at), py - 52 * math.cos(at)
+            drawing.arrow((px, py), (ex, ey), colour=RED, width=2)
+            drawing.text(ex - 8, ey + 4, "x", RED, "end")
+            ex, ey = towards(x, at, 34)
+            drawing.arrow((px, py), (ex, ey), colour=BLUE, width=2)
+            drawing.text(ex - 8, ey + 14, "z", BLUE, "middle")
+            drawing.circle(px, py, 6, GREEN, 1.5, "white")
+            drawing.path([(px - 4, py - 4), (px + 4, py + 4)], GREEN, 1.5)
+            drawing.path([(px - 4, py + 4), (px + 4, py - 4)], GREEN, 1.5)
+            drawing.text(px + 12, py + 4, "y", GREEN)
+            drawing.arrow(*[towards(x, math.radians(k), 82) for k in range(-60, -19, 5)], colour=GREY, width=1.5)
+            drawing.text(x + 60, y + 84, "flight", GREY, "middle", 12)
+    drawing.text(20, 346, "Seen from above the Moon's north pole; the Moon has turned since the epoch. Circle with dot: towards the viewer, with cross: away.", GREY, size=12)
+    return drawing
+
+
 def levels_of_detail():
     size = constant("TileId", "SizeDegrees")
     depth = constant("Skirt", "DepthBelowLowest")
@@ -319,6 +391,7 @@ def light_space():
 DRAWINGS = {
     "data-flow": data_flow,
     "camera": camera,
+    "attitude-frames": attitude_frames,
     "illumination-direction": illumination,
     "levels-of-detail": levels_of_detail,
     "light-space": light_space,

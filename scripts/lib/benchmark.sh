@@ -4,13 +4,13 @@
 begin_mark='<!-- benchmark.sh: begin -->'
 end_mark='<!-- benchmark.sh: end -->'
 
-# make_model FOLDER NAME BASE SYNTHESIZE-OPTIONS...: once; a synthetic model that continues BASE downwards.
+# make_model FOLDER NAME BASE SYNTHESIZE-OPTIONS...: once; a synthetic model that continues BASE downwards, in integers as NASA's.
 make_model() {
     local folder=$1 name=$2 base=$3
     shift 3
     [ -n "$(fault_of_model "$folder" "$name")" ] || return 0
     say "Making the synthetic model $name ..."
-    ./msis ldem synthesize "$@" --base "$base" --seed 1 --output-dir "$folder" --batch
+    ./msis ldem synthesize "$@" --sample-type int16 --base "$base" --seed 1 --output-dir "$folder" --batch
     [ -z "$(fault_of_model "$folder" "$name")" ] ||
         die "msis ldem synthesize ended well, but: $(fault_of_model "$folder" "$name"): please report this"
 }

@@ -19,6 +19,31 @@ image_size_of_label() {
     echo $((lines * samples * bits / 8))
 }
 
+# products_of_resolution RESOLUTION ENDING: the names of NASA's products that make up a model, a line each; fails if there is none.
+products_of_resolution() {
+    local high wide south west latitudes
+    case $1 in
+        4 | 16 | 64 | 128)
+            echo "LDEM_$1$2"
+            return
+            ;;
+        256) high=90 wide=180 ;;
+        512) high=45 wide=90 ;;
+        1024) high=15 wide=30 ;;
+        *) return 1 ;;
+    esac
+    for ((south = 90 - high; south >= -90; south -= high)); do
+        if [ "$south" -ge 0 ]; then
+            latitudes=$(printf '%02dN_%02dN' "$south" $((south + high)))
+        else
+            latitudes=$(printf '%02dS_%02dS' $((-south)) $((-south - high)))
+        fi
+        for ((west = 0; west < 360; west += wide)); do
+            printf 'LDEM_%s_%s_%03d_%03d%s\n' "$1" "$latitudes" "$west" $((west + wide)) "$2"
+        done
+    done
+}
+
 # fault_of_model FOLDER NAME: prints what is wrong; nothing if both files are there and fit each other.
 fault_of_model() {
     local image=$1/$2.IMG label=$1/$2.LBL expected size

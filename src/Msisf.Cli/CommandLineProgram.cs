@@ -19,13 +19,15 @@ internal sealed class CommandLineProgram
     private const int ExitBug = 70;
 
     private readonly ProgramHost _host;
+    private readonly IReadOnlyList<string> _arguments;
     private readonly CommandTree _tree;
     private OptionValues _values = new([]);
 
-    private CommandLineProgram(ProgramHost host)
+    private CommandLineProgram(IReadOnlyList<string> arguments, ProgramHost host)
     {
         _host = host;
-        _tree = new CommandTree((path, command) => HelpText.Write(host.Results, path, command), RunAsync);
+        _arguments = HelpWords.Replace(arguments);
+        _tree = new CommandTree(_arguments, (path, command) => HelpText.Write(host.Results, path, command), RunAsync);
     }
 
     /// <summary>Runs one command.</summary>
@@ -34,10 +36,10 @@ internal sealed class CommandLineProgram
     /// <param name="cancellation">Ends the run, as Ctrl-C does.</param>
     public static async Task<int> RunAsync(IReadOnlyList<string> arguments, ProgramHost host, CancellationToken cancellation = default)
     {
-        CommandLineProgram program = new(host);
+        CommandLineProgram program = new(arguments, host);
         try
         {
-            return await program.RunAsync(arguments, cancellation).ConfigureAwait(false);
+            return await program.RunAsync(cancellation).ConfigureAwait(false);
         }
         catch (OperationCanceledException)
         {
@@ -47,7 +49,7 @@ internal sealed class CommandLineProgram
         catch (MsisfException exception)
         {
             host.Log.Error(program._values.MessageOf(exception));
-            return exception.ExitCode;
+            return program._values.ExitCodeOf(exception);
         }
         catch (Exception exception)
         {
@@ -58,12 +60,13 @@ internal sealed class CommandLineProgram
         }
     }
 
-    private async Task<int> RunAsync(IReadOnlyList<string> arguments, CancellationToken cancellation)
+    private async Task<int> RunAsync(CancellationToken cancellation)
     {
-        ParseResult line = _tree.Root.Parse([.. arguments], new ParserConfiguration { ResponseFileTokenReplacer = ResponseFile.TryRead });
+        ParseResult line = _tree.Root.Parse([.. _arguments], new ParserConfiguration { ResponseFileTokenReplacer = ResponseFile.TryRead });
         if (line.Errors.Count > 0)
         {
-            _host.Log.Error($"{string.Join(" ", line.Errors.Select(error => error.Message))} {HelpHint(line)}");
+            string problem = Misspelling.In(line, _tree.SpecOf(line)) ?? string.Join(" ", line.Errors.Select(error => error.Message));
+            _host.Log.Error($"{problem} {HelpHint(line)}");
             return ExitUsage;
         }
 
@@ -84,7 +87,7 @@ internal sealed class CommandLineProgram
             return Task.FromResult(0);
         }
 
-        StrayOptions.Refuse(line);
+        StrayOptions.Refuse(line, command);
         _values = Configuration.Behind(_tree.ValuesOf(line), command, _host);
         if (command.Options.FirstOrDefault(option => option.IsRequired && _values.Text(option) is null) is { } missing)
         {

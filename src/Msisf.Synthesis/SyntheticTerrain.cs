@@ -11,8 +11,8 @@ namespace Msisf.Synthesis;
 /// <remarks>Method, sources and measurements: docs/synthetic-ldem.md.</remarks>
 public sealed class SyntheticTerrain
 {
-    /// <summary>Maximum resolution, samples a degree; the samples are then 15 m apart.</summary>
-    public const int LargestResolution = 2048;
+    /// <summary>Maximum resolution, samples a degree, as of NASA's finest product; the samples are then 30 m apart.</summary>
+    public const int LargestResolution = 1024;
 
     /// <summary>
     /// Maximum ratio of a model's resolution to that of its base; a tile then still holds at least seven base pixels along each side.
@@ -75,6 +75,12 @@ public sealed class SyntheticTerrain
 
     /// <summary>Samples along one side of a base pixel.</summary>
     internal int SamplesPerPixel { get; }
+
+    /// <summary>Samples of the base that the detail takes to fade out beyond the border of a region.</summary>
+    private const int FadeInBaseSamples = 2;
+
+    /// <summary>How far, in degrees, detail reaches beyond the border of a region until it has faded out.</summary>
+    public double FadeDegrees => (double)FadeInBaseSamples / Base.PixelsPerDegree;
 
     /// <summary>Interpolates the base.</summary>
     internal PixelMeanKernel Kernel { get; }

@@ -76,6 +76,27 @@ public sealed class TileSynthesizer
         }
     }
 
+    /// <summary>Interpolates the base over one block, without any detail.</summary>
+    /// <inheritdoc cref="Synthesize"/>
+    public void Interpolate(int firstLine, int lines, int firstSample, int samples, Span<float> heights)
+    {
+        int n = _terrain.SamplesPerPixel;
+        int firstPixelLine = firstLine / n;
+        int firstPixel = firstSample / n;
+        BaseSurface surface = new(
+            _terrain,
+            firstPixelLine,
+            ((firstLine + lines + n - 1) / n) - firstPixelLine,
+            firstPixel,
+            ((firstSample + samples + n - 1) / n) - firstPixel);
+        surface.Prepare();
+        float[] noDetail = new float[samples];
+        for (int line = 0; line < lines; line++)
+        {
+            surface.ReadLine(firstLine + line, firstSample, noDetail, heights.Slice(line * samples, samples));
+        }
+    }
+
     private long BufferSamples(int pixels)
     {
         long core = (long)pixels * _terrain.SamplesPerPixel;

@@ -49,7 +49,7 @@ public sealed class StreamsTests : IDisposable
 
         int exitCode = Run([$"@{_folder["a.rsp"]}"], TextWriter.Null, error);
 
-        Assert.Equal(2, exitCode);
+        Assert.Equal(1, exitCode);
         Assert.Contains("--output-name 'a b/c': a file name is needed", error.ToString(), StringComparison.Ordinal);
     }
 

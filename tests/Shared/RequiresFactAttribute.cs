@@ -18,6 +18,7 @@ internal enum Part
     Shellcheck,
     Parallel,
     Python,
+    Numpy,
 }
 
 /// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
@@ -61,6 +62,7 @@ internal static class MissingParts
         Part.Shellcheck => TestParts.Program("shellcheck") is not null,
         Part.Parallel => TestParts.Program("parallel") is not null,
         Part.Python => TestParts.Python is not null,
+        Part.Numpy => TestParts.PythonPackage("numpy") is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

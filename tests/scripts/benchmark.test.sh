@@ -155,9 +155,9 @@ test_benchmark_models_are_made_once() {
     RESOLUTIONS='4 64 128 512' run clone/benchmark.sh
     assert_code 0
     assert_same "$(grep '^msis' "$CALLS")" "$(printf '%s\n' \
-        'msis ldem synthesize --res 64 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch' \
-        'msis ldem synthesize --res 128 --region=-16:18:14:62 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch' \
-        'msis ldem synthesize --res 512 --region=-16:18:14:62 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch')"
+        'msis ldem synthesize --res 64 --sample-type int16 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch' \
+        'msis ldem synthesize --res 128 --region=-16:18:14:62 --rest none --sample-type int16 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch' \
+        'msis ldem synthesize --res 512 --region=-16:18:14:62 --rest none --sample-type int16 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch')"
     assert_same "$(grep '^measure' "$CALLS" | tail -n 1)" \
         'measure --root . --folder benchmark --model input/ldem/LDEM_4.LBL --model benchmark/ldem/LDEM_64_SYNTHETIC.LBL --model benchmark/ldem/LDEM_128_SYNTHETIC_16S_18N_014_062.LBL --model benchmark/ldem/LDEM_512_SYNTHETIC_16S_18N_014_062.LBL'
 }

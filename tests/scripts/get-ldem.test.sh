@@ -146,6 +146,59 @@ test_get_ldem_no_source_and_no_program_says_what_to_do() {
     assert_says 'into input/ldem'
 }
 
+# make_site NAMES...: a site with NASA's split product of 512 px/deg, in small letters.
+make_site() {
+    local name
+    mkdir -p site/img
+    for name; do
+        make_model site/img "$name" img lbl
+    done
+    export MSISF_LDEM_URLS="file://${PWD// /%20}/site/{img}/ldem_{res}.lbl"
+}
+
+test_get_ldem_split_product_is_fetched_part_by_part_and_goes_on_where_it_stopped() {
+    need curl
+    make_lonely_clone
+    . "$MSISF_TESTED_ROOT/scripts/lib/ldem.sh"
+    mapfile -t names < <(products_of_resolution 512 '' | tr '[:upper:]' '[:lower:]')
+    make_site "${names[@]:0:5}"
+    run clone/scripts/get-ldem.sh --res 512
+    assert_code 1
+    assert_says 'no source has the elevation model LDEM_512_00N_45N_090_180. Put'
+    assert_silent_on 'SYNTHETIC'
+    assert_same "$(find clone/input/ldem -name '*.IMG' | wc -l | tr -d ' ')" 5
+    make_site "${names[@]}"
+    run clone/scripts/get-ldem.sh --res 512
+    assert_code 0
+    assert_says 'LDEM_512_45N_90N_000_090 is in place'
+    assert_same "$(find clone/input/ldem -name '*.IMG' | wc -l | tr -d ' ')" 16
+    assert_file clone/input/ldem/LDEM_512_90S_45S_270_360.LBL
+}
+
+test_get_ldem_names_of_the_products_are_nasas() {
+    . "$MSISF_TESTED_ROOT/scripts/lib/ldem.sh"
+    assert_same "$(products_of_resolution 256 _FLOAT | tr '\n' ' ')" \
+        'LDEM_256_00N_90N_000_180_FLOAT LDEM_256_00N_90N_180_360_FLOAT LDEM_256_90S_00S_000_180_FLOAT LDEM_256_90S_00S_180_360_FLOAT '
+    assert_same "$(products_of_resolution 1024 '' | wc -l | tr -d ' ')" 144
+    # As ldem_1024_15s_00s_000_030.img in the archive.
+    products_of_resolution 1024 '' | grep -x LDEM_1024_15S_00S_000_030 >found || fail 'the part south of the equator is missing'
+    ! products_of_resolution 32 '' || fail 'there is no model of 32 px/deg'
+}
+
+test_get_ldem_float_product_has_a_folder_of_its_own() {
+    need curl
+    make_lonely_clone
+    make_site ldem_16
+    mkdir site/float_img
+    make_model site/float_img ldem_16_float img lbl
+    run clone/scripts/get-ldem.sh --res 16 --float
+    assert_code 0
+    assert_same "$(ls clone/input/ldem)" "$(printf '%s\n' LDEM_16_FLOAT.IMG LDEM_16_FLOAT.LBL)"
+    run clone/scripts/get-ldem.sh --res 16
+    assert_code 0
+    assert_file clone/input/ldem/LDEM_16.IMG
+}
+
 test_get_ldem_wrong_arguments_are_named() {
     make_lonely_clone
     run clone/scripts/get-ldem.sh --res 5

@@ -6,7 +6,8 @@ namespace Msisf.Adapters.Input;
 
 /// <summary>
 /// The values of the options that take several numbers (thesis appendix A): <c>{a,b,...}</c> and <c>[start:step:end]</c>. A shell may have
-/// cut the text at blanks, or expanded the braces into separate words; all of these mean the same.
+/// cut the text at blanks, or expanded the braces into separate words; all of these mean the same. A field named
+/// <see cref="TimeText.Field"/> is a time, and may be written as one of the calendar.
 /// </summary>
 public static class StateText
 {
@@ -21,7 +22,7 @@ public static class StateText
         string expected = $"{{{string.Join(',', fields)}}}";
         List<string> texts = SplitList(option, words, expected);
         return texts.Count == fields.Count
-            ? ParseAll(option, texts, index => fields[index])
+            ? ParseAll(option, texts, index => fields[index], index => fields[index] == TimeText.Field)
             : throw new BadInputException(
                 $"{option}: {CountOf(texts.Count)}, {fields.Count} expected: {expected}. "
                     + $"Commas separate the numbers, decimals take a point.");
@@ -38,7 +39,7 @@ public static class StateText
         string expected = $"{{{field}1,{field}2,...}}";
         List<string> texts = SplitList(option, words, expected);
         return texts.Count > 0
-            ? ParseAll(option, texts, index => field + (index + 1).ToString(CultureInfo.InvariantCulture))
+            ? ParseAll(option, texts, index => field + (index + 1).ToString(CultureInfo.InvariantCulture), _ => field == TimeText.Field)
             : throw new BadInputException($"{option}: the list is empty; {expected} is expected.");
     }
 
@@ -50,15 +51,17 @@ public static class StateText
     public static TimeInterval ParseInterval(string option, IReadOnlyList<string> words)
     {
         const string expected = "[start:step:end]";
-        string[] texts = Unwrapped(option, words, '[', ']', expected).Split(':', StringSplitOptions.TrimEntries);
-        if (texts.Length != 3)
+        string text = Unwrapped(option, words, '[', ']', expected);
+        List<string> texts = SplitInterval(text);
+        if (texts.Count != 3)
         {
+            string hint = text.Contains('T', StringComparison.OrdinalIgnoreCase) ? $" A time is {TimeText.ValidValues}." : string.Empty;
             throw new BadInputException(
-                $"{option}: {CountOf(texts.Length)}, 3 expected: {expected} in MJD, days, MJD; colons separate the numbers.");
+                $"{option}: {CountOf(texts.Count)}, 3 expected: {expected} in MJD, days, MJD; colons separate the numbers.{hint}");
         }
 
         string[] fields = ["start", "step", "end"];
-        double[] numbers = ParseAll(option, texts, index => fields[index]);
+        double[] numbers = ParseAll(option, texts, index => fields[index], index => index != 1);
         try
         {
             return new TimeInterval(new ModifiedJulianDate(numbers[0]), numbers[1], new ModifiedJulianDate(numbers[2]));
@@ -67,6 +70,21 @@ public static class StateText
         {
             throw new BadInputException($"{option}: {exception.Message}", exception);
         }
+    }
+
+    /// <summary>Splits at the colons that do not belong to a time of ISO 8601.</summary>
+    private static List<string> SplitInterval(string text)
+    {
+        List<string> parts = [];
+        for (int start = 0; start <= text.Length;)
+        {
+            int end = text.IndexOf(':', start + TimeText.LengthOfIsoTime(text, start));
+            end = end < 0 ? text.Length : end;
+            parts.Add(text[start..end].Trim());
+            start = end + 1;
+        }
+
+        return parts;
     }
 
     private static List<string> SplitList(string option, IReadOnlyList<string> words, string expected)
@@ -99,15 +117,16 @@ public static class StateText
             : inner;
     }
 
-    private static double[] ParseAll(string option, IReadOnlyList<string> texts, Func<int, string> fieldName)
+    private static double[] ParseAll(string option, List<string> texts, Func<int, string> fieldName, Func<int, bool> isTime)
     {
         double[] values = new double[texts.Count];
         for (int index = 0; index < values.Length; index++)
         {
-            if (!NumberText.TryParse(texts[index], out values[index]))
+            string text = texts[index];
+            if (isTime(index) ? !TimeText.TryParse(text, out values[index]) : !NumberText.TryParse(text, out values[index]))
             {
-                throw new BadInputException(
-                    $"{option}, number {index + 1} ({fieldName(index)}): {NumberText.ProblemWith(texts[index])}.");
+                string problem = isTime(index) ? TimeText.ProblemWith(text) : NumberText.ProblemWith(text);
+                throw new BadInputException($"{option}, number {index + 1} ({fieldName(index)}): {problem}.");
             }
         }
 

@@ -1,6 +1,4 @@
-using System.Buffers.Binary;
 using System.Collections.Concurrent;
-using System.Globalization;
 using Microsoft.Win32.SafeHandles;
 using Msisf.Core.Errors;
 using Msisf.Synthesis;
@@ -10,16 +8,15 @@ namespace Msisf.Adapters.Synthesis;
 /// <summary>Computes the image of a synthetic product on several threads and writes each block to its place.</summary>
 internal sealed class SyntheticLdemImage
 {
-    private const double ScalingFactor = 0.5; // m a unit, as in the archive
-    private const int SampleBytes = 2;
     private const long LargestMemory = 220_000_000; // bytes of all threads' blocks: many cores do not mean much memory
 
     private readonly SyntheticTerrain _terrain;
     private readonly SyntheticLdemProduct _product;
+    private readonly RegionWeights _weights;
     private readonly int _threads;
     private readonly Lock _gate = new();
-    private short _minimum = short.MaxValue;
-    private short _maximum = short.MinValue;
+    private double _minimum;
+    private double _maximum;
     private long _samplesDone;
 
     /// <summary>An image to write.</summary>
@@ -31,22 +28,27 @@ internal sealed class SyntheticLdemImage
         _terrain = terrain;
         _product = product;
         _threads = Math.Max(1, threads);
+        _weights = new RegionWeights(
+            product.Region, product.PixelsPerDegree, product.Rest == SyntheticRest.Base ? terrain.FadeDegrees : 0.0);
+
+        // A flat rest has samples of 0.
+        (_minimum, _maximum) = product.Rest == SyntheticRest.Flat ? (0.0, 0.0) : (double.PositiveInfinity, double.NegativeInfinity);
     }
 
-    /// <summary>Writes all samples.</summary>
-    /// <param name="file">Open for writing at any offset.</param>
+    /// <summary>Writes all samples; rows of zeros are left to the file system, which need not store them.</summary>
+    /// <param name="file">Open for writing at any offset, with the length of the image.</param>
     /// <param name="progress">Told the fraction done.</param>
     /// <param name="cancellation">Stops between blocks.</param>
-    /// <returns>The minimum and the maximum sample.</returns>
+    /// <returns>The minimum and the maximum sample, in the product's unit.</returns>
     /// <exception cref="BadInputException">A height does not fit 16 bits.</exception>
-    public (short Minimum, short Maximum) Write(SafeFileHandle file, IProgress<double>? progress, CancellationToken cancellation)
+    public (double Minimum, double Maximum) Write(SafeFileHandle file, IProgress<double>? progress, CancellationToken cancellation)
     {
         TileSynthesizer typical = new(_terrain);
         int side = typical.PreferredSide;
         int fitting = (int)Math.Clamp(LargestMemory / typical.PreferredBytes, 1, _threads);
         int blocksAcross = (_product.LineSamples + side - 1) / side;
         int blocksDown = (_product.Lines + side - 1) / side;
-        ConcurrentBag<Worker> idle = [];
+        ConcurrentBag<SyntheticBlock> idle = [];
         ParallelOptions options = new() { MaxDegreeOfParallelism = fitting, CancellationToken = cancellation };
         try
         {
@@ -57,9 +59,9 @@ internal sealed class SyntheticLdemImage
                 block =>
                 {
                     // Parallel.For starts a new task every now and then; buffers of this size must outlive it.
-                    if (!idle.TryTake(out Worker? worker))
+                    if (!idle.TryTake(out SyntheticBlock? worker))
                     {
-                        worker = new Worker(new TileSynthesizer(_terrain), new float[side * side], new byte[SampleBytes * side]);
+                        worker = new SyntheticBlock(_terrain, _product.Rest, _weights, side);
                     }
 
                     WriteBlock(file, worker, block / blocksAcross * side, block % blocksAcross * side, side);
@@ -79,37 +81,31 @@ internal sealed class SyntheticLdemImage
         return (_minimum, _maximum);
     }
 
-    private void WriteBlock(SafeFileHandle file, Worker worker, int line0, int sample0, int side)
+    private void WriteBlock(SafeFileHandle file, SyntheticBlock worker, int line0, int sample0, int side)
     {
         int lines = Math.Min(side, _product.Lines - line0);
         int samples = Math.Min(side, _product.LineSamples - sample0);
-        int moonLine = line0 + ((90 - _product.Region.NorthDegrees) * _product.PixelsPerDegree);
-        int moonSample = sample0 + (_product.Region.WestDegrees * _product.PixelsPerDegree);
-        worker.Synthesizer.Synthesize(moonLine, lines, moonSample, samples, worker.Heights);
-        short min = short.MaxValue;
-        short max = short.MinValue;
-        Span<byte> bytes = worker.Bytes.AsSpan(0, SampleBytes * samples);
+        int moonLine = line0 + ((90 - _product.Cover.NorthDegrees) * _product.PixelsPerDegree);
+        int moonSample = sample0 + (_product.Cover.WestDegrees * _product.PixelsPerDegree);
+        if (!worker.TryCompute(moonLine, lines, moonSample, samples))
+        {
+            return;
+        }
+
+        double min = double.PositiveInfinity;
+        double max = double.NegativeInfinity;
+        int sampleBytes = _product.Format.SampleBytes;
+        Span<byte> bytes = worker.Bytes.AsSpan(0, sampleBytes * samples);
         for (int line = 0; line < lines; line++)
         {
-            ReadOnlySpan<float> row = worker.Heights.AsSpan(line * samples, samples);
-            for (int sample = 0; sample < samples; sample++)
+            (double minOfLine, double maxOfLine) = _product.Format.Encode(
+                moonLine + line, moonSample, worker.Heights.AsSpan(line * samples, samples), bytes);
+            min = Math.Min(min, minOfLine);
+            max = Math.Max(max, maxOfLine);
+            if (bytes.ContainsAnyExcept((byte)0))
             {
-                double units = Math.Round(row[sample] / ScalingFactor);
-                if (!(units >= short.MinValue && units <= short.MaxValue))
-                {
-                    throw new BadInputException(string.Create(
-                        CultureInfo.InvariantCulture,
-                        $"Line {moonLine + line}, sample {moonSample + sample}: the height {row[sample]} m does not fit 16 bits of 0.5 m. "
-                            + $"Take another seed or base."));
-                }
-
-                short value = (short)units;
-                min = Math.Min(min, value);
-                max = Math.Max(max, value);
-                BinaryPrimitives.WriteInt16LittleEndian(bytes[(SampleBytes * sample)..], value);
+                RandomAccess.Write(file, bytes, sampleBytes * (((long)(line0 + line) * _product.LineSamples) + sample0));
             }
-
-            RandomAccess.Write(file, bytes, SampleBytes * (((long)(line0 + line) * _product.LineSamples) + sample0));
         }
 
         lock (_gate)
@@ -125,6 +121,4 @@ internal sealed class SyntheticLdemImage
         double fraction = (double)Interlocked.Add(ref _samplesDone, block) / ((long)_product.Lines * _product.LineSamples);
         progress?.Report(fraction);
     }
-
-    private sealed record Worker(TileSynthesizer Synthesizer, float[] Heights, byte[] Bytes);
 }

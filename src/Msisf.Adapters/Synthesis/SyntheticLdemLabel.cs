@@ -16,7 +16,7 @@ internal static class SyntheticLdemLabel
     /// <param name="options">How it was made.</param>
     /// <param name="minimum">Minimum sample in the image.</param>
     /// <param name="maximum">Maximum sample in the image.</param>
-    public static void Write(TextWriter writer, SyntheticLdemProduct product, SyntheticLdemOptions options, short minimum, short maximum)
+    public static void Write(TextWriter writer, SyntheticLdemProduct product, SyntheticLdemOptions options, double minimum, double maximum)
     {
         double metresPerPixel = MoonConstants.ReferenceRadius * Math.PI / (180.0 * product.PixelsPerDegree);
         string scale = metresPerPixel.ToString("0.00", CultureInfo.InvariantCulture);
@@ -24,7 +24,8 @@ internal static class SyntheticLdemLabel
             ? "nothing (a made-up global shape)"
             : $"{options.Base.ProductId} ({options.Base.PixelsPerDegree.ToString(CultureInfo.InvariantCulture)} pix/deg), "
                 + $"whose pixel means it keeps";
-        MoonRegion region = product.Region;
+        MoonRegion region = product.Cover;
+        SyntheticSampleFormat format = product.Format;
 
         // As in the archive: offsets count from the product's own first pixel to the projection's centre at latitude 0, longitude 180.
         double lineOffset = (region.NorthDegrees * product.PixelsPerDegree) - 0.5;
@@ -54,7 +55,7 @@ internal static class SyntheticLdemLabel
                {{options.Seed}}, continuing
                {{source}},
                downwards with random craters and roughness that follow the Moon's
-               statistics. The map is in the form of a binary table with one row for
+               statistics{{DetailIn(product)}}. The map is in the form of a binary table with one row for
                each 1/{{product.PixelsPerDegree}} degree of latitude, pixel registered. Map values are
                relative to a radius of 1737.4 km.
             "
@@ -63,7 +64,7 @@ internal static class SyntheticLdemLabel
             FILE_NAME                 = "{{product.ProductId}}.IMG"
             RECORD_TYPE               = FIXED_LENGTH
             FILE_RECORDS              = {{product.Lines}}
-            RECORD_BYTES              = {{2 * product.LineSamples}}
+            RECORD_BYTES              = {{format.SampleBytes * product.LineSamples}}
             ^IMAGE                    = "{{product.ProductId}}.IMG"
 
 
@@ -73,20 +74,20 @@ internal static class SyntheticLdemLabel
                   reference radius (OFFSET). The heights are synthetic."
                 LINES                 = {{product.Lines}}
                 LINE_SAMPLES          = {{product.LineSamples}}
-                MAXIMUM               = {{maximum}}
-                MINIMUM               = {{minimum}}
-                SAMPLE_TYPE           = LSB_INTEGER
-                SAMPLE_BITS           = 16
-                UNIT                  = METER
-                SCALING_FACTOR        = 0.5
-                OFFSET                = 1737400.
+                MAXIMUM               = {{format.TextOf(maximum)}}
+                MINIMUM               = {{format.TextOf(minimum)}}
+                SAMPLE_TYPE           = {{format.TypeKeyword}}
+                SAMPLE_BITS           = {{8 * format.SampleBytes}}
+                UNIT                  = {{format.Unit}}
+                SCALING_FACTOR        = {{format.ScalingFactor}}
+                OFFSET                = {{format.Offset}}
 
-            /* NOTE:                                                                   */
-            /* Conversion from Digital Number to HEIGHT, i.e. elevation in meters, is: */
-            /* HEIGHT = (DN * SCALING_FACTOR).                                         */
-            /* The conversion from Digital Number to PLANETARY_RADIUS in meters is:    */
-            /* PLANETARY_RADIUS = (DN * SCALING_FACTOR) + OFFSET                       */
-            /* where OFFSET is the radius of a reference sphere.                       */
+            {{Comment("NOTE:")}}
+            {{Comment($"Conversion from Digital Number to HEIGHT, i.e. elevation in {format.UnitWord}, is:")}}
+            {{Comment("HEIGHT = (DN * SCALING_FACTOR).")}}
+            {{Comment($"The conversion from Digital Number to PLANETARY_RADIUS in {format.UnitWord} is:")}}
+            {{Comment("PLANETARY_RADIUS = (DN * SCALING_FACTOR) + OFFSET")}}
+            {{Comment("where OFFSET is the radius of a reference sphere.")}}
 
               END_OBJECT              = IMAGE
             END_OBJECT                = UNCOMPRESSED_FILE
@@ -123,5 +124,26 @@ internal static class SyntheticLdemLabel
             END
 
             """));
+    }
+
+    private static string Comment(string text)
+    {
+        const int Width = 72;
+        return $"/* {text.PadRight(Width)}*/";
+    }
+
+    /// <summary>Continues the sentence about the detail, by where it is.</summary>
+    private static string DetailIn(SyntheticLdemProduct product)
+    {
+        if (product.Rest == SyntheticRest.None || product.Region == MoonRegion.WholeMoon)
+        {
+            return string.Empty;
+        }
+
+        MoonRegion region = product.Region;
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $",\n   in latitudes {region.SouthDegrees} to {region.NorthDegrees} and longitudes {region.WestDegrees} to "
+                + $"{region.EastLongitude} only; the rest\n   is {(product.Rest == SyntheticRest.Base ? "interpolated" : "flat")}");
     }
 }

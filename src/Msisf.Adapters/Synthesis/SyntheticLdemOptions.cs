@@ -11,11 +11,26 @@ namespace Msisf.Adapters.Synthesis;
 /// <param name="OutputFolder">Made if it is missing.</param>
 public sealed record SyntheticLdemOptions(int PixelsPerDegree, ulong Seed, string OutputFolder)
 {
+    /// <summary>Samples a degree: from this resolution on floats are the default.</summary>
+    public const int FirstResolutionOfFloats = 64;
+
     /// <summary>The model whose terrain is refined; null for a made-up global shape.</summary>
     public IElevationGrid? Base { get; init; }
 
-    /// <summary>The part to write; its samples are those of the whole Moon.</summary>
+    /// <summary>The part with detail; its samples are those of a model with detail everywhere.</summary>
     public MoonRegion Region { get; init; } = MoonRegion.WholeMoon;
+
+    /// <summary>What lies outside the region.</summary>
+    public SyntheticRest Rest { get; init; }
+
+    /// <summary>How the samples are stored.</summary>
+    public SyntheticSampleFormat Format { get; init; } = DefaultFormat(PixelsPerDegree);
+
+    /// <summary>
+    /// The format if none is asked for: floats from 64 samples a degree on, because steps of 0.5 m show where samples lie close together.
+    /// </summary>
+    public static SyntheticSampleFormat DefaultFormat(int pixelsPerDegree) =>
+        pixelsPerDegree < FirstResolutionOfFloats ? SyntheticSampleFormat.Integers : SyntheticSampleFormat.Floats;
 
     /// <summary>
     /// The most threads to compute with; fewer are used where their blocks would take more than 220 MB. The bytes do not depend on it.

@@ -6,8 +6,10 @@ namespace Msisf.Adapters.Synthesis;
 
 /// <summary>Name and size of a synthetic product.</summary>
 /// <param name="PixelsPerDegree">Samples a degree.</param>
-/// <param name="Region">The part of the Moon in it.</param>
-public sealed record SyntheticLdemProduct(int PixelsPerDegree, MoonRegion Region)
+/// <param name="Region">The part of the Moon with detail.</param>
+/// <param name="Rest">What lies outside it.</param>
+/// <param name="Format">How samples are stored.</param>
+public sealed record SyntheticLdemProduct(int PixelsPerDegree, MoonRegion Region, SyntheticRest Rest, SyntheticSampleFormat Format)
 {
     /// <summary>
     /// E.g. "LDEM_64_SYNTHETIC", or "LDEM_512_SYNTHETIC_00N_45N_000_090" for a part, borders named as in the LOLA archive.
@@ -21,12 +23,22 @@ public sealed record SyntheticLdemProduct(int PixelsPerDegree, MoonRegion Region
         }
     }
 
+    /// <summary>The part of the Moon that the image covers.</summary>
+    public MoonRegion Cover => Rest == SyntheticRest.None ? Region : MoonRegion.WholeMoon;
+
     /// <summary>Lines of the image.</summary>
-    public int Lines => (Region.NorthDegrees - Region.SouthDegrees) * PixelsPerDegree;
+    public int Lines => LinesOf(Cover);
 
     /// <summary>Samples of a line.</summary>
-    public int LineSamples => (Region.EastDegrees - Region.WestDegrees) * PixelsPerDegree;
+    public int LineSamples => SamplesOf(Cover);
 
-    /// <summary>Bytes of the image: two a sample.</summary>
-    public long Bytes => 2L * Lines * LineSamples;
+    /// <summary>Bytes of the image.</summary>
+    public long Bytes => (long)Format.SampleBytes * Lines * LineSamples;
+
+    /// <summary>Bytes that the image takes on the disk: of a flat rest nothing is stored.</summary>
+    public long StoredBytes => Rest == SyntheticRest.Flat ? (long)Format.SampleBytes * LinesOf(Region) * SamplesOf(Region) : Bytes;
+
+    private int LinesOf(MoonRegion region) => (region.NorthDegrees - region.SouthDegrees) * PixelsPerDegree;
+
+    private int SamplesOf(MoonRegion region) => (region.EastDegrees - region.WestDegrees) * PixelsPerDegree;
 }

@@ -32,8 +32,14 @@ public static class SyntheticLdemWriter
             throw new UsageException($"The region {options.Region} is none: {MoonRegion.ValidValues}.");
         }
 
+        if (options.Rest == SyntheticRest.None && options.Region.CrossesPrimeMeridian)
+        {
+            throw new UsageException(
+                "--rest none writes a part as NASA's products have them, which don't cross the prime meridian. Give --rest base or flat.");
+        }
+
         SyntheticTerrain terrain = new(options.PixelsPerDegree, options.Seed, options.Base, cancellation);
-        SyntheticLdemProduct product = new(options.PixelsPerDegree, options.Region);
+        SyntheticLdemProduct product = new(options.PixelsPerDegree, options.Region, options.Rest, options.Format);
         string label = Path.Combine(options.OutputFolder, product.ProductId + ".LBL");
         string image = Path.Combine(options.OutputFolder, product.ProductId + ".IMG");
         string temporary = AtomicFile.TemporaryNameFor(image);
@@ -41,11 +47,13 @@ public static class SyntheticLdemWriter
         {
             Directory.CreateDirectory(options.OutputFolder);
             RequireSynthetic(label, image);
-            RequireSpace(options.OutputFolder, product.Bytes, new DriveInfo(Path.GetFullPath(options.OutputFolder)).AvailableFreeSpace);
-            (short Minimum, short Maximum) extremes;
+            DriveInfo disk = new(Path.GetFullPath(options.OutputFolder));
+            RequireSpace(options.OutputFolder, product.StoredBytes, disk.AvailableFreeSpace);
+            (double Minimum, double Maximum) extremes;
             using (SafeFileHandle file = File.OpenHandle(
-                temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, FileOptions.None, preallocationSize: product.Bytes))
+                temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, FileOptions.None))
             {
+                RandomAccess.SetLength(file, product.Bytes); // what is not written stays zero
                 extremes = new SyntheticLdemImage(terrain, product, options.Threads).Write(file, progress, cancellation);
                 RandomAccess.FlushToDisk(file);
             }
@@ -88,7 +96,7 @@ public static class SyntheticLdemWriter
             throw new ExternalPartException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{folder}: the model needs {needed / Megabyte:0.0} MB and the disk has {free / Megabyte:0.0} MB free. "
-                    + $"Make room, take another folder, or a --region."));
+                    + $"Make room, take another folder, or a --region with --rest flat."));
         }
     }
 

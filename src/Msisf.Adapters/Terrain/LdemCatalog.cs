@@ -6,6 +6,9 @@ namespace Msisf.Adapters.Terrain;
 /// <summary>Finds the elevation model of a resolution.</summary>
 public static class LdemCatalog
 {
+    /// <summary>The resolutions of NASA's cylindrical products, px/deg.</summary>
+    private static readonly int[] PublishedResolutions = [4, 16, 64, 128, 256, 512, 1024];
+
     private static readonly EnumerationOptions Labels = new() { MatchCasing = MatchCasing.CaseInsensitive, IgnoreInaccessible = true };
 
     /// <summary>
@@ -18,7 +21,15 @@ public static class LdemCatalog
     /// <exception cref="BadInputException">
     /// There is none (the message says where it looked), its parts don't make up a whole Moon, or the explicit one has another resolution.
     /// </exception>
-    public static LdemSet Find(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
+    public static LdemSet Find(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders) =>
+        TryFind(pixelsPerDegree, explicitPath, folders) ?? throw new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", PlacesOf(explicitPath, folders))}. "
+                + $"{WaysToGet(pixelsPerDegree)}"));
+
+    /// <summary>Finds a model as <see cref="Find"/> does; null if there is none of that resolution.</summary>
+    /// <inheritdoc cref="Find"/>
+    public static LdemSet? TryFind(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
     {
         if (explicitPath is not null && !Directory.Exists(explicitPath))
         {
@@ -29,9 +40,8 @@ public static class LdemCatalog
                     + $"Give --res {label.PixelsPerDegree}, or another model."));
         }
 
-        IReadOnlyList<string> places = explicitPath is null ? folders : [explicitPath];
         BadInputException? incomplete = null;
-        foreach (string folder in places.Where(Directory.Exists))
+        foreach (string folder in PlacesOf(explicitPath, folders).Where(Directory.Exists))
         {
             if (FindIn(folder, pixelsPerDegree, ref incomplete) is { } found)
             {
@@ -39,11 +49,7 @@ public static class LdemCatalog
             }
         }
 
-        throw incomplete ?? new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
-            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", places)}: "
-                + $"put LDEM_{pixelsPerDegree}.LBL and .IMG there, name them with --ldem, "
-                + $"or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree} --seed 1'."));
+        return incomplete is null ? null : throw incomplete;
     }
 
     /// <summary>A named model.</summary>
@@ -54,6 +60,23 @@ public static class LdemCatalog
     /// It is missing, no label of a cylindrical lunar model, or its parts don't make up a whole Moon.
     /// </exception>
     public static LdemSet Read(string labelOrImage) => WithSiblings(LdemLabelReader.ReadFile(LabelOf(labelOrImage)));
+
+    private static IReadOnlyList<string> PlacesOf(string? explicitPath, IReadOnlyList<string> folders) =>
+        explicitPath is null ? folders : [explicitPath];
+
+    private static string WaysToGet(int pixelsPerDegree)
+    {
+        string real = PublishedResolutions.Contains(pixelsPerDegree)
+            ? string.Create(CultureInfo.InvariantCulture, $"Get NASA's with 'scripts/get-ldem.sh --res {pixelsPerDegree}'")
+            : string.Create(CultureInfo.InvariantCulture, $"NASA has models of {string.Join(", ", PublishedResolutions)} px/deg");
+        string continued = pixelsPerDegree > PublishedResolutions[0]
+            ? string.Create(CultureInfo.InvariantCulture, $" --base LDEM_{PublishedResolutions[0]}.LBL")
+            : string.Empty;
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"{real}, name another one with --ldem, or make a synthetic one with "
+                + $"'msis ldem synthesize --res {pixelsPerDegree}{continued} --seed 1'.");
+    }
 
     private static LdemSet? FindIn(string folder, int pixelsPerDegree, ref BadInputException? incomplete)
     {

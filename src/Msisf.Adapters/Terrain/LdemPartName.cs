@@ -35,7 +35,7 @@ internal sealed partial record LdemPartName(string Before, string After, bool Ha
     public static string BordersOf(MoonRegion region) => string.Create(
         CultureInfo.InvariantCulture,
         $"{Latitude(region.SouthDegrees, region)}_{Latitude(region.NorthDegrees, region)}_"
-            + $"{region.WestDegrees:000}_{region.EastDegrees:000}");
+            + $"{region.WestDegrees:000}_{region.EastLongitude:000}");
 
     // The equator is 00N, except as the northern border of a southern region.
     private static string Latitude(int degrees, MoonRegion region)

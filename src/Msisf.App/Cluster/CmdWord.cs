@@ -10,7 +10,7 @@ internal static class CmdWord
         SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:\\+@-");
 
     /// <summary>Quotes a word if needed, doubling percent signs and a backslash before the closing quote.</summary>
-    /// <exception cref="BadInputException">cmd can't pass this text to a program.</exception>
+    /// <exception cref="UsageException">cmd can't pass this text to a program.</exception>
     public static string Of(string text)
     {
         string inner = Inner(text);
@@ -19,9 +19,9 @@ internal static class CmdWord
     }
 
     /// <summary>The text for a place between quotes that only cmd reads.</summary>
-    /// <exception cref="BadInputException">cmd can't hold this text.</exception>
+    /// <exception cref="UsageException">cmd can't hold this text.</exception>
     public static string Inner(string text) => text.Contains('"') || text.Any(char.IsControl)
-        ? throw new BadInputException(
+        ? throw new UsageException(
             $"--format bat: {text.ReplaceLineEndings(" ")} has a quotation mark or a control character in it, "
                 + $"which a batch file can't pass on. Choose another name, or another --format.")
         : text.Replace("%", "%%", StringComparison.Ordinal);

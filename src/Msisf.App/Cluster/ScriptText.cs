@@ -14,7 +14,7 @@ internal static class ScriptText
     /// <summary>The whole script.</summary>
     /// <param name="format">Format of the script; for <see cref="ScriptFormat.Slurm"/> call <see cref="Slurm"/>.</param>
     /// <param name="script">Content of the script.</param>
-    /// <exception cref="BadInputException">A batch file can't hold one of the names.</exception>
+    /// <exception cref="UsageException">A batch file can't hold one of the names.</exception>
     public static string Of(ScriptFormat format, PieceScript script) => format switch
     {
         ScriptFormat.Bat => Bat(script),
@@ -29,12 +29,12 @@ internal static class ScriptText
     /// <summary>The script for Slurm.</summary>
     /// <param name="script">Content of the script.</param>
     /// <param name="slurm">Settings of the Slurm jobs.</param>
-    /// <exception cref="BadInputException">There are more pieces than a job array can have, or sbatch does not accept a path.</exception>
+    /// <exception cref="UsageException">There are more pieces than a job array can have, or sbatch does not accept a path.</exception>
     public static string Slurm(PieceScript script, SlurmSettings slurm)
     {
         if (script.Pieces.Count > MaxSlurmPieces)
         {
-            throw new BadInputException(string.Create(
+            throw new UsageException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{script.Pieces.Count} pieces; a Slurm array has {MaxSlurmPieces} at most on a cluster with the usual MaxArraySize. "
                     + $"Use --pieces {MaxSlurmPieces}: a piece may have any number of frames."));
@@ -42,7 +42,7 @@ internal static class ScriptText
 
         if (script.Path.Contains('\\') || script.Path.Any(char.IsControl))
         {
-            throw new BadInputException(
+            throw new UsageException(
                 $"--script {script.Path.ReplaceLineEndings(" ")}: sbatch can't keep its logs in a folder with a backslash or a control "
                     + $"character in its path. Choose another one.");
         }

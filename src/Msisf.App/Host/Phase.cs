@@ -15,6 +15,9 @@ internal enum Phase
     /// <summary>Opening the elevation model and its summary.</summary>
     Model,
 
+    /// <summary>Telling from the cameras what the images will show.</summary>
+    Preview,
+
     /// <summary>Checksums of the inputs, the manifest, and the check of existing frames.</summary>
     Manifest,
 

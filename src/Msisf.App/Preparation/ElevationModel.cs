@@ -5,6 +5,7 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
+using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
@@ -66,6 +67,11 @@ internal sealed class ElevationModel : IDisposable
         return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, isSparing, host));
     }
 
+    /// <summary>Whether <see cref="Open"/> finds a model of a resolution if no path is given.</summary>
+    /// <exception cref="BadInputException">There is one, but its parts don't make up a whole Moon.</exception>
+    public static bool IsThere(int pixelsPerDegree, ProgramHost host) =>
+        SurfaceOptions.Resolution.Concerned(() => LdemCatalog.TryFind(pixelsPerDegree, explicitPath: null, Folders(host))) is not null;
+
     /// <summary>Folders in which models are searched if no path is given, in the order of the search.</summary>
     public static string[] Folders(ProgramHost host) =>
         [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
@@ -117,13 +123,16 @@ internal sealed class ElevationModel : IDisposable
 
     private PartSelector NewSelector(double errorPixels) => new(Levels, _summary.Value, errorPixels);
 
+    /// <summary>Distance from the Moon's centre to the terrain in a direction, m.</summary>
+    public double GroundRadius(Vector3D directionMoonMe) => TerrainHeight.RadiusBelow(_image, directionMoonMe);
+
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>
         positionMoonMe.Length > _image.RadiusLimits.Max ? 0.0 : -HeightOverTerrain(positionMoonMe);
 
     /// <summary>Height of a position over the surface of the model below it, m.</summary>
     public double HeightOverTerrain(Vector3D positionMoonMe) =>
-        positionMoonMe.Length - TerrainHeight.RadiusBelow(_image, positionMoonMe);
+        positionMoonMe.Length - GroundRadius(positionMoonMe);
 
     public void Dispose()
     {

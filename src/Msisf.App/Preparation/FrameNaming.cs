@@ -19,21 +19,21 @@ internal sealed partial class FrameNaming
     private readonly string _pattern;
 
     /// <summary>Checks a pattern.</summary>
-    /// <exception cref="BadInputException">The pattern contains a folder, an unknown or unclosed field, or an invalid format.</exception>
+    /// <exception cref="UsageException">The pattern contains a folder, an unknown or unclosed field, or an invalid format.</exception>
     public FrameNaming(string pattern)
     {
         _pattern = pattern;
         string literal = Field().Replace(pattern, string.Empty);
         if (literal.Contains('{') || literal.Contains('}'))
         {
-            throw new BadInputException($"--output-name {pattern}: a field is {{step}} or {{mjd}}, if need be with a number format, e.g. "
+            throw new UsageException($"--output-name {pattern}: a field is {{step}} or {{mjd}}, if need be with a number format, e.g. "
                 + $"{{step:00000}}.").About(OutputOptions.Name);
         }
 
         if (pattern.Contains('/') || pattern.Contains('\\') || pattern.Any(char.IsControl) || pattern.Trim().Length == 0
             || pattern[0] == '.')
         {
-            throw new BadInputException($"--output-name '{pattern}': a file name is needed, without folders; "
+            throw new UsageException($"--output-name '{pattern}': a file name is needed, without folders; "
                 + $"the folder is given by --output-dir.").About(OutputOptions.Name);
         }
 
@@ -55,12 +55,12 @@ internal sealed partial class FrameNaming
         int bytes = Encoding.UTF8.GetByteCount(name);
         return bytes <= LongestName
             ? name
-            : throw new BadInputException($"--output-name: the name {name[..Math.Min(40, name.Length)]}... has {bytes} bytes; "
+            : throw new UsageException($"--output-name: the name {name[..Math.Min(40, name.Length)]}... has {bytes} bytes; "
                 + $"at most {LongestName} are possible.").About(OutputOptions.Name);
     }
 
     /// <summary>The names of all frames.</summary>
-    /// <exception cref="BadInputException">Two frames would get one name.</exception>
+    /// <exception cref="UsageException">Two frames would get one name.</exception>
     public IReadOnlyList<string> NamesOf(IReadOnlyList<ModifiedJulianDate> times)
     {
         Dictionary<string, int> stepOfName = new(times.Count, StringComparer.OrdinalIgnoreCase);
@@ -70,7 +70,7 @@ internal sealed partial class FrameNaming
             names[index] = NameOf(index + 1, times[index]);
             if (!stepOfName.TryAdd(names[index], index + 1))
             {
-                throw new BadInputException(
+                throw new UsageException(
                     $"--output-name {_pattern}: steps {stepOfName[names[index]]} and {index + 1} would both be written to {names[index]}. "
                         + $"Add {{step:00000}} to the pattern.")
                     .About(OutputOptions.Name);

@@ -25,7 +25,7 @@ internal static class FrameSetup
     {
         if (settings.Frames is { } chosen && chosen.Last > states.Count)
         {
-            throw new BadInputException(string.Create(
+            throw new UsageException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"--frames {chosen}: step {chosen.Last} is wanted, but the run has {states.Count} only. Name steps that it has."));
         }

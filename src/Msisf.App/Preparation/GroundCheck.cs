@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preparation;
 
@@ -11,18 +12,23 @@ internal static class GroundCheck
     private const int NamedSteps = 5;
 
     /// <summary>Checks the cameras of all frames.</summary>
+    /// <param name="frames">The frames.</param>
+    /// <param name="model">The terrain; null to take the reference sphere for it.</param>
+    /// <param name="cancellation">Cancels the work between two frames.</param>
     /// <exception cref="BadInputException">A camera lies below the terrain; the message names the steps.</exception>
-    public static void Refuse(IReadOnlyList<Frame> frames, ElevationModel model, CancellationToken cancellation)
+    public static void Refuse(IReadOnlyList<Frame> frames, ElevationModel? model, CancellationToken cancellation)
     {
         List<string> buried = [];
         int count = 0;
+        string unit = string.Empty;
         foreach (Frame frame in frames)
         {
             cancellation.ThrowIfCancellationRequested();
             Vector3D position = frame.Camera.PositionMoonMe;
-            double depth = model.DepthBelowGround(position);
+            double depth = model?.DepthBelowGround(position) ?? MoonConstants.ReferenceRadius - position.Length;
             if (depth > 0.0 && ++count <= NamedSteps)
             {
+                unit = buried.Count == 0 ? PlausibleMistakes.InKilometres(position) : unit;
                 buried.Add(string.Create(CultureInfo.InvariantCulture, $"step {frame.Step} (MJD {frame.Time.Days:R}) by {depth:F1} m"));
             }
         }
@@ -31,7 +37,7 @@ internal static class GroundCheck
         {
             string rest = count > NamedSteps ? $" and {count - NamedSteps} more" : string.Empty;
             throw new BadInputException(
-                $"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.");
+                $"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.{unit}");
         }
     }
 }

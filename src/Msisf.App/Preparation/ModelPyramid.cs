@@ -68,7 +68,7 @@ internal static class ModelPyramid
         string? path = settings.Model;
         if (path is not null && path.Trim().Length == 0)
         {
-            throw new BadInputException("The model's name is empty; the path of its label or its folder is needed.");
+            throw new UsageException("The model's name is empty; the path of its label or its folder is needed.");
         }
 
         if (settings.PixelsPerDegree is { } pixelsPerDegree)

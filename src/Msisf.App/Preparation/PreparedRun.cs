@@ -3,6 +3,7 @@ using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preparation;
 
@@ -26,21 +27,28 @@ internal sealed record PreparedRun(
     public static PreparedRun Of(
         CameraSettings camera, RenderSettings settings, EphemerisSource ephemeris, ProgramHost host, CancellationToken cancellation)
     {
-        IReadOnlyList<SpacecraftState> states = host.Times.Measure(
-            Phase.States, () => new StateReader(ephemeris.Engine, host).Read(camera, cancellation));
-        IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
-        Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
-        ElevationModel model = host.Times.Measure(Phase.Model, () => ElevationModel.Open(
-            settings.Ldem, settings.PixelsPerDegree, isSparing: settings.Renderer == RendererKind.PovRay, host));
+        ModelOnDemand model = new(settings, host);
         try
         {
-            GroundCheck.Refuse(frames, model, cancellation);
-            return new PreparedRun(states, names, frames, model);
+            RunFrames run = RunFrames.Read(camera, settings, ephemeris, model, host, cancellation);
+            GroundCheck.Refuse(run.Frames, model.Opened, cancellation);
+            WarnOfFieldOfView(run.Frames, settings, host);
+            return new PreparedRun(run.States, run.Names, run.Frames, model.Opened);
         }
         catch
         {
             model.Dispose();
             throw;
+        }
+    }
+
+    private static void WarnOfFieldOfView(IReadOnlyList<Frame> frames, RenderSettings settings, ProgramHost host)
+    {
+        double cell = MoonConstants.ReferenceRadius * double.DegreesToRadians(1.0 / settings.PixelsPerDegree);
+        double widest = frames.Max(PlausibleMistakes.WidthOnGround);
+        foreach (string mistake in PlausibleMistakes.FieldOfView(settings.FieldOfViewDegrees, widest, cell))
+        {
+            host.Log.Warning(mistake);
         }
     }
 

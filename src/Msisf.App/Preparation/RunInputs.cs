@@ -35,7 +35,7 @@ internal sealed class RunInputs : IDisposable
         _log = host.Log;
         _cacheFolder = CacheFolder.Of(host);
         CancellationToken end = _end.Token;
-        Kernels = Task.Run(() => OfKernels(kernels(), end), end);
+        Kernels = Task.Run<IReadOnlyList<InputFile>>(() => OfKernels(kernels(), end), end);
     }
 
     /// <summary>The kernels, in load order.</summary>
@@ -67,7 +67,7 @@ internal sealed class RunInputs : IDisposable
         _end.Dispose();
     }
 
-    private static IReadOnlyList<InputFile> OfKernels(IReadOnlyList<string> paths, CancellationToken cancellation) =>
+    private static InputFile[] OfKernels(IReadOnlyList<string> paths, CancellationToken cancellation) =>
         FileErrors.ToExternalPart("a kernel can't be read", () => paths.Select(path => new InputFile(
             InputKind.Kernel, Path.GetFileName(path), new FileInfo(path).Length, FileHash.Sha256Of(path, cancellation))).ToArray());
 

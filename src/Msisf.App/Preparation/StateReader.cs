@@ -3,6 +3,7 @@ using System.Text;
 using Msisf.Adapters.Input;
 using Msisf.App.Host;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
@@ -17,11 +18,14 @@ namespace Msisf.App.Preparation;
 internal sealed class StateReader
 {
     private readonly Func<IEphemeris> _ephemeris;
+    private readonly ISceneGeometry _scene;
     private readonly ProgramHost _host;
 
     /// <param name="ephemeris">Opens the ephemeris, which not every orbit needs.</param>
+    /// <param name="scene">Terrain and Sun, for cameras that are placed or pointed by them.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
-    public StateReader(Func<IEphemeris> ephemeris, ProgramHost host) => (_ephemeris, _host) = (ephemeris, host);
+    public StateReader(Func<IEphemeris> ephemeris, ISceneGeometry scene, ProgramHost host) =>
+        (_ephemeris, _scene, _host) = (ephemeris, scene, host);
 
     /// <summary>Reads or computes all states.</summary>
     /// <param name="camera">The source of the states.</param>
@@ -29,16 +33,23 @@ internal sealed class StateReader
     /// <exception cref="NothingToRenderException">There is no state.</exception>
     public IReadOnlyList<SpacecraftState> Read(CameraSettings camera, CancellationToken cancellation)
     {
+        foreach (string mistake in PlausibleMistakes.In(camera))
+        {
+            _host.Log.Warning(mistake);
+        }
+
         IReadOnlyList<SpacecraftState> states = camera switch
         {
             FixedStateSettings fixedState => [fixedState.State],
             BatchFileSettings file => BatchFile(file, cancellation),
+            PlaceSettings place => AtPlace(place, cancellation),
             _ => OnOrbit((OrbitSettings)camera, cancellation),
         };
         return states.Count > 0
             ? states
             : throw new NothingToRenderException(camera is BatchFileSettings empty
-                ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0."
+                ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
+                    + "or below a header line of its columns."
                 : "--time-interval: no time in it: the step leads away from the end. Swap start and end, or change the step's sign.");
     }
 
@@ -52,7 +63,7 @@ internal sealed class StateReader
     {
         if (file.IsStandardInput)
         {
-            return BatchFileReader.Read(_host.StandardInput(), NameOf(file));
+            return BatchFileReader.Read(_host.StandardInput(), NameOf(file), _scene);
         }
 
         if (!File.Exists(file.Path))
@@ -65,12 +76,22 @@ internal sealed class StateReader
         try
         {
             using StreamReader reader = new(file.Path, Encoding.UTF8);
-            return BatchFileReader.Read(reader, file.Path);
+            return BatchFileReader.Read(reader, file.Path, _scene);
         }
         catch (Exception exception) when (exception.IsFileError())
         {
             throw new BadInputException($"{file.Option.Name} {file.Path}: can't be read: {exception.Message}", exception);
         }
+    }
+
+    private SpacecraftState[] AtPlace(PlaceSettings settings, CancellationToken cancellation)
+    {
+        Vector3D position = PointingOptions.Position.Concerned(() => settings.Place.ToPositionMoonMe(_scene.GroundRadius));
+        return [.. settings.Times.Select(time =>
+        {
+            cancellation.ThrowIfCancellationRequested();
+            return new SpacecraftState(time, position, settings.Pointing.MoonFromCamera(position, time, _scene));
+        })];
     }
 
     private SpacecraftState[] OnOrbit(OrbitSettings settings, CancellationToken cancellation)
@@ -85,12 +106,22 @@ internal sealed class StateReader
                     + $"reference radius; times on that part are refused."));
         }
 
+        foreach (string note in OrbitNotes.Of(settings))
+        {
+            _host.Log.Note(note);
+        }
+
+        AttitudeFrame frame = settings.AttitudeFrame ?? AttitudeFrame.MoonMe;
+        FramedAttitude? attitude = settings.Attitude is { } transition
+            ? new FramedAttitude(
+                transition, frame, settings.Epoch, frame is AttitudeFrame.MoonMe or AttitudeFrame.Lvlh ? null : _ephemeris())
+            : null;
         return [.. settings.Times.Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();
             Vector3D position = orbit.PositionMoonMe(time);
             return new SpacecraftState(
-                time, position, settings.Attitude?.At(time.SecondsSince(settings.Epoch)) ?? NadirPointing.MoonFromCamera(position));
+                time, position, attitude?.MoonFromCamera(time, position, orbit.NormalMoonMe) ?? NadirPointing.MoonFromCamera(position));
         })];
     }
 }

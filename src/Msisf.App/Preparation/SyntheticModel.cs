@@ -22,6 +22,10 @@ internal static class SyntheticModel
         {
             Base = continued,
             Region = settings.Region,
+            Rest = settings.Rest,
+            Format = settings.SampleType is { } type
+                ? new SyntheticSampleFormat(type)
+                : SyntheticLdemOptions.DefaultFormat(settings.PixelsPerDegree),
         };
         using IRunProgress progress = host.Progress.Start("Synthesis", FractionProgress.Steps, settings.Unattended);
         return SyntheticLdemWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation);

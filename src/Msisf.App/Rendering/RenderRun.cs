@@ -9,6 +9,7 @@ using Msisf.Adapters.Render;
 using Msisf.Adapters.Tiles;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Preview;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
@@ -55,6 +56,7 @@ internal sealed class RenderRun
         using OpenedAlbedoMap? map = _times.Measure(Phase.Model, () => AlbedoSource.Open(_settings, _host));
         inputs.Begin(run.Model.Set);
         RequireParts();
+        _times.Measure(Phase.Preview, () => RunNotes.Write(camera, run.Frames, run.Model.Grid, _host.Log, cancellation));
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
         IReadOnlyList<InputFile> kernels = await inputs.Kernels.ConfigureAwait(false);
         OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;
@@ -114,7 +116,7 @@ internal sealed class RenderRun
     }
 
     /// <summary>Compares the input files of the frames that were there before with those of this run.</summary>
-    private void Compare(IReadOnlyList<FrameOutputs?> known, RunInputs inputs, InputComparison comparison)
+    private static void Compare(IReadOnlyList<FrameOutputs?> known, RunInputs inputs, InputComparison comparison)
     {
         foreach (string metaFile in known.OfType<FrameOutputs>().SelectMany(outputs => outputs.Paths)
             .Where(path => Path.GetExtension(path) == ".xml"))

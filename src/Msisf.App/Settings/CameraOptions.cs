@@ -1,4 +1,5 @@
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Attitude;
 using Msisf.Core.Orbit;
 
 namespace Msisf.App.Settings;
@@ -9,12 +10,13 @@ internal static class CameraOptions
     /// <summary>One state.</summary>
     public static NumberListSpec FixedState { get; } = new(
         "--fixed-state", ["MJD", "rx", "ry", "rz", "qx", "qy", "qz", "q0"],
-        "One image: time (MJD, UTC), position (m, ME/PA) and orientation (quaternion)");
+        "One image: time (MJD or ISO 8601, UTC), position (m, ME/PA) and orientation (quaternion)");
 
     /// <summary>States in a file.</summary>
     public static PathSpec BatchFile { get; } = new(
         "--batch-file", PathKind.File,
-        "One image a line of the file: MJD rx ry rz qx qy qz q0; # begins a comment; - reads standard input");
+        "One image a line of the file: MJD rx ry rz qx qy qz q0, or the columns that its first line names (time,lat,lon,height,...); "
+            + "# begins a comment; - reads standard input");
 
     /// <summary>An orbit by its elements.</summary>
     public static NumberListSpec KeplerSet { get; } = new(
@@ -34,21 +36,21 @@ internal static class CameraOptions
     };
 
     /// <summary>Time of the orbit.</summary>
-    public static NumberSpec Epoch { get; } = new(
-        "--epoch", "MJD", "Time for which the orbit and the attitude are given (UTC)")
+    public static TimeSpec Epoch { get; } = new("--epoch", "Time for which the orbit and the attitude are given (UTC)")
     {
         Aliases = ["-e"],
     };
 
     /// <summary>One time.</summary>
-    public static NumberSpec Time { get; } = new("--time", "MJD", "Time of one image (UTC)") { Aliases = ["-t"] };
+    public static TimeSpec Time { get; } = new("--time", "Time of one image (UTC)") { Aliases = ["-t"] };
 
     /// <summary>Several times.</summary>
     public static NumberListSpec Times { get; } = new("--times", ["MJD"], "Times of several images (UTC)") { Aliases = ["-tt"] };
 
     /// <summary>Equidistant times.</summary>
     public static TextSpec TimeInterval { get; } = new(
-        "--time-interval", "[start:step:end]", "Times of a series of images: from start to end (MJD, UTC) in steps of days");
+        "--time-interval", "[start:step:end]",
+        "Times of a series of images: from start to end (UTC) in steps of days; the brackets may be left out");
 
     /// <summary>Orientation at the epoch.</summary>
     public static NumberListSpec Attitude { get; } = new("--attitude", ["qx", "qy", "qz", "q0"], "Orientation at the epoch (quaternion)")
@@ -68,20 +70,40 @@ internal static class CameraOptions
     /// <summary>Frame of the orbit.</summary>
     public static ChoiceSpec<OrbitFrame> OrbitFrame { get; } = new(
         "--orbit-frame",
-        [("moon-me", Core.Orbit.OrbitFrame.MoonMe), (
-            "moon-me-epoch", Core.Orbit.OrbitFrame.MoonMeEpoch), ("j2000", Core.Orbit.OrbitFrame.J2000)],
+        [
+            new Choice("moon-me", Core.Orbit.OrbitFrame.MoonMe),
+            new Choice("moon-me-epoch", Core.Orbit.OrbitFrame.MoonMeEpoch),
+            new Choice("j2000", Core.Orbit.OrbitFrame.J2000),
+        ],
         "Frame of the orbit: ME/PA that turns with the Moon, ME/PA of the epoch held still, or J2000")
     {
         Default = Core.Orbit.OrbitFrame.MoonMe,
     };
 
+    /// <summary>Frame of the attitude.</summary>
+    public static ChoiceSpec<AttitudeFrame> AttitudeFrame { get; } = new(
+        "--attitude-frame",
+        [
+            ("moon-me", Core.Attitude.AttitudeFrame.MoonMe), ("moon-me-epoch", Core.Attitude.AttitudeFrame.MoonMeEpoch),
+            ("j2000", Core.Attitude.AttitudeFrame.J2000), ("lvlh", Core.Attitude.AttitudeFrame.Lvlh),
+        ],
+        "Axes of --attitude and its transition, whatever --orbit-frame is: ME/PA that turns with the Moon, ME/PA of the epoch held still, "
+            + "J2000, or LVLH of the orbit (x forward, y against the angular momentum, z down)")
+    {
+        Default = Core.Attitude.AttitudeFrame.MoonMe,
+    };
+
     /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Where the camera is",
-        [FixedState, BatchFile, KeplerSet, StateVectors, Epoch, Time, Times, TimeInterval, Attitude, AttitudeTransition, OrbitFrame])
+        [
+            FixedState, BatchFile, KeplerSet, StateVectors, PointingOptions.Position, Epoch, Time, Times, TimeInterval, Attitude,
+            AttitudeTransition, AttitudeFrame, OrbitFrame, .. PointingOptions.OfPosition,
+        ])
     {
         Note =
-            "Exactly one of the first four. An orbit (-k, -s) needs --epoch and one of --time, --times and --time-interval. "
-                + "Values in braces are quoted.",
+            "Exactly one of the first five. An orbit (-k, -s) needs --epoch; it and --position need one of --time, --times and "
+                + "--time-interval. A time is an MJD (UTC) or ISO 8601 with its zone, e.g. 2024-01-19T12:00:00Z. "
+                + "Values in braces are quoted. docs/camera-model.md draws the axes.",
     };
 }

@@ -2,11 +2,12 @@ using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Settings;
 
-/// <summary>Where the camera of each image is, in one of the ways of thesis section 6.3.</summary>
+/// <summary>Where the camera of each image is, in one of the ways of thesis section 6.3, or by its place.</summary>
 internal abstract record CameraSettings;
 
 /// <summary>One image.</summary>
@@ -26,8 +27,17 @@ internal sealed record BatchFileSettings(string Path, PathSpec Option) : CameraS
 /// <param name="Elements">Orbital elements at the epoch.</param>
 /// <param name="Epoch">Epoch of the elements, UTC.</param>
 /// <param name="Frame">Reference frame of the elements.</param>
+/// <param name="IsFrameGiven">Whether the user chose the frame.</param>
 /// <param name="Attitude">Attitude from the epoch on; null to point the camera at the nadir.</param>
+/// <param name="AttitudeFrame">Frame of the attitude; null if the user did not choose it, which means MOON_ME.</param>
 /// <param name="Times">Times of the images, UTC; may be empty.</param>
 internal sealed record OrbitSettings(
-    KeplerElements Elements, ModifiedJulianDate Epoch, OrbitFrame Frame, AttitudeTransition? Attitude,
-    IEnumerable<ModifiedJulianDate> Times) : CameraSettings;
+    KeplerElements Elements, ModifiedJulianDate Epoch, OrbitFrame Frame, bool IsFrameGiven, AttitudeTransition? Attitude,
+    AttitudeFrame? AttitudeFrame, IEnumerable<ModifiedJulianDate> Times) : CameraSettings;
+
+/// <summary>Images from one place.</summary>
+/// <param name="Place">Position of the camera.</param>
+/// <param name="Pointing">How it points.</param>
+/// <param name="Times">Times of the images, UTC; may be empty.</param>
+internal sealed record PlaceSettings(
+    SurfacePlace Place, CameraPointing Pointing, IEnumerable<ModifiedJulianDate> Times) : CameraSettings;

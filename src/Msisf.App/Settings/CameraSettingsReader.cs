@@ -10,19 +10,27 @@ using Msisf.Core.Time;
 namespace Msisf.App.Settings;
 
 /// <summary>
-/// Reads the positions of the camera, given in one of the four ways of thesis table 6.1, and checks which options are combined.
+/// Reads the positions of the camera, given in one of the four ways of thesis table 6.1 or by a place, and checks which options are
+/// combined.
 /// </summary>
 internal sealed class CameraSettingsReader
 {
     private static readonly OptionSpec[] TimeOptions = [CameraOptions.Time, CameraOptions.Times, CameraOptions.TimeInterval];
+
+    private static readonly OptionSpec[] OrbitOptions =
+    [
+        CameraOptions.Epoch, CameraOptions.Attitude, CameraOptions.AttitudeTransition, CameraOptions.AttitudeFrame,
+        CameraOptions.OrbitFrame,
+    ];
 
     private readonly OptionValues _values;
     private readonly PathSpec _batchFile;
 
     private CameraSettingsReader(OptionValues values, PathSpec batchFile) => (_values, _batchFile) = (values, batchFile);
 
-    /// <summary>The four options for the position of the camera, of which exactly one must be given.</summary>
-    private OptionSpec[] Ways => [CameraOptions.KeplerSet, CameraOptions.StateVectors, CameraOptions.FixedState, _batchFile];
+    /// <summary>The options for the position of the camera, of which exactly one must be given.</summary>
+    private OptionSpec[] Ways =>
+        [CameraOptions.KeplerSet, CameraOptions.StateVectors, CameraOptions.FixedState, _batchFile, PointingOptions.Position];
 
     /// <summary>Reads and checks the options.</summary>
     /// <param name="values">The options.</param>
@@ -39,7 +47,7 @@ internal sealed class CameraSettingsReader
             ?? throw new UsageException($"nothing says where the camera is. Give exactly one of {Names(reader.Ways)}.");
     }
 
-    /// <summary>Reads and checks the options; null if none of the four ways is given.</summary>
+    /// <summary>Reads and checks the options; null if none of the ways is given.</summary>
     /// <inheritdoc cref="Read"/>
     public static CameraSettings? ReadIfGiven(OptionValues values, PathSpec batchFile) =>
         new CameraSettingsReader(values, batchFile).ReadIfGiven();
@@ -57,6 +65,16 @@ internal sealed class CameraSettingsReader
             return null;
         }
 
+        if (way == PointingOptions.Position)
+        {
+            Refuse(OrbitOptions, $"is not allowed with {way.Name}. Remove it; --look-at or --off-nadir says how the camera points.");
+            RequireTimes(way);
+            return new PlaceSettings(
+                way.Named(() => PointingText.ParsePosition(PointingOptions.Position.Read(_values))),
+                PointingOptions.ReadPointing(_values), Times());
+        }
+
+        Refuse(PointingOptions.OfPosition, $"is not allowed with {way.Name}, but with {PointingOptions.Position.Name} only. Remove it.");
         if (way == CameraOptions.KeplerSet)
         {
             return Orbit(way, KeplerElements);
@@ -67,16 +85,9 @@ internal sealed class CameraSettingsReader
             return Orbit(way, StateVectors);
         }
 
-        OptionSpec[] forbidden =
-        [
-            CameraOptions.Epoch, .. TimeOptions, CameraOptions.Attitude, CameraOptions.AttitudeTransition, CameraOptions.OrbitFrame
-        ];
-        if (forbidden.FirstOrDefault(_values.IsGiven) is { } wrong)
-        {
-            throw new UsageException(
-                $"{wrong.Name} is not allowed with {way.Name}, which itself says time, position and orientation. Remove it.");
-        }
-
+        Refuse(
+            [.. OrbitOptions, .. TimeOptions],
+            $"is not allowed with {way.Name}, which itself says time, position and orientation. Remove it.");
         return CameraOptions.FixedState.Read(_values) is { } numbers
             ? new FixedStateSettings(CameraOptions.FixedState.Named(() => SpacecraftState.FromNumbers(numbers)))
             : new BatchFileSettings(_batchFile.Read(_values), _batchFile);
@@ -86,9 +97,33 @@ internal sealed class CameraSettingsReader
     {
         if (!_values.IsGiven(CameraOptions.Epoch))
         {
-            throw new UsageException($"{way.Name} needs {CameraOptions.Epoch.Name}: the time (MJD, UTC) for which the orbit is given.");
+            throw new UsageException(
+                $"{way.Name} needs {CameraOptions.Epoch.Name}: the time (MJD or ISO 8601, UTC) for which the orbit is given.");
         }
 
+        RequireTimes(way);
+        if (_values.IsGiven(CameraOptions.AttitudeTransition) && !_values.IsGiven(CameraOptions.Attitude))
+        {
+            throw new UsageException("--attitude-transition needs --attitude: the orientation at the epoch from which it turns.");
+        }
+
+        if (_values.IsGiven(CameraOptions.AttitudeFrame) && !_values.IsGiven(CameraOptions.Attitude))
+        {
+            throw new UsageException("--attitude-frame needs --attitude: without it the camera looks at the nadir. Give both or none.");
+        }
+
+        return new OrbitSettings(
+            readElements(),
+            CameraOptions.Epoch.Read(_values),
+            CameraOptions.OrbitFrame.Read(_values),
+            _values.IsGiven(CameraOptions.OrbitFrame),
+            Attitude(),
+            _values.IsGiven(CameraOptions.AttitudeFrame) ? CameraOptions.AttitudeFrame.Read(_values) : null,
+            Times());
+    }
+
+    private void RequireTimes(OptionSpec way)
+    {
         OptionSpec[] times = [.. TimeOptions.Where(_values.IsGiven)];
         if (times.Length != 1)
         {
@@ -96,13 +131,14 @@ internal sealed class CameraSettingsReader
                 ? $"{way.Name} needs one of {Names(TimeOptions)}: when to take images."
                 : $"{times[0].Name} and {times[1].Name} exclude each other. Give exactly one of {Names(TimeOptions)}.");
         }
+    }
 
-        if (_values.IsGiven(CameraOptions.AttitudeTransition) && !_values.IsGiven(CameraOptions.Attitude))
+    private void Refuse(IEnumerable<OptionSpec> options, string why)
+    {
+        if (options.FirstOrDefault(_values.IsGiven) is { } wrong)
         {
-            throw new UsageException("--attitude-transition needs --attitude: the orientation at the epoch from which it turns.");
+            throw new UsageException($"{wrong.Name} {why}");
         }
-
-        return new OrbitSettings(readElements(), Date(CameraOptions.Epoch), CameraOptions.OrbitFrame.Read(_values), Attitude(), Times());
     }
 
     private KeplerElements KeplerElements()
@@ -134,18 +170,13 @@ internal sealed class CameraSettingsReader
     {
         if (_values.IsGiven(CameraOptions.Time))
         {
-            return [Date(CameraOptions.Time)];
+            return [CameraOptions.Time.Read(_values)];
         }
 
         return CameraOptions.Times.Read(_values) is { } days
             ? CameraOptions.Times.Named<ModifiedJulianDate[]>(() => [.. days.Select(mjd => new ModifiedJulianDate(mjd))])
-            : StateText.ParseInterval(CameraOptions.TimeInterval.Name, _values.Words(CameraOptions.TimeInterval)!);
-    }
-
-    private ModifiedJulianDate Date(NumberSpec option)
-    {
-        double days = option.Read(_values);
-        return option.Named(() => new ModifiedJulianDate(days));
+            : CameraOptions.TimeInterval.Value(
+                () => StateText.ParseInterval(CameraOptions.TimeInterval.Name, _values.Words(CameraOptions.TimeInterval)!));
     }
 
     private static string Names(IEnumerable<OptionSpec> options) => string.Join(", ", options.Select(option => option.Name));

@@ -5,13 +5,13 @@ namespace Msisf.App.Settings;
 /// <summary>All commands of the program with their options: the one place where they are declared.</summary>
 internal static class CommandTable
 {
-    private static readonly OptionGroup General = new("General", [RunOptions.Config, RunOptions.Help]);
+    private static OptionGroup General => new("General", [RunOptions.Config, RunOptions.Help]);
 
-    private static readonly OptionGroup OnlyHelp = General with { Options = [RunOptions.Help] };
+    private static OptionGroup OnlyHelp => General with { Options = [RunOptions.Help] };
 
-    private static readonly OptionGroup Progress = General with { Options = [RunOptions.Batch, .. General.Options] };
+    private static OptionGroup Progress => General with { Options = [RunOptions.Batch, .. General.Options] };
 
-    private static readonly OptionGroup[] OfRender =
+    private static OptionGroup[] OfRender =>
     [
         CameraOptions.Group, ImageOptions.Group, LightOptions.Group, SurfaceOptions.Group, AlbedoOptions.Group, OutputOptions.Group,
         RendererOptions.Group, NativeOptions.Group, PovOptions.Group, RunOptions.Group,
@@ -31,7 +31,7 @@ internal static class CommandTable
             ("All patterns of the model with 4 pixels a degree:", "msis patterns --res 4"),
             ("What a batch file needs:", "msis patterns --for-batch approach.tab --res 64"),
         ],
-        Groups = [PatternsOptions.Model, PatternsOptions.WholeMoon, PatternsOptions.OfRun, Progress],
+        MakeGroups = () => [PatternsOptions.Model, PatternsOptions.WholeMoon, PatternsOptions.OfRun, Progress],
     };
 
     /// <summary>msis status.</summary>
@@ -40,8 +40,8 @@ internal static class CommandTable
         Details =
             "Looks at the length of each file. A line for each image that is not complete (step, name, state, reason; "
                 + "separated by tabs), then a summary; exit code 0 if all are well, else 5.",
-        Argument = FolderOptions.Folder,
-        Groups = [General with { Options = [FolderOptions.PrintFrames, .. General.Options] }],
+        MakeArgument = () => FolderOptions.Folder,
+        MakeGroups = () => [General with { Options = [FolderOptions.PrintFrames, .. General.Options] }],
     };
 
     /// <summary>msis verify.</summary>
@@ -57,9 +57,9 @@ internal static class CommandTable
     {
         Details =
             "Puts the manifest into the order of the steps, whichever process made the images. Exit code 5 if images are not complete.",
-        Argument = FolderOptions.Folder,
+        MakeArgument = () => FolderOptions.Folder,
         Examples = [("A video with 30 images a second:", "msis merge orbit --video 30")],
-        Groups = [General with { Options = [FolderOptions.ContactSheet, FolderOptions.Video, .. General.Options] }],
+        MakeGroups = () => [General with { Options = [FolderOptions.ContactSheet, FolderOptions.Video, .. General.Options] }],
     };
 
     /// <summary>msis batchconvert.</summary>
@@ -70,7 +70,7 @@ internal static class CommandTable
         [
             ("Ten pieces for GNU parallel:", "msis batchconvert --format parallel --pieces 10 --batch-file approach.tab"),
         ],
-        Groups =
+        MakeGroups = () =>
         [
             new OptionGroup("Pieces", [ScriptOptions.Format, CutOptions.Pieces, CutOptions.FramesPerPiece, ScriptOptions.Script]),
             SlurmOptions.Group, .. OfRender, OnlyHelp
@@ -82,7 +82,7 @@ internal static class CommandTable
     {
         Details = "Takes all options of a run. The script is that of msis batchconvert --format slurm, in the folder of the outputs.",
         Examples = [("Forty pieces, followed to their end:", "msis submit --pieces 40 --wait --batch-file approach.tab")],
-        Groups = [new OptionGroup(
+        MakeGroups = () => [new OptionGroup(
             "Pieces", [CutOptions.Pieces, CutOptions.FramesPerPiece, ScriptOptions.Wait]), SlurmOptions.Group, .. OfRender, OnlyHelp],
     };
 
@@ -93,24 +93,27 @@ internal static class CommandTable
         Examples = [(
             "A model with 64 pixels a degree that continues one with 4:",
             "msis ldem synthesize --res 64 --base input/ldem/LDEM_4.LBL --seed 1")],
-        Groups = [new OptionGroup(
+        MakeGroups = () => [new OptionGroup(
             "The new model",
-            [ModelOptions.NewResolution, ModelOptions.Seed, ModelOptions.Base, ModelOptions.Region, ModelOptions.NewFolder]), Progress],
+            [
+                ModelOptions.NewResolution, ModelOptions.Seed, ModelOptions.Base, ModelOptions.Region, ModelOptions.Rest,
+                ModelOptions.SampleType, ModelOptions.NewFolder,
+            ]), Progress],
     };
 
     /// <summary>msis ldem pyramid.</summary>
     public static CommandSpec Pyramid { get; } = new("pyramid", "Write a model's coarser levels into a file beside it.")
     {
         Details = "Far views of fine models then need not read the whole model.",
-        Argument = ModelOptions.Model,
+        MakeArgument = () => ModelOptions.Model,
         Examples = [("The levels of one model:", "msis ldem pyramid input/ldem/LDEM_64.LBL")],
-        Groups = [new OptionGroup("The model", [ModelOptions.ModelResolution, ModelOptions.Verify]), Progress],
+        MakeGroups = () => [new OptionGroup("The model", [ModelOptions.ModelResolution, ModelOptions.Verify]), Progress],
     };
 
     /// <summary>msis ldem.</summary>
     public static CommandSpec Ldem { get; } = new("ldem", "Make elevation models and their levels of detail.")
     {
-        Groups = [OnlyHelp],
+        MakeGroups = () => [OnlyHelp],
         Commands = [Synthesize, Pyramid],
     };
 
@@ -119,13 +122,13 @@ internal static class CommandTable
         "show", "Print each key of configuration files, its value and where that comes from.")
     {
         Details = "A line for each key (key, value, file and line or 'default'; separated by tabs).",
-        Groups = [General],
+        MakeGroups = () => [General],
     };
 
     /// <summary>msis config.</summary>
     public static CommandSpec Config { get; } = new("config", "Show the settings of configuration files.")
     {
-        Groups = [OnlyHelp],
+        MakeGroups = () => [OnlyHelp],
         Commands = [ConfigShow],
     };
 
@@ -134,27 +137,36 @@ internal static class CommandTable
     {
         Details = "A line for each preset (name, width and height in px, horizontal field of view in degrees, what it is; separated by tabs). "
             + "Their files are in the folder cameras; docs/cameras.md says what a camera file holds.",
-        Groups = [OnlyHelp],
+        MakeGroups = () => [OnlyHelp],
     };
 
     /// <summary>msis completion.</summary>
     public static CommandSpec Completion { get; } = new("completion", "Print a script that completes commands, options and values.")
     {
-        Argument = new ArgumentSpec("SHELL", "The shell: bash, zsh or fish") { Words = ["bash", "zsh", "fish"] },
+        MakeArgument = () => new ArgumentSpec("SHELL", "The shell: bash, zsh or fish") { Words = ["bash", "zsh", "fish"] },
         Examples =
         [
             ("For this bash, or in ~/.bashrc:", "source <(msis completion bash)"),
             ("For zsh, in ~/.zshrc after compinit:", "source <(msis completion zsh)"),
             ("For fish:", "msis completion fish > ~/.config/fish/completions/msis.fish"),
         ],
-        Groups = [General],
+        MakeGroups = () => [General],
     };
 
     /// <summary>msis man.</summary>
     public static CommandSpec Man { get; } = new("man", "Print the manual page.")
     {
         Examples = [("Read it:", "msis man | man -l -")],
-        Groups = [General],
+        MakeGroups = () => [General],
+    };
+
+    /// <summary>msis help.</summary>
+    public static CommandSpec Help { get; } = new("help", "Show the help of msis or of a command.")
+    {
+        Details = "The same as --help behind the command.",
+        MakeArgument = () => CommandWords,
+        Examples = [("What msis patterns takes:", "msis help patterns")],
+        MakeGroups = () => [OnlyHelp],
     };
 
     /// <summary>msis itself, which renders; the root of all commands.</summary>
@@ -170,16 +182,28 @@ internal static class CommandTable
                 "msis --fixed-state '{55289,1.9E6,0,0,0,0,0,1}' --renderer native --samples 9"),
             ("101 images along an orbit:", "msis --kepler-set '{1.9E6,0.05,0.7,1.1,0.9,2.0}' --epoch 55289 --time-interval "
                 + "'[55289:0.001:55289.1]' --output-dir orbit"),
+            ("What the images of a batch file would show, without drawing:", "msis --batch-file approach.tab --dry-run"),
         ],
-        Groups =
+        MakeGroups = () =>
         [
-            .. OfRender[..^1], RunOptions.Group with { Options = [.. RunOptions.Group.Options, RunOptions.Help, RunOptions.Version] }
+            .. OfRender[..^1],
+            RunOptions.Group with
+            {
+                Options = [.. RunOptions.Group.Options, DryRunOptions.DryRun, DryRunOptions.Format, RunOptions.Help, RunOptions.Version],
+            }
         ],
-        Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Cameras, Config, Completion, Man],
+        Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Cameras, Config, Completion, Man, Help],
     };
 
     /// <summary>All commands, each with the words by which it is called, e.g. "ldem pyramid"; none for the render command.</summary>
     public static IEnumerable<(string Path, CommandSpec Command)> All => Below(string.Empty, Render);
+
+    private static ArgumentSpec CommandWords => new("COMMAND", "The command, e.g. ldem pyramid")
+    {
+        IsOptional = true,
+        TakesSeveralWords = true,
+        Words = [.. Render.Commands.Select(command => command.Name)],
+    };
 
     private static IEnumerable<(string Path, CommandSpec Command)> Below(string path, CommandSpec command) =>
         command.Commands.SelectMany(inner => Below($"{path} {inner.Name}".TrimStart(), inner)).Prepend((path, command));

@@ -13,7 +13,11 @@ internal static class LightOptions
     /// <summary>Engine for the Sun's position.</summary>
     public static ChoiceSpec<EphemerisChoice> Ephemeris { get; } = new(
         "--ephemeris",
-        [("cspice", EphemerisChoice.CSpice), ("builtin", EphemerisChoice.BuiltIn), ("auto", EphemerisChoice.Auto)],
+        [
+            new Choice("cspice", EphemerisChoice.CSpice),
+            new Choice("builtin", EphemerisChoice.BuiltIn),
+            new Choice("auto", EphemerisChoice.Auto),
+        ],
         "What computes the Sun's position")
     {
         Default = EphemerisChoice.Auto,
@@ -23,8 +27,11 @@ internal static class LightOptions
     /// <summary>Corrections of the Sun's position for light time and aberration.</summary>
     public static ChoiceSpec<Aberration> Aberration { get; } = new(
         "--aberration",
-        [("none", Core.Ephemeris.Aberration.None), ("lt", Core.Ephemeris.Aberration.LightTime), (
-            "lt+s", Core.Ephemeris.Aberration.LightTimeAndStellar)],
+        [
+            new Choice("none", Core.Ephemeris.Aberration.None),
+            new Choice("lt", Core.Ephemeris.Aberration.LightTime),
+            new Choice("lt+s", Core.Ephemeris.Aberration.LightTimeAndStellar),
+        ],
         "Where the Sun is seen: where it is, with light time, or with stellar aberration too")
     {
         Default = Core.Ephemeris.Aberration.None,

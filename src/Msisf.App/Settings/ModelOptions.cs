@@ -1,4 +1,6 @@
 using System.Globalization;
+using Msisf.Adapters.Synthesis;
+using Msisf.Adapters.Terrain;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
@@ -32,9 +34,31 @@ internal static class ModelOptions
 
     /// <summary>Part of the Moon that the new model covers.</summary>
     public static TextSpec Region { get; } = new(
-        "--region", "latmin:latmax:lonmin:lonmax", "Part of the Moon in whole degrees")
+        "--region",
+        "latmin:latmax:lonmin:lonmax",
+        "Part of the Moon that gets the detail, in whole degrees; over the prime meridian as in 350:10")
     {
         DefaultNote = "all of it",
+    };
+
+    /// <summary>What lies outside the region.</summary>
+    public static ChoiceSpec<SyntheticRest> Rest { get; } = new(
+        "--rest",
+        [new Choice("base", SyntheticRest.Base), new Choice("flat", SyntheticRest.Flat), new Choice("none", SyntheticRest.None)],
+        "Around the region: the base, interpolated; the reference sphere, which takes no room on the disk; or nothing, a part that "
+            + "can't be drawn alone")
+    {
+        Default = SyntheticRest.Base,
+    };
+
+    /// <summary>How the samples are stored.</summary>
+    public static ChoiceSpec<LdemSampleType> SampleType { get; } = new(
+        "--sample-type",
+        [new Choice("int16", LdemSampleType.Int16LittleEndian), new Choice("float32", LdemSampleType.Float32LittleEndian)],
+        "Samples in 16-bit steps of 0.5 m, or in 32-bit floats")
+    {
+        DefaultNote = string.Create(
+            CultureInfo.InvariantCulture, $"int16; float32 from {SyntheticLdemOptions.FirstResolutionOfFloats} px/deg on"),
     };
 
     /// <summary>Folder of the new model.</summary>
@@ -66,32 +90,30 @@ internal static class ModelOptions
     };
 
     /// <summary>Reads the options of msis ldem synthesize.</summary>
-    /// <exception cref="BadInputException">A value is wrong.</exception>
-    public static SynthesisSettings ReadSynthesis(OptionValues values) => new(
-        NewResolution.Read(values),
-        ulong.TryParse(values.Text(Seed), NumberStyles.None, CultureInfo.InvariantCulture, out ulong seed)
-            ? seed
-            : throw new BadInputException(
-                $"{Seed.Name} is '{values.Text(Seed)}'; a whole number from 0 to {ulong.MaxValue} is needed.").About(Seed),
-        Base.ReadIfGiven(values),
-        Region.ReadIfGiven(values) is { } region ? ReadRegion(region) : MoonRegion.WholeMoon,
-        NewFolder.Read(values),
-        RunOptions.Batch.Read(values));
+    /// <exception cref="UsageException">A value is wrong, or options don't go together.</exception>
+    public static SynthesisSettings ReadSynthesis(OptionValues values)
+    {
+        if (values.IsGiven(Rest) && values.Text(Region) is null)
+        {
+            throw new UsageException($"{Rest.Name} says what lies around a {Region.Name}. Give one, or leave it out.").About(Rest);
+        }
+
+        return new SynthesisSettings(
+            NewResolution.Read(values),
+            ulong.TryParse(values.Text(Seed), NumberStyles.None, CultureInfo.InvariantCulture, out ulong seed)
+                ? seed
+                : throw new UsageException(
+                    $"{Seed.Name} is '{values.Text(Seed)}'; a whole number from 0 to {ulong.MaxValue} is needed.").About(Seed),
+            Base.ReadIfGiven(values),
+            Region.ReadIfGiven(values) is { } region ? Region.Concerned(() => MoonRegion.Parse(region)) : MoonRegion.WholeMoon,
+            Rest.Read(values),
+            SampleType.ReadIfGiven(values),
+            NewFolder.Read(values),
+            RunOptions.Batch.Read(values));
+    }
 
     /// <summary>Reads the options of msis ldem pyramid.</summary>
-    /// <exception cref="BadInputException">A value is wrong.</exception>
+    /// <exception cref="UsageException">A value is wrong.</exception>
     public static PyramidSettings ReadPyramid(OptionValues values) =>
         new(values.Argument, ModelResolution.ReadIfGiven(values), RunOptions.Batch.Read(values));
-
-    private static MoonRegion ReadRegion(string text)
-    {
-        try
-        {
-            return MoonRegion.Parse(text);
-        }
-        catch (UsageException exception)
-        {
-            throw new BadInputException(exception.Message, exception).About(Region); // it names the option
-        }
-    }
 }

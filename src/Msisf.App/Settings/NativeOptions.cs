@@ -25,7 +25,7 @@ internal static class NativeOptions
 
     /// <summary>Model of the surface normals.</summary>
     public static ChoiceSpec<NormalModel> Shading { get; } = new(
-        "--shading", [("facet", NormalModel.Facet), ("smooth", NormalModel.Smooth)],
+        "--shading", [new Choice("facet", NormalModel.Facet), new Choice("smooth", NormalModel.Smooth)],
         "Normals of the facets, or interpolated between those of the samples")
     {
         Default = NormalModel.Facet,
@@ -33,7 +33,9 @@ internal static class NativeOptions
 
     /// <summary>Model of the Sun as a light source.</summary>
     public static ChoiceSpec<SunModel> Sun { get; } = new(
-        "--sun", [("point", SunModel.Point), ("disc", SunModel.Disc)], "The Sun as a point, or as its disc with penumbras")
+        "--sun",
+        [new Choice("point", SunModel.Point), new Choice("disc", SunModel.Disc)],
+        "The Sun as a point, or as its disc with penumbras")
     {
         Default = SunModel.Point,
     };
@@ -64,7 +66,7 @@ internal static class NativeOptions
 
     /// <summary>Transfer curve of the grey levels.</summary>
     public static ChoiceSpec<GreyTransfer> Transfer { get; } = new(
-        "--transfer", [("srgb", GreyTransfer.Srgb), ("linear", GreyTransfer.Linear)],
+        "--transfer", [new Choice("srgb", GreyTransfer.Srgb), new Choice("linear", GreyTransfer.Linear)],
         "Grey levels along sRGB's curve, as POV-Ray's, or in proportion to the radiance")
     {
         Default = GreyTransfer.Srgb,
@@ -72,7 +74,7 @@ internal static class NativeOptions
 
     /// <summary>Bits per pixel of the image.</summary>
     public static ChoiceSpec<int> BitDepth { get; } = new(
-        "--bit-depth", [("8", 8), ("16", 16)], "Bits of the image's grey levels")
+        "--bit-depth", [new Choice("8", 8), new Choice("16", 16)], "Bits of the image's grey levels")
     {
         Default = 8,
     };
@@ -87,7 +89,7 @@ internal static class NativeOptions
 
     /// <summary>File format of the layers.</summary>
     public static ChoiceSpec<LayersFormat> LayersFormat { get; } = new(
-        "--layers-format", [("fits", Settings.LayersFormat.Fits), ("npy", Settings.LayersFormat.Npy)],
+        "--layers-format", [new Choice("fits", Settings.LayersFormat.Fits), new Choice("npy", Settings.LayersFormat.Npy)],
         "Format of the layers: one file, or one a layer")
     {
         Default = Settings.LayersFormat.Fits,

@@ -23,7 +23,7 @@ internal static class NativeSettingsReader
         double? albedo = NativeOptions.Albedo.ReadIfGiven(values);
         RefuseTwoBrightnesses(albedo, map);
         LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
-            ? DetectorChoice.LayersOf(NativeOptions.Layers.Concerned(() => LayerSet.Parse(names)), detector)
+            ? DetectorChoice.LayersOf(NativeOptions.Layers.Concerned(() => Layers(names)), detector)
             : null;
         return new NativeSettings
         {
@@ -68,33 +68,46 @@ internal static class NativeSettingsReader
         int perAxis = (int)Math.Sqrt(samples); // exact for numbers as small as these
         return perAxis * perAxis == samples
             ? perAxis
-            : throw new BadInputException(
+            : throw new UsageException(
                 $"--samples is {samples}; the samples form a square grid, so a square number is needed: "
                     + $"{perAxis * perAxis} or {(perAxis + 1) * (perAxis + 1)}.")
                 .About(NativeOptions.Samples);
     }
 
+    private static LayerSet Layers(string names)
+    {
+        string? wrong = names.Split(',', StringSplitOptions.TrimEntries).FirstOrDefault(
+            name => !NativeOptions.Layers.Words.Any(word => ChoiceSpec.IsSame(word, name)));
+        return wrong is not null && NearestName.Question(wrong, NativeOptions.Layers.Words) is { Length: > 0 } question
+            ? throw new UsageException($"{NativeOptions.Layers.Name} {names}: '{wrong}' is no layer{question}")
+            : LayerSet.Parse(names);
+    }
+
     /// <summary>Parses a text such as "hapke:w=0.3,b0=1.2" to the law and its named parameters.</summary>
     private static (string Law, SortedDictionary<string, double> Parameters) Reflectance(string text)
     {
-        string[] parts = text.Split(':', 2);
+        string[] parts = text.ToLowerInvariant().Split(':', 2);
         SortedDictionary<string, double> parameters = new(StringComparer.Ordinal);
         foreach (string parameter in parts.Length == 2 ? parts[1].Split(',') : [])
         {
             string[] pair = parameter.Split('=', 2, StringSplitOptions.TrimEntries);
             if (pair.Length != 2 || !NumberText.TryParse(pair[1], out double value))
             {
-                throw new BadInputException($"--reflectance: '{parameter}' is no parameter; "
+                throw new UsageException($"--reflectance: '{parameter}' is no parameter; "
                     + $"name=number is needed, as in hapke:w=0.3,b0=1.2.").About(NativeOptions.Reflectance);
             }
 
             if (!parameters.TryAdd(pair[0], value))
             {
-                throw new BadInputException(
+                throw new UsageException(
                     $"--reflectance: the parameter {pair[0]} is given twice. Leave one out.").About(NativeOptions.Reflectance);
             }
         }
 
-        return (parts[0].Trim(), parameters);
+        string law = parts[0].Trim();
+        return NativeOptions.Reflectance.Words.Contains(law) || NearestName.Question(
+            law, NativeOptions.Reflectance.Words) is not { Length: > 0 } question
+            ? (law, parameters)
+            : throw new UsageException($"{NativeOptions.Reflectance.Name}: '{law}' is no law{question}").About(NativeOptions.Reflectance);
     }
 }

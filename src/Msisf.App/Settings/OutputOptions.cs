@@ -51,7 +51,7 @@ internal static class OutputOptions
     /// <summary>Surface on which the meta file's pixels lie.</summary>
     public static ChoiceSpec<PixelSurface> Surface { get; } = new(
         "--surface",
-        [("sphere", PixelSurface.Sphere), ("terrain", PixelSurface.Terrain)],
+        [new Choice("sphere", PixelSurface.Sphere), new Choice("terrain", PixelSurface.Terrain)],
         "Where the meta file's pixels lie: on the reference sphere, or on the terrain that the image shows")
     {
         Default = PixelSurface.Sphere,

@@ -11,7 +11,7 @@ internal static class PatternsOptions
 {
     /// <summary>Source of the elevation samples; the value is true for the database.</summary>
     public static ChoiceSpec<bool> Source { get; } = new(
-        "--source", [("ldem", false), ("mysql", true)],
+        "--source", [new Choice("ldem", false), new Choice("mysql", true)],
         "Where the samples come from: the elevation model's file, or the database of scripts/ldem_mysql_insert.php")
     {
         Default = false,
@@ -33,7 +33,7 @@ internal static class PatternsOptions
 
     /// <summary>Mesh format of the patterns.</summary>
     public static ChoiceSpec<PatternFormat> Format { get; } = new(
-        "--format", [("mesh2", PatternFormat.Mesh2), ("mesh", PatternFormat.Mesh)],
+        "--format", [new Choice("mesh2", PatternFormat.Mesh2), new Choice("mesh", PatternFormat.Mesh)],
         "Form of the patterns: exact and compact, or the thesis's text form for old scenes")
     {
         Default = PatternFormat.Mesh2,

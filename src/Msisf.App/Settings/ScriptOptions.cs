@@ -9,7 +9,12 @@ internal static class ScriptOptions
     /// <summary>Format of the script.</summary>
     public static ChoiceSpec<ScriptFormat> Format { get; } = new(
         "--format",
-        [("sh", ScriptFormat.Sh), ("bat", ScriptFormat.Bat), ("parallel", ScriptFormat.Parallel), ("slurm", ScriptFormat.Slurm)],
+        [
+            new Choice("sh", ScriptFormat.Sh),
+            new Choice("bat", ScriptFormat.Bat),
+            new Choice("parallel", ScriptFormat.Parallel),
+            new Choice("slurm", ScriptFormat.Slurm),
+        ],
         "What runs the pieces: a shell or Windows's cmd one after another, GNU parallel, or Slurm")
     {
         IsRequired = true,

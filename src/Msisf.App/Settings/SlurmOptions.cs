@@ -118,7 +118,7 @@ internal static partial class SlurmOptions
         Match match = SbatchText().Match(word);
         if (!match.Success)
         {
-            throw new BadInputException($"{MoreOptions.Name}: '{word}' is none; "
+            throw new UsageException($"{MoreOptions.Name}: '{word}' is none; "
                 + $"long options of sbatch are needed, without their dashes, e.g. qos=long.").About(MoreOptions);
         }
 

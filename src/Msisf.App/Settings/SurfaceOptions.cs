@@ -29,7 +29,7 @@ internal static class SurfaceOptions
 
     /// <summary>Whether coarser levels are used; the value is true for "off".</summary>
     public static ChoiceSpec<bool> LevelOfDetail { get; } = new(
-        "--lod", [("auto", false), ("off", true)],
+        "--lod", [new Choice("auto", false), new Choice("off", true)],
         "Coarser levels of the model where its cells are smaller than a pixel, or always the model itself")
     {
         Default = false,

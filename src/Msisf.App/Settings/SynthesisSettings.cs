@@ -1,3 +1,5 @@
+using Msisf.Adapters.Synthesis;
+using Msisf.Adapters.Terrain;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Settings;
@@ -6,8 +8,17 @@ namespace Msisf.App.Settings;
 /// <param name="PixelsPerDegree">Resolution of the model, px/deg.</param>
 /// <param name="Seed">Seed of the random terrain.</param>
 /// <param name="BaseModel">Label or image of the model that it continues to smaller scales; null for an invented Moon.</param>
-/// <param name="Region">Part of the Moon that the model covers.</param>
+/// <param name="Region">Part of the Moon that gets the detail.</param>
+/// <param name="Rest">What lies outside the region.</param>
+/// <param name="SampleType">How samples are stored; null for the default of the resolution.</param>
 /// <param name="Folder">Folder of the model.</param>
 /// <param name="Unattended">Whether to draw no progress bar.</param>
 internal sealed record SynthesisSettings(
-    int PixelsPerDegree, ulong Seed, string? BaseModel, MoonRegion Region, string Folder, bool Unattended);
+    int PixelsPerDegree,
+    ulong Seed,
+    string? BaseModel,
+    MoonRegion Region,
+    SyntheticRest Rest,
+    LdemSampleType? SampleType,
+    string Folder,
+    bool Unattended);

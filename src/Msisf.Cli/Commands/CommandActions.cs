@@ -23,6 +23,7 @@ internal static class CommandActions
         [CommandTable.ConfigShow] = Printing(call => Configuration.Show(call.Values.Text(RunOptions.Config), call.Host)),
         [CommandTable.Cameras] = Printing(CamerasCommand.Print),
         [CommandTable.Completion] = Printing(call => call.Host.Results.Write(CompletionScript.For(call.Values.Argument!))),
+        [CommandTable.Help] = Printing(HelpCommand.Run),
         [CommandTable.Man] = Printing(call => call.Host.Results.Write(ManualPage.Text(call.Host.Version))),
     };
 

@@ -1,9 +1,12 @@
+using Msisf.App.Host;
+using Msisf.App.Preview;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
+using Msisf.Cli.Output;
 
 namespace Msisf.Cli.Commands;
 
-/// <summary><c>msis</c> without a command: renders a run.</summary>
+/// <summary><c>msis</c> without a command: renders a run, or tells what it would show.</summary>
 internal static class RenderCommand
 {
     /// <summary>Runs the command.</summary>
@@ -11,6 +14,16 @@ internal static class RenderCommand
     {
         CameraSettings camera = CameraSettingsReader.Read(call.Values);
         RenderSettings settings = RenderSettingsReader.Read(call.Values);
+        if (DryRunOptions.Read(call.Values) is { } format)
+        {
+            PreviewPrinter.Print(
+                await Task.Run(() => DryRun.Of(camera, settings, call.Host, cancellation), cancellation).ConfigureAwait(false),
+                format,
+                call.Host.Results);
+            PrintTimes(settings, call.Host, []);
+            return 0;
+        }
+
         if (settings.ListPatterns)
         {
             PatternList.Print(camera, settings, call.Host, cancellation);
@@ -18,11 +31,15 @@ internal static class RenderCommand
         }
 
         IReadOnlyList<FrameOutputs> outputs = await RenderRun.RunAsync(camera, settings, call.Host, cancellation).ConfigureAwait(false);
+        PrintTimes(settings, call.Host, outputs);
+        return 0;
+    }
+
+    private static void PrintTimes(RenderSettings settings, ProgramHost host, IReadOnlyList<FrameOutputs> outputs)
+    {
         if (settings.Timing)
         {
-            call.Host.Log.Raw(TimingReport.Of(call.Host.Times, outputs));
+            host.Log.Raw(TimingReport.Of(host.Times, outputs));
         }
-
-        return 0;
     }
 }

@@ -16,7 +16,7 @@ internal static class CompletionScript
     /// <summary>The script of a shell.</summary>
     /// <param name="shell">Name of the shell.</param>
     /// <exception cref="UsageException">The shell is not supported.</exception>
-    public static string For(string shell) => shell switch
+    public static string For(string shell) => shell.ToLowerInvariant() switch
     {
         "bash" => BashCompletion.Script(),
         "zsh" => ZshCompletion.Script(),

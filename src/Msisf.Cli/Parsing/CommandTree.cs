@@ -11,13 +11,21 @@ namespace Msisf.Cli.Parsing;
 /// </summary>
 internal sealed class CommandTree
 {
-    private readonly Dictionary<Command, ParsedCommand> _commands = new(ReferenceEqualityComparer.Instance);
+    private const string VersionOption = "--version";
 
-    /// <summary>Builds the tree.</summary>
+    private readonly Dictionary<Command, ParsedCommand> _commands = new(ReferenceEqualityComparer.Instance);
+    private readonly IReadOnlyList<string> _arguments;
+
+    /// <summary>Builds the tree; only commands that may be called get their options, because that takes time.</summary>
+    /// <param name="arguments">The arguments that it is to parse.</param>
     /// <param name="showHelp">Prints the help of a command; receives its path, e.g. "ldem pyramid", and the command.</param>
     /// <param name="run">Runs a call; receives a command that has an action.</param>
-    public CommandTree(Action<string, CommandSpec> showHelp, Func<CommandSpec, ParseResult, CancellationToken, Task<int>> run)
+    public CommandTree(
+        IReadOnlyList<string> arguments,
+        Action<string, CommandSpec> showHelp,
+        Func<CommandSpec, ParseResult, CancellationToken, Task<int>> run)
     {
+        _arguments = arguments;
         Root = (RootCommand)Create(string.Empty, CommandTable.Render, new RootCommand(), run);
 
         // -h is the image height (thesis appendix A), so it can't stand for --help.
@@ -45,15 +53,16 @@ internal sealed class CommandTree
                 .Select(option => KeyValuePair.Create(option.Name, line.GetResult(option)))
                 .Where(pair => pair.Value is { Implicit: false })
                 .Select(pair => KeyValuePair.Create(pair.Key, new OptionValue([.. pair.Value!.Tokens.Select(token => token.Value)]))),
-            command.Argument is null ? null : line.GetValue(command.Argument));
+            command.Argument is not null && line.GetResult(command.Argument) is { Tokens.Count: > 0 } given
+                ? string.Join(' ', given.Tokens.Select(token => token.Value))
+                : null);
     }
 
     private Command Create(string path, CommandSpec spec, Command command, Func<CommandSpec, ParseResult, CancellationToken, Task<int>> run)
     {
-        Option[] options = [.. spec.Options.Where(option => option != RunOptions.Help && option != RunOptions.Version).Select(OptionOf)];
-        Argument<string?>? argument = spec.Argument is { } positional
-            ? new Argument<string?>(positional.Name) { Arity = positional.IsOptional ? ArgumentArity.ZeroOrOne : ArgumentArity.ExactlyOne }
-            : null;
+        bool mayBeCalled = MayBeCalled(path);
+        Option[] options = mayBeCalled ? [.. spec.Options.Where(IsNotOfTheParser).Select(OptionOf)] : [];
+        Argument? argument = mayBeCalled && spec.Argument is { } positional ? ArgumentOf(positional) : null;
         foreach (Option option in options)
         {
             command.Options.Add(option);
@@ -69,7 +78,7 @@ internal sealed class CommandTree
             command.Subcommands.Add(Create($"{path} {inner.Name}".TrimStart(), inner, new Command(inner.Name), run));
         }
 
-        if (spec.Commands.Count == 0 || spec == CommandTable.Render)
+        if (spec.Commands.Count == 0 || ReferenceEquals(spec, CommandTable.Render))
         {
             command.SetAction((line, cancellation) => run(spec, line, cancellation));
         }
@@ -77,6 +86,25 @@ internal sealed class CommandTree
         _commands.Add(command, new ParsedCommand(path, spec, options, argument));
         return command;
     }
+
+    /// <summary>
+    /// Whether the arguments may call a command: all of its words are among them; for the render command, the first one is no other
+    /// command, and more is asked for than the version.
+    /// </summary>
+    private bool MayBeCalled(string path) =>
+        _arguments.Any(argument => argument.StartsWith('@')) // a file of arguments may name any command
+        || (path.Length == 0
+            ? _arguments.Count == 0
+                || !(_arguments is [VersionOption] || CommandTable.Render.Commands.Any(command => command.Name == _arguments[0]))
+            : path.Split(' ').All(_arguments.Contains));
+
+    /// <summary>System.CommandLine has the options --help and --version itself.</summary>
+    private static bool IsNotOfTheParser(OptionSpec option) =>
+        !ReferenceEquals(option, RunOptions.Help) && !ReferenceEquals(option, RunOptions.Version);
+
+    private static Argument ArgumentOf(ArgumentSpec spec) => spec.TakesSeveralWords
+        ? new Argument<string[]>(spec.Name) { Arity = ArgumentArity.ZeroOrMore }
+        : new Argument<string?>(spec.Name) { Arity = spec.IsOptional ? ArgumentArity.ZeroOrOne : ArgumentArity.ExactlyOne };
 
     private static Option OptionOf(OptionSpec spec)
     {
@@ -90,7 +118,7 @@ internal sealed class CommandTree
         };
     }
 
-    private sealed record ParsedCommand(string Path, CommandSpec Spec, IReadOnlyList<Option> Options, Argument<string?>? Argument);
+    private sealed record ParsedCommand(string Path, CommandSpec Spec, IReadOnlyList<Option> Options, Argument? Argument);
 
     private sealed class ShowHelp(Action<ParseResult> show) : System.CommandLine.Invocation.SynchronousCommandLineAction
     {

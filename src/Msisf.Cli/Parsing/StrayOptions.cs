@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Parsing;
@@ -11,7 +12,8 @@ internal static class StrayOptions
     /// <summary>Checks a parsed command line.</summary>
     /// <param name="line">The parsed command line.</param>
     /// <exception cref="UsageException">An option is given twice, or does not belong to the command.</exception>
-    public static void Refuse(ParseResult line)
+    /// <param name="command">The command of the line.</param>
+    public static void Refuse(ParseResult line, CommandSpec command)
     {
         foreach (OptionResult option in OptionsOf(line.CommandResult))
         {
@@ -25,13 +27,20 @@ internal static class StrayOptions
             if (option.Option.Name != PovOptions.MoreOptions.Name
                 && option.Tokens.Select(token => token.Value).FirstOrDefault(IsNoValue) is string word)
             {
-                throw new UsageException($"Unrecognized option '{word}' after {option.Option.Name}. See msis --help.");
+                throw new UsageException(
+                    $"{Misspelling.OfOption(word, command)} It stands where the value of {option.Option.Name} ends.");
             }
         }
 
-        for (SymbolResult? outer = line.CommandResult.Parent; outer is CommandResult command; outer = outer.Parent)
+        if (line.CommandResult.Children.OfType<ArgumentResult>().SelectMany(argument => argument.Tokens)
+            .FirstOrDefault(token => IsNoValue(token.Value)) is { } misspelt)
         {
-            if (OptionsOf(command).FirstOrDefault() is OptionResult stray)
+            throw new UsageException(Misspelling.OfOption(misspelt.Value, command));
+        }
+
+        for (SymbolResult? outer = line.CommandResult.Parent; outer is CommandResult before; outer = outer.Parent)
+        {
+            if (OptionsOf(before).FirstOrDefault() is OptionResult stray)
             {
                 throw new UsageException(
                     $"{stray.Option.Name} stands before the command {line.CommandResult.Command.Name}. "

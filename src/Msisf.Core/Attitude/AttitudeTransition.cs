@@ -10,39 +10,41 @@ namespace Msisf.Core.Attitude;
 /// </summary>
 public sealed class AttitudeTransition
 {
-    private readonly UnitQuaternion _moonFromCameraAtEpoch;
-    private readonly Vector3D _angularVelocityCamera;
+    private readonly UnitQuaternion _frameFromCameraAtEpoch;
     private readonly double _rate;
     private readonly double _rateCorrection;
 
     /// <summary>Takes attitude and rate.</summary>
-    /// <param name="moonFromCameraAtEpoch">Attitude at the epoch.</param>
+    /// <param name="frameFromCameraAtEpoch">Attitude at the epoch, in any frame.</param>
     /// <param name="angularVelocityCamera">
     /// rad/s about the camera's axes (looks along -x, y right, z up), right-handed; zero holds the attitude.
     /// </param>
     /// <exception cref="BadInputException">The angular velocity is not finite.</exception>
     /// <exception cref="ArgumentException">The attitude is <c>default</c>.</exception>
-    public AttitudeTransition(UnitQuaternion moonFromCameraAtEpoch, Vector3D angularVelocityCamera)
+    public AttitudeTransition(UnitQuaternion frameFromCameraAtEpoch, Vector3D angularVelocityCamera)
     {
-        if (moonFromCameraAtEpoch == default)
+        if (frameFromCameraAtEpoch == default)
         {
-            throw new ArgumentException("No rotation: the quaternion was never set.", nameof(moonFromCameraAtEpoch));
+            throw new ArgumentException("No rotation: the quaternion was never set.", nameof(frameFromCameraAtEpoch));
         }
 
-        _moonFromCameraAtEpoch = moonFromCameraAtEpoch;
-        _angularVelocityCamera = angularVelocityCamera;
+        _frameFromCameraAtEpoch = frameFromCameraAtEpoch;
+        AngularVelocityCamera = angularVelocityCamera;
         _rate = Guard.Finite(angularVelocityCamera.Length, "The angular velocity (rad/s)");
         _rateCorrection = _rate == 0.0 ? 0.0 : LostInLength(angularVelocityCamera, _rate);
     }
 
-    /// <summary>The attitude at a time: turns camera axes into Moon axes.</summary>
+    /// <summary>rad/s about the camera's axes.</summary>
+    public Vector3D AngularVelocityCamera { get; }
+
+    /// <summary>The attitude at a time: turns camera axes into those of the frame.</summary>
     /// <param name="secondsSinceEpoch">s, finite, may be negative.</param>
     /// <exception cref="BadInputException">The angle turned is beyond the largest double.</exception>
     public UnitQuaternion At(double secondsSinceEpoch)
     {
         if (_rate == 0.0)
         {
-            return _moonFromCameraAtEpoch;
+            return _frameFromCameraAtEpoch;
         }
 
         double angle = _rate * secondsSinceEpoch;
@@ -56,8 +58,8 @@ public sealed class AttitudeTransition
 
         // The rounding errors of length and product grow with the angle, so they are added again.
         double angleError = Math.FusedMultiplyAdd(_rate, secondsSinceEpoch, -angle) + (_rateCorrection * secondsSinceEpoch);
-        return _moonFromCameraAtEpoch
-            * UnitQuaternion.FromAxisAngle(_angularVelocityCamera, AngleReduction.ToHalfTurn(angle, angleError));
+        return _frameFromCameraAtEpoch
+            * UnitQuaternion.FromAxisAngle(AngularVelocityCamera, AngleReduction.ToHalfTurn(angle, angleError));
     }
 
     /// <summary>What the rounding of a vector's length to a double has left out.</summary>

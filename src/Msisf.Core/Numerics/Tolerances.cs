@@ -38,6 +38,12 @@ public static class Tolerances
     /// </summary>
     public const double IlluminationDirectionSine = 1e-7;
 
+    /// <summary>
+    /// 1: below this sine of the zenith's angle to the polar axis or to the target, an azimuth counts as undefined. Points and directions
+    /// are rounded by about 1e-15 rad, so at the limit the azimuth is wrong by up to 1e-6 rad. On the ground the limit is 2 mm.
+    /// </summary>
+    public const double AzimuthSine = 1e-9;
+
     /// <summary>m: how far a label's sphere may be from its OFFSET. Both are printed to 0.1 m; a wrong sphere is off by metres.</summary>
     public const double LabelRadius = 1e-3;
 
@@ -51,6 +57,12 @@ public static class Tolerances
     /// by up to a quarter of this.
     /// </summary>
     public const double ParallelSine = 1e-15;
+
+    /// <summary>
+    /// 1, sine of an angle: what is nearer to the line of sight than this points neither up nor down in the image. A camera that looks
+    /// straight down from 1 m sees its target off by 4e-9 rad, because positions are rounded.
+    /// </summary>
+    public const double UpAlongBoresight = 1e-6;
 
     /// <summary>
     /// m: limits how far rounding moves a mesh vertex; twice the 2^-7 m step of the lattice on which vertices lie

@@ -41,6 +41,9 @@ public sealed class KeplerOrbit
     /// <summary>The orbit at its epoch.</summary>
     public KeplerElements Elements { get; }
 
+    /// <summary>Direction of the angular momentum, length 1.</summary>
+    public Vector3D Normal => Vector3D.Cross(_towardsPeriapsis, _acrossPeriapsis);
+
     /// <summary>Position in m.</summary>
     /// <param name="secondsSinceEpoch">SI seconds, finite, may be negative.</param>
     /// <exception cref="Errors.BadInputException">The time is too far from the epoch to be counted in radians.</exception>

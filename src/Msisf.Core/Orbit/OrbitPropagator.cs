@@ -47,11 +47,14 @@ public sealed class OrbitPropagator
     /// <param name="time">UTC.</param>
     /// <exception cref="SpiceException">The time is outside the kernels' cover (not for <see cref="OrbitFrame.MoonMe"/>).</exception>
     /// <exception cref="BadInputException">The orbit is so small that it can't be followed up to the time.</exception>
-    public Vector3D PositionMoonMe(ModifiedJulianDate time)
-    {
-        Vector3D positionOrbit = _orbit.PositionAt(time.SecondsSince(_epoch));
-        return _frame == OrbitFrame.MoonMe
-            ? positionOrbit
-            : _ephemeris!.MoonMeFromJ2000(time) * (_j2000FromOrbit * positionOrbit);
-    }
+    public Vector3D PositionMoonMe(ModifiedJulianDate time) => ToMoonMe(_orbit.PositionAt(time.SecondsSince(_epoch)), time);
+
+    /// <summary>Direction of the orbit's angular momentum, length 1, MOON_ME of the time.</summary>
+    /// <param name="time">UTC.</param>
+    /// <exception cref="SpiceException">The time is outside the kernels' cover (not for <see cref="OrbitFrame.MoonMe"/>).</exception>
+    public Vector3D NormalMoonMe(ModifiedJulianDate time) => ToMoonMe(_orbit.Normal, time);
+
+    private Vector3D ToMoonMe(Vector3D vectorOrbit, ModifiedJulianDate time) => _frame == OrbitFrame.MoonMe
+        ? vectorOrbit
+        : _ephemeris!.MoonMeFromJ2000(time) * (_j2000FromOrbit * vectorOrbit);
 }

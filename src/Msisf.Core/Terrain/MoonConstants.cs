@@ -18,6 +18,12 @@ public static class MoonConstants
     /// <summary>m: mean radius MMR, for the flight altitude only (thesis, list of constants).</summary>
     public const double MeanRadius = 1_737_150.0;
 
+    /// <summary>
+    /// rad/s: rate at which the Moon turns in space, 13.17635815 degrees a day (B. A. Archinal et al., Celest. Mech. Dyn. Astr. 130 (2018)
+    /// 22, table 2: W of the Moon). For notes only; the ephemeris has the exact rotation.
+    /// </summary>
+    public const double RotationRate = 2.661699458e-6;
+
     /// <summary>m3/s2: standard gravitational parameter (thesis section 6.2.2).</summary>
     public const double GravitationalParameter = 4.902801076e12;
 }

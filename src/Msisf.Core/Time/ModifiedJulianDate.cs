@@ -34,6 +34,17 @@ public readonly record struct ModifiedJulianDate
         Days = days - midnight < 1.0 ? days : midnight + 1.0;
     }
 
+    /// <summary>The days of an MJD for a date and time of the calendar.</summary>
+    /// <param name="date">UTC.</param>
+    /// <param name="secondsOfDay">Seconds since the day began; less than 0 and more than 86400 lead into other days.</param>
+    /// <returns>The nearest double.</returns>
+    public static double DaysOf(DateOnly date, decimal secondsOfDay)
+    {
+        // A decimal has 28 digits; its conversion to a double is rounded twice, that of its text once.
+        decimal days = date.DayNumber - DateOnly.FromDateTime(DayZero).DayNumber + (secondsOfDay / 86400m);
+        return double.Parse(days.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+    }
+
     /// <summary>Days since 1858-11-17T00:00:00 UTC.</summary>
     public double Days { get; }
 

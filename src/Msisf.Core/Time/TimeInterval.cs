@@ -15,7 +15,6 @@ public sealed class TimeInterval : IReadOnlyList<ModifiedJulianDate>
     public const int MaxTimes = 10_000_000;
 
     private readonly double _start;
-    private readonly double _step;
 
     /// <summary>Counts the times.</summary>
     /// <param name="start">First time.</param>
@@ -32,9 +31,16 @@ public sealed class TimeInterval : IReadOnlyList<ModifiedJulianDate>
         }
 
         _start = start.Days;
-        _step = stepDays;
+        StepDays = stepDays;
+        LengthDays = end.Days - start.Days;
         Count = CountTimes(start.Days, stepDays, end.Days);
     }
+
+    /// <summary>Days from one time to the next.</summary>
+    public double StepDays { get; }
+
+    /// <summary>Days from the start to the end that was given; negative if the end lies before the start.</summary>
+    public double LengthDays { get; }
 
     /// <summary>How many times there are, 0 if the step leads away from the end.</summary>
     public int Count { get; }
@@ -48,7 +54,7 @@ public sealed class TimeInterval : IReadOnlyList<ModifiedJulianDate>
         {
             ArgumentOutOfRangeException.ThrowIfNegative(index);
             ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(index, Count);
-            return new ModifiedJulianDate(Math.FusedMultiplyAdd(index, _step, _start));
+            return new ModifiedJulianDate(Math.FusedMultiplyAdd(index, StepDays, _start));
         }
     }
 

@@ -2,6 +2,7 @@ using Msisf.Adapters.Input;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Input;
@@ -74,7 +75,7 @@ public class BatchFileReaderTests
     public void Read_EnormousLine_RefusedWithoutEchoOrMemory()
     {
         using EndlessReader endless = new();
-        BadInputException failure = Assert.Throws<BadInputException>(() => BatchFileReader.Read(endless, File));
+        BadInputException failure = Assert.Throws<BadInputException>(() => BatchFileReader.Read(endless, File, new SphereScene()));
         Assert.Equal("input/run7.tab, line 1: longer than 65536 characters; this is not a file of numbers in lines.", failure.Message);
     }
 
@@ -91,21 +92,21 @@ public class BatchFileReaderTests
     public void Read_ReaderGivesOneCharacterAtATime_IsTheSame()
     {
         using TricklingReader trickling = new(ThesisExample);
-        Assert.Equal(Read(ThesisExample), BatchFileReader.Read(trickling, File));
+        Assert.Equal(Read(ThesisExample), BatchFileReader.Read(trickling, File, new SphereScene()));
     }
 
     [Fact]
     public void Read_FileSystemFails_NamesTheFile()
     {
         using FailingReader failing = new();
-        ExternalPartException failure = Assert.Throws<ExternalPartException>(() => BatchFileReader.Read(failing, File));
+        ExternalPartException failure = Assert.Throws<ExternalPartException>(() => BatchFileReader.Read(failing, File, new SphereScene()));
         Assert.Equal("input/run7.tab: can't be read after line 0: disk gone", failure.Message);
     }
 
     private static IReadOnlyList<SpacecraftState> Read(string text)
     {
         using StringReader reader = new(text);
-        return BatchFileReader.Read(reader, File);
+        return BatchFileReader.Read(reader, File, new SphereScene());
     }
 
     private sealed class EndlessReader : TextReader

@@ -10,6 +10,15 @@ public sealed class NearestNameTests
     [InlineData("hight", "height")]
     [InlineData("outputdir", "output-dir")]
     [InlineData("", "fov")]
+    [InlineData("FOV", "fov")]
     public void To_MisspeltWord_IsFound(string word, string name) =>
         Assert.Equal(name, NearestName.To(word, ["height", "output-dir", "fov", "width"]));
+
+    [Theory]
+    [InlineData("widht", ": did you mean width?")]
+    [InlineData("WIDHT", ": did you mean width?")]
+    [InlineData("frobnicate", "")]
+    [InlineData("", "")]
+    public void Question_WordFarFromAllNames_IsEmpty(string word, string question) =>
+        Assert.Equal(question, NearestName.Question(word, ["height", "output-dir", "fov", "width"]));
 }

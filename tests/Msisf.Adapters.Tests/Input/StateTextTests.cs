@@ -77,6 +77,39 @@ public class StateTextTests
         Assert.Equal([55289.0, 55289.25, 55289.5, 55289.75, 55290.0], interval.Select(time => time.Days));
     }
 
+    // 2024-01-19T12:00:00Z is MJD 60328.5 (TimeTextTests).
+    [Theory]
+    [InlineData("[2024-01-19T12:00:00Z:0.5:2024-01-20T12:00:00Z]")]
+    [InlineData("2024-01-19T12:00:00Z:0.5:60329.5")]
+    [InlineData("[60328.5:0.5:2024-01-20T14:00:00.0+02:00]")]
+    [InlineData("[ 2024-01-19T14:00+02:00 : 0.5 : 2024-020T12:00Z ]")]
+    [InlineData("[2024-01-19T14:00:00+0200:0.5:2024-01-20T12:00Z]")]
+    public void ParseInterval_CalendarTimes_AreThoseOfTheirMjd(string text) => Assert.Equal(
+        [60328.5, 60329.0, 60329.5], StateText.ParseInterval("--time-interval", [text]).Select(time => time.Days));
+
+    [Fact]
+    public void ParseNumbers_FieldMjd_TakesCalendarTimes()
+    {
+        Assert.Equal([60328.5, 7.0], StateText.ParseNumbers("--state", ["{2024-01-19T12:00:00Z,7}"], ["MJD", "rx"]));
+        Assert.Equal([60328.5, 55289.0], StateText.ParseList("--times", ["2024-01-19T12:00:00Z", "55289"], "MJD"));
+        Assert.StartsWith(
+            "--state, number 2 (rx): '2024-01-19T12:00:00Z' is not a number",
+            Assert.Throws<BadInputException>(
+                () => StateText.ParseNumbers("--state", ["{1,2024-01-19T12:00:00Z}"], ["MJD", "rx"])).Message,
+            StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--time-interval: 7 numbers, 3 expected", "[2024-01-19T12:00:00:0.5:2024-01-20T12:00:00]")]
+    [InlineData("--time-interval, number 2 (step): '2024-01-19T12:00:00Z' is not a number", "[1:2024-01-19T12:00:00Z:2]")]
+    [InlineData("--time-interval, number 3 (end): '2460329' looks like a Julian Date; its MJD is 60328.5", "[60328:1:2460329]")]
+    [InlineData(
+        "--time-interval, number 1 (start): '2016-12-31T23:59:60Z': MJD, in which times", "[2016-12-31T23:59:60Z:1:2460329]")]
+    public void ParseInterval_WrongCalendarTimes_SaysWhatToWrite(string message, string text) => Assert.StartsWith(
+        message,
+        Assert.Throws<BadInputException>(() => StateText.ParseInterval("--time-interval", [text])).Message,
+        StringComparison.Ordinal);
+
     [Theory]
     [InlineData(
         "--time-interval: 2 numbers, 3 expected: [start:step:end] in MJD, days, MJD; colons separate the numbers.", "[55289:55290]")]

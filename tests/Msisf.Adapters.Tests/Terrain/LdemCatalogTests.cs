@@ -51,17 +51,32 @@ public sealed class LdemCatalogTests : IDisposable
     }
 
     [Fact]
+    public void TryFind_Nothing_IsNull()
+    {
+        Put("LDEM_1.LBL");
+
+        Assert.Null(LdemCatalog.TryFind(16, null, ["/nowhere", _folder.Path]));
+        Assert.Equal(_folder["LDEM_1.LBL"], LdemCatalog.TryFind(1, null, ["/nowhere", _folder.Path])?.Location);
+    }
+
+    [Fact]
     public void Find_Nothing_SaysWhereItLookedAndWhatToDo()
     {
         Put("LDEM_1.LBL");
 
         string message = Assert.Throws<BadInputException>(() => LdemCatalog.Find(16, null, ["/nowhere", _folder.Path])).Message;
 
-        Assert.Contains(
-            $"No elevation model of 16 px/deg in /nowhere, {_folder.Path}: put LDEM_16.LBL and .IMG there",
-            message,
-            StringComparison.Ordinal);
+        Assert.Equal(
+            $"No elevation model of 16 px/deg in /nowhere, {_folder.Path}. Get NASA's with 'scripts/get-ldem.sh --res 16', "
+                + "name another one with --ldem, or make a synthetic one with 'msis ldem synthesize --res 16 --base LDEM_4.LBL --seed 1'.",
+            message);
     }
+
+    [Fact]
+    public void Find_ResolutionThatNasaDoesNotHave_SaysWhichThereAre() => Assert.Contains(
+        "NASA has models of 4, 16, 64, 128, 256, 512, 1024 px/deg, name another one with --ldem",
+        Assert.Throws<BadInputException>(() => LdemCatalog.Find(32, null, [_folder.Path])).Message,
+        StringComparison.Ordinal);
 
     [Fact]
     public void Find_ExplicitModelOfAnotherResolution_SaysSo()

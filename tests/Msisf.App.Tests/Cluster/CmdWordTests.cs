@@ -23,5 +23,5 @@ public sealed class CmdWordTests
     [Theory]
     [InlineData("a\"b")]
     [InlineData("two\nlines")]
-    public void Of_WhatCmdCantPass_IsRefused(string text) => Assert.Throws<BadInputException>(() => CmdWord.Of(text));
+    public void Of_WhatCmdCantPass_IsRefused(string text) => Assert.Throws<UsageException>(() => CmdWord.Of(text));
 }

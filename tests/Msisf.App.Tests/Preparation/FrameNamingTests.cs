@@ -31,12 +31,12 @@ public sealed class FrameNamingTests
     [InlineData("step}")]
     [InlineData("a\nb")]
     public void Constructor_PatternThatIsNoFileName_IsRefused(string pattern) =>
-        Assert.Throws<BadInputException>(() => new FrameNaming(pattern));
+        Assert.Throws<UsageException>(() => new FrameNaming(pattern));
 
     [Fact]
     public void NamesOf_TwoStatesOfOneName_NamesBothSteps()
     {
-        BadInputException exception = Assert.Throws<BadInputException>(() => new FrameNaming("a{mjd:0}").NamesOf([Time, Time]));
+        UsageException exception = Assert.Throws<UsageException>(() => new FrameNaming("a{mjd:0}").NamesOf([Time, Time]));
 
         Assert.Contains("steps 1 and 2", exception.Message, StringComparison.Ordinal);
     }
@@ -47,5 +47,5 @@ public sealed class FrameNamingTests
 
     [Fact]
     public void NameOf_VeryLongName_IsRefused() =>
-        Assert.Throws<BadInputException>(() => new FrameNaming(new string('a', 200)));
+        Assert.Throws<UsageException>(() => new FrameNaming(new string('a', 200)));
 }

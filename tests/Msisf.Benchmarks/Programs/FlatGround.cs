@@ -27,7 +27,7 @@ internal static class FlatGround
         ];
         foreach (MoonRegion region in rest.Where(region => region.IsValid))
         {
-            Write(new SyntheticLdemProduct(label.PixelsPerDegree, region), folder);
+            Write(new SyntheticLdemProduct(label.PixelsPerDegree, region, SyntheticRest.None, SyntheticSampleFormat.Integers), folder);
         }
     }
 

@@ -20,8 +20,8 @@ public sealed class ConfigurationTests : IDisposable
     [InlineData("width: 0", 2, "--width is '0'")]
     [InlineData("res: 4.0", 2, "--res is '4.0'")]
     [InlineData("renderer: blender", 2, "--renderer is 'blender'")]
-    [InlineData("pov-options: [-J, fast]", 1, "--pov-options: 'fast' is no POV-Ray option")]
-    [InlineData("renderer: native\nlayers: [depth, foo]", 1, "--layers depth,foo: 'foo' is no layer")]
+    [InlineData("pov-options: [-J, fast]", 2, "--pov-options: 'fast' is no POV-Ray option")]
+    [InlineData("renderer: native\nlayers: [depth, foo]", 2, "--layers depth,foo: 'foo' is no layer")]
     [InlineData("output-name: a/b", 2, "--output-name 'a/b'")]
     [InlineData("output-dir: \" \"", 2, "--output-dir is empty")]
     [InlineData("renderer: native\nreflectance: hapke:w=0.3\nalbedo: x", 2, "missing.lbl")]
@@ -40,13 +40,13 @@ public sealed class ConfigurationTests : IDisposable
     }
 
     [Theory]
-    [InlineData("hight: 5", "line 1, column 1: 'hight' is no option. The nearest one is 'height'")]
-    [InlineData("--fov: 5", "line 1, column 1: '--fov' is no option. The nearest one is 'fov'")]
-    [InlineData("Fov: 5", "The nearest one is 'fov'")]
-    [InlineData("fov: 5\ngridh: 5", "line 2, column 1: 'gridh' is no option. The nearest one is 'grid'")]
+    [InlineData("hight: 5", "line 1, column 1: 'hight' is no option: did you mean height?")]
+    [InlineData("--fov: 5", "line 1, column 1: '--fov' is no option: did you mean fov?")]
+    [InlineData("Fov: 5", "did you mean fov?")]
+    [InlineData("frobnicate: 5", "'frobnicate' is no option. 'msis config show' lists all.")]
+    [InlineData("fov: 5\ngridh: 5", "line 2, column 1: 'gridh' is no option: did you mean gridH?")]
     [InlineData("batch: yes", "'batch' is 'yes'; true or false is needed")]
     [InlineData("batch: 1", "'batch' is '1'; true or false is needed")]
-    [InlineData("batch: True", "'batch' is 'True'; true or false is needed")]
     [InlineData("fov: [40]", "'fov' takes one value, not a list")]
     [InlineData("batch: [true]", "'batch' takes one value, not a list")]
     [InlineData("fixed-state: 5", "'fixed-state' can't stand in a configuration file: it says where the camera is, or when")]
@@ -73,7 +73,6 @@ public sealed class ConfigurationTests : IDisposable
     [Theory]
     [InlineData("missing.yaml", "there is no such file")]
     [InlineData(".", "is a folder")]
-    [InlineData("", "--config is empty")]
     [InlineData("/proc/self/mem", "the configuration file can't be read")] // for root too
     public void Run_NoSuchFile_IsRefused(string name, string message)
     {
@@ -84,10 +83,33 @@ public sealed class ConfigurationTests : IDisposable
     }
 
     [Fact]
+    public void Run_EmptyPathOfAFile_IsAWrongOption()
+    {
+        CommandLineRun run = Run($"{Fixed} --config", string.Empty);
+
+        Assert.Equal(1, run.ExitCode);
+        Assert.Contains("--config is empty", ErrorOf(run), StringComparison.Ordinal);
+    }
+
+    /// <summary>Words in capitals reach the missing model, as those in small letters do.</summary>
+    [Theory]
+    [InlineData(
+        "renderer: Native\nsamples: 9\nbatch: TRUE\nreflectance: Hapke:W=0.3\nalbedo: 0.5\nlayers: [Depth, MASK]", "--aberration LT+S")]
+    [InlineData("timeout: 5\nlod: OFF\nlod-error: 1", "--renderer NATIVE")]
+    public void Run_WordsInCapitals_MeanTheSame(string settings, string arguments)
+    {
+        _folder.Write("msisf/config.yaml", settings);
+        CommandLineRun run = Run($"{Fixed} --ldem missing.lbl {arguments}");
+
+        Assert.Contains("missing.lbl", ErrorOf(run), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Run_FileTwice_IsRefused() =>
         Assert.Contains(
             "--config",
-            ErrorOf(Run($"{Fixed} --config {_folder.Write("a.yaml", "")} --config", _folder["a.yaml"])),
+            ErrorOf(CommandLineRun.Of(
+                [.. Fixed.Split(' '), "--config", _folder.Write("a.yaml", ""), "--config", _folder["a.yaml"]], configHome: _folder.Path)),
             StringComparison.Ordinal);
 
     /// <summary>Each file has another wrong value, so that the error shows which one is used.</summary>

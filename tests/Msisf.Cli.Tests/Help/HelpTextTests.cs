@@ -50,6 +50,36 @@ public sealed class HelpTextTests
             option => Assert.DoesNotContain("default", option.Help, StringComparison.OrdinalIgnoreCase));
     }
 
+    [Theory]
+    [InlineData("help", "--help")]
+    [InlineData("-h", "--help")]
+    [InlineData("help ldem", "ldem --help")]
+    [InlineData("help ldem pyramid", "ldem pyramid --help")]
+    [InlineData("help help", "help --help")]
+    [InlineData("status -h", "status --help")]
+    [InlineData("patterns -h", "patterns --help")]
+    [InlineData("ldem pyramid -h", "ldem pyramid --help")]
+    public void Help_AskedForInOtherWords_IsTheSame(string words, string other)
+    {
+        CommandLineRun run = CommandLineRun.Of(words.Split(' '));
+
+        Assert.Equal(0, run.ExitCode);
+        Assert.Equal(CommandLineRun.Of(other.Split(' ')).Output, run.Output);
+    }
+
+    [Fact]
+    public void Help_OfAMisspeltCommand_NamesTheNearest()
+    {
+        CommandLineRun run = CommandLineRun.Of(["help", "pyramd"]);
+
+        Assert.Equal(1, run.ExitCode);
+        Assert.Equal("msis: error: 'pyramd' is no command: did you mean pyramid? msis help lists them.\n", run.Error);
+    }
+
+    [Fact]
+    public void Help_HeightWithANumber_StaysTheHeight() =>
+        Assert.Contains("nothing says where the camera is", CommandLineRun.Of(["-h", "5"]).Error, StringComparison.Ordinal);
+
     [Fact]
     public void ManualPage_NamesEachOptionOfEachCommand()
     {

@@ -56,7 +56,7 @@ public sealed class BatchConvertTests : IDisposable
 
         Assert.True(run.ExitCode == 0, run.Error);
         using StreamReader reader = new(_folder["o.sh.states.tab"]);
-        Assert.Equal(StatesOf(mode.Split(' ')), BatchFileReader.Read(reader, "states"));
+        Assert.Equal(StatesOf(mode.Split(' ')), BatchFileReader.Read(reader, "states", new SphereScene()));
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -101,9 +101,9 @@ public sealed class BatchConvertTests : IDisposable
     [InlineData("", 1, "--format")]
     [InlineData($"--format sh {Fixed}", 1, "nothing says how the run is cut")]
     [InlineData($"--format sh --pieces 2 --frames-per-piece 3 {Fixed}", 1, "--pieces and --frames-per-piece exclude each other")]
-    [InlineData($"--format sh --pieces 0 {Fixed}", 2, "--pieces is '0'")]
-    [InlineData($"--format sh --frames-per-piece x {Fixed}", 2, "--frames-per-piece is 'x'")]
-    [InlineData($"--format pbs --pieces 2 {Fixed}", 2, "--format is 'pbs'; one of sh, bat, parallel, slurm is needed")]
+    [InlineData($"--format sh --pieces 0 {Fixed}", 1, "--pieces is '0'")]
+    [InlineData($"--format sh --frames-per-piece x {Fixed}", 1, "--frames-per-piece is 'x'")]
+    [InlineData($"--format pbs --pieces 2 {Fixed}", 1, "--format is 'pbs'; one of sh, bat, parallel, slurm is needed")]
     [InlineData("--format sh --pieces 2", 1, "nothing says where the camera is")]
     [InlineData("--format sh --pieces 2 --batch-file -", 1, "standard input can't be read again by each piece")]
     [InlineData("--format sh --pieces 2 --batch-file missing.tab", 2, "missing.tab: there is no such file")]
@@ -111,30 +111,30 @@ public sealed class BatchConvertTests : IDisposable
     [InlineData($"--format sh --pieces 2 {Fixed} --frame-times t.tsv", 1, "--frame-times names one file")]
     [InlineData(
         "--format sh --pieces 2 --fixed-state {55289,2E6,2E6,0,0,0,0,1} --list-patterns", 1, "--list-patterns prints and makes no frame")]
-    [InlineData($"--format sh --pieces 2 {Fixed} --frames 1:2", 2, "--frames 1:2: step 2 is wanted, but the run has 1 only")]
+    [InlineData($"--format sh --pieces 2 {Fixed} --frames 1:2", 1, "--frames 1:2: step 2 is wanted, but the run has 1 only")]
     [InlineData($"--format slurm --pieces 2 {Fixed} --frames 1", 1, "--frames makes a part of the run, and this script looks at all of it")]
-    [InlineData($"--format sh --pieces 2 {Fixed} --width 0", 2, "--width is '0'")]
-    [InlineData($"--format sh --pieces 2 {Orbit} --output-name same", 2, "would both be written to same")]
+    [InlineData($"--format sh --pieces 2 {Fixed} --width 0", 1, "--width is '0'")]
+    [InlineData($"--format sh --pieces 2 {Orbit} --output-name same", 1, "would both be written to same")]
     [InlineData($"--format sh --pieces 2 {Fixed} --partition long", 1, "--partition is for --format slurm only")]
-    [InlineData($"--format slurm --pieces 2 {Fixed} --memory much", 2, "--memory is 'much'; a size is needed")]
-    [InlineData($"--format slurm --pieces 2 {Fixed} --time-limit long", 2, "--time-limit is 'long'; a time is needed")]
-    [InlineData($"--format slurm --pieces 2 {Fixed} --concurrency 0", 2, "--concurrency is '0'")]
-    [InlineData($"--format slurm --pieces 2 {Fixed} --retries -1", 2, "--retries is '-1'")]
-    [InlineData($"--format slurm --pieces 2 {Fixed} --video 0", 2, "--video is 0")]
+    [InlineData($"--format slurm --pieces 2 {Fixed} --memory much", 1, "--memory is 'much'; a size is needed")]
+    [InlineData($"--format slurm --pieces 2 {Fixed} --time-limit long", 1, "--time-limit is 'long'; a time is needed")]
+    [InlineData($"--format slurm --pieces 2 {Fixed} --concurrency 0", 1, "--concurrency is '0'")]
+    [InlineData($"--format slurm --pieces 2 {Fixed} --retries -1", 1, "--retries is '-1'")]
+    [InlineData($"--format slurm --pieces 2 {Fixed} --video 0", 1, "--video is 0")]
     [InlineData($"--format slurm --pieces 2 {Fixed} --sbatch-options array=1-5", 1, "--sbatch-options: array is set by msis itself")]
-    [InlineData($"--format slurm --pieces 2 {Fixed} --sbatch-options QOS=1", 2, "--sbatch-options: 'QOS=1' is none")]
-    [InlineData($"--format slurm --pieces 2 {Fixed} --partition a;b", 2, "--partition is 'a;b'; a name without blanks is needed")]
+    [InlineData($"--format slurm --pieces 2 {Fixed} --sbatch-options QOS=1", 1, "--sbatch-options: 'QOS=1' is none")]
+    [InlineData($"--format slurm --pieces 2 {Fixed} --partition a;b", 1, "--partition is 'a;b'; a name without blanks is needed")]
     public void Convert_WrongInput_EndsWithCodeAndOneLine(string words, int exitCode, string message) => Refused(words, exitCode, message);
 
     [RequiresTheory(Part.Ldem4)]
-    [InlineData($"--format slurm --frames-per-piece 1 {Orbit} --renderer native", 2, "2001 pieces; a Slurm array has 1000 at most")]
+    [InlineData($"--format slurm --frames-per-piece 1 {Orbit} --renderer native", 1, "2001 pieces; a Slurm array has 1000 at most")]
     [InlineData($"--format slurm --pieces 1 --memory 1M {Fixed}", 2, "of memory, 1 MiB are there")]
     [InlineData(
         $"--format sh --pieces 1 {Orbit} --renderer native --width 2048 --height 2048 --surface terrain --grid 1",
         2,
         "2001 frames will take about")]
     [InlineData("--format sh --pieces 2 --fixed-state {55289,1.7E6,0,0,0,0,0,1}", 2, "the camera is inside the Moon")]
-    [InlineData($"--format bat --pieces 1 {Fixed} --output-name a\"b", 2, "has a quotation mark")]
+    [InlineData($"--format bat --pieces 1 {Fixed} --output-name a\"b", 1, "has a quotation mark")]
     public void Convert_WrongInputThatTheModelShows_EndsWithCodeAndOneLine(string words, int exitCode, string message) =>
         Refused(words, exitCode, message);
 
@@ -158,6 +158,7 @@ public sealed class BatchConvertTests : IDisposable
         ProgramHost host = ConsoleHost.Create(TextWriter.Null, TextWriter.Null, () => TextReader.Null, TimeProvider.System, _ => null);
         return new StateReader(
             () => throw new InvalidOperationException("no ephemeris is needed"),
+            new SphereScene(),
             host).Read(CameraSettingsReader.Read(values), CancellationToken.None);
     }
 }

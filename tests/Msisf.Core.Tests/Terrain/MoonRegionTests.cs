@@ -11,6 +11,21 @@ public sealed class MoonRegionTests
         Assert.Equal(new MoonRegion(-45, 0, 270, 360), MoonRegion.Parse("-45:0:270:360"));
 
     [Theory]
+    [InlineData("0:45:350:10", 350, 370)]
+    [InlineData("0:45:-10:10", 350, 370)]
+    [InlineData("0:45:-20:-10", 340, 350)]
+    [InlineData("0:45:270:0", 270, 360)]
+    [InlineData("0:45:-180:180", 0, 360)]
+    [InlineData("0:45:10:5", 10, 365)]
+    public void Parse_BordersOverThePrimeMeridian_GoOnPast360(string text, int west, int east)
+    {
+        MoonRegion region = MoonRegion.Parse(text);
+
+        Assert.Equal((west, east), (region.WestDegrees, region.EastDegrees));
+        Assert.Equal(east > 360, region.CrossesPrimeMeridian);
+    }
+
+    [Theory]
     [InlineData("")]
     [InlineData("0:45:0")]
     [InlineData("0:45:0:90:1")]
@@ -18,7 +33,7 @@ public sealed class MoonRegionTests
     [InlineData("0:45:90:90")]
     [InlineData("-91:0:0:90")]
     [InlineData("0:91:0:90")]
-    [InlineData("0:45:-10:10")]
+    [InlineData("0:45:-181:10")]
     [InlineData("0:45:350:370")]
     [InlineData("0.5:45:0:90")]
     [InlineData("0:45:0:NaN")]

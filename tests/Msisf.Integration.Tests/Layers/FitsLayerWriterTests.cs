@@ -41,6 +41,17 @@ public sealed class FitsLayerWriterTests : IDisposable
     [RequiresFact(Part.CFitsio, Part.Astropy)]
     public void Write_AllLayers_AstropyReadsThemToTheBit() => AssertReadToTheBit("astropy");
 
+    /// <summary>K, R and t of the header, and the points of POSITION, in numpy.</summary>
+    [RequiresFact(Part.CFitsio, Part.Astropy)]
+    public void Write_Camera_ProjectsThePositionsOntoTheirPixels()
+    {
+        Dictionary<string, string> said = LayerFrame.Read(
+            "projection", _folder.Write("frame.fits", LayerFrame.Fits("position")), _folder.Path);
+
+        Assert.InRange(Number(said["pixels"]), 1000.0, LayerFrame.Width * LayerFrame.Height);
+        Assert.InRange(Number(said["error"]), 0.0, 1e-8); // px
+    }
+
     [RequiresFact(Part.CFitsio, Part.Astropy, Part.Gdal)]
     public void Write_AllLayers_GdalReadsThemToTheBit() => AssertReadToTheBit("gdal");
 
@@ -59,6 +70,7 @@ public sealed class FitsLayerWriterTests : IDisposable
         Assert.Equal(LayerFrame.Metadata.Camera.MoonFromCamera.W, Number(said["CAMQ0"]));
         Assert.Equal(LayerFrame.Metadata.Camera.PositionMoonMe.Y, Number(said["CAMPOSY"]));
         Assert.Equal(LayerFrame.Metadata.FlightAltitude, Number(said["CAMALT"]));
+        Assert.Equal(LayerFrame.Metadata.HeightOverTerrain, Number(said["CAMTERR"]));
         Assert.Equal(-1.04e11, Number(said["SUNPOSY"]));
         Assert.Equal(40.0, Number(said["CAMFOV"]));
         Assert.Equal(("LDEM_16", "64", "2", "16"), (said["ELEVMODL"], said["ELEVRES"], said["LOD"], said["MESHRES"]));

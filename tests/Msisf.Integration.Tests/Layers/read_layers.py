@@ -2,6 +2,7 @@
 
     read_layers.py astropy|gdal FILE.fits FOLDER       one FOLDER/EXTNAME.bin for each extension
     read_layers.py numpy FILE.npy FOLDER               FOLDER/array.bin
+    read_layers.py projection FILE.fits FOLDER         nothing: projects POSITION by the header's camera
 
 Prints what the reader says of the header: one "NAME=value" a line.
 """
@@ -47,4 +48,19 @@ def read_numpy(path, folder):
     save(folder, "array", array)
 
 
-{"astropy": read_astropy, "gdal": read_gdal, "numpy": read_numpy}[sys.argv[1]](sys.argv[2], sys.argv[3])
+def project(path, folder):
+    from astropy.io import fits
+
+    head = fits.getheader(path)
+    points = fits.getdata(path, "POSITION").reshape(3, -1)
+    k, r = (numpy.array([[head[f"CAM{name}{i}_{j}"] for j in (1, 2, 3)] for i in (1, 2, 3)]) for name in "KR")
+    t = numpy.array([head[f"CAMT{i}"] for i in (1, 2, 3)])
+    seen = k @ (r @ points + t[:, None])
+    row, column = numpy.mgrid[0:head["CAMH"], 0:head["CAMW"]]
+    shown = ~numpy.isnan(points[0])
+    error = numpy.abs(seen[:2] / seen[2] - numpy.array([column.ravel(), row.ravel()]))[:, shown]
+    print(f"pixels={shown.sum()}")
+    print(f"error={error.max()}")
+
+
+{"astropy": read_astropy, "gdal": read_gdal, "numpy": read_numpy, "projection": project}[sys.argv[1]](sys.argv[2], sys.argv[3])

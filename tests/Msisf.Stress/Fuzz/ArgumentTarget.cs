@@ -27,7 +27,7 @@ internal sealed class ArgumentTarget(FuzzWorld world) : IFuzzTarget
         "--layers-format", "npy", "--batch", "-b", "--ephemeris", "--aberration", "lt+s", "--kernels", "--pov-path", "--pov-options",
         "--timeout", "--jobs", "-j", "--frames", "1:2,7",
         "--overwrite", "--fail-fast", "--list-patterns", "--timing", "--config", "--help", "-?", "--version", "--margin", "--format",
-        "--source", "mysql", "--defaults-file", "--base",
+        "--dry-run", "json", "--source", "mysql", "--defaults-file", "--base",
         "--region", "--seed", "--verify", "--print-frames", "patterns", "ldem", "synthesize", "pyramid", "status", "verify", "config",
         "show", "--", "-", "@a.rsp", "[suggest]", "[diagram]", "",
     ];

@@ -68,14 +68,18 @@ internal sealed class FuzzWorld : IDisposable
 
     private string Synthesize(int pixelsPerDegree, string name, MoonRegion region) =>
         SyntheticLdemWriter.Write(
-            new SyntheticLdemOptions(pixelsPerDegree, 1, Path.Combine(_folder.FullName, name)) { Region = region },
+            new SyntheticLdemOptions(pixelsPerDegree, 1, Path.Combine(_folder.FullName, name))
+            {
+                Region = region,
+                Rest = SyntheticRest.None,
+            },
             progress: null,
             CancellationToken.None);
 
     /// <summary>All samples are 0, and take no room on most file systems.</summary>
     private string WriteFlatModel()
     {
-        SyntheticLdemProduct product = new(FlatResolution, MoonRegion.WholeMoon);
+        SyntheticLdemProduct product = new(FlatResolution, MoonRegion.WholeMoon, SyntheticRest.Base, SyntheticSampleFormat.Integers);
         string folder = Directory.CreateDirectory(Path.Combine(_folder.FullName, "flat")).FullName;
         using (FileStream image = File.Create(Path.Combine(folder, product.ProductId + ".IMG")))
         {

@@ -30,13 +30,14 @@ internal sealed class ConfigFiles
     /// <summary>Reads both files.</summary>
     /// <param name="given">The user's <c>--config</c>, or null.</param>
     /// <returns>One value per key; the given file takes precedence over the user's.</returns>
+    /// <exception cref="UsageException">The given path is empty.</exception>
     /// <exception cref="BadInputException">The given file does not exist, or a file has an error.</exception>
     public IReadOnlyCollection<ConfigValue> Read(string? given)
     {
         Dictionary<string, ConfigValue> values = new(StringComparer.Ordinal);
         if (given is not null)
         {
-            Add(values, given.Trim().Length > 0 ? given : throw new BadInputException("--config is empty; a path is needed."), rank: 1);
+            Add(values, given.Trim().Length > 0 ? given : throw new UsageException("--config is empty; a path is needed."), rank: 1);
         }
 
         if (UserFile(_host) is { } path && IsThere(path))

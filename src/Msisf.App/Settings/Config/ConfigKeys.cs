@@ -50,8 +50,8 @@ internal static class ConfigKeys
         if (!Keys.TryGetValue(entry.Key, out OptionSpec? option))
         {
             throw new BadInputException(
-                $"{place}{NumberText.Shown(entry.Key)} is no option. The nearest one is '{NearestName.To(entry.Key, Keys.Keys)}'; "
-                    + $"'msis config show' lists all.");
+                $"{place}{NumberText.Shown(entry.Key)} is no option{Hint(entry.Key)} "
+                    + "'msis config show' lists all.");
         }
 
         if (entry.IsList)
@@ -61,10 +61,14 @@ internal static class ConfigKeys
                 : throw new BadInputException($"{place}'{entry.Key}' takes one value, not a list. Leave the brackets or the dashes out.");
         }
 
-        return option is not FlagSpec || entry.Values[0] is "true" or "false"
-            ? (option, entry.Values[0])
+        string value = option is FlagSpec ? entry.Values[0].ToLowerInvariant() : entry.Values[0];
+        return option is not FlagSpec || value is "true" or "false"
+            ? (option, value)
             : throw new BadInputException($"{place}'{entry.Key}' is {NumberText.Shown(entry.Values[0])}; true or false is needed.");
     }
+
+    private static string Hint(string key) =>
+        NearestName.Question(key.TrimStart('-'), Keys.Keys) is { Length: > 0 } question ? question : ".";
 
     private static string? ReasonAgainst(OptionSpec[] same) => same switch
     {

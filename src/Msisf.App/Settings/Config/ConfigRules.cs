@@ -47,8 +47,8 @@ internal sealed class ConfigRules
         }
 
         string law = rules.Effective(NativeOptions.Reflectance) ?? ReflectanceFactory.DefaultLaw;
-        if (law is "moon" or "nac"
-            || (law.StartsWith("hapke:", StringComparison.Ordinal) && law.Contains("w=", StringComparison.Ordinal)))
+        if (law.ToLowerInvariant() is "moon" or "nac"
+            || (law.StartsWith("hapke:", StringComparison.OrdinalIgnoreCase) && law.Contains("w=", StringComparison.OrdinalIgnoreCase)))
         {
             rules.LeaveOut(NativeOptions.Albedo);
         }
@@ -85,8 +85,8 @@ internal sealed class ConfigRules
     private string? Effective(OptionSpec option) => _line.Text(option) switch
     {
         "" => "true",
-        string text => text,
-        null => _values.GetValueOrDefault(option.Name)?.Text is { } text && text != "false" ? text : null,
+        string text => option.Canonical(text),
+        null => _values.GetValueOrDefault(option.Name)?.Text is { } text && text != "false" ? option.Canonical(text) : null,
     };
 
     private int RankOf(OptionSpec option) => _values.TryGetValue(option.Name, out ConfigValue? value) ? value.Rank : RankOfCommandLine;

@@ -8,6 +8,9 @@ internal sealed record ArgumentSpec(string Name, string Help)
     /// <summary>Whether the argument may be omitted.</summary>
     public bool IsOptional { get; init; }
 
+    /// <summary>Whether several words may be given, which are joined by blanks.</summary>
+    public bool TakesSeveralWords { get; init; }
+
     /// <summary>The allowed values; empty for a path.</summary>
     public IReadOnlyList<string> Words { get; init; } = [];
 }

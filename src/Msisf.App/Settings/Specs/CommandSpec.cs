@@ -5,14 +5,22 @@ namespace Msisf.App.Settings.Specs;
 /// <param name="Summary">Description of the command: one sentence.</param>
 internal sealed record CommandSpec(string Name, string Summary)
 {
+    private IReadOnlyList<OptionGroup>? _groups;
+
     /// <summary>Further sentences for the help of the command; null for none.</summary>
     public string? Details { get; init; }
 
+    /// <summary>Makes the positional argument, when it is first needed; null for none.</summary>
+    public Func<ArgumentSpec>? MakeArgument { get; init; }
+
     /// <summary>The positional argument; null for none.</summary>
-    public ArgumentSpec? Argument { get; init; }
+    public ArgumentSpec? Argument => MakeArgument?.Invoke();
+
+    /// <summary>Makes the options, in groups, when they are first needed: a call needs those of one command only.</summary>
+    public Func<IReadOnlyList<OptionGroup>> MakeGroups { get; init; } = () => [];
 
     /// <summary>The options, in groups.</summary>
-    public IReadOnlyList<OptionGroup> Groups { get; init; } = [];
+    public IReadOnlyList<OptionGroup> Groups => _groups ??= MakeGroups();
 
     /// <summary>Subcommands; if there are any, one must be given, except for the program itself.</summary>
     public IReadOnlyList<CommandSpec> Commands { get; init; } = [];

@@ -19,9 +19,9 @@ internal sealed record NumberListSpec(string Name, IReadOnlyList<string> Fields,
     public override bool TakesSeveralWords => true;
 
     /// <summary>Reads the numbers in their order, in the units of the command line; null if the option is not given.</summary>
-    /// <exception cref="BadInputException">The braces are unbalanced, the count is wrong, or a value is no number.</exception>
+    /// <exception cref="UsageException">The braces are unbalanced, the count is wrong, or a value is no number.</exception>
     public double[]? Read(OptionValues values) => values.Words(this) is { } words
-        ? this.Concerned(
+        ? this.Value(
             () => Fields is [string only] ? StateText.ParseList(Name, words, only) : StateText.ParseNumbers(Name, words, Fields))
         : null;
 }

@@ -26,11 +26,11 @@ internal sealed record NumberSpec(string Name, string ValueName, string Help) : 
     public override string? DefaultValue => Default is { } number ? TextOf(number) : null;
 
     /// <summary>Reads the number, or the default, which must exist.</summary>
-    /// <exception cref="BadInputException">The value is no finite number, or it is out of range.</exception>
+    /// <exception cref="UsageException">The value is no finite number, or it is out of range.</exception>
     public double Read(OptionValues values) => ReadIfGiven(values) ?? Default!.Value;
 
     /// <summary>Reads the number; null if the option is not given.</summary>
-    /// <exception cref="BadInputException">The value is no finite number, or it is out of range.</exception>
+    /// <exception cref="UsageException">The value is no finite number, or it is out of range.</exception>
     public double? ReadIfGiven(OptionValues values)
     {
         if (values.Text(this) is not string text)
@@ -40,12 +40,12 @@ internal sealed record NumberSpec(string Name, string ValueName, string Help) : 
 
         if (!NumberText.TryParse(text, out double number))
         {
-            throw new BadInputException($"{Name}: {NumberText.ProblemWith(text)}.").About(this);
+            throw new UsageException($"{Name}: {NumberText.ProblemWith(text)}.").About(this);
         }
 
         return Limits is not { } limits || limits.Contains(number)
             ? number
-            : throw new BadInputException($"{Name} is {text}; its range is {limits}.").About(this);
+            : throw new UsageException($"{Name} is {text}; its range is {limits}.").About(this);
     }
 
     /// <summary>The shortest text that reads back to the same number.</summary>

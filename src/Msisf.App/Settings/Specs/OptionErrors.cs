@@ -38,7 +38,22 @@ internal static class OptionErrors
         return true;
     });
 
+    /// <summary>Reads an option's value; a wrong one is a wrong option, whatever the code that reads it makes of it.</summary>
+    /// <exception cref="UsageException">The value is wrong.</exception>
+    public static T Value<T>(this OptionSpec option, Func<T> read)
+    {
+        try
+        {
+            return option.Concerned(read);
+        }
+        catch (BadInputException exception)
+        {
+            throw new UsageException(exception.Message, exception).About(option);
+        }
+    }
+
     /// <summary>Makes a value, and puts the option's name before the message of any exception.</summary>
+    /// <exception cref="UsageException">The value is wrong.</exception>
     public static T Named<T>(this OptionSpec option, Func<T> make)
     {
         try
@@ -47,7 +62,7 @@ internal static class OptionErrors
         }
         catch (BadInputException exception)
         {
-            throw new BadInputException($"{option.Name}: {exception.Message}", exception).About(option);
+            throw new UsageException($"{option.Name}: {exception.Message}", exception).About(option);
         }
     }
 }

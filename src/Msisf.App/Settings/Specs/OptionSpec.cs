@@ -42,6 +42,9 @@ internal abstract record OptionSpec(string Name, string Help)
     /// <summary>Whether the option applies to one call only and so is not allowed in a configuration file.</summary>
     public bool IsOfOneCall { get; init; }
 
+    /// <summary>A value as it is compared with others: a word of a choice in the case in which the help text has it.</summary>
+    public virtual string Canonical(string text) => text;
+
     /// <summary>Key in a configuration file: the long name without its dashes.</summary>
     public string Key => Name[2..];
 

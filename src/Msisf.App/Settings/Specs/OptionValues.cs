@@ -31,6 +31,17 @@ internal sealed class OptionValues
     /// <summary>Returns these options together with others that are not among them.</summary>
     public OptionValues With(IEnumerable<KeyValuePair<string, OptionValue>> more) => new([.. _values, .. more], Argument);
 
+    /// <summary>
+    /// The exit code of an exception: a wrong option is a wrong content of a file if all options that it is about were set in files.
+    /// </summary>
+    public int ExitCodeOf(MsisfException failure)
+    {
+        OptionValue[] affected = [.. failure.Options.Select(name => _values.GetValueOrDefault(name)).OfType<OptionValue>()];
+        return failure is UsageException && affected.Length > 0 && Array.TrueForAll(affected, value => value.Place is not null)
+            ? new BadInputException(failure.Message).ExitCode
+            : failure.ExitCode;
+    }
+
     /// <summary>The message of an exception, with the position in a configuration file of the first affected option.</summary>
     public string MessageOf(MsisfException failure)
     {

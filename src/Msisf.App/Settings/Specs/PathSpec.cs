@@ -23,16 +23,16 @@ internal sealed record PathSpec(string Name, PathKind Kind, string Help) : Optio
     public override string? DefaultValue => Default;
 
     /// <summary>Reads the path, or the default, which must exist.</summary>
-    /// <exception cref="BadInputException">The path is empty.</exception>
+    /// <exception cref="UsageException">The path is empty.</exception>
     public string Read(OptionValues values) => ReadIfGiven(values) ?? Default!;
 
     /// <summary>Reads the path; null if the option is not given.</summary>
-    /// <exception cref="BadInputException">The path is empty.</exception>
+    /// <exception cref="UsageException">The path is empty.</exception>
     public string? ReadIfGiven(OptionValues values)
     {
         string? text = values.Text(this);
         return text is null || text.Trim().Length > 0
             ? text
-            : throw new BadInputException($"{Name} is empty; a path is needed.").About(this);
+            : throw new UsageException($"{Name} is empty; a path is needed.").About(this);
     }
 }

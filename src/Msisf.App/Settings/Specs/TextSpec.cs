@@ -34,16 +34,16 @@ internal sealed record TextSpec(string Name, string ValueName, string Help) : Op
     public override string? DefaultValue => Default;
 
     /// <summary>Reads the text, or the default, which must exist.</summary>
-    /// <exception cref="BadInputException">The text does not match the required pattern.</exception>
+    /// <exception cref="UsageException">The text does not match the required pattern.</exception>
     public string Read(OptionValues values) => ReadIfGiven(values) ?? Default!;
 
     /// <summary>Reads the text; null if the option is not given.</summary>
-    /// <exception cref="BadInputException">The text does not match the required pattern.</exception>
+    /// <exception cref="UsageException">The text does not match the required pattern.</exception>
     public string? ReadIfGiven(OptionValues values)
     {
         string? text = values.Text(this);
         return text is null || Form is not { } form || form.Pattern.IsMatch(text)
             ? text
-            : throw new BadInputException($"{Name} is '{text}'; {form.Needed}.").About(this);
+            : throw new UsageException($"{Name} is '{text}'; {form.Needed}.").About(this);
     }
 }

@@ -24,11 +24,11 @@ internal sealed record WholeNumberSpec(string Name, string ValueName, int Min, i
     public override string? DefaultValue => Default?.ToString(CultureInfo.InvariantCulture);
 
     /// <summary>Reads the number, or the default, which must exist.</summary>
-    /// <exception cref="BadInputException">The value is no whole number, or it is out of range.</exception>
+    /// <exception cref="UsageException">The value is no whole number, or it is out of range.</exception>
     public int Read(OptionValues values) => ReadIfGiven(values) ?? Default!.Value;
 
     /// <summary>Reads the number; null if the option is not given.</summary>
-    /// <exception cref="BadInputException">The value is no whole number, or it is out of range.</exception>
+    /// <exception cref="UsageException">The value is no whole number, or it is out of range.</exception>
     public int? ReadIfGiven(OptionValues values)
     {
         if (values.Text(this) is not string text)
@@ -39,7 +39,7 @@ internal sealed record WholeNumberSpec(string Name, string ValueName, int Min, i
         return int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number) && number >= Min
             && number <= Max
             ? number
-            : throw new BadInputException(string.Create(
+            : throw new UsageException(string.Create(
                 CultureInfo.InvariantCulture, $"{Name} is '{text}'; a whole number from {Min} to {Max} is needed.")).About(this);
     }
 }

@@ -1,0 +1,22 @@
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.Core.Render;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>The elevation model of a run, opened at the first request: some cameras are placed over it before a frame needs it.</summary>
+/// <param name="settings">The run's settings.</param>
+/// <param name="host">Knows the folder of the installation, and receives log messages and times.</param>
+internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) : IDisposable
+{
+    private ElevationModel? _model;
+
+    /// <summary>Whether the model is open.</summary>
+    public bool IsOpen => _model is not null;
+
+    /// <summary>The model.</summary>
+    public ElevationModel Opened => _model ??= host.Times.Measure(Phase.Model, () => ElevationModel.Open(
+        settings.Ldem, settings.PixelsPerDegree, isSparing: settings.Renderer == RendererKind.PovRay, host));
+
+    public void Dispose() => _model?.Dispose();
+}

@@ -1,0 +1,117 @@
+using System.Globalization;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+using Msisf.Core.Terrain;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>
+/// Finds input that is allowed, but most likely meant in another unit. Each warning says what the number means and would mean.
+/// </summary>
+internal static class PlausibleMistakes
+{
+    private const double FullTurn = 2.0 * Math.PI;
+
+    /// <summary>degrees: the Narrow Angle Camera of LRO has 2.86, more than a hundred times as much.</summary>
+    private const double NarrowFieldOfView = 0.02;
+
+    /// <summary>degrees: radians typed with four digits are so near to a whole number of degrees.</summary>
+    private const double WholeDegrees = 0.003;
+
+    /// <summary>rad: a full turn, typed with four digits, is no mistake.</summary>
+    private const double RoundedTurn = 1e-3;
+
+    /// <summary>The warnings that the camera's settings deserve.</summary>
+    public static IEnumerable<string> In(CameraSettings camera) => camera switch
+    {
+        OrbitSettings orbit => [.. Elements(orbit.Elements), .. Rates(orbit), .. Interval(orbit.Times)],
+        PlaceSettings place => Interval(place.Times),
+        _ => [],
+    };
+
+    /// <summary>The warning that a field of view deserves.</summary>
+    /// <param name="degrees">The field of view as it was given.</param>
+    /// <param name="widestImage">m: greatest width on the ground of the images of the run.</param>
+    /// <param name="cell">m: width of a cell of the elevation model.</param>
+    public static IEnumerable<string> FieldOfView(double degrees, double widestImage, double cell)
+    {
+        string text = NumberSpec.TextOf(degrees);
+        double asRadians = double.RadiansToDegrees(degrees);
+        if (degrees < NarrowFieldOfView)
+        {
+            yield return string.Create(
+                CultureInfo.InvariantCulture,
+                $"--fov {text} is {degrees * 3600.0:G3} seconds of arc: the images are {Length(widestImage)} wide on the ground at the "
+                    + $"nearest. --fov is in degrees.");
+        }
+        else if (degrees < Math.PI && (IsRadiansOfWholeDegrees(text, asRadians) || widestImage < cell))
+        {
+            yield return string.Create(
+                CultureInfo.InvariantCulture,
+                $"--fov {text} is in degrees: the images are {Length(widestImage)} wide on the ground at the nearest, a cell of "
+                    + $"the elevation model is {Length(cell)}. {text} rad would be --fov {asRadians:G4}.");
+        }
+    }
+
+    /// <summary>The width on the ground of an image with its camera looking down on the sphere, m.</summary>
+    public static double WidthOnGround(Frame frame) => 2.0 * Math.Tan(frame.Camera.FieldOfView / 2.0)
+        * Math.Abs(frame.Camera.PositionMoonMe.Length - MoonConstants.ReferenceRadius);
+
+    /// <summary>What a position inside the Moon would mean in kilometres; empty if that is inside or far out too.</summary>
+    public static string InKilometres(Vector3D positionMoonMe)
+    {
+        double kilometres = positionMoonMe.Length;
+        return kilometres is > 1700.0 and < 100_000.0
+            ? string.Create(
+                CultureInfo.InvariantCulture,
+                $" Positions are in metres: {kilometres:G5} from the centre looks like kilometres; multiply by 1000.")
+            : " Positions are in metres from the Moon's centre.";
+    }
+
+    private static IEnumerable<string> Elements(KeplerElements elements)
+    {
+        (string Name, double Angle)[] angles =
+        [
+            ("omega", elements.ArgumentOfPeriapsis), ("Omega", elements.LongitudeOfAscendingNode), ("i", elements.Inclination),
+            ("M0", elements.MeanAnomalyAtEpoch),
+        ];
+        string[] large = [.. angles.Where(angle => Math.Abs(angle.Angle) > FullTurn + RoundedTurn).Select(angle => string.Create(
+            CultureInfo.InvariantCulture,
+            $"{angle.Name} {angle.Angle:R} rad (if it is degrees: {double.DegreesToRadians(angle.Angle):G7} rad)"))];
+        return large.Length == 0 ? [] : [$"--kepler-set: more than a full turn: {string.Join(", ", large)}. Angles are in radians."];
+    }
+
+    private static IEnumerable<string> Rates(OrbitSettings orbit)
+    {
+        if (orbit.Attitude?.AngularVelocityCamera is { } rate && rate.Length > FullTurn)
+        {
+            yield return string.Create(
+                CultureInfo.InvariantCulture,
+                $"--attitude-transition: {rate.Length:G4} rad/s is more than a full turn a second; if it is degrees a second, write "
+                    + $"{double.DegreesToRadians(rate.Length):G4} rad/s.");
+        }
+    }
+
+    private static IEnumerable<string> Interval(IEnumerable<ModifiedJulianDate> times)
+    {
+        if (times is TimeInterval interval && Math.Abs(interval.StepDays) > Math.Abs(interval.LengthDays) && interval.LengthDays != 0.0
+            && interval.Count > 0)
+        {
+            yield return string.Create(
+                CultureInfo.InvariantCulture,
+                $"--time-interval: the step of {interval.StepDays:R} days is longer than the interval of {interval.LengthDays:G6} days, "
+                    + $"so there is one image. If the step is seconds, write {interval.StepDays / 86400.0:G10}.");
+        }
+    }
+
+    private static string Length(double metres) => metres < 1000.0
+        ? string.Create(CultureInfo.InvariantCulture, $"{metres:G3} m")
+        : string.Create(CultureInfo.InvariantCulture, $"{metres / 1000.0:#,0.#} km");
+
+    /// <summary>Whether a number with some digits is the radians of a whole number of degrees, such as 0.7854.</summary>
+    private static bool IsRadiansOfWholeDegrees(string text, double asRadians) =>
+        text.Count(char.IsAsciiDigit) > 4 && Math.Abs(asRadians - Math.Round(asRadians)) < WholeDegrees;
+}

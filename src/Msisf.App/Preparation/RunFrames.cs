@@ -1,0 +1,37 @@
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>The states of a run and its frames. The elevation model is opened only if a camera is placed or pointed by it.</summary>
+/// <param name="States">The states of all frames of the run, in the order of the input.</param>
+/// <param name="Names">File names of all frames, without extension.</param>
+/// <param name="Frames">The frames to make.</param>
+internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, IReadOnlyList<Frame> Frames)
+{
+    /// <summary>Reads the states and sets up the frames.</summary>
+    /// <param name="camera">The positions of the camera.</param>
+    /// <param name="settings">The run's other settings.</param>
+    /// <param name="ephemeris">Opened if the states or the Sun need it.</param>
+    /// <param name="model">Opened if a camera is placed or pointed by the terrain.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <exception cref="MsisfException">The run can't be made.</exception>
+    public static RunFrames Read(
+        CameraSettings camera,
+        RenderSettings settings,
+        EphemerisSource ephemeris,
+        ModelOnDemand model,
+        ProgramHost host,
+        CancellationToken cancellation)
+    {
+        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, settings.Aberration);
+        IReadOnlyList<SpacecraftState> states = host.Times.Measure(
+            Phase.States, () => new StateReader(ephemeris.Engine, geometry, host).Read(camera, cancellation));
+        IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
+        Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
+        return new RunFrames(states, names, frames);
+    }
+}

@@ -1,0 +1,19 @@
+using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>Terrain and Sun of a run, each opened only where a camera is placed or pointed by it.</summary>
+/// <param name="model">Opens the elevation model, or returns the open one.</param>
+/// <param name="ephemeris">Opens the ephemeris, or returns the open one.</param>
+/// <param name="aberration">Which effects of light's finite speed the Sun's position includes, as for the run's light.</param>
+internal sealed class RunGeometry(Func<ElevationModel> model, Func<IEphemeris> ephemeris, Aberration aberration) : ISceneGeometry
+{
+    /// <inheritdoc/>
+    public double GroundRadius(Vector3D directionMoonMe) => model().GroundRadius(directionMoonMe);
+
+    /// <inheritdoc/>
+    public Vector3D SunPositionMoonMe(ModifiedJulianDate time) => ephemeris().SunPositionMoonMe(time, aberration);
+}

@@ -1,0 +1,61 @@
+using System.Globalization;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
+using Msisf.Core.Numerics;
+using Msisf.Core.Preview;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+
+namespace Msisf.App.Preview;
+
+/// <summary>Tells what the images of a run will show, and draws nothing: no file is written, and no folder made.</summary>
+internal static class DryRun
+{
+    /// <summary>Reads the run and looks through each camera; notes what is striking about the whole run.</summary>
+    /// <param name="camera">The positions of the camera.</param>
+    /// <param name="settings">The run's other settings.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work between two frames.</param>
+    /// <returns>A row for each frame that would be made.</returns>
+    /// <exception cref="MsisfException">The run can't be made.</exception>
+    public static IReadOnlyList<PreviewRow> Of(
+        CameraSettings camera, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
+    {
+        using EphemerisSource ephemeris = new(settings, host);
+        using ModelOnDemand onDemand = new(settings, host);
+        RunFrames run = RunFrames.Read(camera, settings, ephemeris, onDemand, host, cancellation);
+        ElevationModel? model = IfThere(onDemand, settings, host);
+        GroundCheck.Refuse(run.Frames, model, cancellation);
+        RunNotes notes = new(settings.PixelsPerDegree);
+        PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
+        {
+            cancellation.ThrowIfCancellationRequested();
+            FramePreview view = FramePreview.Of(frame.Camera, frame.Light, model?.Grid);
+            notes.Add(frame, view);
+            return new PreviewRow(
+                frame.Step, frame.Time, Height(frame.Camera.PositionMoonMe, model), view, view.PixelsPerCell(settings.PixelsPerDegree));
+        }).ToArray());
+        notes.Write(camera, host.Log);
+        return rows;
+    }
+
+    private static ElevationModel? IfThere(ModelOnDemand model, RenderSettings settings, ProgramHost host)
+    {
+        if (model.IsOpen || settings.Ldem is not null || ElevationModel.IsThere(settings.PixelsPerDegree, host))
+        {
+            return model.Opened;
+        }
+
+        host.Log.Note(string.Create(
+            CultureInfo.InvariantCulture,
+            $"No elevation model of {settings.PixelsPerDegree} px/deg is there: heights are over the sphere of "
+                + $"{MoonConstants.ReferenceRadius:F0} m. Drawing needs the model."));
+        return null;
+    }
+
+    private static double Height(Vector3D position, ElevationModel? model) =>
+        position.Length - (model is null ? MoonConstants.ReferenceRadius : TerrainHeight.RadiusBelow(model.Grid, position));
+}

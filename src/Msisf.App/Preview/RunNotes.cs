@@ -1,0 +1,141 @@
+using System.Globalization;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.Core.Preview;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Preview;
+
+/// <summary>
+/// What is striking about the frames of a run and often a mistake: the Moon not in the image, no lit ground, cells that are too wide, an
+/// epoch that is too far away. Each is said once.
+/// </summary>
+internal sealed class RunNotes
+{
+    /// <summary>px: wider cells show as facets in the image.</summary>
+    private const double WidestCell = 10.0;
+
+    /// <summary>
+    /// Days: the Moon's uneven gravity turns a low orbit by about a degree a day, so that after this time the two-body orbit says nothing
+    /// of the real one.
+    /// </summary>
+    private const double FarEpoch = 30.0;
+
+    private const double DaysPerYear = 365.25;
+
+    /// <summary>Maximum length of a list of steps; the steps of a frame here and there need more room than a line has.</summary>
+    private const int LongestList = 60;
+
+    private readonly int _pixelsPerDegree;
+    private readonly List<int> _withoutMoon = [];
+    private readonly List<int> _unlit = [];
+    private int _count;
+    private double _widestCell;
+    private int _widestStep;
+    private ModifiedJulianDate _first;
+    private ModifiedJulianDate _last;
+
+    /// <param name="pixelsPerDegree">Resolution of the elevation model.</param>
+    public RunNotes(int pixelsPerDegree) => _pixelsPerDegree = pixelsPerDegree;
+
+    /// <summary>Looks at frames, and writes the notes.</summary>
+    /// <param name="camera">Has the epoch of an orbit.</param>
+    /// <param name="frames">The frames that this call makes.</param>
+    /// <param name="terrain">The elevation model.</param>
+    /// <param name="log">Receives the notes.</param>
+    /// <param name="cancellation">Cancels the work between two frames.</param>
+    public static void Write(
+        CameraSettings camera, IReadOnlyList<Frame> frames, IElevationGrid terrain, ILog log, CancellationToken cancellation)
+    {
+        RunNotes notes = new(terrain.PixelsPerDegree);
+        foreach (Frame frame in frames)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            notes.Add(frame, FramePreview.Of(frame.Camera, frame.Light, terrain));
+        }
+
+        notes.Write(camera, log);
+    }
+
+    /// <summary>Takes one frame.</summary>
+    public void Add(Frame frame, FramePreview view)
+    {
+        _first = _count == 0 || frame.Time.Days < _first.Days ? frame.Time : _first;
+        _last = _count == 0 || frame.Time.Days > _last.Days ? frame.Time : _last;
+        _count++;
+        if (view.Share.Lit is null)
+        {
+            _withoutMoon.Add(frame.Step);
+        }
+        else if (view.Share.Lit == 0.0)
+        {
+            _unlit.Add(frame.Step);
+        }
+
+        if (view.PixelsPerCell(_pixelsPerDegree) is { } cell && cell > _widestCell)
+        {
+            (_widestCell, _widestStep) = (cell, frame.Step);
+        }
+    }
+
+    /// <summary>Writes the notes.</summary>
+    /// <param name="camera">Has the epoch of an orbit.</param>
+    /// <param name="log">Receives the notes.</param>
+    public void Write(CameraSettings camera, ILog log)
+    {
+        if (_withoutMoon.Count > 0)
+        {
+            log.Note(_count == 1
+                ? "The image does not show the Moon."
+                : $"{Frames(_withoutMoon, "does", "do")} not show the Moon{Steps(_withoutMoon)}.");
+        }
+
+        if (_unlit.Count > 0)
+        {
+            log.Note(_count == 1
+                ? "The image shows no lit ground."
+                : $"{Frames(_unlit, "shows", "show")} no lit ground{Steps(_unlit)}.");
+        }
+
+        if (_widestCell > WidestCell)
+        {
+            string step = _count == 1 ? string.Empty : string.Create(CultureInfo.InvariantCulture, $" at step {_widestStep}");
+            log.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"Cells of the model are {_widestCell:F0} px wide in the image{step}: a finer model (--res) would show more."));
+        }
+
+        if (camera is OrbitSettings orbit && EpochAway(orbit.Epoch) is { } away)
+        {
+            log.Note($"The epoch is {away}: a real orbit has long left the two-body one by then.");
+        }
+    }
+
+    private string? EpochAway(ModifiedJulianDate epoch) =>
+        _first.Days - epoch.Days > FarEpoch ? $"{Duration(_first.Days - epoch.Days)} before the first frame"
+        : epoch.Days - _last.Days > FarEpoch ? $"{Duration(epoch.Days - _last.Days)} after the last frame"
+        : null;
+
+    private static string Duration(double days) => days < 2.0 * DaysPerYear
+        ? string.Create(CultureInfo.InvariantCulture, $"{days:F0} days")
+        : string.Create(CultureInfo.InvariantCulture, $"{days / DaysPerYear:F0} years");
+
+    private string Frames(List<int> steps, string verbOfOne, string verbOfMany) => string.Create(
+        CultureInfo.InvariantCulture, $"{steps.Count} of {_count} frames {(steps.Count == 1 ? verbOfOne : verbOfMany)}");
+
+    /// <summary>The steps as <c>--frames</c> takes them; empty if they are all.</summary>
+    private string Steps(List<int> steps)
+    {
+        if (steps.Count == _count)
+        {
+            return string.Empty;
+        }
+
+        string text = StepRanges.Of(steps).ToString();
+        int end = text.Length <= LongestList ? text.Length : text.LastIndexOf(',', LongestList);
+        return $" ({(steps.Count == 1 ? "step" : "steps")} {text[..end]}{(end < text.Length ? ", ..." : string.Empty)})";
+    }
+}

@@ -1,0 +1,64 @@
+using Msisf.Adapters.Input;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Attitude;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of a camera that is given by place and target, without quaternions.</summary>
+internal static class PointingOptions
+{
+    /// <summary>Place of the camera.</summary>
+    public static TextSpec Position { get; } = new(
+        "--position", "LAT,LON,HEIGHT",
+        "Camera by latitude, longitude (degrees, east) and height: m over the sphere of 1737400 m, or terrain+m over the terrain");
+
+    /// <summary>Target of the camera.</summary>
+    public static TextSpec LookAt { get; } = new(
+        "--look-at", "LAT,LON[,HEIGHT]|nadir|sun|horizon:AZIMUTH",
+        "With --position: what the camera looks at; a place without a height lies on the terrain; azimuths are degrees "
+            + "clockwise from north")
+    {
+        Words = ["nadir", "sun", "horizon:"],
+        Default = "nadir",
+    };
+
+    /// <summary>Angle from the nadir.</summary>
+    public static TextSpec OffNadir { get; } = new(
+        "--off-nadir", "ANGLE[,AZIMUTH]",
+        "With --position, in place of --look-at: the line of sight's angle from the nadir (degrees), towards an azimuth (clockwise from "
+            + "north; 0 if left out)");
+
+    /// <summary>Direction that is up in the image.</summary>
+    public static ChoiceSpec<UpDirection> Up { get; } = new(
+        "--up", [("zenith", UpDirection.Zenith), ("north", UpDirection.North), ("sun", UpDirection.Sun)],
+        "With --position: what points up in the image; looking straight at or away from it, north does")
+    {
+        Default = UpDirection.Zenith,
+    };
+
+    /// <summary>Roll about the line of sight.</summary>
+    public static NumberSpec Roll { get; } = new(
+        "--roll", "DEGREES", "With --position: turn the camera about its line of sight, clockwise as seen from behind it")
+    {
+        Default = 0.0,
+    };
+
+    /// <summary>The options that only a camera given by its place has.</summary>
+    public static OptionSpec[] OfPosition { get; } = [LookAt, OffNadir, Up, Roll];
+
+    /// <summary>Reads how the camera points.</summary>
+    /// <exception cref="MsisfException">A value is wrong, or two options contradict each other.</exception>
+    public static CameraPointing ReadPointing(OptionValues values)
+    {
+        if (values.IsGiven(LookAt) && values.IsGiven(OffNadir))
+        {
+            throw new UsageException("--look-at and --off-nadir exclude each other: both say where the camera looks. Leave one out.");
+        }
+
+        CameraPointing direction = OffNadir.ReadIfGiven(values) is { } angle
+            ? OffNadir.Named(() => PointingText.ParseOffNadir(angle))
+            : LookAt.Named(() => PointingText.ParseTarget(LookAt.Read(values)));
+        return direction with { Up = Up.Read(values), Roll = double.DegreesToRadians(Roll.Read(values)) };
+    }
+}

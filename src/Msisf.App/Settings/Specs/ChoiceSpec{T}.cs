@@ -1,0 +1,39 @@
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings.Specs;
+
+/// <summary>An option whose value is one of a few words, each of which stands for a value of one type.</summary>
+/// <typeparam name="T">Type of the values.</typeparam>
+internal sealed record ChoiceSpec<T> : ChoiceSpec
+    where T : struct
+{
+    /// <summary>Declares the option.</summary>
+    /// <param name="name">Long name with its dashes.</param>
+    /// <param name="choices">Each word with its value.</param>
+    /// <param name="help">See <see cref="OptionSpec"/>.</param>
+    public ChoiceSpec(string name, IReadOnlyList<Choice> choices, string help)
+        : base(name, choices, help)
+    {
+    }
+
+    /// <summary>Declares the option by pairs; code for pairs is compiled at each start of the program, so choices are better.</summary>
+    /// <inheritdoc cref="ChoiceSpec{T}(string, IReadOnlyList{Choice}, string)"/>
+    public ChoiceSpec(string name, IReadOnlyList<(string Word, T Value)> choices, string help)
+        : base(name, [.. choices.Select(choice => new Choice(choice.Word, choice.Value))], help)
+    {
+    }
+
+    /// <summary>The word for a value.</summary>
+    public string WordOf(T value) => ChoiceOf((object)value).Word;
+
+    /// <summary>The command-line words that set the option to a value.</summary>
+    public string[] Words(T value) => [Name, WordOf(value)];
+
+    /// <summary>Reads the value of the given word, or the default, which must exist unless the option is required.</summary>
+    /// <exception cref="UsageException">The word is none of the choices.</exception>
+    public T Read(OptionValues values) => (T)(GivenChoice(values)?.Value ?? Default!);
+
+    /// <summary>Reads the value of the given word; null if the option is not given.</summary>
+    /// <exception cref="UsageException">The word is none of the choices.</exception>
+    public T? ReadIfGiven(OptionValues values) => (T?)GivenChoice(values)?.Value;
+}

@@ -1,0 +1,31 @@
+using Msisf.App.Preview;
+
+namespace Msisf.Cli.Output;
+
+/// <summary>A column of numbers that <c>--dry-run</c> prints.</summary>
+/// <param name="Name">Name in CSV and JSON, with the unit.</param>
+/// <param name="Heading">First line of the heading of the table.</param>
+/// <param name="Unit">Second line of the heading of the table.</param>
+/// <param name="Decimals">Decimals in the table.</param>
+/// <param name="ValueOf">The number of a row; null if it is undefined.</param>
+internal sealed record PreviewColumn(string Name, string Heading, string Unit, int Decimals, Func<PreviewRow, double?> ValueOf)
+{
+    /// <summary>The columns after step and time.</summary>
+    public static IReadOnlyList<PreviewColumn> All { get; } =
+    [
+        new("camera_latitude_deg", "latitude", "deg", 4, row => Degrees(row.View.SubSpacecraft.Latitude)),
+        new("camera_longitude_deg", "longitude", "deg", 4, row => Degrees(row.View.SubSpacecraft.Longitude)),
+        new("height_over_terrain_m", "height", "m", 1, row => row.HeightOverGround),
+        new("boresight_latitude_deg", "looks at", "lat deg", 4, row => Degrees(row.View.Boresight?.Point.Latitude)),
+        new("boresight_longitude_deg", "looks at", "lon deg", 4, row => Degrees(row.View.Boresight?.Point.Longitude)),
+        new("off_nadir_deg", "off nadir", "deg", 2, row => Degrees(row.View.OffNadir)),
+        new("sun_elevation_deg", "Sun elev.", "deg", 2, row => Degrees(row.View.Boresight?.Sun?.Elevation)),
+        new("sun_azimuth_deg", "azimuth", "deg", 2, row => Degrees(row.View.Boresight?.Sun?.Azimuth)),
+        new("metres_per_pixel", "pixel", "m", 3, row => row.View.Boresight?.MetresPerPixel),
+        new("pixels_per_cell", "cell", "px", 2, row => row.PixelsPerCell),
+        new("moon_fraction", "Moon", "of image", 3, row => row.View.Share.Moon),
+        new("lit_fraction", "lit", "of Moon", 3, row => row.View.Share.Lit),
+    ];
+
+    private static double? Degrees(double? angle) => angle / Math.PI * 180.0;
+}

@@ -1,0 +1,100 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Json;
+using Msisf.App.Preview;
+using Msisf.App.Settings;
+
+namespace Msisf.Cli.Output;
+
+/// <summary>Prints what the images of a run would show, a line for each.</summary>
+internal static class PreviewPrinter
+{
+    private const string Step = "step";
+    private const string Time = "utc";
+
+    /// <summary>What the table has where a number is undefined.</summary>
+    private const string Undefined = "-";
+
+    /// <summary>Prints rows.</summary>
+    /// <param name="rows">The rows, in the order of the frames.</param>
+    /// <param name="format">Their form.</param>
+    /// <param name="results">Receives them.</param>
+    public static void Print(IReadOnlyList<PreviewRow> rows, PreviewFormat format, TextWriter results)
+    {
+        foreach (string line in format switch
+        {
+            PreviewFormat.Csv => Csv(rows),
+            PreviewFormat.Json => Json(rows),
+            _ => Table(rows),
+        })
+        {
+            results.WriteLine(line);
+        }
+    }
+
+    private static IEnumerable<string> Csv(IReadOnlyList<PreviewRow> rows) => rows
+        .Select(row => Joined(Text(row.Step, "F0"), row.Time.ToIsoUtc(), column => Text(column.ValueOf(row), "R")))
+        .Prepend(Joined(Step, Time, column => column.Name));
+
+    private static string Joined(string step, string time, Func<PreviewColumn, string> textOf) =>
+        string.Join(',', (string[])[step, time, .. PreviewColumn.All.Select(textOf)]);
+
+    /// <summary>An array with an object a line.</summary>
+    private static IEnumerable<string> Json(IReadOnlyList<PreviewRow> rows)
+    {
+        yield return "[";
+        for (int index = 0; index < rows.Count; index++)
+        {
+            yield return $"{JsonObject(rows[index])}{(index + 1 < rows.Count ? "," : string.Empty)}";
+        }
+
+        yield return "]";
+    }
+
+    private static string JsonObject(PreviewRow row)
+    {
+        using MemoryStream stream = new();
+        using (Utf8JsonWriter json = new(stream))
+        {
+            json.WriteStartObject();
+            json.WriteNumber(Step, row.Step);
+            json.WriteString(Time, row.Time.ToIsoUtc());
+            foreach (PreviewColumn column in PreviewColumn.All)
+            {
+                if (column.ValueOf(row) is { } number)
+                {
+                    json.WriteNumber(column.Name, number);
+                }
+                else
+                {
+                    json.WriteNull(column.Name);
+                }
+            }
+
+            json.WriteEndObject();
+        }
+
+        return Encoding.UTF8.GetString(stream.ToArray());
+    }
+
+    private static IEnumerable<string> Table(IReadOnlyList<PreviewRow> rows)
+    {
+        string[][] cells =
+        [
+            [Step, "time", .. PreviewColumn.All.Select(column => column.Heading)],
+            [string.Empty, "UTC", .. PreviewColumn.All.Select(column => column.Unit)],
+            .. rows.Select(row => (string[])
+            [
+                Text(row.Step, "F0"), row.Time.ToIsoUtc(), .. PreviewColumn.All.Select(column => TableCell(column, row)),
+            ]),
+        ];
+        int[] widths = [.. Enumerable.Range(0, cells[0].Length).Select(column => cells.Max(line => line[column].Length))];
+        return cells.Select(line => string.Join("  ", line.Zip(widths, (cell, width) => cell.PadLeft(width))));
+    }
+
+    private static string TableCell(PreviewColumn column, PreviewRow row) =>
+        column.ValueOf(row) is { } number ? Text(number, string.Create(CultureInfo.InvariantCulture, $"F{column.Decimals}")) : Undefined;
+
+    /// <summary>A number; empty if it is undefined.</summary>
+    private static string Text(double? number, string format) => number?.ToString(format, CultureInfo.InvariantCulture) ?? string.Empty;
+}

@@ -1,0 +1,54 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Attitude;
+
+/// <summary>How a camera points, said without a quaternion: what it looks at, what is up, and a roll. The default is the nadir.</summary>
+public sealed record CameraPointing
+{
+    /// <summary>What the camera looks at.</summary>
+    public BoresightKind Kind { get; init; }
+
+    /// <summary>The place that it looks at (<see cref="BoresightKind.Place"/>).</summary>
+    public SurfacePlace Target { get; init; }
+
+    /// <summary>rad: angle from the nadir (<see cref="BoresightKind.OffNadir"/>).</summary>
+    public double OffNadir { get; init; }
+
+    /// <summary>rad: clockwise from north (<see cref="BoresightKind.OffNadir"/>, <see cref="BoresightKind.Horizon"/>).</summary>
+    public double Azimuth { get; init; }
+
+    /// <summary>What points up in the image. Where the line of sight is parallel to it, north does.</summary>
+    public UpDirection Up { get; init; }
+
+    /// <summary>rad: turns the camera about its line of sight, clockwise as seen from behind it.</summary>
+    public double Roll { get; init; }
+
+    /// <summary>The attitude of a camera that points so.</summary>
+    /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
+    /// <param name="time">UTC.</param>
+    /// <param name="scene">Terrain and Sun.</param>
+    /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
+    /// <exception cref="Errors.BadInputException">The camera is in the Moon's centre, or at the place that it looks at.</exception>
+    public UnitQuaternion MoonFromCamera(Vector3D positionMoonMe, ModifiedJulianDate time, ISceneGeometry scene)
+    {
+        // Refuses the Moon's centre, where no direction below has a meaning.
+        UnitQuaternion nadir = NadirPointing.MoonFromCamera(positionMoonMe);
+        Vector3D forward = Kind switch
+        {
+            BoresightKind.Place => Boresight.Towards(positionMoonMe, Target.ToPositionMoonMe(scene.GroundRadius)),
+            BoresightKind.Sun => Boresight.Towards(positionMoonMe, scene.SunPositionMoonMe(time)),
+            BoresightKind.Horizon => Boresight.Horizon(positionMoonMe, Azimuth),
+            BoresightKind.OffNadir => Boresight.OffNadir(positionMoonMe, OffNadir, Azimuth),
+            _ => nadir * -Vector3D.UnitX,
+        };
+        Vector3D up = Up switch
+        {
+            UpDirection.North => Vector3D.UnitZ,
+            UpDirection.Sun => scene.SunPositionMoonMe(time) - positionMoonMe,
+            _ => positionMoonMe,
+        };
+        return Boresight.MoonFromCamera(positionMoonMe, forward, up, Roll);
+    }
+}

@@ -1,0 +1,62 @@
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Attitude;
+
+/// <summary>The attitude of a spacecraft on its orbit, given in one of several frames. As thread-safe as its ephemeris.</summary>
+public sealed class FramedAttitude
+{
+    private readonly AttitudeTransition _attitude;
+    private readonly AttitudeFrame _frame;
+    private readonly ModifiedJulianDate _epoch;
+    private readonly IEphemeris? _ephemeris;
+    private readonly RotationMatrix _j2000FromFrame;
+
+    /// <summary>Takes the attitude.</summary>
+    /// <param name="attitude">Turns camera axes into those of <paramref name="frame"/>, from the epoch on.</param>
+    /// <param name="frame">The frame of the attitude.</param>
+    /// <param name="epoch">Epoch of the attitude, UTC.</param>
+    /// <param name="ephemeris">How the Moon turns; only the frames at rest need it.</param>
+    /// <exception cref="ArgumentNullException">The frame is at rest, and there is no ephemeris.</exception>
+    /// <exception cref="Errors.SpiceException">
+    /// The epoch is outside the kernels' cover (<see cref="AttitudeFrame.MoonMeEpoch"/>).
+    /// </exception>
+    public FramedAttitude(AttitudeTransition attitude, AttitudeFrame frame, ModifiedJulianDate epoch, IEphemeris? ephemeris)
+    {
+        if (frame is AttitudeFrame.MoonMeEpoch or AttitudeFrame.J2000)
+        {
+            ArgumentNullException.ThrowIfNull(ephemeris);
+        }
+
+        (_attitude, _frame, _epoch, _ephemeris) = (attitude, frame, epoch, ephemeris);
+        _j2000FromFrame = frame == AttitudeFrame.MoonMeEpoch ? ephemeris!.MoonMeFromJ2000(epoch).Transposed : RotationMatrix.Identity;
+    }
+
+    /// <summary>The attitude at a time.</summary>
+    /// <param name="time">UTC.</param>
+    /// <param name="positionMoonMe">Spacecraft, m, MOON_ME; not the centre.</param>
+    /// <param name="orbitNormalMoonMe">
+    /// Direction of the orbit's angular momentum at a time, MOON_ME, any length; asked for <see cref="AttitudeFrame.Lvlh"/> only.
+    /// </param>
+    /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
+    /// <exception cref="Errors.SpiceException">The time is outside the kernels' cover (frames at rest).</exception>
+    public UnitQuaternion MoonFromCamera(
+        ModifiedJulianDate time, Vector3D positionMoonMe, Func<ModifiedJulianDate, Vector3D> orbitNormalMoonMe)
+    {
+        UnitQuaternion frameFromCamera = _attitude.At(time.SecondsSince(_epoch));
+        return _frame switch
+        {
+            AttitudeFrame.MoonMe => frameFromCamera,
+            AttitudeFrame.Lvlh => UnitQuaternion.FromMatrix(MoonFromLvlh(positionMoonMe, orbitNormalMoonMe(time))) * frameFromCamera,
+            _ => UnitQuaternion.FromMatrix(_ephemeris!.MoonMeFromJ2000(time) * _j2000FromFrame) * frameFromCamera,
+        };
+    }
+
+    private static RotationMatrix MoonFromLvlh(Vector3D position, Vector3D orbitNormal)
+    {
+        Vector3D down = -position.Normalized();
+        Vector3D forward = Vector3D.Cross(orbitNormal, position).Normalized();
+        return new RotationMatrix(forward, Vector3D.Cross(down, forward), down).Transposed;
+    }
+}

@@ -1,0 +1,18 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Attitude;
+
+/// <summary>What must be known of Moon and Sun to place and point a camera; each is computed only where it is asked for.</summary>
+public interface ISceneGeometry
+{
+    /// <summary>Distance from the Moon's centre to the terrain.</summary>
+    /// <param name="directionMoonMe">MOON_ME, any length but 0.</param>
+    /// <returns>m.</returns>
+    double GroundRadius(Vector3D directionMoonMe);
+
+    /// <summary>Position of the Sun.</summary>
+    /// <param name="time">UTC.</param>
+    /// <returns>m, MOON_ME.</returns>
+    Vector3D SunPositionMoonMe(ModifiedJulianDate time);
+}

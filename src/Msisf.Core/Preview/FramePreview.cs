@@ -1,0 +1,61 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
+using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
+
+namespace Msisf.Core.Preview;
+
+/// <summary>
+/// What an image will show, told from its camera and light without drawing it. The ground is a sphere: the one of LOLA, or for a camera
+/// near the ground the one through the ground below it. Slopes and the shadows of mountains are left out.
+/// </summary>
+/// <param name="SubSpacecraft">The point below the camera.</param>
+/// <param name="OffNadir">Angle between the viewing direction and the nadir, rad, [0, pi].</param>
+/// <param name="Boresight">The ground in the middle of the image; null if the viewing direction misses the sphere.</param>
+/// <param name="Share">How much of the image shows the sphere, and how much of that is lit.</param>
+public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNadir, BoresightView? Boresight, SphereShare Share)
+{
+    /// <summary>The view of one frame.</summary>
+    /// <param name="camera">The camera, which is not below the ground.</param>
+    /// <param name="light">The Sun, or the lamp at the camera.</param>
+    /// <param name="terrain">The model for the ground below a low camera; null to take LOLA's sphere always.</param>
+    public static FramePreview Of(PinholeCamera camera, SceneLight light, IElevationGrid? terrain)
+    {
+        Vector3D position = camera.PositionMoonMe;
+        double radius = RadiusBelow(position, terrain);
+        return new FramePreview(
+            SelenographicPoint.Below(position),
+            Vector3D.AngleBetween(camera.ForwardMoonMe, -position.Normalized()),
+            InTheMiddle(camera, light, radius),
+            SphereCoverage.Of(camera, light, radius));
+    }
+
+    /// <summary>How many pixels a cell of a model is wide in the middle of the image; null if that shows no ground.</summary>
+    /// <param name="pixelsPerDegree">Resolution of the model; the cell is taken from north to south, or at the equator.</param>
+    public double? PixelsPerCell(int pixelsPerDegree) =>
+        MoonConstants.ReferenceRadius * Math.PI / 180.0 / pixelsPerDegree / Boresight?.MetresPerPixel;
+
+    private static BoresightView? InTheMiddle(PinholeCamera camera, SceneLight light, double radius)
+    {
+        if (!new ReferenceSphere(radius).TryFirstHit(new Ray(camera.PositionMoonMe, camera.ForwardMoonMe), out Vector3D point))
+        {
+            return null;
+        }
+
+        double metresPerPixel = (point - camera.PositionMoonMe).Length * camera.PixelTangent;
+        return double.IsFinite(metresPerPixel) // a camera may be as far away as numbers reach
+            ? new BoresightView(
+                SelenographicPoint.Below(point), light.IsSun ? SkyDirection.Of(point, light.PositionMoonMe) : null, metresPerPixel)
+            : null;
+    }
+
+    /// <summary>
+    /// m: radius of the sphere. A camera lower than the mountains may be below LOLA's sphere, and much nearer to the ground than to it.
+    /// </summary>
+    private static double RadiusBelow(Vector3D position, IElevationGrid? terrain) =>
+        terrain is not null && position.Length - MoonConstants.ReferenceRadius < MoonConstants.MaxRelief
+            ? TerrainHeight.RadiusBelow(terrain, position)
+            : MoonConstants.ReferenceRadius;
+}

@@ -1,0 +1,32 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Preview;
+
+/// <summary>Where something stands in the sky of a point of the Moon.</summary>
+/// <param name="Elevation">rad over the horizontal plane of the sphere through the point, [-pi/2, pi/2].</param>
+/// <param name="Azimuth">
+/// rad, clockwise from north, [0, 2 pi); null where it is undefined: at a pole, or for something in the zenith or nadir.
+/// </param>
+public readonly record struct SkyDirection(double Elevation, double? Azimuth)
+{
+    /// <summary>The direction from a point to something else.</summary>
+    /// <param name="pointMoonMe">The point, m; not the Moon's centre.</param>
+    /// <param name="targetMoonMe">What is seen from there, m; not the point itself.</param>
+    public static SkyDirection Of(Vector3D pointMoonMe, Vector3D targetMoonMe)
+    {
+        Vector3D up = pointMoonMe.Normalized();
+        Vector3D toTarget = (targetMoonMe - pointMoonMe).Normalized();
+        Vector3D across = Vector3D.Cross(up, toTarget);
+        double elevation = Math.Atan2(Vector3D.Dot(up, toTarget), across.Length);
+        double fromAxis = double.Hypot(up.X, up.Y);
+        if (fromAxis < Tolerances.AzimuthSine || across.Length < Tolerances.AzimuthSine)
+        {
+            return new SkyDirection(elevation, Azimuth: null);
+        }
+
+        Vector3D east = new(-up.Y / fromAxis, up.X / fromAxis, 0.0);
+        Vector3D north = Vector3D.Cross(up, east);
+        return new SkyDirection(
+            elevation, AngleReduction.ToFullTurn(Math.Atan2(Vector3D.Dot(toTarget, east), Vector3D.Dot(toTarget, north))));
+    }
+}

@@ -1,0 +1,169 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
+
+namespace Msisf.Core.Preview;
+
+/// <summary>
+/// Measures how much of an image shows a sphere, and how much of that is lit. The image is cut into rows between the highest and the lowest
+/// point of the sphere in it. In each row the sphere is seen on one interval, whose ends are exact; the light is sampled on a grid over
+/// these intervals, at their ends too, so that a sphere of less than a pixel and a thin crescent are found.
+/// </summary>
+/// <remarks>
+/// Image plane coordinates are tangents: a ray is forward + a right + b up. Rows and samples lie closer at both ends (sines of equal
+/// steps), where the limb turns fastest.
+/// </remarks>
+internal sealed class SphereCoverage
+{
+    private const int Rows = 32;
+    private const int Steps = 32;
+
+    private static readonly double[] RowEdges = Sines(Rows, 0.0);
+    private static readonly double[] RowMiddles = Sines(Rows, 0.5);
+    private static readonly double[] StepEdges = Sines(Steps, 0.0);
+
+    private readonly SphereOutline _outline;
+    private readonly double _radius;
+    private readonly double _distance;
+
+    /// <summary>Direction of the sphere's centre: components forward, right and up.</summary>
+    private readonly Vector3D _toCentre;
+
+    /// <summary>Direction of the light from the sphere's centre; components as above.</summary>
+    private readonly Vector3D _toLight;
+
+    /// <summary>Distance over the centre, in radii towards the light, at which the light stands on the horizon.</summary>
+    private readonly double _horizon;
+
+    private SphereCoverage(PinholeCamera camera, Vector3D lightMoonMe, double radius)
+    {
+        _radius = radius;
+        _distance = camera.PositionMoonMe.Length;
+        _toCentre = ForwardRightUp(camera, -camera.PositionMoonMe / _distance);
+        double lightDistance = lightMoonMe.Length;
+        _toLight = ForwardRightUp(camera, lightMoonMe / lightDistance);
+        _horizon = radius / lightDistance;
+        _outline = new SphereOutline(
+            _toCentre, radius, _distance, 0.5 * camera.Width * camera.PixelTangent, 0.5 * camera.Height * camera.PixelTangent);
+    }
+
+    /// <summary>Measures a sphere around the Moon's centre.</summary>
+    /// <param name="camera">The camera; inside the sphere it sees nothing of it.</param>
+    /// <param name="light">The Sun; a lamp at the camera lights all that is seen.</param>
+    /// <param name="radius">Radius, m.</param>
+    public static SphereShare Of(PinholeCamera camera, SceneLight light, double radius)
+    {
+        if (!(camera.PositionMoonMe.Length >= radius))
+        {
+            return new SphereShare(0.0, Lit: null);
+        }
+
+        SphereCoverage coverage = new(camera, light.PositionMoonMe, radius);
+        if (coverage._outline.TryFindRows(out double bottom, out double top))
+        {
+            double moon = coverage.Moon(bottom, top);
+            double? uniform = light.IsSun ? UniformLight(camera.PositionMoonMe, light.PositionMoonMe, radius) : 1.0;
+            return new SphereShare(Math.Min(1.0, moon), uniform ?? coverage.Lit(bottom, top));
+        }
+
+        return new SphereShare(0.0, Lit: null);
+    }
+
+    /// <summary>
+    /// 1 or 0 if it is day or night on all that can be seen from a position, in whatever direction; null if both are there. Most frames
+    /// from a low orbit are told by this.
+    /// </summary>
+    private static double? UniformLight(Vector3D positionMoonMe, Vector3D lightMoonMe, double radius)
+    {
+        double toHorizon = AngleToHorizon(positionMoonMe.Length, radius);
+        double toTerminator = AngleToHorizon(lightMoonMe.Length, radius);
+        double between = Vector3D.AngleBetween(positionMoonMe.Normalized(), lightMoonMe.Normalized());
+        return between + toHorizon <= toTerminator ? 1.0 : between - toHorizon >= toTerminator ? 0.0 : null;
+    }
+
+    /// <summary>Angle at the centre from the point below something to where it stands on the horizon, rad.</summary>
+    private static double AngleToHorizon(double distance, double radius) =>
+        Math.Atan2(Math.Sqrt(Math.Max(0.0, distance - radius) * (distance + radius)), radius);
+
+    /// <summary>Part of the image that shows the sphere.</summary>
+    private double Moon(double bottom, double top)
+    {
+        double area = 0.0;
+        for (int row = 0; row < Rows; row++)
+        {
+            (double from, double to) = _outline.Interval(SphereOutline.At(bottom, top, RowMiddles[row]));
+            area += 0.5 * (top - bottom) * (RowEdges[row + 1] - RowEdges[row]) * (to - from);
+        }
+
+        return area / _outline.ImageArea;
+    }
+
+    /// <summary>Part of what is seen of the sphere that is lit.</summary>
+    private double Lit(double bottom, double top)
+    {
+        Span<double> below = stackalloc double[Steps + 1];
+        Span<double> above = stackalloc double[Steps + 1];
+        double seen = 0.0;
+        double lit = 0.0;
+        double widthBelow = Sample(bottom, below);
+        for (int row = 0; row < Rows; row++)
+        {
+            double widthAbove = Sample(SphereOutline.At(bottom, top, RowEdges[row + 1]), above);
+            double strip = (RowEdges[row + 1] - RowEdges[row]) * (widthBelow + widthAbove);
+            for (int step = 0; step < Steps; step++)
+            {
+                double cell = strip * (StepEdges[step + 1] - StepEdges[step]);
+                seen += cell;
+                lit += 0.5 * cell * (PositivePart.OfTriangle(below[step], below[step + 1], above[step])
+                    + PositivePart.OfTriangle(above[step + 1], below[step + 1], above[step]));
+            }
+
+            widthBelow = widthAbove;
+            above.CopyTo(below);
+        }
+
+        return Math.Min(1.0, lit / seen);
+    }
+
+    /// <summary>Samples the light along a row.</summary>
+    /// <returns>The length of the row's interval.</returns>
+    private double Sample(double b, Span<double> light)
+    {
+        (double from, double to) = _outline.Interval(b);
+        for (int step = 0; step <= Steps; step++)
+        {
+            light[step] = LightOver(SphereOutline.At(from, to, StepEdges[step]), b);
+        }
+
+        return to - from;
+    }
+
+    /// <summary>
+    /// How far the point of the sphere that a ray shows lies on the lit side, in radii: positive by day, negative at night.
+    /// </summary>
+    private double LightOver(double a, double b)
+    {
+        double length = Math.Sqrt(1.0 + (a * a) + (b * b));
+        Vector3D ray = new(1.0 / length, a / length, b / length);
+
+        // Sines, whose rounding by 1e-16 does not matter here: Vector3D.Cross and Length would take most of the time.
+        double x = (ray.Y * _toCentre.Z) - (ray.Z * _toCentre.Y);
+        double y = (ray.Z * _toCentre.X) - (ray.X * _toCentre.Z);
+        double z = (ray.X * _toCentre.Y) - (ray.Y * _toCentre.X);
+        double sine = _distance * Math.Sqrt((x * x) + (y * y) + (z * z));
+        double halfChord = Math.Sqrt(Math.Max(0.0, (_radius - sine) * (_radius + sine)));
+        double range = (_distance * Vector3D.Dot(ray, _toCentre)) - halfChord;
+        return (((range * Vector3D.Dot(ray, _toLight)) - (_distance * Vector3D.Dot(_toCentre, _toLight))) / _radius) - _horizon;
+    }
+
+    /// <summary>Camera axes look along -x, with y to the right and z up.</summary>
+    private static Vector3D ForwardRightUp(PinholeCamera camera, Vector3D directionMoonMe)
+    {
+        Vector3D inCamera = camera.MoonFromCamera.Conjugate * directionMoonMe;
+        return inCamera with { X = -inCamera.X };
+    }
+
+    /// <summary>The sines of equal steps from -90 to 90 degrees, moved on by a part of a step.</summary>
+    private static double[] Sines(int count, double offset) =>
+        [.. Enumerable.Range(0, count + 1).Select(i => Math.Sin(((i + offset) / count * Math.PI) - (0.5 * Math.PI)))];
+}

@@ -1,0 +1,115 @@
+using Msisf.Adapters.Input;
+using Msisf.Core.Attitude;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Input;
+
+/// <summary>Batch files whose first line names their columns.</summary>
+public class BatchColumnsTests
+{
+    private const string File = "input/run7.csv";
+    private const string Quaternion = "0.1,0.2,0.3,0.9273618495495703";
+
+    [Fact]
+    public void Read_EightColumns_IsTheStateOfTheThesis()
+    {
+        SpacecraftState expected = SpacecraftState.FromNumbers([60328.5, 2e6, 1.0, -3.0, 0.1, 0.2, 0.3, 0.9273618495495703]);
+
+        Assert.Equal([expected], Read($"time,x,y,z,qx,qy,qz,qw\n2024-01-19T12:00:00Z,2E6,1,-3,{Quaternion}"));
+        Assert.Equal([expected], Read($"MJD,rx,ry,rz,qx,qy,qz,q0\n60328.5,2E6,1,-3,{Quaternion}"));
+        Assert.Equal([expected], Read(
+            $"# flight\r\n\r\n Time , X,Y,Z,QX,QY,QZ,QW # names\r\n 60328.5 ,2E6, 1,-3,{Quaternion} # 1\r\n#end"));
+        Assert.Equal([expected], Read($"z,y,x,time,qw,qx,qy,qz\n-3,1,2E6,60328.5,0.9273618495495703,0.1,0.2,0.3"));
+    }
+
+    [Fact]
+    public void Read_PlaceAndTarget_AreThoseOfPointing()
+    {
+        SpacecraftState state = Assert.Single(Read(
+            "time,lat,lon,height,look_lat,look_lon,roll,up\n60328.5,10,20,terrain+50000,11,21,30,north"));
+
+        Vector3D position = new SurfacePlace(10.0, 20.0, 50_000.0, isOverTerrain: true).ToPositionMoonMe(new SphereScene().GroundRadius);
+        CameraPointing pointing = new()
+        {
+            Kind = BoresightKind.Place,
+            Target = new SurfacePlace(11.0, 21.0, 0.0, isOverTerrain: true),
+            Roll = Math.PI / 6.0,
+            Up = UpDirection.North,
+        };
+        Assert.Equal(position, state.PositionMoonMe);
+        Assert.Equal(MoonConstants.ReferenceRadius + SphereScene.TerrainHeight + 50_000.0, state.PositionMoonMe.Length, 1e-8);
+        Assert.Equal(pointing.MoonFromCamera(position, state.Time, new SphereScene()), state.MoonFromCamera);
+    }
+
+    [Fact]
+    public void Read_EachWayToPoint_LooksThere()
+    {
+        // From 0 N 0 E: nadir is -x, east y, north z.
+        AssertLooks(new Vector3D(-1.0, 0.0, 0.0), "time,lat,lon,height\n60328.5,0,0,1E5");
+        AssertLooks(new Vector3D(-1.0, 0.0, 0.0), "time,x,y,z\n60328.5,2E6,0,0");
+        AssertLooks(new Vector3D(0.0, 0.0, 1.0), "time,x,y,z,off_nadir\n60328.5,2E6,0,0,90");
+        AssertLooks(new Vector3D(0.0, 1.0, 0.0), "time,x,y,z,off_nadir,azimuth\n60328.5,2E6,0,0,90,90");
+        AssertLooks(new Vector3D(-1.0, 0.0, 0.0), "time,x,y,z,look_lat,look_lon,look_height\n60328.5,2E6,0,0,0,0,-100");
+    }
+
+    [Theory]
+    [InlineData(
+        "time,lat,lon,hight\n",
+        "input/run7.csv, line 1: column 4: 'hight' is no column. The nearest one is 'height'; there are time, ")]
+    [InlineData("#\n,time,lat\n", "input/run7.csv, line 2: column 1 has no name.")]
+    [InlineData("time,lat,LAT\n", "input/run7.csv, line 1: column 3: 'LAT' stands twice.")]
+    [InlineData("time;lat;lon\n", "input/run7.csv, line 1: columns and values are apart by commas, not by semicolons.")]
+    [InlineData("lat,lon,height\n", "input/run7.csv, line 1: column time is missing")]
+    [InlineData("time,lat,lon\n", "input/run7.csv, line 1: column height is missing: lat, lon, height go together.")]
+    [InlineData("time,roll\n", "input/run7.csv, line 1: a position is either lat, lon, height ")]
+    [InlineData("time,x,y,z,lat,lon,height\n", "input/run7.csv, line 1: a position is either lat, lon, height ")]
+    [InlineData("time,x,y,z,qx,qy,qz\n", "input/run7.csv, line 1: column qw is missing: qx, qy, qz, qw go together.")]
+    [InlineData("time,x,y,z,look_lat\n", "input/run7.csv, line 1: column look_lon is missing")]
+    [InlineData("time,x,y,z,look_height\n", "input/run7.csv, line 1: column look_height needs look_lat.")]
+    [InlineData("time,x,y,z,azimuth\n", "input/run7.csv, line 1: column azimuth needs off_nadir.")]
+    [InlineData("time,x,y,z,look_lat,look_lon,off_nadir\n", "input/run7.csv, line 1: look_lat and off_nadir both say")]
+    [InlineData(
+        "time,x,y,z,qx,qy,qz,qw,roll\n",
+        "input/run7.csv, line 1: qx, qy, qz, qw already say how the camera points. Remove them, or roll")]
+    [InlineData("time,x,y,z\n1,2,3\n", "input/run7.csv, line 2: 3 values, 4 columns.")]
+    [InlineData("time,x,y,z\n1,2,3,4\n1,2,3,4,5\n", "input/run7.csv, line 3: 5 values, 4 columns.")]
+    [InlineData("time,x,y,z\n1,2,,4\n", "input/run7.csv, line 2, column y: a number is missing.")]
+    [InlineData(
+        "time,x,y,z\n2460329,2,3,4\n",
+        "input/run7.csv, line 2, column time: '2460329' looks like a Julian Date; its MJD is 60328.5")]
+    [InlineData("time,x,y,z\n1e9,2,3,4\n", "input/run7.csv, line 2, column time: The MJD 1000000000 is not a date")]
+    [InlineData("time,lat,lon,height\n1,2,3,terain\n", "input/run7.csv, line 2, column height: 'terain' is no height; write ")]
+    [InlineData("time,lat,lon,height\n1,120,30,5\n", "input/run7.csv, line 2: The latitude (degrees) is 120; ")]
+    [InlineData("time,x,y,z,up\n1,2,3,4,left\n", "input/run7.csv, line 2, column up: 'left' is not up; zenith, north or sun is needed.")]
+    [InlineData("time,x,y,z,off_nadir\n1,2,3,4,200\n", "input/run7.csv, line 2: The angle from the nadir (degrees) is 200")]
+    [InlineData("time,x,y,z,qx,qy,qz,qw\n1,2E6,3,4,0,0,0,0.9\n", "input/run7.csv, line 2: The quaternion {0,0,0,0.9} has length 0.9")]
+    [InlineData("time,x,y,z\n1,0,0,0\n", "input/run7.csv, line 2: The spacecraft is in the Moon's centre")]
+    public void Read_Wrong_NamesLineAndColumn(string text, string message) =>
+        Assert.StartsWith(message, Assert.Throws<BadInputException>(() => Read(text)).Message, StringComparison.Ordinal);
+
+    [Fact]
+    public void Read_CommasWithoutHeader_SaysThatOneIsNeeded() => Assert.EndsWith(
+        "Values apart by commas need a header line, e.g. time,lat,lon,height.",
+        Assert.Throws<BadInputException>(() => Read("55289,2E6,2E6,0,0,0,0,1")).Message,
+        StringComparison.Ordinal);
+
+    [Fact]
+    public void Read_OnlyHeader_NoState() => Assert.Empty(Read("time,x,y,z\n"));
+
+    private static IReadOnlyList<SpacecraftState> Read(string text)
+    {
+        using StringReader reader = new(text);
+        return BatchFileReader.Read(reader, File, new SphereScene());
+    }
+
+    private static void AssertLooks(Vector3D expected, string text)
+    {
+        Vector3D forward = Assert.Single(Read(text)).MoonFromCamera * -Vector3D.UnitX;
+        Assert.InRange((forward - expected).Length, 0.0, 1e-15);
+    }
+}

@@ -1,0 +1,20 @@
+using Msisf.Core.Attitude;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+using Msisf.Core.Time;
+
+namespace Msisf.TestSupport;
+
+/// <summary>A smooth Moon some way over the reference sphere, and a Sun at a fixed place.</summary>
+internal sealed class SphereScene : ISceneGeometry
+{
+    /// <summary>m over the reference radius.</summary>
+    public const double TerrainHeight = 1234.5;
+
+    /// <summary>m, MOON_ME.</summary>
+    public static Vector3D Sun { get; } = new(1.2e11, -0.8e11, 0.3e11);
+
+    public double GroundRadius(Vector3D directionMoonMe) => MoonConstants.ReferenceRadius + TerrainHeight;
+
+    public Vector3D SunPositionMoonMe(ModifiedJulianDate time) => Sun;
+}
