@@ -31,12 +31,12 @@ public sealed class PointSpreadKernelTests
         Assert.Equal(4, energies.Length);
     }
 
-    /// <summary>Of pixels 12 times finer, so that what they do to a circle is small beside what is asked.</summary>
+    /// <summary>Of pixels 20 times finer, so that what they do to a circle is small beside what is asked.</summary>
     [Theory]
     [MemberData(nameof(Spreads))]
     public void PixelIntegrals_FinePixels_EncircleTheFormulasEnergy(string name, double[] pixels, double[] energies)
     {
-        const double Side = 1.0 / 12.0;
+        const double Side = 1.0 / 20.0;
         double[] fine = PixelIntegrals.Of(Spread(name), Cutoff, Side);
         int size = (int)Math.Sqrt(fine.Length);
         double[] radii = [1.0, 2.0, 3.0, 5.0];
