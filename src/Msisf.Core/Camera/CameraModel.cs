@@ -175,6 +175,20 @@ public sealed class CameraModel
         return ((FocalX * x) + (Skew * y), FocalY * y);
     }
 
+    /// <summary>Area of a pixel in the ideal image plane.</summary>
+    /// <param name="at">Its place there, as tangents.</param>
+    internal double PixelArea((double Right, double Down) at)
+    {
+        double area = 1.0 / (FocalX * FocalY);
+        if (Lens is not null)
+        {
+            _ = Lens.TryToMeasured(LanePoints.All(at.Right, at.Down), out _, out LaneSlopes slopes);
+            area /= slopes.Determinant[0];
+        }
+
+        return area;
+    }
+
     /// <summary>Tangent of the angle that a pixel covers, where it is smallest in the ideal image plane.</summary>
     internal double MinPixelTangent()
     {

@@ -180,6 +180,15 @@ public sealed class PinholeCamera
         return isInFront;
     }
 
+    /// <summary>Side of the square with the area of a pixel's beam across its ray, where the ray's parameter is 1.</summary>
+    /// <param name="lineOfSightMoonMe">The pixel's ray, as <see cref="RayThrough"/> has it.</param>
+    internal double PixelSide(Vector3D lineOfSightMoonMe)
+    {
+        Vector3D inCamera = MoonFromCamera.Conjugate * lineOfSightMoonMe;
+        double area = Model.PixelArea((inCamera.Y / -inCamera.X, inCamera.Z / inCamera.X));
+        return _imagePlaneDistance * Math.Sqrt(area * _imagePlaneDistance / lineOfSightMoonMe.Length);
+    }
+
     /// <summary>How a direction in the image plane of a pinhole appears in the image.</summary>
     /// <param name="lineOfSightMoonMe">The line of sight through the point, forward.</param>
     /// <param name="right">Component to the right.</param>

@@ -1,3 +1,4 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
@@ -20,9 +21,15 @@ internal static class SurfaceValues
     /// </summary>
     public static double? PixelScale(in PixelTruth pixel, int plane)
     {
-        double distance = pixel.Camera.Direction.Length;
-        double cosine = distance / pixel.LineOfSightMoonMe.Length;
-        return pixel.Hit.RayParameter * Math.Sqrt(cosine) / pixel.Camera.Height;
+        PinholeCamera camera = pixel.Camera;
+        if (camera.Model.IsThesis)
+        {
+            double distance = camera.Direction.Length;
+            double cosine = distance / pixel.LineOfSightMoonMe.Length;
+            return pixel.Hit.RayParameter * Math.Sqrt(cosine) / camera.Height;
+        }
+
+        return pixel.Hit.RayParameter * camera.PixelSide(pixel.LineOfSightMoonMe);
     }
 
     public static double? Position(in PixelTruth pixel, int plane) => Component(pixel.Hit.PointMoonMe, plane);

@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
 using Xunit;
 
@@ -27,6 +28,34 @@ public class IlluminationDirectionTests
             Nadir, -Vector3D.UnitX, Radius * Vector3D.UnitX, SunDistance * new Vector3D(1.0, right, up));
 
         Assert.Equal(expectedDegrees, double.RadiansToDegrees(direction!.Value), 12);
+    }
+
+    /// <summary>As the thesis has it: the image of the point 1000 m along the ground towards the Sun, here through the lens.</summary>
+    [Theory]
+    [InlineData("barrel")]
+    [InlineData("prism")]
+    [InlineData("radial-factor")]
+    [InlineData("fisheye")]
+    [InlineData("principal-point")]
+    public void At_CameraWithLens_IsTheDirectionInTheDistortedImage(string lens)
+    {
+        CameraModel model = LensCases.Of(lens, 0.36, 200, 150);
+        PinholeCamera camera = new(new Vector3D(2e6, 0.0, 0.0), UnitQuaternion.Identity, model);
+        Vector3D sun = SunDistance * new Vector3D(1.0, 0.7, 1.4);
+        foreach ((double x, double y) in ((double, double)[])[(60.0, 40.0), (150.0, 100.0), (100.0, 20.0)])
+        {
+            Ray ray = camera.RayThrough(x, y);
+            Assert.True(ReferenceSphere.Lola.TryFirstHit(ray, out Vector3D point));
+            Vector3D along = Vector3D.Cross(point, Vector3D.Cross(sun - point, point)).Normalized();
+            Assert.True(camera.TryProject(point + (10.0 * along) - camera.PositionMoonMe, out RenderingPoint towards));
+            Assert.True(camera.TryProject(point - (10.0 * along) - camera.PositionMoonMe, out RenderingPoint from));
+
+            double direction = IlluminationDirection.At(camera, ray.Direction, point, sun)!.Value;
+
+            double expected = Math.Atan2(towards.X - from.X, towards.Y - from.Y);
+            Assert.Equal(0.0, Math.Sin(direction - expected), 1e-7);
+            Assert.True(Math.Cos(direction - expected) > 0.0);
+        }
     }
 
     [Theory]

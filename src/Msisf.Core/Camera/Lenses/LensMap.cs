@@ -86,10 +86,10 @@ internal sealed class LensMap
 
     private bool FindNodes(out (double X, double Y) failed)
     {
+        Span<double> atX = stackalloc double[Vector512<double>.Count];
+        Span<double> atY = stackalloc double[Vector512<double>.Count];
         for (int node = 0; node < Nodes * Nodes; node += Vector512<double>.Count)
         {
-            Span<double> atX = stackalloc double[Vector512<double>.Count];
-            Span<double> atY = stackalloc double[Vector512<double>.Count];
             for (int lane = 0; lane < atX.Length; lane++)
             {
                 (atX[lane], atY[lane]) = MeasuredAt(Math.Min(node + lane, (Nodes * Nodes) - 1));

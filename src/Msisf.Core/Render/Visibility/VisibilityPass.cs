@@ -36,7 +36,7 @@ internal sealed class VisibilityPass
     /// <exception cref="Errors.BadInputException">The elevation model holds what can't be right.</exception>
     public VisibleSurface Run(PinholeCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
     {
-        LensSamples? lens = LensOf(camera, threads, cancellation, offsetX, offsetY);
+        LensSamples? lens = LensOf(camera, offsetX, offsetY, threads, cancellation);
         ImageView view = new(camera, offsetX, offsetY, lens);
         List<VisibleBlock> blocks = _culler.Find(view, threads, cancellation);
         _result.Begin(view, lens);
@@ -58,7 +58,7 @@ internal sealed class VisibilityPass
     }
 
     /// <summary>The samples of a camera with a lens; as many as <see cref="MaxLensSamples"/> are kept from frame to frame.</summary>
-    private LensSamples? LensOf(PinholeCamera camera, int threads, CancellationToken cancellation, double offsetX, double offsetY)
+    private LensSamples? LensOf(PinholeCamera camera, double offsetX, double offsetY, int threads, CancellationToken cancellation)
     {
         if (camera.Model.Lens is null)
         {
