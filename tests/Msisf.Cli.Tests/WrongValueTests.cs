@@ -11,6 +11,7 @@ public sealed class WrongValueTests : IDisposable
 {
     private const string Fixed = "--fixed-state {55289,2E6,2E6,0,0,0,0,1}";
     private const string Orbit = "--kepler-set {1.9E6,0,0,0,1,0} --epoch 55289 --time 55289 --attitude {0,0,0,1}";
+    private const string Place = "--position 1,2,3E4 --time 55289";
 
     /// <summary>Options whose value can be any text or path.</summary>
     private static readonly string[] TakingAnything = ["--output-name", "--pov-options"];
@@ -24,6 +25,9 @@ public sealed class WrongValueTests : IDisposable
         ["--layers"] = ["x", "depth,x", "depth,depth"],
         ["--pov-options"] = ["fast", "+W64"],
         ["--frames"] = ["x", "0", "5:3"],
+        ["--position"] = ["x", "1,2", "91,0,1e5", "0,400,1e5", "0,0,x", "0,0,terrain+x"],
+        ["--look-at"] = ["x", "1", "91,0", "0,0,x", "horizon:x"],
+        ["--off-nadir"] = ["x", "-1", "181", "10,x"],
         ["--seed"] = ["x", "-1", "1.5"],
         ["--region"] = ["x", "1:2", "5:4:0:1", "0:91:0:1", "0:1:400:401"],
         ["--memory"] = ["x", "4X"],
@@ -117,7 +121,7 @@ public sealed class WrongValueTests : IDisposable
         List<string> words = [.. Words(needed)];
         if (Has(path, "--fixed-state") && !(path == "patterns" && IsOfWholeMoon(option)))
         {
-            words.AddRange(Words(IsOfOrbit(option) ? Orbit : IsCamera(option) ? string.Empty : Fixed));
+            words.AddRange(Words(IsOfPlace(option) ? Place : IsOfOrbit(option) ? Orbit : IsCamera(option) ? string.Empty : Fixed));
         }
 
         if (NativeOptions.Group.Options.Any(native => native.Name == option))
@@ -167,6 +171,8 @@ public sealed class WrongValueTests : IDisposable
         PatternsOptions.WholeMoon.Options.Any(only => only.Name == option);
 
     private static bool IsCamera(string option) => option is "--fixed-state" or "--batch-file" or "--for-batch";
+
+    private static bool IsOfPlace(string option) => option is "--position" or "--look-at" or "--off-nadir" or "--up" or "--roll";
 
     private static bool IsOfOrbit(string option) =>
         !IsCamera(option) && CameraOptions.Group.Options.Any(camera => camera.Name == option);
