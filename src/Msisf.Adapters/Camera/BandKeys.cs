@@ -22,11 +22,15 @@ internal static class BandKeys
         limits ??= [wavelengths![0], wavelengths[^1]];
         if (!(limits[0] > 0.0 && limits[1] > limits[0]))
         {
-            throw section.Wrong(section.Has("band") ? "band" : "wavelengths", "the band needs two wavelengths above 0, the shorter one first");
+            throw section.Wrong(
+                section.Has("band") ? "band" : "wavelengths", "the band needs two wavelengths above 0, the shorter one first");
         }
 
         return new Band(
-            limits[0], limits[1], Curve(section, "transmission", wavelengths, 1.0), Curve(section, "quantum-efficiency", wavelengths, null));
+            limits[0],
+            limits[1],
+            Curve(section, "transmission", wavelengths, 1.0),
+            Curve(section, "quantum-efficiency", wavelengths, null));
     }
 
     private static double[]? Wavelengths(CameraSection section)
@@ -56,7 +60,8 @@ internal static class BandKeys
         int wrong = Array.FindIndex(values, value => !(value >= 0.0 && value <= 1.0));
         if (wrong >= 0)
         {
-            throw section.Wrong(key, FormattableString.Invariant($"'{key}' has the number {values[wrong]}; numbers from 0 to 1 are needed"));
+            throw section.Wrong(
+                key, FormattableString.Invariant($"'{key}' has the number {values[wrong]}; numbers from 0 to 1 are needed"));
         }
 
         return values.Length == 1

@@ -45,7 +45,10 @@ internal static class DetectorSection
             ResponseNonuniformity = Range(section, "prnu", 0.0, MaxNonuniformity) ?? 0.0,
             Dark = DarkCurrentKeys.Read(section, geometry),
             DeadFraction = Range(section, "dead-fraction", 0.0, 1.0) ?? 0.0,
-            DeadPixels = [.. PixelLists.Read(section, "dead-pixels", 2, geometry).Select(pixel => new DeadPixel((int)pixel[0], (int)pixel[1]))],
+            DeadPixels =
+            [
+                .. PixelLists.Read(section, "dead-pixels", 2, geometry).Select(pixel => new DeadPixel((int)pixel[0], (int)pixel[1])),
+            ],
             Smear = Smear(section),
             CosmicRays = Rays(section, geometry),
             PixelPitch = geometry.PixelPitch is (double x, double y) ? Math.Sqrt(x * y) : 0.0,
@@ -70,7 +73,8 @@ internal static class DetectorSection
     /// <summary>A number in a range; null if the key is not there.</summary>
     internal static double? Range(CameraSection section, string key, double min, double max) =>
         section.Number(key) is double number && !(number >= min && number <= max)
-            ? throw section.Wrong(key, FormattableString.Invariant($"'{key}' is {section.Text(key)}; a number from {min} to {max} is needed"))
+            ? throw section.Wrong(
+                key, FormattableString.Invariant($"'{key}' is {section.Text(key)}; a number from {min} to {max} is needed"))
             : section.Number(key);
 
     /// <summary>Refuses a key that has no meaning without another one.</summary>

@@ -15,7 +15,7 @@ internal static partial class KernelImage
     /// <summary>Reads an image.</summary>
     /// <param name="content">The file.</param>
     /// <param name="path">For messages.</param>
-    /// <returns>By rows, in the order of the file; the first row of a FITS file is the top one, as in the files that this program writes.</returns>
+    /// <returns>By rows, in the order of the file; the first row of a FITS file is the top one, as in this program's files.</returns>
     /// <exception cref="BadInputException">Neither FITS nor NumPy, not two square dimensions, or cut off.</exception>
     public static double[] Parse(byte[] content, string path)
     {
@@ -28,7 +28,9 @@ internal static partial class KernelImage
     private static double[] Npy(byte[] content, string path)
     {
         const int PrefixLength = 10;
-        int start = content.Length > PrefixLength ? PrefixLength + BinaryPrimitives.ReadUInt16LittleEndian(content.AsSpan(8)) : int.MaxValue;
+        int start = content.Length > PrefixLength
+            ? PrefixLength + BinaryPrimitives.ReadUInt16LittleEndian(content.AsSpan(8))
+            : int.MaxValue;
         if (start > content.Length || content[6] != 1)
         {
             throw Wrong(path, "its head is cut off, or not of format 1.0");

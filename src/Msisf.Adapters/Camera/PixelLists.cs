@@ -24,8 +24,9 @@ internal static class PixelLists
         {
             if (!IsIn(pixel[0], geometry.Width) || !IsIn(pixel[1], geometry.Height))
             {
-                throw section.Wrong(key, FormattableString.Invariant(
-                    $"'{key}' names pixel ({pixel[0]}, {pixel[1]}); columns go from 1 to {geometry.Width}, rows from 1 to {geometry.Height}"));
+                string pair = FormattableString.Invariant($"({pixel[0]}, {pixel[1]})");
+                throw section.Wrong(
+                    key, $"'{key}' names pixel {pair}; columns go from 1 to {geometry.Width}, rows from 1 to {geometry.Height}");
             }
         }
 

@@ -20,7 +20,8 @@ internal static class DetectorChoice
 
         if (RendererOptions.Renderer.Read(values) != RendererKind.Native)
         {
-            throw new UsageException($"--camera {camera.Name} has a detector, which needs the radiance of each pixel. Add --renderer native.")
+            throw new UsageException(
+                $"--camera {camera.Name} has a detector, which needs the radiance of each pixel. Add --renderer native.")
                 .About(ImageOptions.Camera, RendererOptions.Renderer);
         }
 

@@ -2,7 +2,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Core.Detector;
 
-/// <summary>The wavelengths to which a camera responds, and how much: transmission of the optics and quantum efficiency. Immutable.</summary>
+/// <summary>The wavelengths to which a camera responds, and how much: transmission and quantum efficiency. Immutable.</summary>
 public sealed class Band
 {
     /// <summary>J s (SI, exact).</summary>
@@ -69,7 +69,7 @@ public sealed class Band
         return sum * MetresPerNanometre / (PlanckConstant * LightSpeed);
     }
 
-    /// <summary>Mean over a step by Gauss's rule of two points, exact for the cubic that two straight lines and a wavelength make.</summary>
+    /// <summary>Mean over a step by Gauss's rule of two points, exact for cubics: two straight lines and a wavelength.</summary>
     private double Mean(double from, double step, Func<double, double> irradiance)
     {
         double offset = 0.5 * step / Math.Sqrt(3.0);

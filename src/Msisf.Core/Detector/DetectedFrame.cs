@@ -5,7 +5,7 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Detector;
 
-/// <summary>The ground truth of a detector's image: of the drawn frame without the margin that the PSF needs, and of the detector.</summary>
+/// <summary>The ground truth of a detector's image: that of the drawn frame without the PSF's margin, and the detector's.</summary>
 public sealed class DetectedFrame : IGroundTruth
 {
     private readonly NativeFrame _drawn;

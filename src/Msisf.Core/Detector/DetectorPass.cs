@@ -28,7 +28,9 @@ internal sealed class DetectorPass
     }
 
     /// <summary>Computes <see cref="DetectorImage.Electrons"/>.</summary>
-    /// <param name="light">Radiance factor of each pixel of the frame, wider and higher than the detector by the PSF's radius on each side.</param>
+    /// <param name="light">
+    /// Radiance factor of each pixel of the frame, wider and higher than the detector by the PSF's radius on each side.
+    /// </param>
     /// <param name="throughput">Throughput of each pixel of the detector, steradians.</param>
     /// <param name="perSteradian">Electrons that a pixel collects at a radiance factor of 1, for each steradian.</param>
     /// <param name="image">Receives the electrons.</param>

@@ -8,8 +8,8 @@ namespace Msisf.Core.Detector;
 internal static class PixelThroughput
 {
     /// <summary>
-    /// Computes the throughput of each pixel in steradians. The solid angle is that of the parallelogram between the rays half a pixel to the
-    /// left and right, above and below; a flat aperture at an angle t off the axis has the area A cos t. For a pinhole this is
+    /// Computes the throughput of each pixel in steradians. The solid angle is that of the parallelogram between the rays half a pixel to
+    /// the left and right, above and below; a flat aperture at an angle t off the axis has the area A cos t. For a pinhole this is
     /// (p / f)^2 cos^4 t.
     /// </summary>
     /// <param name="model">The camera.</param>

@@ -32,7 +32,8 @@ public sealed class SpectralCurve
         {
             if (_wavelengths[i] <= _wavelengths[i - 1])
             {
-                throw new BadInputException($"The wavelength {_wavelengths[i]:R} nm follows {_wavelengths[i - 1]:R} nm; they must increase.");
+                throw new BadInputException(
+                    $"The wavelength {_wavelengths[i]:R} nm follows {_wavelengths[i - 1]:R} nm; they must increase.");
             }
         }
     }

@@ -23,8 +23,8 @@ public sealed class DetectorSectionTests : IDisposable
     public void Read_AllKeys_BecomeTheSettings()
     {
         DetectorSettings settings = Read([
-            "f-number: 5", "exposure-time: 0.02", "wavelengths: [400, 500, 700]", "quantum-efficiency: [0.1, 0.5, 0.2]", "transmission: 0.9",
-            "vignetting: none", "psf: airy", "psf-wavelength: 550", "psf-radius: 4", "wing-fraction: 0.1", "wing-radius: 1",
+            "f-number: 5", "exposure-time: 0.02", "wavelengths: [400, 500, 700]", "quantum-efficiency: [0.1, 0.5, 0.2]",
+            "transmission: 0.9", "vignetting: none", "psf: airy", "psf-wavelength: 550", "psf-radius: 4", "wing-fraction: 0.1", "wing-radius: 1",
             "wing-exponent: 3", "prnu: 0.02", "dead-pixels: [3, 4, 5, 6]", "dead-fraction: 0.001", "dark-current: 30",
             "dark-temperature: 25", "temperature: 12", "dark-doubling: 6.5", "dsnu: 0.2", "hot-pixels: [7, 8, 1000]", "hot-fraction: 0.01",
             "hot-rate: 500", "smear-row-time: 1e-6", "smear-direction: up", "smear-before-exposure: no", "cosmic-rays: 5",
@@ -126,7 +126,8 @@ public sealed class DetectorSectionTests : IDisposable
         BadInputException error = Assert.Throws<BadInputException>(() => Parse(Text(lines)));
         Assert.Contains(expected, error.Message, StringComparison.Ordinal);
         Assert.DoesNotContain('\n', error.Message);
-        Assert.Contains(string.Create(CultureInfo.InvariantCulture, $"camera.yaml, line {Line(expectedLine, line)}, "), error.Message, StringComparison.Ordinal);
+        string place = string.Create(CultureInfo.InvariantCulture, $"camera.yaml, line {Line(expectedLine, line)}, ");
+        Assert.Contains(place, error.Message, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -170,7 +171,8 @@ public sealed class DetectorSectionTests : IDisposable
     }
 
     /// <summary>Line of a message: of the line itself, or of the section for a key that is missing.</summary>
-    private static int Line(int expected, string line) => line.StartsWith("psf: ", StringComparison.Ordinal) && expected == 6 ? 5 : expected;
+    private static int Line(int expected, string line) =>
+        line.StartsWith("psf: ", StringComparison.Ordinal) && expected == 6 ? 5 : expected;
 
     private static string Text(IReadOnlyList<string> lines) => Head + string.Concat(lines.Select(line => $"  {line}\n"));
 

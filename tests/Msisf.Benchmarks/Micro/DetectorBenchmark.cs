@@ -4,7 +4,7 @@ using Msisf.Core.Detector.Psf;
 
 namespace Msisf.Benchmarks.Micro;
 
-/// <summary>The detector's steps on an image of 1024 x 1024 px with all kinds of noise, on two threads. Asked: PSF 20 ms, noise 15 ms.</summary>
+/// <summary>The detector's steps on 1024 x 1024 px with all kinds of noise, on two threads. Asked: PSF 20 ms, noise 15 ms.</summary>
 public class DetectorBenchmark
 {
     private const int Side = 1024;

@@ -24,7 +24,8 @@ public sealed class DetectorRunTests : IDisposable
     [RequiresFact(Part.Ldem4, Part.CFitsio)]
     public void Run_NoiseInPieces_MakesTheBytesOfOneRun()
     {
-        string camera = Camera([.. Detector, "read-noise: 10", "prnu: 0.02", "dark-current: 1000", "dsnu: 0.3", "cosmic-rays: 1e6", "seed: 3"]);
+        string camera = Camera(
+            [.. Detector, "read-noise: 10", "prnu: 0.02", "dark-current: 1000", "dsnu: 0.3", "cosmic-rays: 1e6", "seed: 3"]);
         Assert.Equal(0, Run(camera, "whole", "--jobs", "1").ExitCode);
         Assert.Equal(0, Run(camera, "pieces", "--frames", "2:3", "--jobs", "2").ExitCode);
         Assert.Equal(0, Run(camera, "pieces", "--frames", "1").ExitCode);
@@ -37,7 +38,7 @@ public sealed class DetectorRunTests : IDisposable
         Assert.NotEqual(File.ReadAllBytes(Output("whole", 1, ".png")), File.ReadAllBytes(Output("whole", 2, ".png")));
     }
 
-    /// <summary>Without noise the DN are the electrons of the layer, in both files; and as many as the formula gives for the radiance.</summary>
+    /// <summary>Without noise the DN are the electrons of the layer, in both files, as many as the formula gives for the radiance.</summary>
     [RequiresFact(Part.Ldem4, Part.CFitsio)]
     public void Run_WithoutNoise_CountsTheElectronsOfTheRadiance()
     {
@@ -92,12 +93,15 @@ public sealed class DetectorRunTests : IDisposable
     {
         string camera = Camera([.. Detector, "fits: no"]);
         CommandLineRun povRay = CommandLineRun.Of([.. State("a"), "--camera", camera]);
-        Assert.Equal((1, "msis: error: --camera camera.yaml has a detector, which needs the radiance of each pixel. Add --renderer native."), (
-            povRay.ExitCode, povRay.Error.Split('\n')[0].Trim()));
+        Assert.Equal(1, povRay.ExitCode);
+        Assert.Equal(
+            "msis: error: --camera camera.yaml has a detector, which needs the radiance of each pixel. Add --renderer native.",
+            povRay.Error.Split('\n')[0].Trim());
         CommandLineRun lamp = CommandLineRun.Of([.. State("a"), "--camera", camera, "--renderer", "native", "--ignore-sun"]);
         Assert.Equal(1, lamp.ExitCode);
         Assert.Contains("counts electrons of sunlight. Leave --ignore-sun out.", lamp.Error, StringComparison.Ordinal);
-        CommandLineRun layer = CommandLineRun.Of([.. State("a"), "--width", "8", "--height", "8", "--renderer", "native", "--layers", "electrons"]);
+        CommandLineRun layer = CommandLineRun.Of(
+            [.. State("a"), "--width", "8", "--height", "8", "--renderer", "native", "--layers", "electrons"]);
         Assert.Equal(1, layer.ExitCode);
         Assert.Contains("--layers: electrons needs a camera with a detector.", layer.Error, StringComparison.Ordinal);
     }
@@ -105,9 +109,10 @@ public sealed class DetectorRunTests : IDisposable
     private string Camera(IEnumerable<string> detector, int width = Width, int height = Height)
     {
         string path = _folder["camera.yaml"];
+        string keys = string.Concat(detector.Select(line => $"  {line}\n"));
         File.WriteAllText(path, string.Create(
             CultureInfo.InvariantCulture,
-            $"width: {width}\nheight: {height}\nfocal-length: 50\npixel-pitch: 0.01\ndetector:\n{string.Concat(detector.Select(line => $"  {line}\n"))}"));
+            $"width: {width}\nheight: {height}\nfocal-length: 50\npixel-pitch: 0.01\ndetector:\n{keys}"));
         return path;
     }
 
@@ -116,8 +121,8 @@ public sealed class DetectorRunTests : IDisposable
 
     private CommandLineRun Run(string camera, string folder, params string[] more) => CommandLineRun.Of(
     [
-        "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.002]", "--renderer", "native",
-        "--camera", camera, "--grid", "16", "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder],
+        "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.002]", "--renderer",
+        "native", "--camera", camera, "--grid", "16", "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder],
         "--batch", .. more,
     ]);
 

@@ -56,8 +56,8 @@ internal readonly struct NoiseSource
     /// <param name="uniforms">Receives the numbers, at most <see cref="MaxRun"/>.</param>
     public void Fill(NoiseKind kind, uint first, Span<double> uniforms)
     {
-        // An index of the generator gives two numbers: pixels 8 k to 8 k + 3 take the first ones of the indices 4 k to 4 k + 3, the next four
-        // pixels the second ones.
+        // An index of the generator gives two numbers: pixels 8 k to 8 k + 3 take the first ones of the indices 4 k to 4 k + 3, the next
+        // four pixels the second ones.
         Span<double> buffer = stackalloc double[MaxRun + (2 * PixelsAtOnce)];
         int before = (int)(first % PixelsAtOnce);
         uint index = (first - (uint)before) / 2;

@@ -7,7 +7,9 @@ namespace Msisf.Core.Detector.Noise;
 /// Normal deviates of mean 0 and standard deviation 1: the inverse of the normal distribution at a uniform number, to 16 digits. Made of
 /// exact operations only, so every machine gets the same bits.
 /// </summary>
-/// <remarks>M. J. Wichura, "Algorithm AS 241: the percentage points of the normal distribution", Applied Statistics 37 (1988), PPND16.</remarks>
+/// <remarks>
+/// M. J. Wichura, "Algorithm AS 241: the percentage points of the normal distribution", Applied Statistics 37 (1988), PPND16.
+/// </remarks>
 internal static class NormalDeviate
 {
     private const double CentralRange = 0.425;

@@ -11,7 +11,7 @@ internal static class PoissonProbability
     /// <summary>Terms below this part of a sum do not change it.</summary>
     private const double NegligibleTerm = 1e-17;
 
-    /// <summary>The probability of a number of events; relative error about 1e-15 times the mean's root, and more far from the mean.</summary>
+    /// <summary>The probability of a number of events; relative error about 1e-15 times the mean's root near the mean.</summary>
     /// <param name="count">Whole number, at least 0.</param>
     /// <param name="mean">Above 0; e^-mean is a normal number, or the count is near the mean.</param>
     public static double Of(double count, double mean)

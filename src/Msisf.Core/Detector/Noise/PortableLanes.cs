@@ -4,7 +4,8 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Detector.Noise;
 
 /// <summary>
-/// Elementary functions of four numbers at once, of exact operations only (+ - * / and fused multiply-add), so that every machine gets the same bits.
+/// Elementary functions of four numbers at once, of exact operations only (+ - * / and fused multiply-add), so that every machine gets the
+/// same bits.
 /// </summary>
 internal static class PortableLanes
 {

@@ -13,9 +13,18 @@ public sealed class PointSpreadKernelTests
     public static TheoryData<string, double[], double[]> Spreads { get; } = new()
     {
         // tests/reference/point_spread.py: pixels (0, 0), (1, 0), (2, 1); energy within 1, 2, 3 and 5 px
-        { "gaussian", [0.275571952296, 0.116256873415, 0.00351788753898], [0.639552211402, 0.983120115851, 0.999897297435, 0.999999999992] },
-        { "airy", [0.380944625661, 0.101026828233, 0.00539761443824], [0.762439600006, 0.888529127588, 0.946444754873, 0.986415878653] },
-        { "wings", [0.0637392374784, 0.0423093910351, 0.0155040599916], [0.171655681807, 0.433827241159, 0.629374774477, 0.865754312548] },
+        {
+            "gaussian", [0.275571952296, 0.116256873415, 0.00351788753898],
+            [0.639552211402, 0.983120115851, 0.999897297435, 0.999999999992]
+        },
+        {
+            "airy", [0.380944625661, 0.101026828233, 0.00539761443824],
+            [0.762439600006, 0.888529127588, 0.946444754873, 0.986415878653]
+        },
+        {
+            "wings", [0.0637392374784, 0.0423093910351, 0.0155040599916],
+            [0.171655681807, 0.433827241159, 0.629374774477, 0.865754312548]
+        },
     };
 
     [Theory]
@@ -83,5 +92,6 @@ public sealed class PointSpreadKernelTests
         _ => new WingSpread(1.5, 2.6),
     };
 
-    private static double At(PointSpreadKernel kernel, int x, int y) => kernel.Weights[((kernel.Radius + y) * kernel.Size) + kernel.Radius + x];
+    private static double At(PointSpreadKernel kernel, int x, int y) =>
+        kernel.Weights[((kernel.Radius + y) * kernel.Size) + kernel.Radius + x];
 }
