@@ -33,7 +33,7 @@ internal static class ResourceCheck
     /// </summary>
     private const long DetectorBytesPerPixel = 48;
 
-    /// <summary>Bytes per pixel on disk of a detector's image: noise is not compressed, and there may be a FITS file of 16 bits too.</summary>
+    /// <summary>Bytes per pixel on disk of a detector's image: noise is not compressed, and there may be a FITS file too.</summary>
     private const long NumbersBytesPerPixel = 4;
 
     /// <summary>Bytes per pixel of the annotated image in memory: cairo's ARGB32, and the PNG at its largest.</summary>

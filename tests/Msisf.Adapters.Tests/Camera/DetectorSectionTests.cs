@@ -24,8 +24,8 @@ public sealed class DetectorSectionTests : IDisposable
     {
         DetectorSettings settings = Read([
             "f-number: 5", "exposure-time: 0.02", "wavelengths: [400, 500, 700]", "quantum-efficiency: [0.1, 0.5, 0.2]",
-            "transmission: 0.9", "vignetting: none", "psf: airy", "psf-wavelength: 550", "psf-radius: 4", "wing-fraction: 0.1", "wing-radius: 1",
-            "wing-exponent: 3", "prnu: 0.02", "dead-pixels: [3, 4, 5, 6]", "dead-fraction: 0.001", "dark-current: 30",
+            "transmission: 0.9", "vignetting: none", "psf: airy", "psf-wavelength: 550", "psf-radius: 4", "wing-fraction: 0.1",
+            "wing-radius: 1", "wing-exponent: 3", "prnu: 0.02", "dead-pixels: [3, 4, 5, 6]", "dead-fraction: 0.001", "dark-current: 30",
             "dark-temperature: 25", "temperature: 12", "dark-doubling: 6.5", "dsnu: 0.2", "hot-pixels: [7, 8, 1000]", "hot-fraction: 0.01",
             "hot-rate: 500", "smear-row-time: 1e-6", "smear-direction: up", "smear-before-exposure: no", "cosmic-rays: 5",
             "cosmic-ray-depth: 12", "full-well: 30000", "blooming: yes", "gain: 2.5", "read-noise: 8", "bias: 50", "column-offset: 1",

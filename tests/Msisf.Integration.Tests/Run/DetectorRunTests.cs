@@ -38,7 +38,7 @@ public sealed class DetectorRunTests : IDisposable
         Assert.NotEqual(File.ReadAllBytes(Output("whole", 1, ".png")), File.ReadAllBytes(Output("whole", 2, ".png")));
     }
 
-    /// <summary>Without noise the DN are the electrons of the layer, in both files, as many as the formula gives for the radiance.</summary>
+    /// <summary>Without noise the DN are the electrons of the layer, as many as the formula gives for the radiance.</summary>
     [RequiresFact(Part.Ldem4, Part.CFitsio)]
     public void Run_WithoutNoise_CountsTheElectronsOfTheRadiance()
     {
@@ -122,8 +122,8 @@ public sealed class DetectorRunTests : IDisposable
     private CommandLineRun Run(string camera, string folder, params string[] more) => CommandLineRun.Of(
     [
         "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.002]", "--renderer",
-        "native", "--camera", camera, "--grid", "16", "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder],
-        "--batch", .. more,
+        "native", "--camera", camera, "--grid", "16", "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir",
+        _folder[folder], "--batch", .. more,
     ]);
 
     private string[] State(string folder) =>
