@@ -30,7 +30,9 @@ incoming=$folder/.incoming-$$
 trap 'rm -rf "$incoming"' EXIT
 
 # The names by which msis knows the map.
-maps_in() { find "$1" -maxdepth 1 -type f \( -name '*lroc_color_poles*' -o -name '*svs4720*' \) 2>/dev/null | sort; }
+maps_in() {
+    [ ! -d "$1" ] || find "$1" -maxdepth 1 -type f \( -name '*lroc_color_poles*' -o -name '*svs4720*' \) | sort
+}
 
 # is_image FILE: it begins as a TIFF, JPEG or PNG file does; a page that says "not found" does not.
 is_image() {

@@ -53,6 +53,21 @@ public sealed class NativeOptionsTests : IDisposable
     [InlineData($"{Native} --reflectance hapke:theta=90", 1, "--reflectance: ")]
     [InlineData($"{Native} --reflectance hapke:w=0.3 --albedo 0.2", 1, "has both w and an albedo")]
     [InlineData($"{Native} --reflectance :l=1", 1, "law '' is not known")]
+    [InlineData($"{Native} --albedo 0.2", 1, "law moon has the Moon's own brightness and takes no albedo")]
+    [InlineData($"{Native} --reflectance nac --albedo 0.2", 1, "law nac has the Moon's own brightness")]
+    [InlineData($"{Native} --reflectance moon:w=0.3", 1, "law moon has no parameter 'w'")]
+
+    // Maps and bands.
+    [InlineData($"{Native} --band 500", 1, "--band is '500'; one of 321, 360, 415, 566, 604, 643, 689 is needed")]
+    [InlineData($"{Native} --albedo-map nowhere/a.img", 2, "nowhere/a.img: there is no such file")]
+    [InlineData($"{Native} --reflectance lambert --albedo 0.2 --albedo-map a.img", 1, "both set the brightness")]
+    [InlineData($"{Native} --albedo-map a.img --albedo-map-properties scale=0", 1, "scale is 0; a number from 1E-12 to")]
+    [InlineData($"{Native} --albedo-map a.img --albedo-map-properties size=3", 1, "'size=3' is no property of a map")]
+    [InlineData($"{Native} --albedo-map a.img --albedo-map-properties scale=1,scale=2", 1, "the property scale is given twice")]
+    [InlineData($"{Native} --albedo-map-checksum 12", 1, "64 hexadecimal digits are needed")]
+    [InlineData($"{Native} --hapke-map nowhere.img", 2, "nowhere.img: there is no such file")]
+    [InlineData($"{Native} --hapke-map a.img --reflectance lambert", 1, "--hapke-map is for --reflectance moon")]
+    [InlineData($"{Native} --hapke-map a.img --band 415", 1, "holds the parameters at 643 nm, but --band is 415")]
 
     // Layers.
     [InlineData($"{Native} --layers xyzzy", 1, "'xyzzy' is no layer. Give all, or a list of")]

@@ -20,7 +20,9 @@ internal sealed class FunctionTruth(
 
     public bool LightIsSun => true;
 
-    public ReadOnlySpan<double> RadianceFactors => [];
+    public double[] Factors { get; init; } = [];
+
+    public ReadOnlySpan<double> RadianceFactors => Factors;
 
     /// <summary>
     /// A <see cref="SphereTruth"/> of 4 px/deg that shows all there is: the states take turns from column to column, the halves from row to

@@ -14,6 +14,7 @@ internal enum Part
     Fitsverify,
     Astropy,
     Gdal,
+    GdalLibrary,
     Slurm,
     Shellcheck,
     Parallel,
@@ -58,6 +59,8 @@ internal static class MissingParts
         Part.Fitsverify => TestParts.Program("fitsverify") is not null,
         Part.Astropy => TestParts.PythonPackage("astropy") is not null,
         Part.Gdal => TestParts.PythonPackage("osgeo") is not null,
+        Part.GdalLibrary => Enumerable.Range(26, 20).Any(
+            version => System.Runtime.InteropServices.NativeLibrary.TryLoad($"libgdal.so.{version}", out _)),
         Part.Slurm => TestParts.Program("sbatch") is not null,
         Part.Shellcheck => TestParts.Program("shellcheck") is not null,
         Part.Parallel => TestParts.Program("parallel") is not null,

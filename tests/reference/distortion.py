@@ -54,14 +54,15 @@ def polynomial(x, y, f, radial, *c):
     return x + add[0] / f, y + add[1] / f
 
 
+KAGUYA_LIKE = m("-0.02 1.3e-4 -2.7e-6 -6.2e-7 -0.07 -9.8e-4 8.6e-6 3.7e-7".split())
 MODELS = {
     "opencv": lambda x, y: opencv(x, y, *m("-0.15 0.04 0.003 -0.002 -0.005 0.02 0.01 0.002 0.001 -0.0005 -0.002 0.0007".split())),
     "fisheye": lambda x, y: fisheye(x, y, *m("0.02 -0.005 0.001 -0.0002".split())),
     "owen": lambda x, y: owen(x, y, mpf(10), *m("1e-4 -5e-4 2e-6 -1e-6 3e-4 -2e-4".split())),
     "radial-factor": lambda x, y: factor(x, y, mpf("6.0308669"), *m("0.0113109452166359 0.000144463288593614 4.88754251291127e-6".split())),
     "radial-division": lambda x, y: division(x, y, mpf("699.62"), mpf("1.81e-8")),
-    "polynomial-radius": lambda x, y: polynomial(x, y, mpf("72.45"), True, *m("-0.02 1.3e-4 -2.7e-6 -6.2e-7 -0.07 -9.8e-4 8.6e-6 3.7e-7".split())),
-    "polynomial-x": lambda x, y: polynomial(x, y, mpf("72.45"), False, *m("-0.02 1.3e-4 -2.7e-6 -6.2e-7 -0.07 -9.8e-4 8.6e-6 3.7e-7".split())),
+    "polynomial-radius": lambda x, y: polynomial(x, y, mpf("72.45"), True, *KAGUYA_LIKE),
+    "polynomial-x": lambda x, y: polynomial(x, y, mpf("72.45"), False, *KAGUYA_LIKE),
 }
 
 for name, formula in MODELS.items():

@@ -95,7 +95,8 @@ def rows():
         yield [cos(i), cos(e), sin(g / 2) ** 2] + values
 
 
-print('# cos i, cos e, haversine of phase; I/F: lambert, lommel-seeliger, lunar-lambert (albedo 1); hapke w b c b0 h theta = '
-      + '; '.join(' '.join(parameters) for parameters in PARAMETERS))
-for row in rows():
-    print('\t'.join(nstr(value, 17) for value in row))
+if __name__ == '__main__':
+    print('# cos i, cos e, haversine of phase; I/F: lambert, lommel-seeliger, lunar-lambert (albedo 1); hapke w b c b0 h theta = '
+          + '; '.join(' '.join(parameters) for parameters in PARAMETERS))
+    for row in rows():
+        print('\t'.join(nstr(value, 17) for value in row))

@@ -20,6 +20,9 @@ public sealed class OpenedAlbedoMap : IDisposable
     /// <summary>The map's file.</summary>
     public string FilePath { get; }
 
+    /// <summary>Length of the file.</summary>
+    public long FileBytes => _levels.Header.SourceBytes;
+
     /// <summary>SHA-256 of the file: 64 hexadecimal digits.</summary>
     public string Sha256 { get; }
 
@@ -117,7 +120,8 @@ public sealed class OpenedAlbedoMap : IDisposable
         Math.Abs(header.Width - (2 * header.Height)) <= 2
             ? new MapExtent(double.DegreesToRadians(west), Math.PI / 2.0, 2.0 * Math.PI, Math.PI)
             : throw new BadInputException(
-                $"{path}: {header.Width} x {header.Height} pixels and no map coordinates; a map of the whole Moon is twice as wide as high.");
+                $"{path}: {header.Width} x {header.Height} pixels and no map coordinates; "
+                    + $"a map of the whole Moon is twice as wide as high.");
 
     private static BadInputException Unknown(string path, string what) => new(
         $"{path}: its {what} is not known. Give --albedo-map-properties, e.g. "

@@ -80,14 +80,16 @@ internal sealed partial record PdsMapLabel
         bool isReal = type.EndsWith("REAL", StringComparison.Ordinal);
         if (isReal ? bits != 32 : bits is not (8 or 16))
         {
-            throw image.WrongValue("SAMPLE_BITS", image.Required("SAMPLE_BITS"), "whole numbers of 8 or 16 bits, or real ones of 32, are read");
+            throw image.WrongValue(
+                "SAMPLE_BITS", image.Required("SAMPLE_BITS"), "whole numbers of 8 or 16 bits, or real ones of 32, are read");
         }
 
         return new PdsMapLabel
         {
             LabelPath = labelPath,
             ImagePath = FileNames.FindIgnoringCase(imagePath)
-                ?? throw new BadInputException($"{imagePath}: missing; {labelPath} says that the map is there. Put the file beside its label."),
+                ?? throw new BadInputException(
+                    $"{imagePath}: missing; {labelPath} says that the map is there. Put the file beside its label."),
             Product = label.Find("PRODUCT_ID")?.Text ?? string.Empty,
             ImageOffset = pointer.Offset,
             Lines = image.RequiredInteger("LINES", 1, int.MaxValue),
@@ -111,7 +113,8 @@ internal sealed partial record PdsMapLabel
             || (kind == "EQUIRECTANGULAR" && (projection.OptionalNumber("CENTER_LATITUDE", "DEG", "DEGREE") ?? 0.0) != 0.0))
         {
             throw projection.WrongValue(
-                "MAP_PROJECTION_TYPE", projection.Required("MAP_PROJECTION_TYPE"), "an equirectangular map with the equator as centre is needed");
+                "MAP_PROJECTION_TYPE", projection.Required("MAP_PROJECTION_TYPE"),
+                "an equirectangular map with the equator as centre is needed");
         }
 
         double perDegree = projection.RequiredNumber("MAP_RESOLUTION", "PIX/DEG", "PIXEL/DEG", "PIXEL/DEGREE", "PIXELS/DEGREE");

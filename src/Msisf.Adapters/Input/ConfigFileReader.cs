@@ -6,8 +6,10 @@ using YamlDotNet.Core.Events;
 namespace Msisf.Adapters.Input;
 
 /// <summary>
-/// Reads configuration files: one YAML map from keys to values or lists of values; in files that have sections also to such maps. Everything
-/// else in YAML (anchors, aliases, tags, several documents) is refused. No other class names YamlDotNet, so that it is loaded only when there
+/// Reads configuration files: one YAML map from keys to values or lists of values; in files that have sections also to such maps.
+/// Everything
+/// else in YAML (anchors, aliases, tags, several documents) is refused. No other class names YamlDotNet, so that it is loaded only when
+/// there
 /// is a file to read.
 /// </summary>
 public sealed class ConfigFileReader

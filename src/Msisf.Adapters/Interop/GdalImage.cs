@@ -54,7 +54,8 @@ internal sealed unsafe class GdalImage : IDisposable
 
         return image != 0
             ? new GdalImage(gdal, path, image)
-            : throw new BadInputException($"{path}: GDAL can't read it as an image ({Message(gdal)}). Give a PDS3, TIFF, JPEG or PNG image.");
+            : throw new BadInputException(
+                $"{path}: GDAL can't read it as an image ({Message(gdal)}). Give a PDS3, TIFF, JPEG or PNG image.");
     }
 
     /// <summary>The six numbers that give map coordinates of a pixel; null if the image has none.</summary>

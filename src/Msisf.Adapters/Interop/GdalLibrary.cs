@@ -13,17 +13,20 @@ internal static unsafe class GdalLibrary
     private const int OldestVersion = 26;
 
     private static readonly Lock Gate = new();
-    private static GdalNative? _loaded;
+    private static readonly Dictionary<string, GdalNative> Loaded = new(StringComparer.Ordinal);
 
     /// <summary>The library's functions.</summary>
     /// <param name="explicitPath">MSISF_GDAL, or null to search the system.</param>
     /// <param name="purpose">What it is needed for, for the message.</param>
-    /// <exception cref="ExternalPartException">It is missing, or it is another library; the message says where it was looked for.</exception>
+    /// <exception cref="ExternalPartException">
+    /// It is missing, or it is another library; the message says where it was looked for.
+    /// </exception>
     public static GdalNative Require(string? explicitPath, string purpose)
     {
         lock (Gate)
         {
-            return _loaded ??= Load(explicitPath, purpose);
+            string key = explicitPath ?? string.Empty;
+            return Loaded.TryGetValue(key, out GdalNative? gdal) ? gdal : Loaded[key] = Load(explicitPath, purpose);
         }
     }
 

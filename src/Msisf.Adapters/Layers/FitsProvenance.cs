@@ -19,7 +19,8 @@ internal static class FitsProvenance
             + "the first row of the data is the image's top row, in numpy data[y - 1, x - 1]. "
             + "Programs that draw the first row at the bottom show the image upside down.",
         "Pixels that show no surface are NaN in layers of real numbers (FITS standard 4.0, section 5.3), "
-            + "BLANK in layers of whole numbers, and 0 in MASK.",
+            + "BLANK in layers of whole numbers, and 0 in MASK; "
+            + "RADIANCE_FACTOR and RADIANCE are means over samples and have values there too.",
     ];
 
     public static void Put(FitsUnit unit, FrameMetadata frame, LayerProvenance provenance)

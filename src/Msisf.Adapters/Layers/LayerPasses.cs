@@ -9,8 +9,8 @@ namespace Msisf.Adapters.Layers;
 internal static class LayerPasses
 {
     /// <summary>
-    /// Bytes of the planes of one pass. At 1024 x 1024 px all layers take three passes, so each pixel is looked up three times instead of
-    /// sixteen times.
+    /// Bytes of the planes of one pass. At 1024 x 1024 px all layers take four passes, so each pixel is looked up four times instead of
+    /// once a layer.
     /// </summary>
     private const long MemoryOfAPass = 64L << 20;
 

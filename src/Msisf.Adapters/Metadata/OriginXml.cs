@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Core.Camera;
+using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 
@@ -21,6 +22,8 @@ internal static class OriginXml
         InputKind.ElevationLabel => "elevation-label",
         InputKind.ElevationImage => "elevation-image",
         InputKind.Kernel => "kernel",
+        InputKind.AlbedoMap => "albedo-map",
+        InputKind.HapkeMap => "hapke-map",
         InputKind.Camera => "camera",
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "Not a kind of input."),
     };
@@ -43,10 +46,13 @@ internal static class OriginXml
         Row(camera.Translation),
         "      </t>",
         .. camera.Distortion is { } distortion
-            ? [$"      <Distortion model=\"{distortion.Name}\">{string.Join(' ', distortion.Coefficients.Select(LongE.ToText))}</Distortion>"]
+            ? [Lens(distortion)]
             : (string[])[],
         "    </Camera>",
     ];
+
+    private static string Lens(Distortion distortion) =>
+        $"      <Distortion model=\"{distortion.Name}\">{string.Join(' ', distortion.Coefficients.Select(LongE.ToText))}</Distortion>";
 
     private static string Row(Vector3D row) => $"        {LongE.ToText(row.X)} {LongE.ToText(row.Y)} {LongE.ToText(row.Z)}";
 

@@ -16,18 +16,12 @@ public static class PovSceneWriter
     /// </summary>
     public const double MaxDistance = 1e10;
 
-    private const string Surface =
-        """
-        #declare moon = texture
-        {
-            pigment { color rgb<0.8, 0.8, 0.8> }
-            finish
-            {
-                ambient 0.0
-                diffuse 0.8
-            }
-        }
+    private const string EvenGrey = "    pigment { color rgb<0.8, 0.8, 0.8> }\n";
 
+    private const double EvenDiffuse = 0.8;
+
+    private const string Settings =
+        """
         global_settings
         {
             charset utf8
@@ -83,7 +77,8 @@ public static class PovSceneWriter
             writer.Write("#declare Orange = rgb <1,0.5,0>;\n#declare Red = rgb <1,0,0>;\n#declare Yellow = rgb <1,1,0>;\n");
         }
 
-        WriteLines(writer, Surface);
+        WriteTexture(writer, scene.Albedo);
+        WriteLines(writer, Settings);
         writer.Write("\ncamera\n{\n    perspective\n");
         writer.Write($"    location {Kilometres(scene.Camera.PositionMoonMe)}\n");
         writer.Write($"    right {Vector(scene.Camera.Right)}\n");
@@ -102,6 +97,22 @@ public static class PovSceneWriter
         }
 
         writer.Write("\n");
+    }
+
+    /// <summary>
+    /// The surface's colour. POV-Ray's spherical mapping has its pole on the y axis and begins on the x axis; exchanging y and z puts
+    /// longitude 0 at the image's left edge.
+    /// </summary>
+    private static void WriteTexture(TextWriter writer, SceneAlbedo? albedo)
+    {
+        writer.Write("#declare moon = texture\n{\n");
+        writer.Write(albedo is null ? EvenGrey : string.Create(
+            CultureInfo.InvariantCulture,
+            $"    pigment\n    {{\n        image_map {{ png \"{albedo.ImageName}\" gamma 1.0 map_type 1 interpolate 2 }}\n"
+                + $"        matrix <1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0>\n        rotate <0, 0, {albedo.WestDegrees:R}>\n    }}\n"));
+        writer.Write(string.Create(
+            CultureInfo.InvariantCulture,
+            $"    finish\n    {{\n        ambient 0.0\n        diffuse {albedo?.Diffuse ?? EvenDiffuse:R}\n    }}\n}}\n\n"));
     }
 
     private static void WriteLines(TextWriter writer, string block) =>

@@ -72,8 +72,8 @@ internal static class AlbedoSource
         {
             map.Dispose();
             throw new BadInputException(
-                $"{path}: its SHA-256 is {map.Sha256}, but --albedo-map-sha256 is {expected}. Give the map that was meant.")
-                .About(AlbedoOptions.Sha256);
+                $"{path}: its SHA-256 is {map.Sha256}, but --albedo-map-checksum is {expected}. Give the map that was meant.")
+                .About(AlbedoOptions.Checksum);
         }
 
         host.Log.Note($"Albedo: {Path.GetFileName(path)}, {map.Map.Levels[0].Width} x {map.Map.Levels[0].Height} px.");

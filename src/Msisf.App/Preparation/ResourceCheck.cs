@@ -25,7 +25,7 @@ internal static class ResourceCheck
     private const long LayerBytesPerPixel = 24;
 
     /// <summary>Bytes per pixel of all layers on disk.</summary>
-    private const long LayersBytesPerPixel = 160;
+    private const long LayersBytesPerPixel = 200;
 
     /// <summary>
     /// Bytes per pixel of a detector: electrons, charge, throughput, radiance without the margin (doubles), fixed pattern (two floats),

@@ -22,6 +22,7 @@ internal sealed class RunInputs : IDisposable
     private readonly string? _cacheFolder;
     private readonly CameraFile? _camera;
     private Task<IReadOnlyList<InputFile>>? _model;
+    private IReadOnlyList<InputFile> _maps = [];
 
     /// <summary>Begins with the kernels.</summary>
     /// <param name="kernels">Finds the paths of the kernels, in load order.</param>
@@ -42,19 +43,25 @@ internal sealed class RunInputs : IDisposable
     public Task<IReadOnlyList<InputFile>> Kernels { get; }
 
     /// <summary>Begins with the elevation model.</summary>
-    public void Begin(LdemSet model)
+    /// <param name="model">The model.</param>
+    /// <param name="maps">The maps of the surface, whose checksums are known.</param>
+    public void Begin(LdemSet model, IReadOnlyList<InputFile> maps)
     {
+        _maps = maps;
         CancellationToken end = _end.Token;
         _model = Task.Run(() => OfModel(model, end), end);
     }
 
-    /// <summary>All files: those of the elevation model first, the camera file last. Waits until their checksums are known.</summary>
+    /// <summary>
+    /// All files: the elevation model, the kernels, the maps and the camera file. Waits until their checksums are known.
+    /// </summary>
     /// <exception cref="MsisfException">A file can't be read.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled.</exception>
     public IReadOnlyList<InputFile> All() =>
     [
         .. _model?.GetAwaiter().GetResult() ?? throw new InvalidOperationException("no model yet"),
         .. Kernels.GetAwaiter().GetResult(),
+        .. _maps,
         .. _camera is { } camera
             ? [new InputFile(InputKind.Camera, Path.GetFileName(camera.Path), camera.Bytes, camera.Sha256)]
             : (InputFile[])[],

@@ -39,12 +39,12 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
     private int _frames;
 
     public NativeFrameRenderer(
-        NativeSettings settings, IElevationGrid model, OpenedAlbedoMap? map, NativeLevels levels, FrameFiles files, RunTimes times)
+        NativeSettings settings, IElevationGrid model, SurfaceInputs maps, NativeLevels levels, FrameFiles files, RunTimes times)
     {
         _settings = settings;
-        _options = settings.Render with { Albedo = map?.Map };
+        _options = settings.Render with { Albedo = maps.Albedo?.Map, Hapke = maps.Hapke?.Map };
         _model = model;
-        _map = map;
+        _map = maps.Albedo;
         _levels = levels;
         _grey = new GreyTable(settings.Grey, settings.BitDepth);
         _detectors = settings.Detector is null ? null : new DetectorsOfRun(settings.Detector.Settings);

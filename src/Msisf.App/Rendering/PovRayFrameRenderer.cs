@@ -26,6 +26,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private readonly ElevationModel _model;
     private readonly ScenePatterns _patterns;
     private readonly PovRayProcess _povRay;
+    private readonly PovAlbedo? _albedo;
     private readonly SemaphoreSlim _processes;
     private readonly FrameFiles _files;
     private readonly RunTimes _times;
@@ -34,6 +35,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// <param name="model">The elevation model.</param>
     /// <param name="patterns">The scenes' meshes; disposed with this object.</param>
     /// <param name="povRay">Starts POV-Ray.</param>
+    /// <param name="albedo">The map of the surface's reflectance; null for even grey.</param>
     /// <param name="processes">Maximum number of POV-Ray processes at once; the meshes of the next frame are made while they run.</param>
     /// <param name="files">Writes a frame's files.</param>
     /// <param name="times">Times of the parts of the run.</param>
@@ -42,6 +44,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         ElevationModel model,
         ScenePatterns patterns,
         PovRayProcess povRay,
+        PovAlbedo? albedo,
         int processes,
         FrameFiles files,
         RunTimes times)
@@ -50,6 +53,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _model = model;
         _patterns = patterns;
         _povRay = povRay;
+        _albedo = albedo;
         _processes = new SemaphoreSlim(processes);
         _files = files;
         _times = times;
@@ -127,7 +131,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _settings.Timeout);
 
     private RenderScene SceneOf(Frame frame, IReadOnlyList<SurfacePart> parts) =>
-        new(frame.Camera, frame.Light, _model.Grid.PixelsPerDegree, parts);
+        new(frame.Camera, frame.Light, _model.Grid.PixelsPerDegree, parts, _albedo?.For(frame.Camera));
 
     /// <returns>The whole image as PNG; its bytes do not depend on the number of strips.</returns>
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)

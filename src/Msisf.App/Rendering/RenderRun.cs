@@ -53,8 +53,8 @@ internal sealed class RenderRun
             ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
             : null;
         using PreparedRun run = PreparedRun.Of(camera, _settings, ephemeris, _host, cancellation);
-        using OpenedAlbedoMap? map = _times.Measure(Phase.Model, () => AlbedoSource.Open(_settings, _host));
-        inputs.Begin(run.Model.Set);
+        using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(_settings, _host));
+        inputs.Begin(run.Model.Set, maps.Files);
         RequireParts();
         _times.Measure(Phase.Preview, () => RunNotes.Write(camera, run.Frames, run.Model.Grid, _host.Log, cancellation));
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
@@ -62,12 +62,13 @@ internal sealed class RenderRun
         OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;
         RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(run.States, run.Names, RunIdentity.Of(
             _host.Version,
-            FrameArguments.OfSettings(_settings, sun?.Choice, map is null ? null : (Path.GetFileName(map.FilePath), map.Sha256)),
+            FrameArguments.OfSettings(_settings, sun?.Choice, maps.Files.FirstOrDefault(file => file.Kind == InputKind.AlbedoMap)),
             run.Model.Fingerprint(),
             sun?.Engine.EngineName,
             kernels,
-            version)));
-        return await RenderAsync(run, plan, inputs, map, cancellation).ConfigureAwait(false);
+            version,
+            maps.Files)));
+        return await RenderAsync(run, plan, inputs, maps, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
@@ -88,7 +89,7 @@ internal sealed class RenderRun
         PovOptions.Program.Concerned(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
-        PreparedRun run, RunPlan plan, RunInputs inputs, OpenedAlbedoMap? map, CancellationToken cancellation)
+        PreparedRun run, RunPlan plan, RunInputs inputs, SurfaceInputs maps, CancellationToken cancellation)
     {
         IReadOnlyList<Frame> frames = run.Frames;
         CreateFolder(_settings.OutputFolder);
@@ -103,8 +104,8 @@ internal sealed class RenderRun
         InputComparison comparison = new(_host.Log);
         FrameFiles files = new(_settings, run.Model, inputs, comparison, ledger, _times);
         using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native
-            ? Native(run.Model, map, files)
-            : PovRay(run.Model, files, atOnce);
+            ? Native(run.Model, maps, files)
+            : PovRay(run.Model, maps.Albedo, files, atOnce);
         using FrameTimes frameTimes = new(_settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
@@ -148,18 +149,19 @@ internal sealed class RenderRun
             state == FrameState.Complete ? new FrameOutputs(ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true) : null)];
     }
 
-    private PovRayFrameRenderer PovRay(ElevationModel model, FrameFiles files, int processes)
+    private PovRayFrameRenderer PovRay(ElevationModel model, OpenedAlbedoMap? map, FrameFiles files, int processes)
     {
         PovRayProcess povRay = new(FindPovRay());
         ScenePatterns patterns = new(
             new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
-        return new PovRayFrameRenderer(_settings, model, patterns, povRay, processes, files, _times);
+        PovAlbedo? albedo = map is null ? null : new PovAlbedo(map, patterns.Folder);
+        return new PovRayFrameRenderer(_settings, model, patterns, povRay, albedo, processes, files, _times);
     }
 
-    private NativeFrameRenderer Native(ElevationModel model, OpenedAlbedoMap? map, FrameFiles files)
+    private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files)
     {
         NativeLevels levels = new(model.Grid, () => model.Levels, _settings.LevelOfDetailError);
-        return new NativeFrameRenderer(_settings.Native, model.Grid, map, levels, files, _times);
+        return new NativeFrameRenderer(_settings.Native, model.Grid, maps, levels, files, _times);
     }
 
     private static void CreateFolder(string folder) => OutputOptions.Folder.Concerned(

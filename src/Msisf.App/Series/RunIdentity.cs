@@ -17,6 +17,9 @@ namespace Msisf.App.Series;
 /// <param name="Record">The same settings as a record of the manifest, with checksums of the inputs.</param>
 internal sealed record RunIdentity(string Version, string Arguments, SettingsRecord Record)
 {
+    /// <summary>Further files that the frames depend on, for the metadata.</summary>
+    public IReadOnlyList<InputFile> Inputs { get; private init; } = [];
+
     /// <summary>Length of a key, hexadecimal digits: half of a SHA-256 hash.</summary>
     private const int KeyLength = 32;
 
@@ -27,9 +30,10 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
     /// <param name="engine">Name and version of the ephemeris engine; null if the Sun is ignored.</param>
     /// <param name="kernels">The kernels, in load order.</param>
     /// <param name="povRay">Version of POV-Ray; null if POV-Ray is not used.</param>
+    /// <param name="inputs">Further files that the frames depend on; null for none.</param>
     public static RunIdentity Of(
         string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<InputFile> kernels,
-        string? povRay)
+        string? povRay, IReadOnlyList<InputFile>? inputs = null)
     {
         using MemoryStream stream = new();
         using (Utf8JsonWriter json = new(stream))
@@ -54,10 +58,33 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
 
             json.WriteEndArray();
             json.WriteString("povray", povRay);
+            if (inputs is { Count: > 0 })
+            {
+                Write(json, inputs);
+            }
+
             json.WriteEndObject();
         }
 
-        return new RunIdentity(version, arguments, new SettingsRecord(KeyOf(stream.ToArray()), Encoding.UTF8.GetString(stream.ToArray())));
+        return new RunIdentity(version, arguments, new SettingsRecord(KeyOf(stream.ToArray()), Encoding.UTF8.GetString(stream.ToArray())))
+        {
+            Inputs = inputs ?? [],
+        };
+    }
+
+    private static void Write(Utf8JsonWriter json, IReadOnlyList<InputFile> inputs)
+    {
+        json.WriteStartArray("inputs");
+        foreach (InputFile input in inputs)
+        {
+            json.WriteStartObject();
+            json.WriteString("kind", input.Kind.ToString());
+            json.WriteString("name", input.Name);
+            json.WriteString("sha256", input.Sha256);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
     }
 
     /// <summary>The key of a content: the first half of its SHA-256 hash, hexadecimal.</summary>

@@ -22,13 +22,13 @@ internal static partial class AlbedoOptions
     /// <summary>What the map's values mean.</summary>
     public static TextSpec Properties { get; } = new(
         "--albedo-map-properties", "LIST",
-        "What the map's values mean: scale=,offset=,west=,incidence=,emission=,phase=,band= (degrees, nm)")
+        "What the map's values mean, as in scale=3.16e-4,west=-180; also offset, incidence, emission, phase (degrees) and band (nm)")
     {
         DefaultNote = "those of the known map, or of its label",
     };
 
     /// <summary>Checksum of the map.</summary>
-    public static TextSpec Sha256 { get; } = new("--albedo-map-sha256", "HEX", "SHA-256 that the map's file must have")
+    public static TextSpec Checksum { get; } = new("--albedo-map-checksum", "HEX", "SHA-256 that the map's file must have")
     {
         Form = (HexDigits(), "64 hexadecimal digits are needed"),
     };
@@ -43,7 +43,7 @@ internal static partial class AlbedoOptions
     };
 
     /// <summary>The options of this class as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Albedo", [Map, Properties, Sha256, Band]);
+    public static OptionGroup Group { get; } = new("Albedo", [Map, Properties, Checksum, Band]);
 
     /// <summary>Reads the options.</summary>
     /// <exception cref="Core.Errors.MsisfException">A value is wrong.</exception>
@@ -54,7 +54,7 @@ internal static partial class AlbedoOptions
             path is not null && Path.GetFileName(path) == NoMap ? null : path,
             path is not null,
             Properties.ReadIfGiven(values) is { } text ? Properties.Named(() => MapProperties.Parse(text)) : new MapProperties(),
-            Sha256.ReadIfGiven(values)?.ToLowerInvariant(),
+            Checksum.ReadIfGiven(values)?.ToLowerInvariant(),
             SpectralBand.Of(Band.Read(values)));
     }
 

@@ -40,7 +40,7 @@ internal static class CameraChoice
         return camera.Model.Distortion is null || RendererOptions.Renderer.Read(values) == RendererKind.Native
             ? camera
             : throw new UsageException(
-                $"--camera {given} has a lens with distortion, which POV-Ray can't draw. Add --renderer native, or remove its 'distortion'.")
+                $"--camera {given} has a lens with distortion, which POV-Ray can't draw. Add --renderer native, or remove it.")
                 .About(ImageOptions.Camera, RendererOptions.Renderer);
     }
 
@@ -79,7 +79,9 @@ internal static class CameraChoice
     }
 
     private static IEnumerable<string> NamesIn(Installation installation) => Directory.Exists(installation.Cameras)
-        ? Directory.EnumerateFiles(installation.Cameras, $"*{Extension}").Select(Path.GetFileNameWithoutExtension).Order(StringComparer.Ordinal)!
+        ? Directory.EnumerateFiles(installation.Cameras, $"*{Extension}")
+            .Select(path => Path.GetFileNameWithoutExtension(path))
+            .Order(StringComparer.Ordinal)
         : [];
 
     private static string PathOf(Installation installation, string name) => Path.Combine(installation.Cameras, name + Extension);

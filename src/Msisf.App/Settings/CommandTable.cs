@@ -135,8 +135,9 @@ internal static class CommandTable
     /// <summary>msis cameras.</summary>
     public static CommandSpec Cameras { get; } = new("cameras", "List the presets of --camera.")
     {
-        Details = "A line for each preset (name, width and height in px, horizontal field of view in degrees, what it is; separated by tabs). "
-            + "Their files are in the folder cameras; docs/cameras.md says what a camera file holds.",
+        Details =
+            "A line for each preset (name, width and height in px, horizontal field of view in degrees, what it is; separated by tabs). "
+                + "Their files are in the folder cameras; docs/cameras.md says what a camera file holds.",
         MakeGroups = () => [OnlyHelp],
     };
 

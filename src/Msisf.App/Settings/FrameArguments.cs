@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
@@ -17,8 +18,8 @@ internal static class FrameArguments
     /// <summary>The arguments of the settings, without the state.</summary>
     /// <param name="settings">Settings of the run.</param>
     /// <param name="engine">The ephemeris engine for the Sun's position; null if none is used.</param>
-    /// <param name="map">Name and checksum of the map of the Moon's reflectance; null if none is used.</param>
-    public static string OfSettings(RenderSettings settings, EphemerisChoice? engine, (string Name, string Sha256)? map = null)
+    /// <param name="map">The map of the Moon's reflectance; null if none is used.</param>
+    public static string OfSettings(RenderSettings settings, EphemerisChoice? engine, InputFile? map = null)
     {
         List<string> words =
         [
@@ -64,15 +65,15 @@ internal static class FrameArguments
     /// The map with its properties, and the band where a map, the law or the radiance depends on it. A frame without a map says so if an
     /// installed one would be used.
     /// </summary>
-    private static List<string> OfAlbedo(RenderSettings settings, (string Name, string Sha256)? map)
+    private static List<string> OfAlbedo(RenderSettings settings, InputFile? map)
     {
         bool isMoon = settings.Renderer == RendererKind.Native && settings.Native.ReflectanceText == ReflectanceFactory.DefaultLaw;
         bool hasRadiance = settings.Renderer == RendererKind.Native
             && settings.Native.Layers?.Layers.Any(layer => layer.Name == "radiance") == true;
         List<string> words = [];
-        if (map is { } used)
+        if (map is not null)
         {
-            words.AddRange([AlbedoOptions.Map.Name, WordOf(used.Name), AlbedoOptions.Sha256.Name, used.Sha256]);
+            words.AddRange([AlbedoOptions.Map.Name, Quoted(map.Name), AlbedoOptions.Checksum.Name, map.Sha256]);
             if (settings.Albedo.Properties.ToString() is { Length: > 0 } properties)
             {
                 words.AddRange([AlbedoOptions.Properties.Name, properties]);
@@ -92,7 +93,7 @@ internal static class FrameArguments
     }
 
     private static IEnumerable<string> OfImage(RenderSettings settings) => settings.Camera is { } camera
-        ? [ImageOptions.Camera.Name, WordOf(CameraChoice.TextOf(camera))]
+        ? [ImageOptions.Camera.Name, Quoted(CameraChoice.TextOf(camera))]
         :
         [
             ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),
@@ -100,11 +101,12 @@ internal static class FrameArguments
             ImageOptions.Height.Name, Text(settings.Height),
         ];
 
-    private static string WordOf(string text) => text.Contains(' ', StringComparison.Ordinal) ? $"'{text}'" : text;
+    private static string Quoted(string text) => text.Contains(' ', StringComparison.Ordinal) ? $"'{text}'" : text;
 
     private static IEnumerable<string> OfNative(NativeSettings native) =>
     [
         NativeOptions.Reflectance.Name, native.ReflectanceText,
+        .. native.HapkeMap is { } hapkeMap ? (string[])[NativeOptions.HapkeMap.Name, Quoted(Path.GetFileName(hapkeMap))] : [],
         .. native.Albedo is double albedo ? (string[])[NativeOptions.Albedo.Name, NumberSpec.TextOf(albedo)] : [],
         .. NativeOptions.Sun.Words(native.Render.Sun),
         NativeOptions.Samples.Name, Text(native.Render.SubsamplesPerAxis * native.Render.SubsamplesPerAxis),

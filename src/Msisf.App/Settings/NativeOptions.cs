@@ -49,6 +49,13 @@ internal static class NativeOptions
         Words = ReflectanceFactory.Laws,
     };
 
+    /// <summary>Map of Hapke's parameters.</summary>
+    public static PathSpec HapkeMap { get; } = new(
+        "--hapke-map", PathKind.File, "Parameters of the law moon by place: LROC's WAC_HAPKEPARAMMAP_643NM.IMG")
+    {
+        DefaultNote = "the same everywhere",
+    };
+
     /// <summary>Albedo of the reflectance law.</summary>
     public static NumberSpec Albedo { get; } = new("--albedo", "A", "Albedo of a law that is not the Moon's own")
     {
@@ -97,7 +104,7 @@ internal static class NativeOptions
 
     /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
-        "Native renderer", [Samples, Shading, Sun, Reflectance, Albedo, Exposure, Transfer, BitDepth, Layers, LayersFormat])
+        "Native renderer", [Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, Layers, LayersFormat])
     {
         Note = "Only with --renderer native.",
     };

@@ -13,6 +13,9 @@ internal sealed record NativeSettings
     /// <summary>The reflectance law as text: its name and the given parameters in the order of their names.</summary>
     public required string ReflectanceText { get; init; }
 
+    /// <summary>Path of the map of Hapke's parameters; null for none.</summary>
+    public required string? HapkeMap { get; init; }
+
     /// <summary>Given albedo; null for the default of the law.</summary>
     public required double? Albedo { get; init; }
 

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Albedo;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
@@ -40,6 +41,7 @@ internal static class NativeSettingsReader
             ReflectanceText = parameters.Count == 0
                 ? law
                 : $"{law}:{string.Join(',', parameters.Select(pair => $"{pair.Key}={NumberSpec.TextOf(pair.Value)}"))}",
+            HapkeMap = HapkeMap(values, law, map),
             Albedo = albedo,
             Grey = NativeOptions.Exposure.Named(
                 () => new GreyScale(
@@ -52,6 +54,23 @@ internal static class NativeSettingsReader
             Layers = layers,
             LayersFormat = NativeOptions.LayersFormat.Read(values),
         };
+    }
+
+    private static string? HapkeMap(OptionValues values, string law, AlbedoSettings map)
+    {
+        string? path = NativeOptions.HapkeMap.ReadIfGiven(values);
+        if (path is not null && law != ReflectanceFactory.DefaultLaw)
+        {
+            throw new UsageException($"--hapke-map is for --reflectance moon; the law here is {law}. Leave one out.")
+                .About(NativeOptions.HapkeMap, NativeOptions.Reflectance);
+        }
+
+        return path is null || map.Band.Nanometres == HapkeMapFile.BandNanometres
+            ? path
+            : throw new UsageException(
+                $"--hapke-map holds the parameters at {HapkeMapFile.BandNanometres} nm, but --band is {map.Band.Nanometres}. "
+                    + $"Leave one out.")
+                .About(NativeOptions.HapkeMap, AlbedoOptions.Band);
     }
 
     private static void RefuseTwoBrightnesses(double? albedo, AlbedoSettings map)

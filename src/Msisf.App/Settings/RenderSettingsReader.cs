@@ -20,6 +20,7 @@ internal static class RenderSettingsReader
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
         RendererKind renderer = RendererOptions.Renderer.Read(values);
+        RendererOptions.Check(values);
         AlbedoSettings albedo = AlbedoOptions.Read(values);
         CameraFile? camera = CameraChoice.Read(values);
         RenderSettings settings = new()
@@ -59,7 +60,6 @@ internal static class RenderSettingsReader
             ListPatterns = PovOptions.ListPatterns.Read(values),
             Timing = RunOptions.Timing.Read(values),
         };
-        RendererOptions.Check(values);
         return settings;
     }
 

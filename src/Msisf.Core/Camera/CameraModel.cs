@@ -9,7 +9,8 @@ namespace Msisf.Core.Camera;
 
 /// <summary>
 /// A camera without its position: image size, focal length, principal point, skew and distortion. Points of the image are in rendering
-/// coordinates (<see cref="RenderingPoint"/>); points of the ideal image plane are tangents, right and down from the optical axis. Immutable.
+/// coordinates (<see cref="RenderingPoint"/>); points of the ideal image plane are tangents, right and down from the optical axis.
+/// Immutable.
 /// </summary>
 public sealed class CameraModel
 {
@@ -113,7 +114,8 @@ public sealed class CameraModel
 
     /// <summary>The same camera as the thesis's camera if it is one, so that its images have the same bytes; otherwise this one.</summary>
     public CameraModel Simplified() =>
-        Lens is null && Skew == 0.0 && FocalX == FocalY && PrincipalX == 0.5 * (1.0 + Width) && PrincipalY == 0.5 * (1.0 + Height)
+        Lens is null && Skew == 0.0 && FocalX == FocalY
+            && PrincipalX == 0.5 * (1.0 + Width) && PrincipalY == 0.5 * (1.0 + Height)
             ? FromFieldOfView(2.0 * Math.Atan(0.5 * Width / FocalX), Width, Height)
             : this;
 
@@ -134,7 +136,9 @@ public sealed class CameraModel
         return Lens is null ? measured : Lens.ToIdeal(measured);
     }
 
-    /// <summary>The point of the image in which a point of the ideal image plane is seen; any value outside the image is possible.</summary>
+    /// <summary>
+    /// The point of the image in which a point of the ideal image plane is seen; any value outside the image is possible.
+    /// </summary>
     /// <param name="right">Tangent to the right of the optical axis.</param>
     /// <param name="down">Tangent below it.</param>
     /// <param name="point">The point.</param>

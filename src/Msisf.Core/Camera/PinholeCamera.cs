@@ -5,7 +5,8 @@ namespace Msisf.Core.Camera;
 
 /// <summary>
 /// The perspective camera of thesis section 8.2, as POV-Ray sees it, or one with a principal point and a lens of its own. Camera axes: it
-/// looks along -x, y is to the right, z is up; the user's quaternion turns camera axes into Moon axes (chapter 7; docs/deviations.md, row 7).
+/// looks along -x, y is to the right, z is up; the user's quaternion turns camera axes into Moon axes (chapter 7; docs/deviations.md,
+/// row 7).
 /// </summary>
 public sealed class PinholeCamera
 {
@@ -115,7 +116,9 @@ public sealed class PinholeCamera
     /// 8.8).</summary>
     public Vector3D Right { get; }
 
-    /// <summary>POV-Ray's up vector, MOON_ME: the image's height without distortion; of the thesis's camera of length 1 (eq. 8.11).</summary>
+    /// <summary>
+    /// POV-Ray's up vector, MOON_ME: the image's height without distortion; of the thesis's camera of length 1 (eq. 8.11).
+    /// </summary>
     public Vector3D Up { get; }
 
     /// <summary>Component of each ray's direction along the viewing direction.</summary>

@@ -1,6 +1,8 @@
 namespace Msisf.Core.Camera;
 
-/// <summary>A rectangle of the ideal image plane: tangents of angles from the optical axis, to the right and down; may be infinite.</summary>
+/// <summary>
+/// A rectangle of the ideal image plane: tangents of angles from the optical axis, to the right and down; may be infinite.
+/// </summary>
 internal readonly record struct TangentBox(double Left, double Top, double Right, double Bottom)
 {
     /// <summary>Holds nothing; widen it by points.</summary>

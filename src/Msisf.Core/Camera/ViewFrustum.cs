@@ -72,7 +72,10 @@ internal sealed class ViewFrustum
     {
         double margin = camera.PixelTangent;
         return new ViewFrustum(
-            camera, (margin - tangents.Left, tangents.Right + margin, margin - tangents.Top, -tangents.Bottom - margin)) { IsOfLens = true };
+            camera, (margin - tangents.Left, tangents.Right + margin, margin - tangents.Top, -tangents.Bottom - margin))
+        {
+            IsOfLens = true,
+        };
     }
 
     /// <summary>Whether the frustum is that of a camera with a lens, so that rows of the image say nothing about it.</summary>

@@ -12,6 +12,12 @@ public enum InputKind
     /// <summary>A SPICE kernel.</summary>
     Kernel,
 
+    /// <summary>A map of the Moon's reflectance.</summary>
+    AlbedoMap,
+
+    /// <summary>A map of Hapke's parameters.</summary>
+    HapkeMap,
+
     /// <summary>A camera file.</summary>
     Camera,
 }

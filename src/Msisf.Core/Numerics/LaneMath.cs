@@ -18,7 +18,7 @@ internal static class LaneMath
     /// <summary>Adding it to a number below 2^51 leaves the rounded number in the last bits of the sum.</summary>
     private const double RoundingShift = 6755399441055744.0;
 
-    /// <summary>The exponential of numbers below this is taken as that of this, 1e-304: nothing beside 1, and no subnormal number.</summary>
+    /// <summary>Numbers below this count as this: e^x is 1e-304 then, nothing beside 1 and no subnormal number.</summary>
     private const double MinExponent = -700.0;
 
     /// <summary>Bits of sqrt(1/2), less an exponent of 0, so that a logical shift gives exponents counted from 1023.</summary>

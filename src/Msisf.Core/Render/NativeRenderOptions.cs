@@ -16,6 +16,9 @@ public sealed record NativeRenderOptions
     /// <summary>Map by which the law's radiance factors are scaled; null for the law alone.</summary>
     public AlbedoMap? Albedo { get; init; }
 
+    /// <summary>Hapke's parameters by place, which then replace <see cref="Reflectance"/>; null for the same law everywhere.</summary>
+    public HapkeMap? Hapke { get; init; }
+
     /// <summary>Whether the Sun is a point or a disc.</summary>
     public SunModel Sun { get; init; } = SunModel.Point;
 

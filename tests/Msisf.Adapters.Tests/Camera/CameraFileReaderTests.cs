@@ -28,7 +28,8 @@ public sealed class CameraFileReaderTests
         Assert.Equal((320.0, 241.5), (file.Model.PrincipalX, file.Model.PrincipalY)); // ours count from 1
         Assert.Equal(1.5, file.Model.Skew);
         Assert.Equal(
-            [-0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.001], Assert.IsType<OpenCvDistortion>(file.Model.Distortion).Coefficients);
+            [-0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.001],
+            Assert.IsType<OpenCvDistortion>(file.Model.Distortion).Coefficients);
     }
 
     [Theory]
@@ -45,7 +46,9 @@ public sealed class CameraFileReaderTests
         Assert.Equal((1.0, 1.0), (model.PrincipalX, model.PrincipalY));
     }
 
-    /// <summary>The same camera by its focal length in mm, in px and by its field of view; all are the thesis's, without distortion.</summary>
+    /// <summary>
+    /// The same camera by its focal length in mm, in px and by its field of view; all are the thesis's, without distortion.
+    /// </summary>
     [Theory]
     [InlineData("focal-length: 8\npixel-pitch: 0.01")]
     [InlineData("focal-length-px: 800")]
@@ -118,7 +121,9 @@ public sealed class CameraFileReaderTests
     [InlineData("width: 640\nheight: 480\nfocal-length: 1,5\npixel-pitch: 0.01\n", 3, "has a comma")]
     [InlineData("width: 640\nheight: 480\nfocal-length: nan\npixel-pitch: 0.01\n", 3, "is not finite")]
     [InlineData("width: 640\nheight: 480\nfocal-length: 10\npixel-pitch: -0.01\n", 4, "'pixel-pitch' is not above 0")]
-    [InlineData("width: 640\nheight: 480\nfocal-length: 10\npixel-pitch: [0.01, 0.01, 0.01]\n", 4, "'pixel-pitch' has 3 numbers; 1 to 2 are needed")]
+    [InlineData(
+        "width: 640\nheight: 480\nfocal-length: 10\npixel-pitch: [0.01, 0.01, 0.01]\n", 4,
+        "'pixel-pitch' has 3 numbers; 1 to 2 are needed")]
     [InlineData("width: 640\nheight: 480\nfocal-length-px: [800, 0]\n", 3, "'focal-length-px' is not above 0")]
     [InlineData("width: 640\nheight: 480\nfield-of-view: 170\n", 3, "'field-of-view' is 170; degrees above 0 and below 170")]
     [InlineData("width: 640\nheight: 480\nfield-of-view: -3\n", 3, "'field-of-view' is -3")]
@@ -131,13 +136,17 @@ public sealed class CameraFileReaderTests
     [InlineData(Plain + "distortion:\n  k1: 0.1\n", 5, "a distortion needs 'model'")]
     [InlineData(Plain + "distortion:\n  model: openvc\n  k1: 0.1\n", 6, "perhaps 'opencv'")]
     [InlineData(Plain + "distortion:\n  model: opencv\n", 5, "needs 'k1': at least one coefficient")]
-    [InlineData(Plain + "distortion:\n  model: brown-conrady\n  k1: 0.1\n  k4: 0.1\n", 8, "'k4' is no key of the distortion model 'brown-conrady'")]
+    [InlineData(
+        Plain + "distortion:\n  model: brown-conrady\n  k1: 0.1\n  k4: 0.1\n", 8,
+        "'k4' is no key of the distortion model 'brown-conrady'")]
     [InlineData(Plain + "distortion:\n  model: opencv\n  k1: [0.1]\n", 7, "'k1' takes one value")]
     [InlineData(Plain + "distortion:\n  model: opencv\n  k1:\n    value: 1\n", 8, "'k1' takes a value, or a list of values")]
     [InlineData(Plain + "distortion:\n  model: radial\n", 5, "needs 'k'")]
     [InlineData(Plain + "distortion:\n  model: radial\n  k: [1, 2, 3, 4]\n", 7, "'k' has 4 numbers; 1 to 3 are needed")]
     [InlineData(Plain + "distortion:\n  model: radial\n  k: [0.1]\n  form: divide\n", 8, "perhaps 'division'")]
-    [InlineData("width: 64\nheight: 48\nfocal-length-px: 99\ndistortion:\n  model: owen\n  e2: 0.1\n", 5, "is in mm and needs 'focal-length'")]
+    [InlineData(
+        "width: 64\nheight: 48\nfocal-length-px: 99\ndistortion:\n  model: owen\n  e2: 0.1\n", 5,
+        "is in mm and needs 'focal-length'")]
     [InlineData(Plain + "distortion:\n  model: opencv\n  k1: -9\n", 5, "do not invert inside the image")]
     [InlineData(Plain + "distortion:\n  model: fisheye\n  k1: -9\n", 5, "do not invert inside the image")]
     [InlineData(Plain + "distortion:\n  model: radial\n  k: [-0.1]\n", 5, "do not invert inside the image")]

@@ -110,7 +110,8 @@ public sealed class NpyLayerWriterTests : IDisposable
             []);
         using AtomicFileSet files = new();
         IReadOnlyList<string> paths = NpyLayerWriter.Write(
-            files, _folder["frame"], frame, new LayerProvenance("LDEM_16", 4, 2, "native", SpectralBand.Default), new SphereTruth(camera, Sun, 4),
+            files, _folder["frame"], frame, new LayerProvenance("LDEM_16", 4, 2, "native", SpectralBand.Default), new SphereTruth(camera,
+                Sun, 4),
             LayerSet.Parse(layers));
         files.Commit();
         return paths;

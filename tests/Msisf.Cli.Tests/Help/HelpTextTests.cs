@@ -32,7 +32,8 @@ public sealed class HelpTextTests
         string[] lines = CommandLineRun.Of(["--help"]).Output.Split('\n');
         string[] titles =
         [
-            "Examples:", "Where the camera is:", "Image:", "Light:", "Surface model:", "Output:", "Renderer:", "Native renderer:",
+            "Examples:", "Where the camera is:", "Image:", "Light:", "Surface model:", "Albedo:", "Output:", "Renderer:",
+            "Native renderer:",
             "POV-Ray:", "Run:", "Commands:",
         ];
 

@@ -93,7 +93,8 @@ public sealed class CameraModelTests
     }
 
     /// <summary>
-    /// r (1 + k1 r2) is greatest at 1 / sqrt(-3 k1): with k1 = -1/3 at r = 1, where it is 2/3. The corner lies at sqrt(2) / 2 over the focal
+    /// r (1 + k1 r2) is greatest at 1 / sqrt(-3 k1): with k1 = -1/3 at r = 1, where it is 2/3. The corner lies at sqrt(2) / 2 over the
+    /// focal
     /// length.
     /// </summary>
     [Theory]

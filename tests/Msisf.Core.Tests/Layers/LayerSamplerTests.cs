@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
+using Msisf.Core.Mesh;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
@@ -59,6 +60,61 @@ public class LayerSamplerTests
         }
     }
 
+    [Theory]
+    [InlineData(12.5, 0.0)]
+    [InlineData(30.0, 90.0)]
+    [InlineData(5.0, 200.0)]
+    [InlineData(1e-3, 359.0)]
+    public void SampleRow_InclinedGround_HasItsSlopeAndAspect(double slope, double aspect)
+    {
+        // At 30 N 40 E; the normal leans towards the azimuth in which the ground falls.
+        (double sinSlope, double cosSlope) = Math.SinCos(double.DegreesToRadians(slope));
+        (double sinAspect, double cosAspect) = Math.SinCos(double.DegreesToRadians(aspect));
+        (double sin30, double cos30) = Math.SinCos(Math.PI / 6.0);
+        (double sin40, double cos40) = Math.SinCos(double.DegreesToRadians(40.0));
+        Vector3D up = new(cos30 * cos40, cos30 * sin40, sin30);
+        Vector3D east = new(-sin40, cos40, 0.0);
+        Vector3D north = new(-sin30 * cos40, -sin30 * sin40, cos30);
+        Vector3D normal = (cosSlope * up) + (sinSlope * ((sinAspect * east) + (cosAspect * north)));
+
+        double[] values = PixelOf(TruthOf(1.74e6 * up, normal), 1, 1, "slope", "aspect");
+
+        Assert.Equal(slope, values[0], 1e-9);
+        Assert.Equal(aspect, values[1], 1e-6);
+    }
+
+    [Fact]
+    public void SampleRow_SphereIncidence_IsThatOfTheSmoothSphere()
+    {
+        double[][] planes = Sample(new SphereTruth(NadirCamera(21, 21), Sun, 4), "incidence", "sphere-incidence");
+
+        Assert.Contains(planes[1], double.IsFinite);
+        for (int i = 0; i < planes[0].Length; i++)
+        {
+            Assert.Equal(planes[0][i], planes[1][i], 1e-9);
+        }
+    }
+
+    [Fact]
+    public void SampleRow_LevelGroundOrPole_HasNoAspect()
+    {
+        Assert.Equal([0.0, double.NaN], PixelOf(TruthOf(1.7e6 * Vector3D.UnitX, Vector3D.UnitX), 1, 1, "slope", "aspect"));
+        Assert.Equal([90.0, double.NaN], PixelOf(TruthOf(1.7e6 * Vector3D.UnitZ, Vector3D.UnitX), 1, 1, "slope", "aspect"));
+    }
+
+    [Fact]
+    public void SampleRow_Brightness_IsTheImagesAlsoBesideTheMoon()
+    {
+        FunctionTruth truth = new(NadirCamera(2, 1), 149_597_870_700.0 * Vector3D.UnitX, (_, _) => null) { Factors = [0.1, 0.0] };
+        double[][] planes = [new double[2], new double[2], new double[2]];
+
+        new LayerSampler(truth, Provenance).SampleRow(0, LayerSet.Parse("slope,radiance-factor,radiance").Layers, planes, start: 0);
+
+        Assert.All(planes[0], value => Assert.Equal(double.NaN, value));
+        Assert.Equal([0.1, 0.0], planes[1]);
+        Assert.Equal(0.1 * 0.515662, planes[2][0], 1e-6); // 1.620 W m^-2 nm^-1 over pi
+    }
+
     [Fact]
     public void SampleRow_CentrePixel_HasTheClosedFormValues()
     {
@@ -101,9 +157,9 @@ public class LayerSamplerTests
 
         double[][] planes = Sample(new SphereTruth(away, Sun, 4), [.. LayerCatalogue.All.Select(layer => layer.Name)]);
 
-        Assert.Equal(21, planes.Length);
+        Assert.Equal(26, planes.Length);
         Assert.Single(planes, plane => plane.All(value => value == 0.0));
-        Assert.Equal(20, planes.Count(plane => plane.All(double.IsNaN)));
+        Assert.Equal(25, planes.Count(plane => plane.All(double.IsNaN)));
     }
 
     [Fact]
@@ -162,6 +218,12 @@ public class LayerSamplerTests
     private static PinholeCamera NadirCamera(int width, int height) =>
         new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 1.0, width, height);
 
+    /// <summary>A pixel that shows one point.</summary>
+    private static FunctionTruth TruthOf(Vector3D point, Vector3D normal) => new(
+        NadirCamera(1, 1), Sun,
+        (_, _) => (new SurfaceHit(point, normal, new FacetId(1, 1, FacetHalf.SouthWest), 1.0),
+            new PixelIllumination(IlluminationState.Lit, 1.0)));
+
     private static double[][] Sample(SphereTruth truth, params string[] names)
     {
         LayerSampler sampler = new(truth, Provenance);
@@ -176,7 +238,7 @@ public class LayerSamplerTests
     }
 
     /// <summary>The values of one pixel, in the order of the catalogue.</summary>
-    private static double[] PixelOf(SphereTruth truth, int x, int y, params string[] names)
+    private static double[] PixelOf(IGroundTruth truth, int x, int y, params string[] names)
     {
         LayerSampler sampler = new(truth, Provenance);
         IReadOnlyList<Layer> layers = LayerSet.Parse(string.Join(',', names)).Layers;

@@ -13,8 +13,8 @@ public class LayerSetTests
     {
         string[] names = [.. LayerSet.Parse(text).Layers.Select(layer => layer.Name)];
 
-        Assert.Equal(16, names.Length);
-        Assert.Equal(16, names.Distinct().Count());
+        Assert.Equal(21, names.Length);
+        Assert.Equal(21, names.Distinct().Count());
     }
 
     [Fact]
@@ -38,7 +38,7 @@ public class LayerSetTests
     public void Parse_UnknownName_NamesAllThatThereAre() =>
         Assert.Contains(
             "depth, range, position, latitude, longitude, height, normal, incidence, emission, phase, illumination-direction, "
-                + "mask, sun-visibility, tile, cell, pixel-scale",
+                + "mask, sun-visibility, tile, cell, pixel-scale, slope, aspect, sphere-incidence, radiance-factor, radiance",
             Assert.Throws<UsageException>(() => LayerSet.Parse("x")).Message,
             StringComparison.Ordinal);
 }

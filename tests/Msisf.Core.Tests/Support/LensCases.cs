@@ -39,7 +39,8 @@ internal static class LensCases
             "owen" => With(new OwenDistortion(
                 [0.01 / t, 0.05 / t2, 0.002 / (t * t2), -0.004 / (t2 * t2), 0.01 / t, -0.015 / t], 1.0)),
             "fisheye" => new CameraModel(
-                width, height, (0.5 * width / angle, 0.5 * width / angle), middle, 0.0, new FisheyeDistortion([0.02, -0.005, 0.001, -0.0002])),
+                width, height, (0.5 * width / angle, 0.5 * width / angle), middle, 0.0,
+                new FisheyeDistortion([0.02, -0.005, 0.001, -0.0002])),
             "radial-factor" => With(new RadialDistortion([0.12 / t2, 0.01 / (t2 * t2), 0.001 / (t2 * t2 * t2)], isDivision: false, 1.0)),
             "radial-division" => With(new RadialDistortion([0.08 / t2], isDivision: true, 1.0)),
             "polynomial" => With(new PolynomialDistortion(

@@ -14,7 +14,8 @@ public sealed class CameraFileTests : IClassFixture<RenderFixture>, IDisposable
     private const string State = "{55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1}";
 
     private const string Lens =
-        "width: 300\nheight: 200\nfocal-length: 6\npixel-pitch: [0.024, 0.03]\nprincipal-point: [160, 90]\npixel-convention: opencv\nskew: 2\n"
+        "width: 300\nheight: 200\nfocal-length: 6\npixel-pitch: [0.024, 0.03]\nprincipal-point: [160, 90]\n"
+            + "pixel-convention: opencv\nskew: 2\n"
             + "distortion:\n  model: opencv\n  k1: -0.2\n  k2: 0.05\n  p1: 0.002\n  k4: 0.01\n  s1: 0.003\n";
 
     private readonly RenderFixture _fixture;
@@ -78,7 +79,8 @@ public sealed class CameraFileTests : IClassFixture<RenderFixture>, IDisposable
         CommandLineRun run = CommandLineRun.Of(
         [
             "--fixed-state", State, "--camera", _folder["camera.yaml"], "--gridH", "20", "--gridV", "20",
-            "--output-name", name, .. more, "--ldem", TestParts.Ldem4Label!, "--output-dir", _folder.Path, "--ephemeris", "builtin", "--batch",
+            "--output-name", name, .. more, "--ldem", TestParts.Ldem4Label!,
+            "--output-dir", _folder.Path, "--ephemeris", "builtin", "--batch",
         ]);
         Assert.True(run.ExitCode == 0, run.Error);
     }

@@ -59,6 +59,26 @@ public sealed class NativeImageTests(RenderFixture fixture, ITestOutputHelper ou
         "section 9.2",
         "{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}");
 
+    /// <summary>Where a pixel of the map spans several of the image, both renderers show it linear between its pixels.</summary>
+    [RequiresTheory(Part.Ldem4, Part.PovRay)]
+    [InlineData("over the seam at 20 N", -1.74e6, -1e3, 6.3e5)]
+    [InlineData("over the map's left edge", 1.74e6, 1e3, -6.3e5)]
+    [InlineData("over 60 N", 9.25e5, 1e3, 1.602e6)]
+    public void Albedo_LambertWithAMap_IsPovRays(string name, double x, double y, double z)
+    {
+        string map = PdsMap.Write(
+            _folder, "WAC_EMP_643NM_TEST", "UNSIGNED_INTEGER", 8, 2, (column, row) => 40 + ((73 * column) + (41 * row)) % 200,
+            "SCALING_FACTOR = 0.004");
+
+        (PngPixels povRay, PngPixels native) = RenderBoth(
+            Nadir(new Vector3D(x, y, z)), "--fov", "60", "--ignore-sun", "--albedo-map", map);
+
+        ImageDifference difference = new(povRay, native, SameGrey);
+        output.WriteLine($"{name}: {difference}");
+        Assert.True(difference.OffEdge.Count == 0, $"{name}: {difference}");
+        Assert.True(difference.BlackDiffers + difference.GreyDiffers <= EdgePixels * Side * Side, $"{name}: {difference}");
+    }
+
     private void AssertSameLight(string name, string state, params string[] more)
     {
         (PngPixels povRay, PngPixels native) = RenderBoth(state, more);

@@ -26,7 +26,8 @@ internal sealed record FrameSeries(int Frames, int Size, string? Patterns = null
         "--kepler-set", "{1.9E6,0.05,0.7,1.1,0.9,2.0}", "--epoch", Text(Epoch), "--time-interval",
         $"[{Text(Epoch)}:{Text(Step)}:{Text(Epoch + (Step * (Frames - 1)))}]",
         "--width", Text(Size), "--height", Text(Size), "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin",
-        .. Patterns is null ? (string[])["--renderer", "native", "--reflectance", "lambert"] : ["--renderer", "povray", "--pattern-repos", Patterns],
+        .. Patterns is null ? (string[])["--renderer", "native", "--reflectance", "lambert"] : ["--renderer", "povray",
+        "--pattern-repos", Patterns],
     ];
 
     private static string Text(decimal number) => number.ToString(CultureInfo.InvariantCulture);

@@ -59,7 +59,8 @@ internal sealed class FuzzWorld : IDisposable
 
     /// <summary>The options of every image, but for where the camera is and where it goes.</summary>
     public string[] Sources =>
-        [.. TinyImage, "--renderer", "native", "--reflectance", "lambert", "--res", "1", "--ldem", Model, "--kernels", Kernels, "--ephemeris", "builtin"];
+        [.. TinyImage, "--renderer", "native", "--reflectance", "lambert", "--res", "1", "--ldem", Model, "--kernels", Kernels,
+            "--ephemeris", "builtin"];
 
     /// <summary>The run of <see cref="OutputFolder"/>, but for its times and folder.</summary>
     public string[] Render => [.. Sources, "--kepler-set", "{1.9E6,0,0,0,1,0}", "--epoch", "51544.5"];

@@ -8,7 +8,8 @@ namespace Msisf.Core.Camera.Lenses;
 /// t (1 + k1 t2 + k2 t4 + k3 t6 + k4 t8) from the principal point.
 /// </summary>
 /// <remarks>
-/// J. Kannala, S. S. Brandt, IEEE Trans. Pattern Analysis and Machine Intelligence 28 (2006) 1335. The formula is evaluated from measured to
+/// J. Kannala, S. S. Brandt, IEEE Trans. Pattern Analysis and Machine Intelligence 28 (2006) 1335. The formula is evaluated from
+/// measured to
 /// ideal, the angle by Newton's method, because that way needs a tangent and no arctangent.
 /// </remarks>
 public sealed class FisheyeDistortion : Distortion

@@ -21,7 +21,9 @@ internal sealed class LensMap
     /// <summary>Every so many cells between nodes are checked; the number is prime to the cells of a row, so all columns are met.</summary>
     private const int CellsPerCheck = 5;
 
-    /// <summary>Parts of the image's distance from the principal point: limits the error of a point that was mapped forth and back.</summary>
+    /// <summary>
+    /// Parts of the image's distance from the principal point: limits the error of a point that was mapped forth and back.
+    /// </summary>
     private const double RoundTrip = 1e-14;
 
     private readonly Distortion _formula;

@@ -18,12 +18,16 @@ internal sealed class AlbedoSampler
     /// <param name="camera">The camera that sees them.</param>
     /// <param name="samplesAcross">Samples along a pixel's edge.</param>
     /// <param name="map">The map.</param>
-    /// <param name="factorOfReference">The law's radiance factor in the map's geometry, above 0.</param>
-    public void Scale(SunlitPoints points, PinholeCamera camera, int samplesAcross, AlbedoMap map, double factorOfReference)
+    /// <param name="factorOfReference">
+    /// The law's radiance factor in the map's geometry, above 0; null if it differs from place to place
+    /// (<see cref="SunlitPoints.ReferenceFactors"/>).
+    /// </param>
+    public void Scale(SunlitPoints points, PinholeCamera camera, int samplesAcross, AlbedoMap map, double? factorOfReference)
     {
         _footprints.Find(points, camera, samplesAcross, map);
-        double offset = map.Offset / factorOfReference;
-        double step = map.Step / factorOfReference;
+        double perReference = 1.0 / (factorOfReference ?? 1.0);
+        double offset = map.Offset * perReference;
+        double step = map.Step * perReference;
         Span<double> factors = points.Factors.AsSpan(0, points.Count);
         MapLevelReader fine = default;
         MapLevelReader coarse = default;
@@ -46,7 +50,8 @@ internal sealed class AlbedoSampler
                 : MeanAlong(fine, coarse, part, i, (int)Math.Ceiling(widths));
             if (code > 0.0)
             {
-                factors[i] *= offset + (step * code);
+                double scale = offset + (step * code);
+                factors[i] *= factorOfReference is null ? scale / points.ReferenceFactors[i] : scale;
             }
         }
     }

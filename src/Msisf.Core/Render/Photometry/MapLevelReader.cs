@@ -30,16 +30,16 @@ internal readonly ref struct MapLevelReader
     {
         double x = (finestX * _scaleX) - 0.5;
         double y = (finestY * _scaleY) - 0.5;
-        double left = Math.Floor(x);
-        double upper = Math.Floor(y);
-        double partX = x - left;
-        double partY = y - upper;
-        int column = (int)left;
-        int row = (int)upper;
-        if ((uint)column >= (uint)(_width - 1) || (uint)row >= (uint)(_height - 1))
+        int column = (int)x; // rounds towards 0, which is down but at the western and northern edge
+        int row = (int)y;
+        if (x < 0.0 || y < 0.0 || column >= _width - 1 || row >= _height - 1)
         {
-            return AtEdge(x, row, partY);
+            double upper = Math.Floor(y);
+            return AtEdge(x, (int)upper, y - upper);
         }
+
+        double partX = x - column;
+        double partY = y - row;
 
         int index = (row * _width) + column;
         ReadOnlySpan<ushort> here = _codes.Slice(index, 2);

@@ -53,6 +53,11 @@ internal sealed class SunlitPoints
     /// <summary>Radiance factor of each pixel.</summary>
     public double[] Factors { get; private set; } = [];
 
+    /// <summary>
+    /// Radiance factor of each pixel's surface in the geometry of a map of the reflectance, if that differs from place to place.
+    /// </summary>
+    public double[] ReferenceFactors { get; private set; } = [];
+
     /// <summary>Forgets all pixels and makes room for a row.</summary>
     public void Clear(int width)
     {
@@ -63,8 +68,8 @@ internal sealed class SunlitPoints
             Columns = new int[size];
             (Weights, X, Y, Z) = (new double[size], new double[size], new double[size], new double[size]);
             (NormalX, NormalY, NormalZ) = (new double[size], new double[size], new double[size]);
-            (CosIncidence, CosEmission, PhaseHaversine, Factors) =
-                (new double[size], new double[size], new double[size], new double[size]);
+            (CosIncidence, CosEmission, PhaseHaversine) = (new double[size], new double[size], new double[size]);
+            (Factors, ReferenceFactors) = (new double[size], new double[size]);
         }
     }
 
@@ -105,7 +110,8 @@ internal sealed class SunlitPoints
             Vector512<double> perLengths = one / (sunLength * viewLength);
             Vector512<double> perSun = viewLength * perLengths;
             Vector512<double> perView = sunLength * perLengths;
-            Vector512<double> cosEmission = ((Load(NormalX, i) * viewX) + (Load(NormalY, i) * viewY) + (Load(NormalZ, i) * viewZ)) * perView;
+            Vector512<double> cosEmission = perView
+                * ((Load(NormalX, i) * viewX) + (Load(NormalY, i) * viewY) + (Load(NormalZ, i) * viewZ));
             Vector512<double> differenceX = (sunX * perSun) - (viewX * perView);
             Vector512<double> differenceY = (sunY * perSun) - (viewY * perView);
             Vector512<double> differenceZ = (sunZ * perSun) - (viewZ * perView);

@@ -36,9 +36,9 @@ internal sealed class RowShader
         CancellationToken cancellation)
     {
         bool isFlat = options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, Albedo: null };
-        double factorOfReference = options.Albedo is { } map
-            ? options.Reflectance.RadianceFactor(map.Reference.CosIncidence, map.Reference.CosEmission, map.Reference.PhaseHaversine)
-            : 1.0;
+        double? factorOfReference = options is { Albedo.Reference: var reference, Hapke: null }
+            ? options.Reflectance.RadianceFactor(reference.CosIncidence, reference.CosEmission, reference.PhaseHaversine)
+            : null;
         WorkerTeam.Run(threads, visible.Height, (_, row) =>
         {
             int start = row * visible.Width;
@@ -54,9 +54,17 @@ internal sealed class RowShader
             SunlitPoints points = scratch.Points;
             int count = points.Count;
             points.FindAngles(light.PositionMoonMe, visible.View.Camera.PositionMoonMe);
-            options.Reflectance.RadianceFactors(
-                points.CosIncidence.AsSpan(0, count), points.CosEmission.AsSpan(0, count), points.PhaseHaversine.AsSpan(0, count),
-                points.Factors);
+            if (options.Hapke is { } places)
+            {
+                places.FindFactors(points, options.Albedo?.Reference);
+            }
+            else
+            {
+                options.Reflectance.RadianceFactors(
+                    points.CosIncidence.AsSpan(0, count), points.CosEmission.AsSpan(0, count), points.PhaseHaversine.AsSpan(0, count),
+                    points.Factors);
+            }
+
             if (options.Albedo is not null)
             {
                 scratch.Albedo.Scale(points, visible.View.Camera, options.SubsamplesPerAxis, options.Albedo, factorOfReference);

@@ -12,7 +12,8 @@ namespace Msisf.Core.Render.Visibility;
 internal sealed class LensSamples
 {
     /// <summary>
-    /// Parts of a cell: tiles are halved until no sample is farther from its pixel. Measured: with less the tiles are smaller and each block
+    /// Parts of a cell: tiles are halved until no sample is farther from its pixel. Measured: with less the tiles are smaller and each
+    /// block
     /// is projected more often; with more each cell is tested against more samples.
     /// </summary>
     private const double MarginPerCell = 0.15;

@@ -113,7 +113,8 @@ public sealed class DistortionTests
             [-0.15, 0.04, -0.005, 0.02, 0.01, 0.002], [0.003, -0.002], [0.001, -0.0005, -0.002, 0.0007]),
         "fisheye" => new FisheyeDistortion([0.02, -0.005, 0.001, -0.0002]),
         "owen" => new OwenDistortion([1e-4, -5e-4, 2e-6, -1e-6, 3e-4, -2e-4], 10.0),
-        "radial-factor" => new RadialDistortion([0.0113109452166359, 0.000144463288593614, 4.88754251291127e-6], isDivision: false, 6.0308669),
+        "radial-factor" => new RadialDistortion(
+            [0.0113109452166359, 0.000144463288593614, 4.88754251291127e-6], isDivision: false, 6.0308669),
         "radial-division" => new RadialDistortion([1.81e-8], isDivision: true, 699.62),
         _ => new PolynomialDistortion(
             [-0.02, 1.3e-4, -2.7e-6, -6.2e-7], [-0.07, -9.8e-4, 8.6e-6, 3.7e-7], isRadial: model == "polynomial-radius", 72.45),

@@ -76,6 +76,40 @@ public class ReflectanceFactoryTests
             StringComparison.Ordinal);
 
     [Fact]
+    public void Create_Moon_HasTheBrightnessOfSatosMedians()
+    {
+        // python3 tests/reference/moon_law.py
+        IReflectance moon = ReflectanceFactory.Create("moon", None);
+        IReflectance violet = ReflectanceFactory.Create("moon", None, band: SpectralBand.Of(321));
+
+        Assert.Equal(0.097835190971512899, At(moon, 30.0, 0.0, 30.0), 1e-13);
+        Assert.Equal(0.045825063890022277, At(moon, 60.0, 0.0, 60.0), 1e-13);
+        Assert.InRange(At(violet, 30.0, 0.0, 30.0) / At(moon, 30.0, 0.0, 30.0), 0.3, 0.5);
+    }
+
+    [Theory]
+    [InlineData(30.0, 0.0, 30.0, 0.087598322788859186)] // python3 tests/reference/moon_law.py
+    [InlineData(60.0, 20.0, 45.0, 0.051118477632417614)]
+    [InlineData(0.0, 0.0, 0.0, 0.24833582182230244)]
+    [InlineData(80.0, 70.0, 140.0, 0.007362198543372184)]
+    public void Create_Nac_HasTheBrightnessOfItsFormula(double incidence, double emission, double phase, double expected) =>
+        Assert.Equal(expected, At(ReflectanceFactory.Create("nac", None), incidence, emission, phase), 1e-14);
+
+    private static double At(IReflectance law, double incidence, double emission, double phase)
+    {
+        ReferenceGeometry geometry = new(incidence, emission, phase);
+        return law.RadianceFactor(geometry.CosIncidence, geometry.CosEmission, geometry.PhaseHaversine);
+    }
+
+    [Theory]
+    [InlineData("moon")]
+    [InlineData("nac")]
+    public void Create_AbsoluteLawWithAlbedo_IsBadInput(string law) =>
+        Assert.Contains(
+            "takes no albedo", Assert.Throws<BadInputException>(() => ReflectanceFactory.Create(law, None, 0.5)).Message,
+            StringComparison.Ordinal);
+
+    [Fact]
     public void Create_HapkeWithWAndAlbedo_IsBadInput() =>
         Assert.Contains("Leave one out.", Assert.Throws<BadInputException>(
             () =>

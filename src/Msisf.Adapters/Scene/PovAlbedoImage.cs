@@ -1,0 +1,42 @@
+using Msisf.Adapters.Render;
+using Msisf.Core.Errors;
+using Msisf.Core.Render.Photometry;
+
+namespace Msisf.Adapters.Scene;
+
+/// <summary>A level of a map of the Moon's reflectance as a 16-bit image for POV-Ray's image_map.</summary>
+public static class PovAlbedoImage
+{
+    /// <summary>Radiance factor that the image's white has with the Sun in the zenith, by Lambert's law.</summary>
+    /// <param name="map">The map.</param>
+    public static double DiffuseOf(AlbedoMap map) => (map.Offset + (map.Step * ushort.MaxValue)) / map.Reference.CosIncidence;
+
+    /// <summary>Writes the image.</summary>
+    /// <param name="stream">Receives it.</param>
+    /// <param name="name">The map's name, for messages.</param>
+    /// <param name="map">The map.</param>
+    /// <param name="level">The level.</param>
+    /// <exception cref="BadInputException">The map does not show the whole Moon, or a value is negative.</exception>
+    public static void Write(Stream stream, string name, AlbedoMap map, int level)
+    {
+        if (!map.Extent.ReachesNorthPole || !map.Extent.ReachesSouthPole)
+        {
+            throw new BadInputException($"{name}: shows a part of the Moon; POV-Ray needs a map of all of it. Use --renderer native.");
+        }
+
+        AlbedoMapLevel wanted = map.Levels[level];
+        double white = map.Offset + (map.Step * ushort.MaxValue);
+        ReadOnlySpan<ushort> codes = wanted.Codes.Span;
+        ushort[] greys = new ushort[codes.Length];
+        for (int i = 0; i < greys.Length; i++)
+        {
+            double grey = (map.Offset + (map.Step * codes[i])) / white;
+            greys[i] = codes[i] != 0 && grey >= 0.0
+                ? (ushort)Math.Min((grey * ushort.MaxValue) + 0.5, ushort.MaxValue)
+                : throw new BadInputException(
+                    $"{name}: has places without a reflectance, which POV-Ray can't draw. Use --renderer native.");
+        }
+
+        PngWriter.Write(stream, greys, wanted.Width, GreyTransfer.Linear);
+    }
+}
