@@ -13,6 +13,7 @@ namespace Msisf.Adapters.Camera;
 /// <param name="Bytes">Its length.</param>
 /// <param name="IsPreset">Whether it belongs to the installation.</param>
 /// <param name="FieldOfViewDegrees">Horizontal field of view, as the file gives it or computed.</param>
+/// <param name="Detector">Optics and detector; null if the file does not describe them.</param>
 public sealed record CameraFile(
     string Name, string Sha256, string? Description, CameraModel Model, double? FocalLength, (double X, double Y)? PixelPitch, string Path,
-    long Bytes, bool IsPreset, double FieldOfViewDegrees);
+    long Bytes, bool IsPreset, double FieldOfViewDegrees, CameraFileDetector? Detector = null);

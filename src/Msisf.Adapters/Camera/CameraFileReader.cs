@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using System.Text;
 using Msisf.Adapters.Input;
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
@@ -70,13 +71,20 @@ public static class CameraFileReader
             throw file.Wrong(distortion is null ? FocalKey(file) : "distortion", exception.Message.TrimEnd('.'));
         }
 
+        CameraFileDetector? detector = DetectorSection.Read(
+            file, new DetectorGeometry(path, width, height, metric?.FocalLength, metric?.Pitch));
         return new CameraFile(
-            preset ?? Path.GetFileName(path), Convert.ToHexStringLower(SHA256.HashData(content)), file.Text("description"), model,
+            preset ?? Path.GetFileName(path), Checksum(content, detector), file.Text("description"), model,
             metric?.FocalLength, metric?.Pitch, path, content.Length, preset is not null,
-            model.Distortion is null && file.Number("field-of-view") is double given ? given : double.RadiansToDegrees(model.FieldOfView));
+            model.Distortion is null && file.Number("field-of-view") is double given ? given : double.RadiansToDegrees(model.FieldOfView),
+            detector);
 
         static double focalMillimetres(double focalLength) => focalLength / MetresPerMillimetre;
     }
+
+    /// <summary>Of the file, and of the kernel that it names.</summary>
+    private static string Checksum(byte[] content, CameraFileDetector? detector) => Convert.ToHexStringLower(SHA256.HashData(
+        detector?.KernelSha256 is string kernel ? [.. content, .. Encoding.ASCII.GetBytes(kernel)] : content));
 
     /// <summary>The key that gives the focal length; exactly one of three does.</summary>
     private static string FocalKey(CameraSection file)

@@ -32,6 +32,9 @@ public sealed class CameraSection
     /// <summary>Whether a key is there.</summary>
     public bool Has(string key) => Find(key) is not null;
 
+    /// <summary>Whether a key has a list.</summary>
+    public bool IsList(string key) => Find(key) is { IsList: true };
+
     /// <summary>A section below this one; null if it is not there.</summary>
     /// <param name="key">Its key.</param>
     /// <param name="what">What its keys belong to, for messages, e.g. "a distortion".</param>

@@ -12,6 +12,7 @@ internal static unsafe partial class CFitsioNative
     internal const string Library = "libcfitsio.so.10";
 
     internal const int TypeByte = 11;
+    internal const int TypeUnsignedShort = 20;
     internal const int TypeInt = 31;
     internal const int TypeDouble = 82;
 

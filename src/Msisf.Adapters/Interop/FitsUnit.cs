@@ -13,6 +13,9 @@ internal sealed unsafe class FitsUnit : IDisposable
     /// <summary>bytes: the header of an empty primary unit, and one of some 70 keywords; CFITSIO takes more if it needs it.</summary>
     private const int DefaultHeaders = 4 * 2880;
 
+    /// <summary>CFITSIO's name for BITPIX 16 with BZERO 32768.</summary>
+    private const int UnsignedShortImage = 20;
+
     private readonly FitsMemory _memory;
     private readonly CFitsioHandle _file;
 
@@ -39,6 +42,17 @@ internal sealed unsafe class FitsUnit : IDisposable
     {
         FitsUnit unit = new(0);
         unit.CreateOrDispose(8, []);
+        return unit;
+    }
+
+    /// <summary>Starts a primary unit with an image of unsigned numbers of 16 bits (BZERO 32768).</summary>
+    /// <param name="width">NAXIS1.</param>
+    /// <param name="height">NAXIS2.</param>
+    /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
+    public static FitsUnit PrimaryImage(int width, int height)
+    {
+        FitsUnit unit = new((long)sizeof(ushort) * width * height);
+        unit.CreateOrDispose(UnsignedShortImage, [width, height]);
         return unit;
     }
 
@@ -124,7 +138,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     }
 
     /// <summary>Writes pixels.</summary>
-    /// <typeparam name="T">The image's own type: byte, int or double; in memory order of the machine.</typeparam>
+    /// <typeparam name="T">The image's own type: byte, ushort, int or double; in memory order of the machine.</typeparam>
     /// <param name="first">Where they begin in the image, from 0.</param>
     /// <param name="values">Written as they are.</param>
     public void Write<T>(long first, ReadOnlySpan<T> values)
@@ -168,6 +182,7 @@ internal sealed unsafe class FitsUnit : IDisposable
         where T : unmanaged => default(T) switch
         {
             byte => CFitsioNative.TypeByte,
+            ushort => CFitsioNative.TypeUnsignedShort,
             int => CFitsioNative.TypeInt,
             double => CFitsioNative.TypeDouble,
             _ => throw new ArgumentException($"No FITS image has pixels of type {typeof(T)}.", nameof(T)),

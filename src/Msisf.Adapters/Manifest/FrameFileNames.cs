@@ -8,7 +8,8 @@ public static class FrameFileNames
     /// <summary>All endings, whatever a run was asked to write.</summary>
     private static readonly string[] Endings =
     [
-        ".png", ".annotated.png", ".pov", ".xml", ".fits", ".layers.json", .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
+        ".png", ".annotated.png", ".pov", ".xml", ".fits", ".dn.fits", ".layers.json",
+        .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
     ];
 
     /// <summary>All names that files of a frame can have.</summary>

@@ -37,9 +37,17 @@ public static class PngWriter
     }
 
     /// <summary>Writes an image of 16 bits; parameters as with 8.</summary>
-    public static void Write(Stream destination, ReadOnlySpan<ushort> levels, int width, GreyTransfer transfer)
+    public static void Write(Stream destination, ReadOnlySpan<ushort> levels, int width, GreyTransfer transfer) =>
+        Write(destination, levels, width, transfer, significantBits: null);
+
+    private static void Write(Stream destination, ReadOnlySpan<ushort> levels, int width, GreyTransfer transfer, byte? significantBits)
     {
         WriteHead(destination, width, levels.Length / width, bitDepth: 16, transfer);
+        if (significantBits is byte bits)
+        {
+            PngChunk.Write(destination, "sBIT"u8, [bits]);
+        }
+
         ushort[] networkOrder = ArrayPool<ushort>.Shared.Rent(levels.Length);
         if (BitConverter.IsLittleEndian)
         {
@@ -53,6 +61,27 @@ public static class PngWriter
         WriteRows(destination, MemoryMarshal.AsBytes(networkOrder.AsSpan(0, levels.Length)), 2 * width, RunsOnly());
         ArrayPool<ushort>.Shared.Return(networkOrder);
         PngChunk.Write(destination, "IEND"u8, []);
+    }
+
+    /// <summary>
+    /// Writes the numbers of a detector with 16 bits: scaled to the whole range, as the standard asks (section 12.4), with their own number
+    /// of bits in sBIT. The upper bits of a sample are the number: sample >> (16 - bits).
+    /// </summary>
+    /// <param name="destination">The file; stays open.</param>
+    /// <param name="numbers">By rows from the top, each from left to right.</param>
+    /// <param name="width">px; the number of numbers is a multiple of it.</param>
+    /// <param name="bits">Bits of a number, 1 to 16.</param>
+    public static void WriteNumbers(Stream destination, ReadOnlySpan<ushort> numbers, int width, int bits)
+    {
+        ushort[] samples = ArrayPool<ushort>.Shared.Rent(numbers.Length);
+        uint max = (1u << bits) - 1;
+        for (int i = 0; i < numbers.Length; i++)
+        {
+            samples[i] = (ushort)(((numbers[i] * (uint)ushort.MaxValue) + (max / 2)) / max);
+        }
+
+        Write(destination, samples.AsSpan(0, numbers.Length), width, GreyTransfer.Linear, (byte)bits);
+        ArrayPool<ushort>.Shared.Return(samples);
     }
 
     private static ZLibCompressionOptions RunsOnly() =>

@@ -39,6 +39,9 @@ internal enum Phase
     /// <summary>Drawing by the program's own renderer.</summary>
     Draw,
 
+    /// <summary>Turning the light of a frame into the numbers of the camera's detector.</summary>
+    Detector,
+
     /// <summary>Writing the image, scene and annotation files.</summary>
     Output,
 

@@ -27,6 +27,15 @@ internal static class ResourceCheck
     /// <summary>Bytes per pixel of all layers on disk.</summary>
     private const long LayersBytesPerPixel = 200;
 
+    /// <summary>
+    /// Bytes per pixel of a detector: electrons, charge, throughput, radiance without the margin (doubles), fixed pattern (two floats),
+    /// numbers, saturation, and the FITS file.
+    /// </summary>
+    private const long DetectorBytesPerPixel = 48;
+
+    /// <summary>Bytes per pixel on disk of a detector's image: noise is not compressed, and there may be a FITS file too.</summary>
+    private const long NumbersBytesPerPixel = 4;
+
     /// <summary>Bytes per pixel of the annotated image in memory: cairo's ARGB32, and the PNG at its largest.</summary>
     private const long AnnotationBytesPerPixel = 8;
 
@@ -70,7 +79,8 @@ internal static class ResourceCheck
         Refuse(settings, "memory", "Use a smaller --width and --height, or fewer --jobs.", atOnce * MemoryOfFrame(settings), memoryThere);
         long pixels = Pixels(settings);
         long layers = settings.Native.Layers is null ? 0 : LayersBytesPerPixel * pixels;
-        long others = layers + MetaBytes(settings);
+        long numbers = settings.Native.Detector is null ? 0 : NumbersBytesPerPixel * pixels;
+        long others = layers + numbers + MetaBytes(settings);
         Refuse(
             settings,
             $"free disk space in {settings.OutputFolder}",
@@ -94,7 +104,8 @@ internal static class ResourceCheck
     {
         long pixels = Pixels(settings);
         long drawing = settings.Renderer == RendererKind.Native
-            ? (NativeBytesPerPixel + (settings.Native.Layers is null ? 0 : LayerBytesPerPixel)) * pixels
+            ? (NativeBytesPerPixel + (settings.Native.Layers is null ? 0 : LayerBytesPerPixel)
+                + (settings.Native.Detector is null ? 0 : DetectorBytesPerPixel)) * pixels
             : Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels);
         return drawing + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0);
     }

@@ -7,6 +7,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
+using Msisf.Core.Detector;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Tracing;
@@ -60,6 +61,14 @@ internal sealed class FrameFiles
         _times.Measure(
             Phase.Xml, () => files.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation)));
         paths.Add($"{stem}.xml");
+        if (rendered.Detected is DetectorImage detected && _settings.Native.Detector is { WritesFits: true } detector)
+        {
+            _times.Measure(Phase.Output, () => files.Write(
+                $"{stem}.dn.fits",
+                stream => DetectorFitsWriter.Write(stream, detected, detector.Settings, metadata, Provenance(metadata, rendered))));
+            paths.Add($"{stem}.dn.fits");
+        }
+
         if (_settings.Native.Layers is LayerSet layers)
         {
             paths.AddRange(_times.Measure(Phase.Layers, () => WriteLayers(files, stem, metadata, rendered, layers, cancellation)));
@@ -85,9 +94,7 @@ internal sealed class FrameFiles
         AtomicFileSet files, string stem, FrameMetadata metadata, RenderedFrame rendered, LayerSet layers, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        int level = int.Log2(_model.Grid.PixelsPerDegree / rendered.PixelsPerDegree);
-        LayerProvenance provenance = new(
-            _model.Grid.ProductId, rendered.PixelsPerDegree, level, metadata.RendererName, _settings.Albedo.Band);
+        LayerProvenance provenance = Provenance(metadata, rendered);
         if (_settings.Native.LayersFormat == LayersFormat.Npy)
         {
             return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, cancellation);
@@ -96,6 +103,13 @@ internal sealed class FrameFiles
         files.Write($"{stem}.fits", stream => FitsLayerWriter.Write(stream, metadata, provenance, rendered.Truth, layers, cancellation));
         return [$"{stem}.fits"];
     }
+
+    private LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
+        _model.Grid.ProductId,
+        rendered.PixelsPerDegree,
+        int.Log2(_model.Grid.PixelsPerDegree / rendered.PixelsPerDegree),
+        metadata.RendererName,
+        _settings.Albedo.Band);
 
     private FrameMetadata Describe(Frame frame, RenderedFrame rendered) => new(
         frame.Time,

@@ -6,6 +6,8 @@ using Msisf.Adapters.Render;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
+using Msisf.Core.Camera;
+using Msisf.Core.Detector;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Terrain;
@@ -30,6 +32,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
     private readonly OpenedAlbedoMap? _map;
     private readonly NativeLevels _levels;
     private readonly GreyTable _grey;
+    private readonly DetectorsOfRun? _detectors;
     private readonly FrameFiles _files;
     private readonly RunTimes _times;
     private readonly ConcurrentBag<MemoryStream> _idleImages = [];
@@ -44,6 +47,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         _map = maps.Albedo;
         _levels = levels;
         _grey = new GreyTable(settings.Grey, settings.BitDepth);
+        _detectors = settings.Detector is null ? null : new DetectorsOfRun(settings.Detector.Settings);
         _files = files;
         _times = times;
     }
@@ -62,12 +66,20 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
 
     private FrameOutputs Render(Frame frame, int threads, CancellationToken cancellation)
     {
-        NativeRenderer renderer = _levels.For(frame.Camera, _settings.Render.SubsamplesPerAxis);
+        CameraDetector? detector = _detectors?.Of(frame.Camera.Model, threads);
+        PinholeCamera window = detector is null or { Margin: 0 }
+            ? frame.Camera
+            : new PinholeCamera(frame.Camera.PositionMoonMe, frame.Camera.MoonFromCamera, detector.WindowModel);
+        NativeRenderer renderer = _levels.For(window, _settings.Render.SubsamplesPerAxis);
         using NativeFrame drawn = _times.Measure(
-            Phase.Draw, () => renderer.Render(frame.Camera, frame.Light, _options, threads, cancellation));
+            Phase.Draw, () => renderer.Render(window, frame.Light, _options, threads, cancellation));
+        DetectorImage? detected = detector is null
+            ? null
+            : _times.Measure(Phase.Detector, () => detector.Expose(drawn, frame.Time, threads, cancellation));
         MemoryStream image = _idleImages.TryTake(out MemoryStream? idle) ? idle : new MemoryStream();
         image.SetLength(0);
-        _times.Measure(Phase.Output, () => Encode(drawn, image));
+        _times.Measure(Phase.Output, () => Encode(drawn, detected, image));
+        IGroundTruth truth = detected is null ? drawn : new DetectedFrame(frame.Camera, drawn, detector!.Margin, detected);
         RenderedFrame rendered = new(
             RendererKind.Native,
             image,
@@ -75,9 +87,15 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
             WriteScene: null,
             renderer.PixelsPerDegree,
             (renderer.PixelsPerDegree, renderer.PixelsPerDegree),
-            _settings.Render.KeepGroundTruth ? drawn : null);
+            _settings.Render.KeepGroundTruth ? truth : null,
+            detected);
         FrameOutputs outputs = new(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);
         _idleImages.Add(image);
+        if (detected is not null)
+        {
+            detector!.GiveBack(detected);
+        }
+
         if (Interlocked.Increment(ref _frames) % FramesBetweenReleases == 0)
         {
             _model.ReleasePages(); // an orbit would have the whole model in memory in the end
@@ -87,7 +105,21 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         return outputs;
     }
 
-    private void Encode(NativeFrame drawn, MemoryStream image)
+    private void Encode(NativeFrame drawn, DetectorImage? detected, MemoryStream image)
+    {
+        if (detected is null)
+        {
+            EncodeLevels(drawn, image);
+        }
+        else
+        {
+            PngWriter.WriteNumbers(image, detected.Numbers, detected.Width, _settings.Detector!.Settings.ConverterBits);
+        }
+
+        image.Position = 0;
+    }
+
+    private void EncodeLevels(NativeFrame drawn, MemoryStream image)
     {
         int width = drawn.Camera.Width;
         int pixels = drawn.RadianceFactors.Length;
@@ -106,7 +138,5 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         }
 
         ArrayPool<byte>.Shared.Return(memory);
-
-        image.Position = 0;
     }
 }

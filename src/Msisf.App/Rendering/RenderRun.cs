@@ -83,7 +83,7 @@ internal sealed class RenderRun
             AnnotationRenderer.RequireCairo();
         }
 
-        if (_settings.Native is { Layers: not null, LayersFormat: LayersFormat.Fits })
+        if (_settings.Native is { Layers: not null, LayersFormat: LayersFormat.Fits } or { Detector.WritesFits: true })
         {
             FitsLayerWriter.RequireCFitsio();
         }

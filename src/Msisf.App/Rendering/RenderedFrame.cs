@@ -1,3 +1,4 @@
+using Msisf.Core.Detector;
 using Msisf.Core.Render;
 
 namespace Msisf.App.Rendering;
@@ -10,6 +11,7 @@ namespace Msisf.App.Rendering;
 /// <param name="PixelsPerDegree">px/deg of the grid whose cells the ground truth names: the model's, or its level's.</param>
 /// <param name="Drawn">px/deg of the finest and of the coarsest level of detail in the image.</param>
 /// <param name="Truth">Ground truth of the pixels; may be null if the meta file's pixels lie on the reference sphere.</param>
+/// <param name="Detected">What the camera's detector read out; null without a detector.</param>
 internal sealed record RenderedFrame(
     RendererKind Renderer,
     Stream Image,
@@ -17,4 +19,5 @@ internal sealed record RenderedFrame(
     Action<TextWriter>? WriteScene,
     int PixelsPerDegree,
     (int Finest, int Coarsest) Drawn,
-    IGroundTruth? Truth);
+    IGroundTruth? Truth,
+    DetectorImage? Detected = null);

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
@@ -21,6 +22,9 @@ internal sealed record NativeSettings
     public required GreyScale Grey { get; init; }
 
     public required int BitDepth { get; init; }
+
+    /// <summary>The camera's optics and detector; null for an image of grey levels.</summary>
+    public CameraFileDetector? Detector { get; init; }
 
     /// <summary>Layers of ground truth to write; null for none.</summary>
     public required LayerSet? Layers { get; init; }

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Albedo;
+using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
@@ -14,15 +15,16 @@ internal static class NativeSettingsReader
     /// <summary>Reads and checks all options.</summary>
     /// <param name="values">The options.</param>
     /// <param name="map">The options of the map and of the band.</param>
+    /// <param name="detector">The camera's detector; null without one.</param>
     /// <param name="needsTruth">Whether the meta file needs ground truth, because its pixels lie on the terrain.</param>
     /// <exception cref="MsisfException">A value is wrong.</exception>
-    public static NativeSettings Read(OptionValues values, AlbedoSettings map, bool needsTruth)
+    public static NativeSettings Read(OptionValues values, AlbedoSettings map, CameraFileDetector? detector, bool needsTruth)
     {
         (string law, SortedDictionary<string, double> parameters) = Reflectance(NativeOptions.Reflectance.Read(values));
         double? albedo = NativeOptions.Albedo.ReadIfGiven(values);
         RefuseTwoBrightnesses(albedo, map);
         LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
-            ? NativeOptions.Layers.Concerned(() => Layers(names))
+            ? DetectorChoice.LayersOf(NativeOptions.Layers.Concerned(() => Layers(names)), detector)
             : null;
         return new NativeSettings
         {
@@ -48,6 +50,7 @@ internal static class NativeSettingsReader
                         : NativeOptions.ExposureOfOtherLaws),
                     NativeOptions.Transfer.Read(values))),
             BitDepth = NativeOptions.BitDepth.Read(values),
+            Detector = detector,
             Layers = layers,
             LayersFormat = NativeOptions.LayersFormat.Read(values),
         };

@@ -34,7 +34,8 @@ internal static class RenderSettingsReader
             Surface = surface,
             PixelsPerDegree = SurfaceOptions.Resolution.Read(values),
             Renderer = renderer,
-            Native = NativeSettingsReader.Read(values, albedo, needsTruth: surface == PixelSurface.Terrain),
+            Native = NativeSettingsReader.Read(
+                values, albedo, DetectorChoice.Of(camera, values), needsTruth: surface == PixelSurface.Terrain),
             Albedo = albedo,
             LevelOfDetailError = LevelOfDetailError(values, renderer),
             IgnoreSun = LightOptions.IgnoreSun.Read(values),

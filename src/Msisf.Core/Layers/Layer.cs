@@ -39,6 +39,9 @@ public sealed class Layer
 
     internal LayerValue Value { get; }
 
+    /// <summary>Whether only a camera with a detector has it.</summary>
+    public bool NeedsDetector { get; init; }
+
     /// <summary>Value of a pixel whose centre shows no surface; null where it has none.</summary>
     internal Func<ImageBrightness, double?> EmptyValue { get; init; } = static _ => null;
 }

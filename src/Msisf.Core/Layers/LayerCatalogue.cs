@@ -90,5 +90,22 @@ public static class LayerCatalogue
         {
             EmptyValue = static brightness => brightness.Radiance,
         },
+        new(
+            "electrons", LayerType.Real64, "electron",
+            "Mean number of electrons that the light of the scene frees in the pixel during the exposure: after optics and PSF, before "
+                + "smear, fixed pattern, dark current and noise.",
+            ImageValues.Electrons)
+        {
+            NeedsDetector = true,
+            EmptyValue = static brightness => brightness.Electrons,
+        },
+        new(
+            "saturated", LayerType.Unsigned8, string.Empty,
+            "0 where the DN is in proportion to the light, 1 at the highest DN, 2 at the full well, 3 at both.",
+            ImageValues.Saturation)
+        {
+            NeedsDetector = true,
+            EmptyValue = static brightness => brightness.Saturation,
+        },
     ];
 }

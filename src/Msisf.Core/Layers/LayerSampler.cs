@@ -41,10 +41,16 @@ public sealed class LayerSampler
     {
         PinholeCamera camera = _truth.Camera;
         ReadOnlySpan<double> factors = _truth.RadianceFactors;
+        ReadOnlySpan<double> electrons = _truth.Electrons;
+        ReadOnlySpan<byte> saturated = _truth.Saturated;
         for (int column = 0; column < camera.Width; column++)
         {
+            int index = (row * camera.Width) + column;
             ImageBrightness brightness = new(
-                factors.IsEmpty ? null : factors[(row * camera.Width) + column], _radianceOfUnitFactor);
+                factors.IsEmpty ? null : factors[index],
+                _radianceOfUnitFactor,
+                electrons.IsEmpty ? null : electrons[index],
+                saturated.IsEmpty ? null : saturated[index]);
             if (_truth.TryGet(column + 1, row + 1, out SurfaceHit hit, out PixelIllumination light))
             {
                 PixelTruth pixel = new(_truth, _meshPixelsPerDegree, camera.RayThrough(column + 1, row + 1), hit, light, brightness);
@@ -74,9 +80,8 @@ public sealed class LayerSampler
         int next = 0;
         foreach (Layer layer in layers)
         {
-            double value = layer.Type == LayerType.Unsigned8
-                ? (double)IlluminationState.NoSurface
-                : layer.EmptyValue(brightness) ?? double.NaN;
+            double value = layer.EmptyValue(brightness)
+                ?? (layer.Type == LayerType.Unsigned8 ? (double)IlluminationState.NoSurface : double.NaN);
             for (int plane = 0; plane < layer.Planes; plane++)
             {
                 planes[next++][index] = value;

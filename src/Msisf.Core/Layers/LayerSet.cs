@@ -13,6 +13,9 @@ public sealed class LayerSet
     /// <summary>Every layer.</summary>
     public static LayerSet All { get; } = new(LayerCatalogue.All);
 
+    /// <summary>Every layer that cameras without a detector have.</summary>
+    public static LayerSet WithoutDetector { get; } = new([.. LayerCatalogue.All.Where(layer => !layer.NeedsDetector)]);
+
     /// <summary>For messages and help: the names that <see cref="Parse"/> knows.</summary>
     public static string ValidValues => $"{AllText}, or a list of {string.Join(", ", LayerCatalogue.All.Select(layer => layer.Name))}";
 

@@ -41,6 +41,9 @@ internal sealed class FramePass
     /// <summary>Radiance factor I/F of each pixel, row by row from the top.</summary>
     public ReadOnlySpan<double> RadianceFactors => _radianceFactors.AsSpan(0, Camera.Width * Camera.Height);
 
+    /// <summary>The same numbers as <see cref="RadianceFactors"/>.</summary>
+    public ReadOnlyMemory<double> RadianceFactorMemory => _radianceFactors.AsMemory(0, Camera.Width * Camera.Height);
+
     /// <summary>Draws a frame.</summary>
     public void Draw(PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
     {

@@ -22,6 +22,12 @@ public interface IGroundTruth
     /// </summary>
     ReadOnlySpan<double> RadianceFactors { get; }
 
+    /// <summary>Electrons of each pixel in the detector, before noise, by rows; empty without a detector.</summary>
+    ReadOnlySpan<double> Electrons => [];
+
+    /// <summary>Saturation of each pixel of the detector, by rows; empty without a detector.</summary>
+    ReadOnlySpan<byte> Saturated => [];
+
     /// <summary>Gets the surface point on the ray through a pixel's centre (<see cref="PinholeCamera.RayThrough"/>).</summary>
     /// <param name="x">1 to the image's width, to the right.</param>
     /// <param name="y">1 to the image's height, down.</param>

@@ -28,6 +28,9 @@ public sealed class NativeFrame : IGroundTruth, IDisposable
     /// <inheritdoc/>
     public ReadOnlySpan<double> RadianceFactors => Pass.RadianceFactors;
 
+    /// <summary>The same numbers as <see cref="RadianceFactors"/>.</summary>
+    internal ReadOnlyMemory<double> RadianceFactorMemory => Pass.RadianceFactorMemory;
+
     private FramePass Pass => _pass ?? throw new ObjectDisposedException(nameof(NativeFrame));
 
     /// <inheritdoc/>

@@ -51,6 +51,26 @@ public class PngWriterTests
         Assert.Equal([0, 1, 0x86, 0xA0], Chunks(png)[1].Data);
     }
 
+    /// <summary>ISO/IEC 15948, 12.4: the original sample is the scaled one, shifted right by 16 less the number in sBIT.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(3)]
+    [InlineData(8)]
+    [InlineData(10)]
+    [InlineData(12)]
+    [InlineData(14)]
+    [InlineData(16)]
+    public void WriteNumbers_AllNumbersOfADepth_AreTheUpperBitsOfTheSamples(int bits)
+    {
+        ushort[] numbers = [.. Enumerable.Range(0, 1 << bits).Select(number => (ushort)number)];
+        byte[] png = Write(stream => PngWriter.WriteNumbers(stream, numbers, numbers.Length / 2, bits));
+
+        Assert.Equal(["IHDR", "gAMA", "sBIT"], Chunks(png).Select(chunk => chunk.Type).Take(3));
+        Assert.Equal([(byte)bits], Chunks(png)[2].Data);
+        Assert.Equal(numbers.Select(number => (int)number), Levels(png).Select(level => level >> (16 - bits)));
+        Assert.Equal(ushort.MaxValue, Levels(png).Last());
+    }
+
     [Fact]
     public void Write_MoreThanAChunkOfData_FillsAllChunksButTheLast()
     {

@@ -157,9 +157,9 @@ public class LayerSamplerTests
 
         double[][] planes = Sample(new SphereTruth(away, Sun, 4), [.. LayerCatalogue.All.Select(layer => layer.Name)]);
 
-        Assert.Equal(26, planes.Length);
-        Assert.Single(planes, plane => plane.All(value => value == 0.0));
-        Assert.Equal(25, planes.Count(plane => plane.All(double.IsNaN)));
+        Assert.Equal(28, planes.Length);
+        Assert.Equal(2, planes.Count(plane => plane.All(value => value == 0.0))); // mask and saturated
+        Assert.Equal(26, planes.Count(plane => plane.All(double.IsNaN)));
     }
 
     [Fact]

@@ -339,7 +339,8 @@ public sealed class SeriesTests : IDisposable
 
     private CommandLineRun Single(string folder, params string[] more) => CommandLineRun.Of(
     [
-        "--fixed-state", "{55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1}", "--renderer", "native", "--width", "24",
+        "--fixed-state", "{55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1}", "--renderer", "native",
+        "--reflectance", "lambert", "--width", "24",
         "--height", "16", "--grid", "8", "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder],
         "--batch", .. more,
     ]);

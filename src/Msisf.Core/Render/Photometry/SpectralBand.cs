@@ -70,6 +70,14 @@ public sealed class SpectralBand
         return SolarIrradiance / (Math.PI * distance * distance);
     }
 
+    /// <summary>Radiance of the radiance factor 1 in sunlight whose irradiance at 1 au is 1; per steradian.</summary>
+    /// <param name="sunDistance">Distance from the Sun, m.</param>
+    public static double RadianceOfUnitIrradiance(double sunDistance)
+    {
+        double distance = sunDistance / AstronomicalUnit;
+        return 1.0 / (Math.PI * distance * distance);
+    }
+
     private static HapkeParameters Parameters(double w, double b, double c, double surgeAmplitude, double surgeWidth) =>
         new(w, b, c, surgeAmplitude, surgeWidth, MeanSlopeDegrees);
 }

@@ -1,0 +1,43 @@
+using Msisf.Adapters.Interop;
+using Msisf.Core.Detector;
+using Msisf.Core.Errors;
+using Msisf.Core.Layers;
+using Msisf.Core.Metadata;
+
+namespace Msisf.Adapters.Layers;
+
+/// <summary>Writes the digital numbers of a detector as a FITS file of one image (docs/detector.md).</summary>
+public static class DetectorFitsWriter
+{
+    /// <summary>Writes one file. The bytes depend on the arguments alone.</summary>
+    /// <param name="stream">Receives the file; stays open.</param>
+    /// <param name="image">The image.</param>
+    /// <param name="settings">The detector; goes into the header.</param>
+    /// <param name="frame">Goes into the header.</param>
+    /// <param name="provenance">Goes there too.</param>
+    /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
+    public static void Write(
+        Stream stream, DetectorImage image, DetectorSettings settings, FrameMetadata frame, LayerProvenance provenance)
+    {
+        using FitsUnit unit = FitsUnit.PrimaryImage(image.Width, image.Height);
+        unit.Put("BUNIT", "adu", "digital numbers");
+        unit.Put("EXPTIME", settings.ExposureTime, "[s] exposure time");
+        unit.Put("GAIN", settings.Gain, "[electron/adu]");
+        unit.Put("RDNOISE", settings.ReadNoise, "[electron] standard deviation");
+        unit.Put("SATURATE", settings.MaxNumber, "[adu] highest number");
+        unit.Put("ADCBITS", settings.ConverterBits, "bits of the converter");
+        unit.Put("BIAS", settings.Bias, "[adu] of a pixel without electrons");
+        unit.Put("DARKCUR", settings.Dark.Rate * settings.Dark.TemperatureFactor, "[electron/s] mean dark current");
+        unit.Put("CCD-TEMP", settings.Dark.Temperature, "[Celsius] of the detector");
+        if (double.IsFinite(settings.FullWell))
+        {
+            unit.Put("FULLWELL", settings.FullWell, "[electron] full well");
+        }
+
+        unit.Put("SEED", settings.Seed?.ToString(System.Globalization.CultureInfo.InvariantCulture) ?? "none", "of all random numbers");
+        unit.Put("ROWORDER", "TOP-DOWN", "first row of the file is the image's top");
+        FitsProvenance.Put(unit, frame, provenance);
+        unit.Write<ushort>(0, image.Numbers);
+        unit.CopyTo(stream);
+    }
+}

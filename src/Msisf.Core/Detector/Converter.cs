@@ -1,0 +1,89 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace Msisf.Core.Detector;
+
+/// <summary>The amplifier and the analogue-to-digital converter: electrons and read noise to digital numbers.</summary>
+internal sealed class Converter
+{
+    private const int Lanes = 4;
+    private const int PixelsAtOnce = 4 * Lanes;
+    private const byte AtHighestNumber = 1;
+    private const byte AtFullWell = 2;
+
+    /// <summary>Added to a small whole number, it leaves the number in the last bits.</summary>
+    private const double WholeNumberShift = 1L << 52;
+
+    private readonly double _perElectron;
+    private readonly double _readNoise;
+    private readonly double _bias;
+    private readonly double _max;
+    private readonly double _fullWell;
+
+    public Converter(DetectorSettings settings)
+    {
+        _perElectron = 1.0 / settings.Gain;
+        _readNoise = settings.ReadNoise;
+        _bias = settings.Bias + 0.5; // rounds to the nearest DN
+        _max = settings.MaxNumber;
+        _fullWell = settings.FullWell;
+    }
+
+    /// <summary>Converts a part of a row.</summary>
+    /// <param name="charge">Electrons.</param>
+    /// <param name="deviates">Normal deviates for the read noise.</param>
+    /// <param name="offsets">DN: offsets of the columns.</param>
+    /// <param name="numbers">Receives the digital numbers.</param>
+    /// <param name="saturated">Receives the saturation, see <see cref="DetectorImage.Saturated"/>.</param>
+    public void Convert(
+        ReadOnlySpan<double> charge, ReadOnlySpan<double> deviates, ReadOnlySpan<double> offsets, Span<ushort> numbers,
+        Span<byte> saturated)
+    {
+        int start = 0;
+        for (; start <= charge.Length - PixelsAtOnce; start += PixelsAtOnce)
+        {
+            Vector256<double> isSaturated = Vector256<double>.Zero;
+            Vector256<ulong> first = Four(charge, deviates, offsets, start, ref isSaturated);
+            Vector256<ulong> second = Four(charge, deviates, offsets, start + Lanes, ref isSaturated);
+            Vector256<ulong> third = Four(charge, deviates, offsets, start + (2 * Lanes), ref isSaturated);
+            Vector256<ulong> fourth = Four(charge, deviates, offsets, start + (3 * Lanes), ref isSaturated);
+            Vector256.Narrow(Vector256.Narrow(first, second), Vector256.Narrow(third, fourth)).CopyTo(numbers[start..]);
+            saturated.Slice(start, PixelsAtOnce).Clear();
+            if (isSaturated.ExtractMostSignificantBits() != 0)
+            {
+                ConvertSingly(charge, deviates, offsets, numbers, saturated, start, start + PixelsAtOnce);
+            }
+        }
+
+        ConvertSingly(charge, deviates, offsets, numbers, saturated, start, charge.Length);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Vector256<ulong> Four(
+        ReadOnlySpan<double> charge, ReadOnlySpan<double> deviates, ReadOnlySpan<double> offsets, int start,
+        ref Vector256<double> isSaturated)
+    {
+        Vector256<double> electrons = Vector256.Create(charge.Slice(start, Lanes));
+        Vector256<double> noise = Vector256.Create(_readNoise) * Vector256.Create(deviates.Slice(start, Lanes));
+        Vector256<double> number = Vector256.Floor(
+            ((electrons + noise) * Vector256.Create(_perElectron)) + Vector256.Create(_bias)
+                + Vector256.Create(offsets.Slice(start, Lanes)));
+        Vector256<double> max = Vector256.Create(_max);
+        isSaturated |= Vector256.GreaterThanOrEqual(number, max)
+            | Vector256.GreaterThanOrEqual(electrons, Vector256.Create(_fullWell));
+        Vector256<double> held = Vector256.Max(Vector256<double>.Zero, Vector256.Min(number, max));
+        return (held + Vector256.Create(WholeNumberShift)).AsUInt64() & Vector256.Create((ulong)ushort.MaxValue);
+    }
+
+    private void ConvertSingly(
+        ReadOnlySpan<double> charge, ReadOnlySpan<double> deviates, ReadOnlySpan<double> offsets, Span<ushort> numbers,
+        Span<byte> saturated, int start, int end)
+    {
+        for (int i = start; i < end; i++)
+        {
+            double number = Math.Floor(((charge[i] + (_readNoise * deviates[i])) * _perElectron) + _bias + offsets[i]);
+            numbers[i] = (ushort)Math.Clamp(number, 0.0, _max);
+            saturated[i] = (byte)((number >= _max ? AtHighestNumber : 0) | (charge[i] >= _fullWell ? AtFullWell : 0));
+        }
+    }
+}

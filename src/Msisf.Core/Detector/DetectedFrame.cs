@@ -1,0 +1,65 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Tracing;
+
+namespace Msisf.Core.Detector;
+
+/// <summary>The ground truth of a detector's image: that of the drawn frame without the PSF's margin, and the detector's.</summary>
+public sealed class DetectedFrame : IGroundTruth
+{
+    private readonly NativeFrame _drawn;
+    private readonly int _margin;
+    private readonly double[] _radianceFactors;
+    private readonly DetectorImage _image;
+
+    /// <summary>Joins a drawn frame and its image.</summary>
+    /// <param name="camera">Camera of the frame, without margin.</param>
+    /// <param name="drawn">The frame with margin; must live longer than this.</param>
+    /// <param name="margin">px.</param>
+    /// <param name="image">The detector's image.</param>
+    public DetectedFrame(PinholeCamera camera, NativeFrame drawn, int margin, DetectorImage image)
+    {
+        Camera = camera;
+        _drawn = drawn;
+        _margin = margin;
+        _image = image;
+        _radianceFactors = new double[camera.Width * camera.Height];
+        for (int row = 0; row < camera.Height; row++)
+        {
+            drawn.RadianceFactors.Slice(((row + margin) * drawn.Camera.Width) + margin, camera.Width)
+                .CopyTo(_radianceFactors.AsSpan(row * camera.Width));
+        }
+    }
+
+    /// <inheritdoc/>
+    public PinholeCamera Camera { get; }
+
+    /// <inheritdoc/>
+    public Vector3D LightPositionMoonMe => _drawn.LightPositionMoonMe;
+
+    /// <inheritdoc/>
+    public bool LightIsSun => _drawn.LightIsSun;
+
+    /// <inheritdoc/>
+    public ReadOnlySpan<double> RadianceFactors => _radianceFactors;
+
+    /// <inheritdoc/>
+    public ReadOnlySpan<double> Electrons => _image.Electrons;
+
+    /// <inheritdoc/>
+    public ReadOnlySpan<byte> Saturated => _image.Saturated;
+
+    /// <inheritdoc/>
+    public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light)
+    {
+        if (!_drawn.TryGet(x + _margin, y + _margin, out hit, out light))
+        {
+            return false;
+        }
+
+        // Rays of the two cameras have other lengths, and a hit's parameter counts in them.
+        hit = hit with { RayParameter = hit.RayParameter * (_drawn.Camera.ImagePlaneDistance / Camera.ImagePlaneDistance) };
+        return true;
+    }
+}

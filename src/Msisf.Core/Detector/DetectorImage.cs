@@ -1,0 +1,36 @@
+namespace Msisf.Core.Detector;
+
+/// <summary>What a detector reads out for one frame. All planes are by rows from the top, each from left to right.</summary>
+public sealed class DetectorImage
+{
+    internal DetectorImage(int width, int height)
+    {
+        Width = width;
+        Height = height;
+        Numbers = new ushort[width * height];
+        Electrons = new double[width * height];
+        Saturated = new byte[width * height];
+        Charge = new double[width * height];
+    }
+
+    /// <summary>px.</summary>
+    public int Width { get; }
+
+    /// <summary>px.</summary>
+    public int Height { get; }
+
+    /// <summary>Digital numbers.</summary>
+    public ushort[] Numbers { get; }
+
+    /// <summary>
+    /// Mean number of electrons that the light of the scene frees in each pixel during the exposure: after optics and PSF, before smear,
+    /// fixed pattern, dark current and noise.
+    /// </summary>
+    public double[] Electrons { get; }
+
+    /// <summary>0 where the DN is in proportion to the light, 1 at the highest DN, 2 at the full well, 3 at both.</summary>
+    public byte[] Saturated { get; }
+
+    /// <summary>Electrons in the wells at the end of the exposure.</summary>
+    internal double[] Charge { get; }
+}

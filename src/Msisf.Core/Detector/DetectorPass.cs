@@ -1,0 +1,205 @@
+using System.Runtime.Intrinsics;
+using Msisf.Core.Detector.Noise;
+using Msisf.Core.Detector.Psf;
+using Msisf.Core.Render;
+
+namespace Msisf.Core.Detector;
+
+/// <summary>
+/// Turns the light of a frame into digital numbers: optics, PSF, exposure, noise, full well, conversion (docs/detector.md). The result does
+/// not depend on the number of threads.
+/// </summary>
+internal sealed class DetectorPass
+{
+    private const int SmearColumns = 128; // columns that a thread sums at once: four lines of the cache each row
+
+    private readonly DetectorSettings _settings;
+    private readonly FixedPattern _pattern;
+    private readonly Converter _converter;
+
+    /// <summary>Prepares a detector.</summary>
+    /// <param name="settings">Of the detector.</param>
+    /// <param name="pattern">Its fixed pattern.</param>
+    public DetectorPass(DetectorSettings settings, FixedPattern pattern)
+    {
+        _settings = settings;
+        _pattern = pattern;
+        _converter = new Converter(settings);
+    }
+
+    /// <summary>Computes <see cref="DetectorImage.Electrons"/>.</summary>
+    /// <param name="light">
+    /// Radiance factor of each pixel of the frame, wider and higher than the detector by the PSF's radius on each side.
+    /// </param>
+    /// <param name="throughput">Throughput of each pixel of the detector, steradians.</param>
+    /// <param name="perSteradian">Electrons that a pixel collects at a radiance factor of 1, for each steradian.</param>
+    /// <param name="image">Receives the electrons.</param>
+    /// <param name="threads">Number of threads.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    public void Expose(
+        ReadOnlyMemory<double> light, ReadOnlyMemory<double> throughput, double perSteradian, DetectorImage image, int threads,
+        CancellationToken cancellation)
+    {
+        int width = image.Width;
+        int margin = _settings.PointSpread?.Radius ?? 0;
+        WorkerTeam.Run(threads, image.Height, (_, row) =>
+        {
+            Span<double> target = image.Electrons.AsSpan(row * width, width);
+            if (_settings.PointSpread is PointSpreadKernel kernel)
+            {
+                KernelConvolution.Row(light.Span, width + (2 * margin), kernel, row, target);
+            }
+            else
+            {
+                light.Span.Slice(row * width, width).CopyTo(target);
+            }
+
+            ReadOnlySpan<double> factors = throughput.Span.Slice(row * width, width);
+            for (int column = 0; column < width; column++)
+            {
+                target[column] *= perSteradian * factors[column];
+            }
+        }, cancellation);
+    }
+
+    /// <summary>Computes the digital numbers and the saturation from <see cref="DetectorImage.Electrons"/>.</summary>
+    /// <param name="image">The image.</param>
+    /// <param name="frame">Number of the frame, see <see cref="FrameNumber"/>.</param>
+    /// <param name="threads">Number of threads.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    public void Read(DetectorImage image, ulong frame, int threads, CancellationToken cancellation)
+    {
+        if (_settings.Smear is not null)
+        {
+            int stripes = (image.Width + SmearColumns - 1) / SmearColumns;
+            WorkerTeam.Run(threads, stripes, (_, stripe) =>
+            {
+                Range columns = (stripe * SmearColumns)..Math.Min(image.Width, (stripe + 1) * SmearColumns);
+                SmearSum.Fill(image.Electrons, image.Width, columns, _settings, image.Charge);
+            }, cancellation);
+        }
+
+        int overflows = 0;
+        WorkerTeam.Run(threads, image.Height, (_, row) =>
+        {
+            if (CollectRow(image, row, frame))
+            {
+                Volatile.Write(ref overflows, 1);
+            }
+        }, cancellation);
+        if (_settings.Seed is ulong seed && _settings.CosmicRays is not null)
+        {
+            RayTracks.Add(image.Charge, image.Width, _settings, NoiseSource.OfFrame(seed, frame));
+            overflows = double.IsFinite(_settings.FullWell) ? 1 : 0;
+        }
+
+        if (overflows != 0)
+        {
+            if (_settings.IsBlooming)
+            {
+                Blooming.Spread(image.Charge, image.Width, _settings.FullWell);
+            }
+            else
+            {
+                Blooming.Drain(image.Charge, _settings.FullWell);
+            }
+        }
+
+        WorkerTeam.Run(threads, image.Height, (_, row) => ConvertRow(image, row, frame), cancellation);
+    }
+
+    /// <summary>Collects the electrons of a row.</summary>
+    /// <returns>Whether a pixel has more than its full well.</returns>
+    private bool CollectRow(DetectorImage image, int row, ulong frame)
+    {
+        int start = row * image.Width;
+        ReadOnlySpan<double> electrons = image.Electrons.AsSpan(start, image.Width);
+        ReadOnlySpan<float> response = _pattern.Response.AsSpan(start, image.Width);
+        ReadOnlySpan<float> dark = _pattern.DarkElectrons.AsSpan(start, image.Width);
+        Span<double> charge = image.Charge.AsSpan(start, image.Width);
+        if (_settings.Smear is null)
+        {
+            charge.Clear();
+        }
+
+        Mean(electrons, response, dark, charge);
+        if (_settings.Seed is ulong seed)
+        {
+            NoiseSource noise = NoiseSource.OfFrame(seed, frame);
+            Span<double> uniforms = stackalloc double[NoiseSource.MaxRun];
+            for (int first = 0; first < charge.Length; first += NoiseSource.MaxRun)
+            {
+                Span<double> run = charge.Slice(first, Math.Min(NoiseSource.MaxRun, charge.Length - first));
+                noise.Fill(NoiseKind.Shot, (uint)(start + first), uniforms[..run.Length]);
+                PoissonDeviate.Replace(run, uniforms[..run.Length]);
+            }
+        }
+
+        return IsAnyAbove(charge, _settings.FullWell);
+    }
+
+    /// <summary>Adds the electrons to the smear, in proportion to the pixels' responses, and adds the dark electrons.</summary>
+    private static void Mean(ReadOnlySpan<double> electrons, ReadOnlySpan<float> response, ReadOnlySpan<float> dark, Span<double> charge)
+    {
+        int column = 0;
+        for (; column <= charge.Length - Vector128<float>.Count; column += Vector128<float>.Count)
+        {
+            Vector256<double> responses = ToDouble(Vector128.Create(response.Slice(column, Vector128<float>.Count)));
+            Vector256<double> darks = ToDouble(Vector128.Create(dark.Slice(column, Vector128<float>.Count)));
+            Span<double> four = charge.Slice(column, Vector256<double>.Count);
+            Vector256<double> light = Vector256.Create(electrons.Slice(column, Vector256<double>.Count)) + Vector256.Create<double>(four);
+            ((light * responses) + darks).CopyTo(four);
+        }
+
+        for (; column < charge.Length; column++)
+        {
+            charge[column] = ((electrons[column] + charge[column]) * response[column]) + dark[column];
+        }
+    }
+
+    private static Vector256<double> ToDouble(Vector128<float> four)
+    {
+        (Vector128<double> lower, Vector128<double> upper) = Vector128.Widen(four);
+        return Vector256.Create(lower, upper);
+    }
+
+    private static bool IsAnyAbove(ReadOnlySpan<double> values, double limit)
+    {
+        int i = 0;
+        Vector256<double> isAbove = Vector256<double>.Zero;
+        for (; i <= values.Length - Vector256<double>.Count; i += Vector256<double>.Count)
+        {
+            isAbove |= Vector256.GreaterThan(Vector256.Create(values.Slice(i, Vector256<double>.Count)), Vector256.Create(limit));
+        }
+
+        bool isAny = isAbove.ExtractMostSignificantBits() != 0;
+        for (; i < values.Length; i++)
+        {
+            isAny |= values[i] > limit;
+        }
+
+        return isAny;
+    }
+
+    private void ConvertRow(DetectorImage image, int row, ulong frame)
+    {
+        int start = row * image.Width;
+        ReadOnlySpan<double> charge = image.Charge.AsSpan(start, image.Width);
+        Span<ushort> numbers = image.Numbers.AsSpan(start, image.Width);
+        Span<byte> saturated = image.Saturated.AsSpan(start, image.Width);
+        Span<double> noise = stackalloc double[NoiseSource.MaxRun];
+        for (int first = 0; first < charge.Length; first += NoiseSource.MaxRun)
+        {
+            Span<double> chunk = noise[..Math.Min(NoiseSource.MaxRun, charge.Length - first)];
+            chunk.Clear();
+            if (_settings.Seed is ulong seed && _settings.ReadNoise > 0.0)
+            {
+                NormalDeviate.Fill(NoiseSource.OfFrame(seed, frame), NoiseKind.Read, (uint)(start + first), chunk);
+            }
+
+            _converter.Convert(
+                charge.Slice(first, chunk.Length), chunk, _pattern.ColumnOffsets.AsSpan(first, chunk.Length),
+                numbers.Slice(first, chunk.Length), saturated.Slice(first, chunk.Length));
+        }
+    }
+}

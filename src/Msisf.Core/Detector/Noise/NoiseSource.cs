@@ -1,0 +1,94 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace Msisf.Core.Detector.Noise;
+
+/// <summary>
+/// Random numbers of a frame that belong to a pixel and a kind: they depend on nothing else, so not on threads, on other frames or on the
+/// order of the work. Immutable.
+/// </summary>
+internal readonly struct NoiseSource
+{
+    /// <summary>Number of lanes of a vector.</summary>
+    public const int Lanes = 4;
+
+    /// <summary>Maximum number of pixels whose deviates are computed in one call: what they need stays in the processor's cache.</summary>
+    public const int MaxRun = 512;
+
+    /// <summary>Bits of a uniform number.</summary>
+    private const int UniformBits = 52;
+
+    private const ulong One = 0x3FF0_0000_0000_0000; // bits of 1.0
+    private const double HalfStepBelowOne = 1.0 - (0.5 / (1UL << UniformBits));
+    private const int PixelsAtOnce = 2 * Lanes;
+
+    private readonly ulong _seed;
+    private readonly ulong _frame;
+
+    private NoiseSource(ulong seed, ulong frame)
+    {
+        _seed = seed;
+        _frame = frame;
+    }
+
+    /// <summary>Numbers that change from frame to frame.</summary>
+    /// <param name="seed">Seed of the user.</param>
+    /// <param name="frame">Number of the frame, see <see cref="FrameNumber"/>.</param>
+    public static NoiseSource OfFrame(ulong seed, ulong frame) => new(seed, frame);
+
+    /// <summary>Numbers that stay the same in all frames: the fixed pattern of a detector.</summary>
+    /// <param name="seed">Seed of the user.</param>
+    public static NoiseSource OfDetector(ulong seed) => new(seed, 0);
+
+    /// <summary>Two independent numbers, uniform between 0 and 1, without both ends; odd multiples of 2^-53.</summary>
+    /// <param name="kind">What they are for.</param>
+    /// <param name="index">What is counted.</param>
+    public (double First, double Second) Uniforms(NoiseKind kind, uint index)
+    {
+        (uint w0, uint w1, uint w2, uint w3) = Philox4x32.Block(
+            (index, SecondWord(kind), (uint)_frame, (uint)(_frame >> 32)), _seed);
+        return (Uniform(w0, w1), Uniform(w2, w3));
+    }
+
+    /// <summary>One number of each pixel of a part of a row, uniform between 0 and 1, without both ends.</summary>
+    /// <param name="kind">What they are for.</param>
+    /// <param name="first">Index of the first pixel.</param>
+    /// <param name="uniforms">Receives the numbers, at most <see cref="MaxRun"/>.</param>
+    public void Fill(NoiseKind kind, uint first, Span<double> uniforms)
+    {
+        // An index of the generator gives two numbers: pixels 8 k to 8 k + 3 take the first ones of the indices 4 k to 4 k + 3, the next
+        // four pixels the second ones.
+        Span<double> buffer = stackalloc double[MaxRun + (2 * PixelsAtOnce)];
+        int before = (int)(first % PixelsAtOnce);
+        uint index = (first - (uint)before) / 2;
+        int end = before + uniforms.Length;
+        for (int start = 0; start < end; start += PixelsAtOnce)
+        {
+            Vector256<ulong> w0 = Vector256.Create((ulong)index) + Vector256.Create(0UL, 1, 2, 3);
+            Vector256<ulong> w1 = Vector256.Create((ulong)SecondWord(kind));
+            Vector256<ulong> w2 = Vector256.Create(_frame);
+            Vector256<ulong> w3 = Vector256.Create(_frame >> 32);
+            Philox4x32.Blocks(ref w0, ref w1, ref w2, ref w3, _seed);
+            Uniform(w0, w1).CopyTo(buffer[start..]);
+            Uniform(w2, w3).CopyTo(buffer[(start + Lanes)..]);
+            index += Lanes;
+        }
+
+        buffer[before..end].CopyTo(uniforms);
+    }
+
+    /// <summary>The counter's second word.</summary>
+    private static uint SecondWord(NoiseKind kind) => (uint)kind;
+
+    /// <summary>(n + 1/2) 2^-52 for the upper 52 of 64 bits.</summary>
+    private static double Uniform(uint upper, uint lower) =>
+        BitConverter.UInt64BitsToDouble(One | ((ulong)upper << 20) | (lower >> 12)) - HalfStepBelowOne;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> Uniform(Vector256<ulong> upper, Vector256<ulong> lower)
+    {
+        // Shifts that cut off the upper halves of the lanes, which are undefined, and the lower 12 bits of the second word.
+        Vector256<ulong> bits = ((upper << 32) >>> 12) | ((lower << 32) >>> 44) | Vector256.Create(One);
+        return bits.AsDouble() - Vector256.Create(HalfStepBelowOne);
+    }
+}
