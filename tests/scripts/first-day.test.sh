@@ -48,7 +48,8 @@ test_first_day_what_a_page_says_wrongly_is_found() {
     assert_code 0
     assert_same "$output" '3 blocks'
     local wrong
-    for wrong in 's/^a  b$/a b/' 's/^msis: a note/msis: no note/' 's/^exit code 5/exit code 4/' 's/print(1/print(x/' 's/^pwd/cd nowhere/'; do
+    for wrong in 's/^a  b$/a b/' 's/^msis: a note/msis: no note/' 's/^exit code 5/exit code 4/' 's/print(1/print(x/' \
+        's/^pwd/cd nowhere/'; do
         sed "$wrong" page.md >wrong.md
         run run_page wrong.md /
         assert_code 1

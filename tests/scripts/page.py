@@ -1,6 +1,6 @@
-"""Runs the sh and python blocks of a Markdown page, in order, in this folder, and compares what they print with the text block that follows.
+"""Runs the sh and python blocks of a Markdown page in order, and compares what they print with the text block that follows.
 
-    python3 page.py PAGE CLONE       CLONE is the folder in which blocks marked "sh clone" run
+    python3 page.py PAGE CLONE       CLONE is the folder in which blocks marked "sh clone" run, all others run in this one
 
 In a text block lines that begin with "msis: " are lines of standard error, of which a page shows the ones that matter; "exit code N" is
 how the block ends; all others are standard output as it is. Prints what differs, and ends with 1 if anything does.

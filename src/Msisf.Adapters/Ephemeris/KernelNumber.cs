@@ -10,7 +10,8 @@ internal static class KernelNumber
     private static readonly DateTime J2000 = new(2000, 1, 1, 12, 0, 0, DateTimeKind.Utc);
 
     /// <summary>What <see cref="TryParse"/> takes, for messages.</summary>
-    public static string ValidValues => "a number (1.5, 1.657D-3), a text in single quotes ('de421.bsp') or a date (@1972-JAN-1, @1972-JAN-1-12:00:00)";
+    public static string ValidValues =>
+        "a number (1.5, 1.657D-3), a text in single quotes ('de421.bsp') or a date (@1972-JAN-1, @1972-JAN-1-12:00:00)";
 
     /// <summary>A number, or a date as seconds past 2000-01-01T12:00:00 in days of 86 400 s.</summary>
     public static bool TryParse(string word, out double number) => word.StartsWith('@')
