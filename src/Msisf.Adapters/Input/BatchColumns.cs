@@ -26,7 +26,11 @@ internal sealed class BatchColumns
 
     private static readonly Dictionary<string, string> NamesOfThesis = new(StringComparer.OrdinalIgnoreCase)
     {
-        ["MJD"] = Time, ["rx"] = "x", ["ry"] = "y", ["rz"] = "z", ["q0"] = "qw",
+        ["MJD"] = Time,
+        ["rx"] = "x",
+        ["ry"] = "y",
+        ["rz"] = "z",
+        ["q0"] = "qw",
     };
 
     private readonly Dictionary<string, int> _columns = new(StringComparer.OrdinalIgnoreCase);

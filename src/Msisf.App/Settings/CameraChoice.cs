@@ -55,19 +55,25 @@ internal static class CameraChoice
     private static CameraFile Open(string given, Installation installation)
     {
         string[] presets = [.. NamesIn(installation)];
-        if (presets.Contains(given))
+        if (presets.FirstOrDefault(name => name.Equals(given, StringComparison.OrdinalIgnoreCase)) is { } preset)
         {
-            return CameraFileReader.Read(PathOf(installation, given), given);
+            return CameraFileReader.Read(PathOf(installation, preset), preset);
         }
 
         int mark = given.LastIndexOf(ChecksumMark);
         (string path, string? checksum) = File.Exists(given) || mark < 0 ? (given, null) : (given[..mark], given[(mark + 1)..]);
+        if (Directory.Exists(path))
+        {
+            throw new BadInputException($"--camera {path}: is a folder; a camera file is needed.");
+        }
+
         if (!File.Exists(path))
         {
-            throw new BadInputException(Directory.Exists(path)
-                ? $"--camera {path}: is a folder; a camera file is needed."
-                : $"--camera {path}: there is no such file, and no such preset. The nearest preset is '{NearestName.To(path, presets)}'; "
-                    + $"'msis cameras' lists them.");
+            // A path is looked for as every file is; a plain word can only have meant a preset.
+            throw Path.GetExtension(path).Length > 0 || path.Contains('/')
+                ? new BadInputException($"--camera {path}: there is no such file.")
+                : new UsageException($"--camera '{path}' is no file and no preset{NearestName.Question(path, presets)} "
+                    + $"('msis cameras' lists the presets)");
         }
 
         CameraFile camera = CameraFileReader.Read(path);

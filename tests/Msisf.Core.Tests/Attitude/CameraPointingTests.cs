@@ -116,7 +116,9 @@ public class CameraPointingTests
             Vector3D position = one.Camera.ToPositionMoonMe(Scene.GroundRadius);
             CameraPointing pointing = new()
             {
-                Kind = BoresightKind.OffNadir, OffNadir = one.Angle * Math.PI / 180.0, Azimuth = one.Azimuth * Math.PI / 180.0,
+                Kind = BoresightKind.OffNadir,
+                OffNadir = one.Angle * Math.PI / 180.0,
+                Azimuth = one.Azimuth * Math.PI / 180.0,
             };
             Vector3D forward = pointing.MoonFromCamera(position, Time, Scene) * -Vector3D.UnitX;
             Vector3D east = Vector3D.Cross(Vector3D.UnitZ, position).Normalized();
@@ -162,7 +164,10 @@ public class CameraPointingTests
     {
         CameraPointing pointing = new()
         {
-            Kind = BoresightKind.OffNadir, OffNadir = angle * Math.PI / 180.0, Azimuth = azimuth * Math.PI / 180.0, Up = up,
+            Kind = BoresightKind.OffNadir,
+            OffNadir = angle * Math.PI / 180.0,
+            Azimuth = azimuth * Math.PI / 180.0,
+            Up = up,
         };
 
         UnitQuaternion found = pointing.MoonFromCamera(new Vector3D(1.8374e6, 0.0, 0.0), Time, Scene);
