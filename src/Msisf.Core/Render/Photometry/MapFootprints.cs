@@ -118,7 +118,7 @@ internal sealed class MapFootprints
         Vector512<double> absoluteSine = Vector512.Abs(sine);
         Vector512<double> smaller = Vector512.MinNative(absoluteCosine, absoluteSine);
         Vector512<double> squared = Vector512.MinNative(smaller * smaller, Vector512.Create(0.5));
-        Vector512<double> angle = smaller * LaneMath.ArcsinOverSine(squared);
+        Vector512<double> angle = absoluteCosine * absoluteSine * LaneMath.ArcsinOverSineCosine(squared);
         angle = Vector512.ConditionalSelect(
             Vector512.GreaterThan(absoluteSine, absoluteCosine), Vector512.Create(Math.PI / 2.0) - angle, angle);
         angle = Vector512.ConditionalSelect(

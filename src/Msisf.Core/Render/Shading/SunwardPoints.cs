@@ -22,6 +22,12 @@ internal sealed class SunwardPoints : IReceiverRows
     private readonly double _minCosine;
     private readonly ConcurrentBag<Scratch> _idle = [];
 
+    /// <summary>
+    /// Called with each row that is read, its points and their cosines, from several threads: a law that needs more than the cosine then
+    /// has what it needs at hand. Null if nobody wants it.
+    /// </summary>
+    public Action<int, SurfaceRow, double[]>? RowRead { get; init; }
+
     /// <summary>Makes the receivers of a frame.</summary>
     /// <param name="visible">The surface points that the pixels show.</param>
     /// <param name="sunMoonMe">The position of the Sun or of the lamp, m, MOON_ME.</param>
@@ -93,14 +99,17 @@ internal sealed class SunwardPoints : IReceiverRows
         if (points.Count == all.Length)
         {
             scratch.Cosines.AsSpan(0, all.Length).CopyTo(all);
-            return;
+        }
+        else
+        {
+            all.Fill(NoSurface);
+            for (int i = 0; i < points.Count; i++)
+            {
+                all[points.Columns[i]] = scratch.Cosines[i];
+            }
         }
 
-        all.Fill(NoSurface);
-        for (int i = 0; i < points.Count; i++)
-        {
-            all[points.Columns[i]] = scratch.Cosines[i];
-        }
+        RowRead?.Invoke(row, points, scratch.Cosines);
     }
 
     private void FindCosines(SurfaceRow points, double[] cosines)
