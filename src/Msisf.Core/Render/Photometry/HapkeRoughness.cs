@@ -36,7 +36,7 @@ internal sealed class HapkeRoughness
         double azimuthHaversine = product > 0.0 ? Math.Clamp((phaseHaversine - meridian) / product, 0.0, 1.0) : 0.0;
         double azimuthRest = 1.0 - azimuthHaversine;
         double azimuth = PhaseAngle.FromHaversine(azimuthHaversine) / Math.PI;
-        double azimuthFromBehind = PhaseAngle.FromHaversine(azimuthRest) / Math.PI;
+        double azimuthFromBehind = 2.0 / Math.PI * Math.Atan2(Math.Sqrt(azimuthRest), Math.Sqrt(azimuthHaversine));
         double shown = OneMinusExp(-2.0 * PhaseAngle.HalfTangent(azimuthHaversine));
         double hidden = 1.0 - shown;
 
