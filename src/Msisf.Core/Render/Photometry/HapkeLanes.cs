@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
 
@@ -14,8 +15,8 @@ internal readonly struct HapkeLanes
     /// <summary>Added to sines of 0, so that quotients by them are large and not undefined.</summary>
     private const double TinySine = 1e-100;
 
-    /// <summary>Length of the buffer that the computation needs, in vectors.</summary>
-    public const int BufferLength = Quantities * Block;
+    /// <summary>Length of the memory that <see cref="BufferIn"/> needs.</summary>
+    public const int BufferLength = (Quantities * Block * 8) + 8;
 
     /// <summary>Vectors of a block: with its buffer it stays in the fastest memory.</summary>
     private const int Block = 8;
@@ -81,13 +82,25 @@ internal readonly struct HapkeLanes
         _scale = scale * Vector512.Create(0.25) * w * _chi;
     }
 
+    /// <summary>
+    /// A buffer for the computation, which begins where a line of the cache does: else each access would be to two lines, and that takes
+    /// half as long again in all.
+    /// </summary>
+    /// <param name="stack">Memory on the stack, which does not move, of <see cref="BufferLength"/>.</param>
+    public static Span<Vector512<double>> BufferIn(Span<double> stack)
+    {
+        long address = Unsafe.ByteOffset(ref Unsafe.NullRef<double>(), ref MemoryMarshal.GetReference(stack));
+        int toNextLine = (int)((-address / sizeof(double)) & (Vector512<double>.Count - 1));
+        return MemoryMarshal.Cast<double, Vector512<double>>(stack[toNextLine..]);
+    }
+
     /// <summary>Computes radiance factors; 0 where a cosine is not above 0.</summary>
     /// <param name="law">The parameters.</param>
     /// <param name="cosIncidence">Cosines of the incidence angles, up to 1.</param>
     /// <param name="cosEmission">Cosines of the emission angles, up to 1.</param>
     /// <param name="phaseHaversine">sin^2 of half the phase angles, 0 to 1.</param>
     /// <param name="factors">Receives the radiance factors.</param>
-    /// <param name="buffer">At least <see cref="BufferLength"/>; its content does not matter.</param>
+    /// <param name="buffer">From <see cref="BufferIn"/>; its content does not matter.</param>
     public static void RadianceFactors(
         in HapkeLanes law,
         ReadOnlySpan<Vector512<double>> cosIncidence,

@@ -97,7 +97,7 @@ internal sealed class RowShader
             }
 
             RowReflection reflection = Take();
-            Gather(visible, row, light, sunlight, options, weight, reflection);
+            reflection.TakeLit(visible, row, light, sunlight, options.Normals, weight);
             reflection.FindFactors(visible.View.Camera, light, options);
             SunlitPoints points = reflection.Points;
             for (int i = 0; i < points.Count; i++)
@@ -115,7 +115,7 @@ internal sealed class RowShader
     public Vector3D SmoothNormal(SurfaceHit hit, Vector3D cameraMoonMe)
     {
         RowReflection scratch = Take();
-        Vector3D normal = Smooth(scratch.Normals, hit.Facet, hit.NormalMoonMe, hit.PointMoonMe, cameraMoonMe);
+        Vector3D normal = scratch.Smooth(hit.Facet, hit.NormalMoonMe, hit.PointMoonMe, cameraMoonMe);
         _idle.Add(scratch);
         return normal;
     }
@@ -152,55 +152,5 @@ internal sealed class RowShader
                 factors[column] += share * law.RadianceFactor(cosines[column], cosEmission: 1.0, phaseHaversine: 0.0);
             }
         }
-    }
-
-    /// <summary>Collects the sunlit pixels of a row, with the normals that shade them.</summary>
-    private static void Gather(
-        VisibleSurface visible, int row, SceneLight light, PixelSunlight sunlight, NativeRenderOptions options, double weight,
-        RowReflection scratch)
-    {
-        int start = row * visible.Width;
-        SurfaceRow pixels = scratch.Row;
-        visible.Read(row + 1, pixels);
-        scratch.Points.Clear(visible.Width);
-        for (int i = 0; i < pixels.Count; i++)
-        {
-            int column = pixels.Columns[i];
-            double fraction = sunlight.VisibleFraction(start + column);
-            if (fraction <= 0.0)
-            {
-                continue;
-            }
-
-            Vector3D point = new(pixels.X[i], pixels.Y[i], pixels.Z[i]);
-            Vector3D normal = new(pixels.NormalX[i], pixels.NormalY[i], pixels.NormalZ[i]);
-            double cosIncidence = sunlight.CosIncidence[start + column];
-            if (options.Normals == NormalModel.Smooth)
-            {
-                FacetId facet = visible.FacetOf(row + 1, pixels.Facets[i]);
-                Vector3D smooth = Smooth(scratch.Normals, facet, normal, point, visible.View.Camera.PositionMoonMe);
-                if (smooth != normal)
-                {
-                    // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
-                    Vector3D toLight = light.PositionMoonMe - point;
-                    normal = smooth;
-                    cosIncidence = Math.Min(Vector3D.Dot(normal, toLight / Math.Sqrt(toLight.LengthSquared)), 1.0);
-                }
-            }
-
-            // A smooth normal can point away from the light where the facet's normal does not, and a facet can be seen edge-on: the laws
-            // give 0 there.
-            scratch.Points.Add(column, weight * fraction, point, normal, cosIncidence);
-        }
-    }
-
-    /// <summary>
-    /// The smooth normal at a point, or the facet's normal if the smooth one points away from the camera, as it can at the limb:
-    /// reflectance laws are undefined there.
-    /// </summary>
-    private static Vector3D Smooth(SmoothNormals normals, FacetId facet, Vector3D facetNormal, Vector3D point, Vector3D camera)
-    {
-        Vector3D normal = normals.At(facet, facetNormal, point);
-        return Vector3D.Dot(normal, camera - point) > 0.0 ? normal : facetNormal;
     }
 }

@@ -22,12 +22,6 @@ internal sealed class SunwardPoints : IReceiverRows
     private readonly double _minCosine;
     private readonly ConcurrentBag<Scratch> _idle = [];
 
-    /// <summary>
-    /// Called with each row that is read, its points and their cosines, from several threads: a law that needs more than the cosine then
-    /// has what it needs at hand. Null if nobody wants it.
-    /// </summary>
-    public Action<int, SurfaceRow, double[]>? RowRead { get; init; }
-
     /// <summary>Makes the receivers of a frame.</summary>
     /// <param name="visible">The surface points that the pixels show.</param>
     /// <param name="sunMoonMe">The position of the Sun or of the lamp, m, MOON_ME.</param>
@@ -46,6 +40,12 @@ internal sealed class SunwardPoints : IReceiverRows
 
     /// <inheritdoc/>
     public int Width => _visible.Width;
+
+    /// <summary>
+    /// Called with each row that is read, its points and their cosines, from several threads: a law that needs more than the cosine then
+    /// has what it needs at hand. Null if nobody wants it.
+    /// </summary>
+    public Action<int, SurfaceRow, double[]>? RowRead { get; init; }
 
     /// <summary>Sets the cosines of a row without returning its points.</summary>
     public void ReadCosines(int row)
