@@ -110,14 +110,14 @@ internal sealed class FramePass
     private void DrawSample(double offsetX, double offsetY, double weight, int threads, CancellationToken cancellation)
     {
         _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
-        FindLight(_visible, threads, cancellation);
+        FindLight(_visible, isShaded: weight > 0.0, threads, cancellation);
         if (weight > 0.0)
         {
             _shader.Shade(_visible, Light, _sunlight, _options!, weight, _radianceFactors, threads, cancellation);
         }
     }
 
-    private void FindLight(VisibleSurface visible, int threads, CancellationToken cancellation)
+    private void FindLight(VisibleSurface visible, bool isShaded, int threads, CancellationToken cancellation)
     {
         if (HasDisc)
         {
@@ -128,7 +128,18 @@ internal sealed class FramePass
             return;
         }
 
-        SunwardPoints sunward = new(visible, Light.PositionMoonMe, _sunlight.CosIncidence);
+        bool reflectsFirst = isShaded && RowShader.ReflectsFirst(_options!, HasDisc);
+        if (reflectsFirst)
+        {
+            _shader.Prepare(visible.Width * visible.Height);
+        }
+
+        SunwardPoints sunward = new(visible, Light.PositionMoonMe, _sunlight.CosIncidence)
+        {
+            RowRead = reflectsFirst
+                ? (row, pixels, cosines) => _shader.Reflect(visible, Light, _options!, row, pixels, cosines)
+                : null,
+        };
         if (Light.IsSun)
         {
             _shadows.Run(sunward, Light.PositionMoonMe, _sunlight.Hidden, threads, cancellation);

@@ -9,19 +9,43 @@ public class LaneMathTests
     /// <summary>1, relative: a handful of roundings.</summary>
     private const double Rounding = 2e-15;
 
+    /// <summary>1, relative: the error of the polynomial's coefficients.</summary>
+    private const double FitOfArcsin = 1e-14;
+
     [Fact]
-    public void ExpOfNegative_AnyExponent_IsTheSystems()
+    public void ExpMinusOne_AnyExponent_IsTheSystems()
     {
-        for (double x = 0.0; x > -690.0; x -= 0.0713)
+        for (double x = -0.5; x > -690.0; x -= 0.0713)
         {
-            double expected = Math.Exp(x);
-            Assert.Equal(expected, LaneMath.ExpOfNegative(Vector512.Create(x))[0], expected * Rounding);
+            Assert.Equal(Math.Exp(x) - 1.0, LaneMath.ExpMinusOne(Vector512.Create(x))[0], Rounding);
         }
     }
 
     [Fact]
-    public void ExpOfNegative_Infinity_IsNothingBesideOne() =>
-        Assert.InRange(LaneMath.ExpOfNegative(Vector512.Create(double.NegativeInfinity))[0], 0.0, 1e-300);
+    public void ExpMinusOne_BesideZero_IsItsSeries()
+    {
+        for (double x = -1e-3; x < -1e-200; x *= 0.771)
+        {
+            double expected = x * (1.0 + (x / 2.0 * (1.0 + (x / 3.0 * (1.0 + (x / 4.0 * (1.0 + (x / 5.0))))))));
+            Assert.Equal(expected, LaneMath.ExpMinusOne(Vector512.Create(x))[0], -expected * Rounding);
+        }
+
+        Assert.Equal(0.0, LaneMath.ExpMinusOne(Vector512<double>.Zero)[0]);
+    }
+
+    [Fact]
+    public void ExpMinusOne_Infinity_IsMinusOne() =>
+        Assert.Equal(-1.0, LaneMath.ExpMinusOne(Vector512.Create(double.NegativeInfinity))[0]);
+
+    [Fact]
+    public void InverseSqrt_AnyNumber_IsTheSystems()
+    {
+        for (double x = 1e-290; x < 1e290; x *= 1.13)
+        {
+            double expected = 1.0 / Math.Sqrt(x);
+            Assert.Equal(expected, LaneMath.InverseSqrt(Vector512.Create(x))[0], expected * Rounding);
+        }
+    }
 
     [Fact]
     public void LogOfOnePlusInverse_AnyNumber_IsTheSystems()
@@ -36,13 +60,14 @@ public class LaneMathTests
     }
 
     [Fact]
-    public void ArcsinOverSine_UpToHalf_IsTheSystems()
+    public void ArcsinOverSineCosine_UpToHalf_IsTheSystems()
     {
         for (double sineSquared = 1e-12; sineSquared <= 0.5; sineSquared = (1.01 * sineSquared) + 1e-5)
         {
             double sine = Math.Sqrt(sineSquared);
-            double expected = Math.Atan2(sine, Math.Sqrt(1.0 - sineSquared)) / sine;
-            Assert.Equal(expected, LaneMath.ArcsinOverSine(Vector512.Create(sineSquared))[0], expected * Rounding);
+            double cosine = Math.Sqrt(1.0 - sineSquared);
+            double expected = Math.Atan2(sine, cosine) / (sine * cosine);
+            Assert.Equal(expected, LaneMath.ArcsinOverSineCosine(Vector512.Create(sineSquared))[0], expected * FitOfArcsin);
         }
     }
 }

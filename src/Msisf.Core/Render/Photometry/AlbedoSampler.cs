@@ -8,9 +8,6 @@ namespace Msisf.Core.Render.Photometry;
 /// </summary>
 internal sealed class AlbedoSampler
 {
-    /// <summary>Most places at which a level is read for one pixel; a longer footprint is read from a coarser level.</summary>
-    private const int MaxProbes = 16;
-
     private readonly MapFootprints _footprints = new();
 
     /// <summary>Scales the radiance factors of a row.</summary>
@@ -34,9 +31,7 @@ internal sealed class AlbedoSampler
         int current = -1;
         for (int i = 0; i < factors.Length; i++)
         {
-            double along = _footprints.Along[i];
-            double across = Math.Max(_footprints.Across[i], along * (1.0 / MaxProbes));
-            (int level, double part) = LevelOf(across, map.Levels.Count);
+            int level = (int)_footprints.Levels[i];
             if (level != current)
             {
                 current = level;
@@ -44,30 +39,17 @@ internal sealed class AlbedoSampler
                 coarse = new MapLevelReader(map, Math.Min(level + 1, map.Levels.Count - 1));
             }
 
-            double widths = Math.Min(along / Math.Max(across, 1.0), MaxProbes);
-            double code = widths <= 1.0
+            double part = _footprints.Parts[i];
+            int probes = (int)_footprints.Probes[i];
+            double code = probes == 1
                 ? Mixed(fine, coarse, part, _footprints.X[i], _footprints.Y[i])
-                : MeanAlong(fine, coarse, part, i, (int)Math.Ceiling(widths));
+                : MeanAlong(fine, coarse, part, i, probes);
             if (code > 0.0)
             {
                 double scale = offset + (step * code);
                 factors[i] *= factorOfReference is null ? scale / points.ReferenceFactors[i] : scale;
             }
         }
-    }
-
-    /// <summary>The finer of two levels between which a width lies, and how far it lies towards the coarser one.</summary>
-    /// <param name="across">In pixels of the finest level.</param>
-    /// <param name="levels">Number of levels.</param>
-    private static (int Level, double Part) LevelOf(double across, int levels)
-    {
-        if (!(across > 1.0))
-        {
-            return (0, 0.0);
-        }
-
-        int level = Math.ILogB(across);
-        return level >= levels - 1 ? (levels - 1, 0.0) : (level, Math.ScaleB(across, -level) - 1.0);
     }
 
     private static double Mixed(in MapLevelReader fine, in MapLevelReader coarse, double part, double x, double y)

@@ -45,6 +45,7 @@ public sealed class HapkeMap
     internal void FindFactors(SunlitPoints points, ReferenceGeometry? reference)
     {
         Span<double> parameters = stackalloc double[Planes * Vector512<double>.Count];
+        Span<Vector512<double>> buffer = HapkeLanes.BufferIn(stackalloc double[HapkeLanes.BufferLength]);
         for (int i = 0; i < points.Count; i += Vector512<double>.Count)
         {
             for (int lane = 0; lane < Vector512<double>.Count; lane++)
@@ -57,14 +58,13 @@ public sealed class HapkeMap
                 Vector512<double>.One, Plane(parameters, 0), Plane(parameters, 1), Plane(parameters, 2), Plane(parameters, 3),
                 Plane(parameters, 4), Plane(parameters, 5));
             HapkeLanes.RadianceFactors(
-                lanes, Load(points.CosIncidence, i), Load(points.CosEmission, i), Load(points.PhaseHaversine, i))
-                .StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(points.Factors), (nuint)i);
+                lanes, Lanes(points.CosIncidence, i), Lanes(points.CosEmission, i), Lanes(points.PhaseHaversine, i),
+                Lanes(points.Factors, i), buffer);
             if (reference is { } there)
             {
                 HapkeLanes.RadianceFactors(
-                    lanes, Vector512.Create(there.CosIncidence), Vector512.Create(there.CosEmission),
-                    Vector512.Create(there.PhaseHaversine))
-                    .StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(points.ReferenceFactors), (nuint)i);
+                    lanes, [Vector512.Create(there.CosIncidence)], [Vector512.Create(there.CosEmission)],
+                    [Vector512.Create(there.PhaseHaversine)], Lanes(points.ReferenceFactors, i), buffer);
             }
         }
     }
@@ -100,6 +100,6 @@ public sealed class HapkeMap
     private static Vector512<double> Plane(Span<double> parameters, int plane) => Vector512.Create<double>(
         parameters.Slice(plane * Vector512<double>.Count, Vector512<double>.Count));
 
-    private static Vector512<double> Load(double[] values, int index) =>
-        Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(values), (nuint)index);
+    private static Span<Vector512<double>> Lanes(double[] values, int index) =>
+        MemoryMarshal.Cast<double, Vector512<double>>(values.AsSpan(index, Vector512<double>.Count));
 }

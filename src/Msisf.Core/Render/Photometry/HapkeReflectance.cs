@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
@@ -75,32 +74,34 @@ public sealed class HapkeReflectance : IReflectance
 
     /// <inheritdoc/>
     /// <remarks>Within 1e-12 of <see cref="RadianceFactor"/>.</remarks>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
     public void RadianceFactors(
         ReadOnlySpan<double> cosIncidence, ReadOnlySpan<double> cosEmission, ReadOnlySpan<double> phaseHaversine, Span<double> factors)
     {
-        ref double incidence = ref MemoryMarshal.GetReference(cosIncidence);
-        ref double emission = ref MemoryMarshal.GetReference(cosEmission[..cosIncidence.Length]);
-        ref double phase = ref MemoryMarshal.GetReference(phaseHaversine[..cosIncidence.Length]);
-        ref double result = ref MemoryMarshal.GetReference(factors[..cosIncidence.Length]);
-        nuint lanes = (nuint)Vector512<double>.Count;
-        nuint count = (nuint)cosIncidence.Length;
-        nuint i = 0;
-        for (; i + lanes <= count; i += lanes)
+        Span<Vector512<double>> buffer = HapkeLanes.BufferIn(stackalloc double[HapkeLanes.BufferLength]);
+        int whole = cosIncidence.Length - (cosIncidence.Length % Vector512<double>.Count);
+        HapkeLanes.RadianceFactors(
+            _lanes, Lanes(cosIncidence[..whole]), Lanes(cosEmission[..whole]), Lanes(phaseHaversine[..whole]),
+            MemoryMarshal.Cast<double, Vector512<double>>(factors[..whole]), buffer);
+        if (whole == cosIncidence.Length)
         {
-            HapkeLanes.RadianceFactors(
-                _lanes, Vector512.LoadUnsafe(ref incidence, i), Vector512.LoadUnsafe(ref emission, i), Vector512.LoadUnsafe(ref phase, i))
-                .StoreUnsafe(ref result, i);
+            return;
         }
 
-        for (; i < count; i++)
-        {
-            factors[(int)i] = HapkeLanes.RadianceFactors(
-                _lanes,
-                Vector512.Create(cosIncidence[(int)i]),
-                Vector512.Create(cosEmission[(int)i]),
-                Vector512.Create(phaseHaversine[(int)i]))[0];
-        }
+        Span<Vector512<double>> rest = [Filled(cosIncidence[whole..]), Filled(cosEmission[whole..]), Filled(phaseHaversine[whole..])];
+        Span<Vector512<double>> last = stackalloc Vector512<double>[1];
+        HapkeLanes.RadianceFactors(_lanes, rest[..1], rest[1..2], rest[2..], last, buffer);
+        MemoryMarshal.Cast<Vector512<double>, double>(last)[..(cosIncidence.Length - whole)].CopyTo(factors[whole..]);
+    }
+
+    private static ReadOnlySpan<Vector512<double>> Lanes(ReadOnlySpan<double> values) =>
+        MemoryMarshal.Cast<double, Vector512<double>>(values);
+
+    /// <summary>Less than eight values, and the last one again in the other lanes.</summary>
+    private static Vector512<double> Filled(ReadOnlySpan<double> values)
+    {
+        Vector512<double> filled = Vector512.Create(values[^1]);
+        values.CopyTo(MemoryMarshal.Cast<Vector512<double>, double>(new Span<Vector512<double>>(ref filled)));
+        return filled;
     }
 
     /// <summary>Phase function of two Henyey-Greenstein lobes; 1 -+ 2 b cos g + b^2 is computed in a form without cancellation.</summary>

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>Reads a level of a map between its pixels; <c>default</c> must not be read.</summary>
@@ -26,6 +28,7 @@ internal readonly ref struct MapLevelReader
     /// </summary>
     /// <param name="finestX">Distance from the left edge, pixels of the finest level.</param>
     /// <param name="finestY">Distance from the upper edge, pixels of the finest level.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public double At(double finestX, double finestY)
     {
         double x = (finestX * _scaleX) - 0.5;
@@ -34,8 +37,7 @@ internal readonly ref struct MapLevelReader
         int row = (int)y;
         if (x < 0.0 || y < 0.0 || column >= _width - 1 || row >= _height - 1)
         {
-            double upper = Math.Floor(y);
-            return AtEdge(x, (int)upper, y - upper);
+            return AtEdge(x, y);
         }
 
         double partX = x - column;
@@ -55,11 +57,21 @@ internal readonly ref struct MapLevelReader
             return north + (partY * (south - north));
         }
 
-        return Mix(RowMean(northWest, northEast, partX), RowMean(southWest, southEast, partX), partY);
+        return AtGap(northWest, northEast, southWest, southEast, partX, partY);
     }
 
+    /// <summary>Where a pixel has no data.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static double AtGap(int northWest, int northEast, int southWest, int southEast, double partX, double partY) =>
+        Mix(RowMean(northWest, northEast, partX), RowMean(southWest, southEast, partX), partY);
+
     /// <summary>Across the seam of a full circle, over a pole, or at the edge of a map that shows a part of the Moon.</summary>
-    private double AtEdge(double x, int row, double partY) => Mix(InRow(x, row), InRow(x, row + 1), partY);
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private double AtEdge(double x, double y)
+    {
+        double upper = Math.Floor(y);
+        return Mix(InRow(x, (int)upper), InRow(x, (int)upper + 1), y - upper);
+    }
 
     private (double Code, double Weight) InRow(double x, int row)
     {

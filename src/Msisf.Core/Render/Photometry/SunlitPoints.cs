@@ -2,6 +2,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render.Visibility;
 
 namespace Msisf.Core.Render.Photometry;
 
@@ -83,6 +84,25 @@ internal sealed class SunlitPoints
         (X[i], Y[i], Z[i]) = (pointMoonMe.X, pointMoonMe.Y, pointMoonMe.Z);
         (NormalX[i], NormalY[i], NormalZ[i]) = (normalMoonMe.X, normalMoonMe.Y, normalMoonMe.Z);
         CosIncidence[i] = cosIncidence;
+    }
+
+    /// <summary>Adds pixels that follow each other in a row, each with the weight 1.</summary>
+    /// <param name="row">The row.</param>
+    /// <param name="cosIncidence">Cosines of the incidence angles of all its pixels.</param>
+    /// <param name="first">The first pixel, from 0.</param>
+    /// <param name="count">How many.</param>
+    public void AddRun(SurfaceRow row, ReadOnlySpan<double> cosIncidence, int first, int count)
+    {
+        row.Columns.AsSpan(first, count).CopyTo(Columns.AsSpan(Count));
+        row.X.AsSpan(first, count).CopyTo(X.AsSpan(Count));
+        row.Y.AsSpan(first, count).CopyTo(Y.AsSpan(Count));
+        row.Z.AsSpan(first, count).CopyTo(Z.AsSpan(Count));
+        row.NormalX.AsSpan(first, count).CopyTo(NormalX.AsSpan(Count));
+        row.NormalY.AsSpan(first, count).CopyTo(NormalY.AsSpan(Count));
+        row.NormalZ.AsSpan(first, count).CopyTo(NormalZ.AsSpan(Count));
+        cosIncidence.Slice(first, count).CopyTo(CosIncidence.AsSpan(Count));
+        Weights.AsSpan(Count, count).Fill(1.0);
+        Count += count;
     }
 
     /// <summary>Computes emission and phase angles of all pixels.</summary>

@@ -12,9 +12,52 @@ namespace Msisf.Core.Render.Shading;
 internal sealed class RowShader
 {
     private readonly SurfaceModel _surface;
-    private readonly ConcurrentBag<Scratch> _idle = [];
+    private readonly ConcurrentBag<RowReflection> _idle = [];
+    private double[] _reflected = [];
 
     public RowShader(SurfaceModel surface) => _surface = surface;
+
+    /// <summary>
+    /// Whether <see cref="Reflect"/> is to be called for each row when its points are read for the shadows, which saves to compute them
+    /// again: the shadows then only switch pixels off. With the Sun's disc they change the incidence angle, and smooth normals cost more
+    /// than reading again where most pixels are in shadow.
+    /// </summary>
+    /// <param name="options">Reflectance law and kind of normals.</param>
+    /// <param name="hasDisc">Whether the Sun is a disc.</param>
+    public static bool ReflectsFirst(NativeRenderOptions options, bool hasDisc) =>
+        options.Normals == NormalModel.Facet && !hasDisc && !IsFlat(options);
+
+    /// <summary>Makes room for the factors of <see cref="Reflect"/>.</summary>
+    public void Prepare(int pixels)
+    {
+        if (_reflected.Length < pixels)
+        {
+            _reflected = new double[pixels];
+        }
+    }
+
+    /// <summary>Keeps the radiance factors that the pixels of a row have if nothing hides the light from them.</summary>
+    /// <param name="visible">The surface points that the pixels show.</param>
+    /// <param name="light">The Sun, or the lamp at the camera.</param>
+    /// <param name="options">Reflectance law.</param>
+    /// <param name="row">Index of the row, from 0.</param>
+    /// <param name="pixels">Its points.</param>
+    /// <param name="cosIncidence">The cosines of their incidence angles.</param>
+    public void Reflect(
+        VisibleSurface visible, SceneLight light, NativeRenderOptions options, int row, SurfaceRow pixels, double[] cosIncidence)
+    {
+        RowReflection reflection = Take();
+        reflection.TakeFacing(pixels, cosIncidence, visible.Width);
+        reflection.FindFactors(visible.View.Camera, light, options);
+        SunlitPoints points = reflection.Points;
+        Span<double> reflected = _reflected.AsSpan(row * visible.Width, visible.Width);
+        for (int i = 0; i < points.Count; i++)
+        {
+            reflected[points.Columns[i]] = points.Factors[i];
+        }
+
+        _idle.Add(reflection);
+    }
 
     /// <summary>Adds one sample of each pixel to the radiance factors of a frame.</summary>
     /// <param name="visible">The surface points that the pixels show.</param>
@@ -35,10 +78,8 @@ internal sealed class RowShader
         int threads,
         CancellationToken cancellation)
     {
-        bool isFlat = options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, Albedo: null };
-        double? factorOfReference = options is { Albedo.Reference: var reference, Hapke: null }
-            ? options.Reflectance.RadianceFactor(reference.CosIncidence, reference.CosEmission, reference.PhaseHaversine)
-            : null;
+        bool isFlat = IsFlat(options);
+        bool isReflected = ReflectsFirst(options, sunlight.VisibleFractions.Length > 0);
         WorkerTeam.Run(threads, visible.Height, (_, row) =>
         {
             int start = row * visible.Width;
@@ -49,33 +90,22 @@ internal sealed class RowShader
                 return;
             }
 
-            Scratch scratch = _idle.TryTake(out Scratch? idle) ? idle : new Scratch(_surface);
-            Gather(visible, row, light, sunlight, options, weight, scratch);
-            SunlitPoints points = scratch.Points;
-            int count = points.Count;
-            points.FindAngles(light.PositionMoonMe, visible.View.Camera.PositionMoonMe);
-            if (options.Hapke is { } places)
+            if (isReflected)
             {
-                places.FindFactors(points, options.Albedo?.Reference);
-            }
-            else
-            {
-                options.Reflectance.RadianceFactors(
-                    points.CosIncidence.AsSpan(0, count), points.CosEmission.AsSpan(0, count), points.PhaseHaversine.AsSpan(0, count),
-                    points.Factors);
+                AddReflected(sunlight, start, weight, factors);
+                return;
             }
 
-            if (options.Albedo is not null)
-            {
-                scratch.Albedo.Scale(points, visible.View.Camera, options.SubsamplesPerAxis, options.Albedo, factorOfReference);
-            }
-
-            for (int i = 0; i < count; i++)
+            RowReflection reflection = Take();
+            reflection.TakeLit(visible, row, light, sunlight, options.Normals, weight);
+            reflection.FindFactors(visible.View.Camera, light, options);
+            SunlitPoints points = reflection.Points;
+            for (int i = 0; i < points.Count; i++)
             {
                 factors[points.Columns[i]] += points.Weights[i] * points.Factors[i];
             }
 
-            _idle.Add(scratch);
+            _idle.Add(reflection);
         }, cancellation);
     }
 
@@ -84,10 +114,29 @@ internal sealed class RowShader
     /// <param name="cameraMoonMe">The camera's position, m, MOON_ME.</param>
     public Vector3D SmoothNormal(SurfaceHit hit, Vector3D cameraMoonMe)
     {
-        Scratch scratch = _idle.TryTake(out Scratch? idle) ? idle : new Scratch(_surface);
-        Vector3D normal = Smooth(scratch.Normals, hit.Facet, hit.NormalMoonMe, hit.PointMoonMe, cameraMoonMe);
+        RowReflection scratch = Take();
+        Vector3D normal = scratch.Smooth(hit.Facet, hit.NormalMoonMe, hit.PointMoonMe, cameraMoonMe);
         _idle.Add(scratch);
         return normal;
+    }
+
+    private static bool IsFlat(NativeRenderOptions options) =>
+        options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, Albedo: null, Hapke: null };
+
+    private RowReflection Take() => _idle.TryTake(out RowReflection? idle) ? idle : new RowReflection(_surface);
+
+    private void AddReflected(PixelSunlight sunlight, int start, double weight, Span<double> factors)
+    {
+        ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(start, factors.Length);
+        ReadOnlySpan<byte> hidden = sunlight.Hidden.AsSpan(start, factors.Length);
+        ReadOnlySpan<double> reflected = _reflected.AsSpan(start, factors.Length);
+        for (int column = 0; column < factors.Length; column++)
+        {
+            if (hidden[column] == 0 && cosines[column] > 0.0)
+            {
+                factors[column] += weight * reflected[column];
+            }
+        }
     }
 
     private static void AddFlat(PixelSunlight sunlight, int start, IReflectance law, double weight, Span<double> factors)
@@ -103,67 +152,5 @@ internal sealed class RowShader
                 factors[column] += share * law.RadianceFactor(cosines[column], cosEmission: 1.0, phaseHaversine: 0.0);
             }
         }
-    }
-
-    /// <summary>Collects the sunlit pixels of a row, with the normals that shade them.</summary>
-    private static void Gather(
-        VisibleSurface visible, int row, SceneLight light, PixelSunlight sunlight, NativeRenderOptions options, double weight,
-        Scratch scratch)
-    {
-        int start = row * visible.Width;
-        SurfaceRow pixels = scratch.Row;
-        visible.Read(row + 1, pixels);
-        scratch.Points.Clear(visible.Width);
-        for (int i = 0; i < pixels.Count; i++)
-        {
-            int column = pixels.Columns[i];
-            double fraction = sunlight.VisibleFraction(start + column);
-            if (fraction <= 0.0)
-            {
-                continue;
-            }
-
-            Vector3D point = new(pixels.X[i], pixels.Y[i], pixels.Z[i]);
-            Vector3D normal = new(pixels.NormalX[i], pixels.NormalY[i], pixels.NormalZ[i]);
-            double cosIncidence = sunlight.CosIncidence[start + column];
-            if (options.Normals == NormalModel.Smooth)
-            {
-                FacetId facet = visible.FacetOf(row + 1, pixels.Facets[i]);
-                Vector3D smooth = Smooth(scratch.Normals, facet, normal, point, visible.View.Camera.PositionMoonMe);
-                if (smooth != normal)
-                {
-                    // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
-                    Vector3D toLight = light.PositionMoonMe - point;
-                    normal = smooth;
-                    cosIncidence = Math.Min(Vector3D.Dot(normal, toLight / Math.Sqrt(toLight.LengthSquared)), 1.0);
-                }
-            }
-
-            // A smooth normal can point away from the light where the facet's normal does not, and a facet can be seen edge-on: the laws
-            // give 0 there.
-            scratch.Points.Add(column, weight * fraction, point, normal, cosIncidence);
-        }
-    }
-
-    /// <summary>
-    /// The smooth normal at a point, or the facet's normal if the smooth one points away from the camera, as it can at the limb:
-    /// reflectance laws are undefined there.
-    /// </summary>
-    private static Vector3D Smooth(SmoothNormals normals, FacetId facet, Vector3D facetNormal, Vector3D point, Vector3D camera)
-    {
-        Vector3D normal = normals.At(facet, facetNormal, point);
-        return Vector3D.Dot(normal, camera - point) > 0.0 ? normal : facetNormal;
-    }
-
-    /// <summary>The buffers of one thread.</summary>
-    private sealed class Scratch(SurfaceModel surface)
-    {
-        public SurfaceRow Row { get; } = new();
-
-        public SmoothNormals Normals { get; } = new(surface);
-
-        public SunlitPoints Points { get; } = new();
-
-        public AlbedoSampler Albedo { get; } = new();
     }
 }

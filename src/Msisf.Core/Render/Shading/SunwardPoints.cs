@@ -41,6 +41,12 @@ internal sealed class SunwardPoints : IReceiverRows
     /// <inheritdoc/>
     public int Width => _visible.Width;
 
+    /// <summary>
+    /// Called with each row that is read, its points and their cosines, from several threads: a law that needs more than the cosine then
+    /// has what it needs at hand. Null if nobody wants it.
+    /// </summary>
+    public Action<int, SurfaceRow, double[]>? RowRead { get; init; }
+
     /// <summary>Sets the cosines of a row without returning its points.</summary>
     public void ReadCosines(int row)
     {
@@ -93,14 +99,17 @@ internal sealed class SunwardPoints : IReceiverRows
         if (points.Count == all.Length)
         {
             scratch.Cosines.AsSpan(0, all.Length).CopyTo(all);
-            return;
+        }
+        else
+        {
+            all.Fill(NoSurface);
+            for (int i = 0; i < points.Count; i++)
+            {
+                all[points.Columns[i]] = scratch.Cosines[i];
+            }
         }
 
-        all.Fill(NoSurface);
-        for (int i = 0; i < points.Count; i++)
-        {
-            all[points.Columns[i]] = scratch.Cosines[i];
-        }
+        RowRead?.Invoke(row, points, scratch.Cosines);
     }
 
     private void FindCosines(SurfaceRow points, double[] cosines)

@@ -1,0 +1,129 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Photometry;
+using Msisf.Core.Render.Visibility;
+using Msisf.Core.Scene;
+
+namespace Msisf.Core.Render.Shading;
+
+/// <summary>Computes the radiance factors of a row's lit pixels. Keeps buffers, so each thread needs its own object.</summary>
+internal sealed class RowReflection(SurfaceModel surface)
+{
+    private readonly AlbedoSampler _albedo = new();
+    private readonly SurfaceRow _row = new();
+    private readonly SmoothNormals _normals = new(surface);
+
+    /// <summary>The pixels.</summary>
+    public SunlitPoints Points { get; } = new();
+
+    /// <summary>Takes the pixels of a row that face the light, with their facets' normals.</summary>
+    /// <param name="row">The row.</param>
+    /// <param name="cosIncidence">Cosines of the incidence angles of its pixels.</param>
+    /// <param name="width">Pixels of a whole row.</param>
+    public void TakeFacing(SurfaceRow row, ReadOnlySpan<double> cosIncidence, int width)
+    {
+        Points.Clear(width);
+        int end = row.Count;
+        for (int i = 0; i < end; i++)
+        {
+            int first = i;
+            while (i < end && cosIncidence[i] > 0.0)
+            {
+                i++;
+            }
+
+            if (i > first)
+            {
+                Points.AddRun(row, cosIncidence, first, i - first);
+            }
+        }
+    }
+
+    /// <summary>Collects the sunlit pixels of a row, with the normals that shade them.</summary>
+    /// <param name="visible">The surface points that the pixels show.</param>
+    /// <param name="row">Index of the row, from 0.</param>
+    /// <param name="light">The Sun, or the lamp at the camera.</param>
+    /// <param name="sunlight">The light on each pixel.</param>
+    /// <param name="normals">Kind of normals.</param>
+    /// <param name="weight">Weight of the sample in the mean over a pixel.</param>
+    public void TakeLit(
+        VisibleSurface visible, int row, SceneLight light, PixelSunlight sunlight, NormalModel normals, double weight)
+    {
+        int start = row * visible.Width;
+        SurfaceRow pixels = _row;
+        visible.Read(row + 1, pixels);
+        Points.Clear(visible.Width);
+        for (int i = 0; i < pixels.Count; i++)
+        {
+            int column = pixels.Columns[i];
+            double fraction = sunlight.VisibleFraction(start + column);
+            if (fraction <= 0.0)
+            {
+                continue;
+            }
+
+            Vector3D point = new(pixels.X[i], pixels.Y[i], pixels.Z[i]);
+            Vector3D normal = new(pixels.NormalX[i], pixels.NormalY[i], pixels.NormalZ[i]);
+            double cosIncidence = sunlight.CosIncidence[start + column];
+            if (normals == NormalModel.Smooth)
+            {
+                FacetId facet = visible.FacetOf(row + 1, pixels.Facets[i]);
+                Vector3D smooth = Smooth(facet, normal, point, visible.View.Camera.PositionMoonMe);
+                if (smooth != normal)
+                {
+                    // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
+                    Vector3D toLight = light.PositionMoonMe - point;
+                    normal = smooth;
+                    cosIncidence = Math.Min(Vector3D.Dot(normal, toLight / Math.Sqrt(toLight.LengthSquared)), 1.0);
+                }
+            }
+
+            // A smooth normal can point away from the light where the facet's normal does not, and a facet can be seen edge-on: the laws
+            // give 0 there.
+            Points.Add(column, weight * fraction, point, normal, cosIncidence);
+        }
+    }
+
+    /// <summary>
+    /// The smooth normal at a point, or the facet's normal if the smooth one points away from the camera, as it can at the limb:
+    /// reflectance laws are undefined there.
+    /// </summary>
+    /// <param name="facet">The facet.</param>
+    /// <param name="facetNormal">Its own normal, length 1, MOON_ME.</param>
+    /// <param name="point">The point on it, m, MOON_ME.</param>
+    /// <param name="camera">The camera's position, m, MOON_ME.</param>
+    public Vector3D Smooth(FacetId facet, Vector3D facetNormal, Vector3D point, Vector3D camera)
+    {
+        Vector3D normal = _normals.At(facet, facetNormal, point);
+        return Vector3D.Dot(normal, camera - point) > 0.0 ? normal : facetNormal;
+    }
+
+    /// <summary>Computes the radiance factors of <see cref="Points"/>.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="light">The Sun, or the lamp at the camera.</param>
+    /// <param name="options">Reflectance law and map.</param>
+    public void FindFactors(PinholeCamera camera, SceneLight light, NativeRenderOptions options)
+    {
+        int count = Points.Count;
+        Points.FindAngles(light.PositionMoonMe, camera.PositionMoonMe);
+        if (options.Hapke is { } places)
+        {
+            places.FindFactors(Points, options.Albedo?.Reference);
+        }
+        else
+        {
+            options.Reflectance.RadianceFactors(
+                Points.CosIncidence.AsSpan(0, count), Points.CosEmission.AsSpan(0, count), Points.PhaseHaversine.AsSpan(0, count),
+                Points.Factors);
+        }
+
+        if (options.Albedo is { Reference: var there } map)
+        {
+            double? factorOfReference = options.Hapke is null
+                ? options.Reflectance.RadianceFactor(there.CosIncidence, there.CosEmission, there.PhaseHaversine)
+                : null;
+            _albedo.Scale(Points, camera, options.SubsamplesPerAxis, map, factorOfReference);
+        }
+    }
+}
