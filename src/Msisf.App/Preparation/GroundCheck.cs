@@ -14,9 +14,10 @@ internal static class GroundCheck
     /// <summary>Checks the cameras of all frames.</summary>
     /// <param name="frames">The frames.</param>
     /// <param name="model">The terrain; null to take the reference sphere for it.</param>
+    /// <param name="span">s: how long the shutter is open about a frame's time; matters for cameras that move.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     /// <exception cref="BadInputException">A camera lies below the terrain; the message names the steps.</exception>
-    public static void Refuse(IReadOnlyList<Frame> frames, ElevationModel? model, CancellationToken cancellation)
+    public static void Refuse(IReadOnlyList<Frame> frames, ElevationModel? model, double span, CancellationToken cancellation)
     {
         List<string> buried = [];
         int count = 0;
@@ -25,7 +26,13 @@ internal static class GroundCheck
         {
             cancellation.ThrowIfCancellationRequested();
             Vector3D position = frame.Camera.PositionMoonMe;
-            double depth = model?.DepthBelowGround(position) ?? MoonConstants.ReferenceRadius - position.Length;
+            double depth = Depth(position);
+            if (frame.Motion is { IsRest: false } motion)
+            {
+                Vector3D way = 0.5 * span * motion.VelocityMoonMe;
+                depth = Math.Max(depth, Math.Max(Depth(position - way), Depth(position + way)));
+            }
+
             if (depth > 0.0 && ++count <= NamedSteps)
             {
                 unit = buried.Count == 0 ? PlausibleMistakes.InKilometres(position) : unit;
@@ -39,5 +46,7 @@ internal static class GroundCheck
             throw new BadInputException(
                 $"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.{unit}");
         }
+
+        double Depth(Vector3D position) => model?.DepthBelowGround(position) ?? MoonConstants.ReferenceRadius - position.Length;
     }
 }

@@ -31,7 +31,7 @@ internal sealed record PreparedRun(
         try
         {
             RunFrames run = RunFrames.Read(camera, settings, ephemeris, model, host, cancellation);
-            GroundCheck.Refuse(run.Frames, model.Opened, cancellation);
+            GroundCheck.Refuse(run.Frames, model.Opened, settings.ShutterSpan, cancellation);
             WarnOfFieldOfView(run.Frames, settings, host);
             return new PreparedRun(run.States, run.Names, run.Frames, model.Opened);
         }
