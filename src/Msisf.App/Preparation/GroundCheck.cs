@@ -29,8 +29,11 @@ internal static class GroundCheck
             double depth = Depth(position);
             if (frame.Motion is { IsRest: false } motion)
             {
+                // At the ends of the way, and where it is nearest to the Moon's centre.
                 Vector3D way = 0.5 * span * motion.VelocityMoonMe;
-                depth = Math.Max(depth, Math.Max(Depth(position - way), Depth(position + way)));
+                double squared = Vector3D.Dot(way, way);
+                double nearest = squared > 0.0 ? Math.Clamp(-Vector3D.Dot(position, way) / squared, -1.0, 1.0) : 0.0;
+                depth = new[] { depth, Depth(position - way), Depth(position + way), Depth(position + (nearest * way)) }.Max();
             }
 
             if (depth > 0.0 && ++count <= NamedSteps)
