@@ -3,12 +3,13 @@
 # found into docs/performance.md, docs/performance-tables.md and docs/scaling.md, and all figures and plots into docs/benchmark/.
 # As root, or as a user with sudo. Under 20 minutes, and some minutes and 4 GB more in benchmark/ at the first run. Leave the
 # machine alone meanwhile.
-#     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]]
+#     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]] [--validate]
 # --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., from-nothing, sequence).
 # With one of the two the results stay in benchmark/, and docs/ is left alone.
 # --micro: micro-benchmarks of single parts instead, into benchmark/micro/.
 # --stress: the stress tests at full length instead, into docs/accuracy.md, docs/accuracy-tables.md and docs/benchmark/; with
 # --quick at everyday length, with --tests only those; then docs/ is left alone.
+# --validate: the comparison with a real LROC image instead, into docs/validation.md and docs/validation/, where the image is.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
@@ -22,6 +23,7 @@ choice=()
 is_partial=''
 is_micro=''
 is_stress=''
+is_validation=''
 scenes=''
 tests=''
 while [ $# -gt 0 ]; do
@@ -37,7 +39,8 @@ while [ $# -gt 0 ]; do
             shift ;;
         --micro) is_micro=yes ;;
         --stress) is_stress=yes ;;
-        *) die "unknown argument $1. Usage: ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]]" ;;
+        --validate) is_validation=yes ;;
+        *) die "unknown argument $1. Usage: ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]] [--validate]" ;;
     esac
     shift
 done
@@ -46,6 +49,9 @@ if [ -n "$is_stress" ] && [ -n "$is_micro$scenes" ]; then
 fi
 if [ -n "$tests" ] && [ -z "$is_stress" ]; then
     die '--tests names stress tests: it goes with --stress only'
+fi
+if [ -n "$is_validation" ] && [ -n "$is_stress$is_micro$is_partial" ]; then
+    die '--validate goes alone'
 fi
 
 cd "$root"
@@ -85,6 +91,10 @@ get_model() {
     esac
 }
 
+if [ -n "$is_validation" ]; then
+    validate "$folder/validation"
+    exit 0
+fi
 install_parts povray matplotlib downloader certificates
 [ -z "$is_stress" ] || install_parts slurm parallel || warn 'going on without them: what needs them is reported as not run'
 scripts/build.sh

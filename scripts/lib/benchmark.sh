@@ -40,6 +40,24 @@ replace_block() {
     mv "$fresh" "$file"
 }
 
+# validate FOLDER: compares what the program draws with a real image; tables and plots go into the docs.
+validate() {
+    local data=${root%/*}/shared/validation map
+    [ -d "$data/wac" ] || die "--validate needs the LROC strip M1181493219CE.vis.odd.reduced.cub of USGS's ISIS test data in $data/wac"
+    install_parts matplotlib gdal-library downloader certificates
+    scripts/build.sh
+    scripts/get-ldem.sh --real-only || die '--validate needs the real elevation model LDEM_4'
+    scripts/get-cspice.sh >/dev/null || say 'Going on without CSPICE, with the built-in kernel reader.'
+    scripts/get-albedo.sh || die '--validate needs the map of the reflectance'
+    map=$(find input/albedo -maxdepth 1 -type f ! -name README.md ! -name '.*' | sort | head -n 1)
+    mkdir -p "$1"
+    /usr/bin/python3 -B tests/validation/validate.py --data "$data" --map "$map" --folder "$1"
+    replace_block docs/validation.md "$1/validation.md"
+    mkdir -p docs/validation
+    cp "$1"/strip.png "$1"/scatter.svg "$1"/disc.svg docs/validation/
+    say 'The tables are in docs/validation.md, the plots in docs/validation/.'
+}
+
 # publish_stress FOLDER: what a run of the stress tests has left there goes into the docs; plots of tests that are no more go out.
 publish_stress() {
     replace_block docs/accuracy.md "$1/promises.md"

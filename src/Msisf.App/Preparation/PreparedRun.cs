@@ -1,7 +1,6 @@
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
-using Msisf.Core.Render;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 

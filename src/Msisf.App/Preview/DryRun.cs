@@ -6,7 +6,6 @@ using Msisf.Core.Errors;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Preview;
-using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preview;

@@ -30,7 +30,9 @@ internal static class LayerFrame
     public static byte[] Fits(string layers = "all")
     {
         using MemoryStream stream = new();
-        FitsLayerWriter.Write(stream, Metadata, Provenance, Truth, LayerSet.Parse(layers));
+        FitsLayerWriter.Write(
+            stream, Metadata, Provenance, Truth,
+            layers == "all" ? LayerSet.WithoutDetector : LayerSet.Parse(layers));
         return stream.ToArray();
     }
 

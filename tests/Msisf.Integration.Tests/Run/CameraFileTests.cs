@@ -59,7 +59,7 @@ public sealed class CameraFileTests : IClassFixture<RenderFixture>, IDisposable
     {
         string pinhole = Lens[..Lens.IndexOf("distortion", StringComparison.Ordinal)];
         Render("povray", pinhole, "--pov-options", "Antialias=Off", "--lod", "off", "--pattern-repos", _fixture.Repository);
-        Render("native", pinhole, "--renderer", "native", "--lod", "off");
+        Render("native", pinhole, "--renderer", "native", "--reflectance", "lambert", "--lod", "off");
 
         PngPixels expected = PngPixels.Read(_folder["povray.png"]);
         PngPixels image = PngPixels.Read(_folder["native.png"]);

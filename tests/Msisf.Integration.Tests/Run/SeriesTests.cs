@@ -94,7 +94,7 @@ public sealed class SeriesTests : IDisposable
         Run("out");
         string[] otherOrbit = [.. Arguments("out").Select(
             argument => argument.Replace("{2.0E6,", "{2.1E6,", StringComparison.Ordinal))];
-        CommandLineRun higher = CommandLineRun.Of([.. otherOrbit, "--ldem", TestParts.Ldem4Label!]);
+        CommandLineRun higher = CommandLineRun.Of([.. otherOrbit, "--reflectance", "lambert", "--ldem", TestParts.Ldem4Label!]);
 
         Assert.Equal(1, higher.ExitCode);
         Assert.Contains("6 frames made for another time, position or orientation", higher.Error, StringComparison.Ordinal);
@@ -312,14 +312,15 @@ public sealed class SeriesTests : IDisposable
     private string Image(string folder, int step) => Path.Combine(_folder[folder], $"MoonSurfIllumSim_step_{step:00000}.png");
 
     private CommandLineRun Run(string folder, params string[] more) => CommandLineRun.Of(
-        [.. Arguments(folder), .. more.Contains("--ldem") ? [] : (string[])["--ldem", TestParts.Ldem4Label!], .. more]);
+    [
+        .. Arguments(folder), .. more.Contains("--reflectance") ? [] : (string[])["--reflectance", "lambert"],
+        .. more.Contains("--ldem") ? [] : (string[])["--ldem", TestParts.Ldem4Label!], .. more,
+    ]);
 
     private string[] Arguments(string folder) =>
     [
         "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.005]", "--renderer",
-        "native", "--reflectance", "lambert",
-        "--width", "24", "--height", "16", "--grid", "8", "--ephemeris", "builtin", "--output-dir",
-        _folder[folder], "--batch",
+        "native", "--width", "24", "--height", "16", "--grid", "8", "--ephemeris", "builtin", "--output-dir", _folder[folder], "--batch",
     ];
 
     private CommandLineRun Single(string folder, params string[] more) => CommandLineRun.Of(

@@ -73,8 +73,8 @@ internal sealed class ArgumentTarget(FuzzWorld world) : IFuzzTarget
         yield return [.. world.Sources, "--batch-file", "-", "--output-name", "f_{step:000}_{mjd:0.00}", "--frames", "1"];
         yield return
         [
-            .. world.Sources, "--fixed-state", FuzzWorld.State, "--layers", "depth,normal,cell", "--layers-format", "npy", "--reflectance",
-            "hapke:b=0.2,c=0.1", "--albedo", "0.3",
+            .. world.Sources.Where(word => word is not ("--reflectance" or "lambert")), "--fixed-state", FuzzWorld.State, "--layers",
+            "depth,normal,cell", "--layers-format", "npy", "--reflectance", "hapke:b=0.2,c=0.1", "--albedo", "0.3",
             "--sun", "disc", "--samples", "4", "--shading", "smooth", "--exposure", "2", "--transfer", "linear", "--bit-depth", "16",
             "--aberration", "lt", "--lod-error", "1",
         ];
