@@ -50,6 +50,9 @@ internal static class GroundCheck
                 $"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.{unit}");
         }
 
-        double Depth(Vector3D position) => model?.DepthBelowGround(position) ?? MoonConstants.ReferenceRadius - position.Length;
+        // A way may lead through the centre, above which there is no place of the model.
+        double Depth(Vector3D position) => position.Length < 0.5 * MoonConstants.ReferenceRadius
+            ? MoonConstants.ReferenceRadius - position.Length
+            : model?.DepthBelowGround(position) ?? MoonConstants.ReferenceRadius - position.Length;
     }
 }

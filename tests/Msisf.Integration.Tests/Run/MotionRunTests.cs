@@ -11,7 +11,7 @@ public sealed class MotionRunTests : IDisposable
     private static readonly string[] Orbit =
     [
         "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.002]",
-        "--attitude", "{0,0.70710678118654757,0,0.70710678118654757}", "--attitude-transition", "{0.01,0.02,0}", "--attitude-frame", "lvlh",
+        "--attitude", "{0,0.70710678118654757,0,0.70710678118654757}", "--attitude-transition", "{0.001,0.002,0}", "--attitude-frame", "lvlh",
         "--ephemeris", "builtin",
     ];
 
@@ -70,7 +70,9 @@ public sealed class MotionRunTests : IDisposable
         CommandLineRun missing = CommandLineRun.Of([.. state, .. Common(camera, "a")]);
         Assert.Equal(1, missing.ExitCode);
         Assert.Contains(
-            "has a shutter, but nothing says how the camera moves while it is open. Give --motion", missing.Error, StringComparison.Ordinal);
+            "has a shutter, but nothing says how the camera moves while it is open. Give --motion",
+            missing.Error,
+            StringComparison.Ordinal);
         CommandLineRun orbit = CommandLineRun.Of([.. Orbit, .. Common(camera, "a"), "--motion", "{0,0,0,0,0,0}"]);
         Assert.Equal(1, orbit.ExitCode);
         Assert.Contains("--motion is not allowed with --kepler-set", orbit.Error, StringComparison.Ordinal);
@@ -99,7 +101,7 @@ public sealed class MotionRunTests : IDisposable
         string[] keys =
         [
             "f-number: 4", "exposure-time: 0.1", "band: [500, 650]", "quantum-efficiency: 0.45", "psf: gaussian", "psf-sigma: 0.9",
-            "psf-radius: 3", "gain: 50", "bias: 100", "adc-bits: 16", "read-noise: 10", .. more,
+            "psf-radius: 3", "gain: 1000", "bias: 100", "adc-bits: 16", "read-noise: 10", .. more,
         ];
         string lines = string.Concat(keys.Select(line => $"  {line}\n"));
         File.WriteAllText(path, $"width: 48\nheight: 32\nfocal-length: 50\npixel-pitch: 0.05\ndetector:\n{lines}");
