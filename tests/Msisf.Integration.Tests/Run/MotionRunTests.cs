@@ -11,8 +11,8 @@ public sealed class MotionRunTests : IDisposable
     private static readonly string[] Orbit =
     [
         "--kepler-set", "{2.0E6,0.01,0,0.3,1.2,0.5}", "--epoch", "55289", "--time-interval", "[55289:0.001:55289.002]",
-        "--attitude", "{0,0.70710678118654757,0,0.70710678118654757}", "--attitude-transition", "{0.001,0.002,0}", "--attitude-frame", "lvlh",
-        "--ephemeris", "builtin",
+        "--attitude", "{0,0.70710678118654757,0,0.70710678118654757}", "--attitude-transition", "{0.001,0.002,0}",
+        "--attitude-frame", "lvlh", "--ephemeris", "builtin",
     ];
 
     private readonly TemporaryFolder _folder = new();
