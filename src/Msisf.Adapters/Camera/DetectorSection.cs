@@ -17,7 +17,7 @@ internal static class DetectorSection
         "aperture", "f-number", "transmission", "quantum-efficiency", "wavelengths", "band", "exposure-time", "vignetting", "prnu",
         "dead-pixels", "dead-fraction", "cosmic-rays", "cosmic-ray-depth", "smear-row-time", "smear-direction", "smear-before-exposure",
         "full-well", "blooming", "gain", "read-noise", "bias", "column-offset", "adc-bits", "seed", "fits",
-        .. DarkCurrentKeys.Keys, .. PointSpreadKeys.Keys,
+        .. ShutterKeys.Keys, .. DarkCurrentKeys.Keys, .. PointSpreadKeys.Keys,
     ];
 
     /// <summary>Reads the section.</summary>
@@ -40,6 +40,7 @@ internal static class DetectorSection
             ApertureArea = Math.PI / 4.0 * diameter * diameter,
             Band = BandKeys.Read(section),
             ExposureTime = exposureTime,
+            Shutter = ShutterKeys.Read(section),
             IsFlatFielded = section.Word("vignetting", ["natural", "none"]) == "none",
             PointSpread = psf.Read(),
             ResponseNonuniformity = Range(section, "prnu", 0.0, MaxNonuniformity) ?? 0.0,

@@ -1,4 +1,5 @@
 using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
@@ -20,9 +21,10 @@ internal sealed class BatchColumns
     private static readonly string[] Place = ["lat", "lon", "height"];
     private static readonly string[] Position = ["x", "y", "z"];
     private static readonly string[] Quaternion = ["qx", "qy", "qz", "qw"];
+    private static readonly string[] Motion = [.. CameraMotion.NumberNames];
     private static readonly string[] Target = ["look_lat", "look_lon"];
     private static readonly string[] Known =
-        [Time, .. Place, .. Position, .. Quaternion, .. Target, LookHeight, OffNadir, Azimuth, Roll, Up];
+        [Time, .. Place, .. Position, .. Quaternion, .. Target, LookHeight, OffNadir, Azimuth, Roll, Up, .. Motion];
 
     private static readonly Dictionary<string, string> NamesOfThesis = new(StringComparer.OrdinalIgnoreCase)
     {
@@ -98,7 +100,10 @@ internal sealed class BatchColumns
         UnitQuaternion attitude = Checked(() => Has(Quaternion[0])
             ? UnitQuaternion.FromComponents(Number(Quaternion[0]), Number(Quaternion[1]), Number(Quaternion[2]), Number(Quaternion[3]))
             : Pointed(Pointing()));
-        return new SpacecraftState(time, position, attitude);
+        return new SpacecraftState(time, position, attitude)
+        {
+            Motion = Has(Motion[0]) ? Checked(() => CameraMotion.FromNumbers([.. Motion.Select(Number)])) : null,
+        };
 
         UnitQuaternion Pointed(CameraPointing pointing)
         {
@@ -170,6 +175,7 @@ internal sealed class BatchColumns
         RequireAll(Position, line);
         RequireAll(Quaternion, line);
         RequireAll(Target, line);
+        RequireAll(Motion, line);
         RequireWith(LookHeight, Target[0], line);
         RequireWith(Azimuth, OffNadir, line);
         Require(!(Has(Target[0]) && Has(OffNadir)), line, "look_lat and off_nadir both say where the camera looks. Remove one of them.");

@@ -1,12 +1,14 @@
 using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.Adapters.Input;
 
 /// <summary>
-/// Reads batch files (thesis section 6.3.2): a line is one state, <c>MJD rx ry rz qx qy qz q0</c>, the numbers apart by blanks or tabs;
-/// or, after a line of column names apart by commas, the values of these columns. "#" begins a comment; empty lines are allowed.
+/// Reads batch files (thesis section 6.3.2): a line is one state, <c>MJD rx ry rz qx qy qz q0</c>, the numbers apart by blanks or tabs,
+/// and <c>vx vy vz wx wy wz</c> after them if the camera's motion is known; or, after a line of column names apart by commas, the values
+/// of these columns. "#" begins a comment; empty lines are allowed.
 /// </summary>
 public static class BatchFileReader
 {
@@ -75,7 +77,7 @@ public static class BatchFileReader
 
     private static SpacecraftState ParseState(ReadOnlySpan<char> content, string fileName, int lineNumber)
     {
-        Span<double> numbers = stackalloc double[SpacecraftState.NumberNames.Count];
+        Span<double> numbers = stackalloc double[SpacecraftState.NumberNames.Count + CameraMotion.NumberNames.Count];
         int count = 0;
         int position = 0;
         while (TryNextWord(content, ref position, out ReadOnlySpan<char> word))
@@ -101,16 +103,17 @@ public static class BatchFileReader
             count++;
         }
 
-        if (count != numbers.Length)
+        int needed = SpacecraftState.NumberNames.Count;
+        if (count != needed && count != numbers.Length)
         {
             throw new BadInputException(
-                $"{fileName}, line {lineNumber}: {count} numbers, {numbers.Length} expected ({Expected}). "
-                    + $"{(count < numbers.Length ? "Complete" : "Shorten")} or remove the line.");
+                $"{fileName}, line {lineNumber}: {count} numbers, {needed} expected ({Expected}). "
+                    + $"{(count < needed ? "Complete" : "Shorten")} or remove the line.");
         }
 
         try
         {
-            return SpacecraftState.FromNumbers(numbers);
+            return SpacecraftState.FromNumbers(numbers[..count]);
         }
         catch (BadInputException exception)
         {

@@ -10,4 +10,6 @@ namespace Msisf.App.Preparation;
 /// <param name="Time">Time, UTC.</param>
 /// <param name="Camera">Camera of the image.</param>
 /// <param name="Light">The Sun, or the lamp at the camera.</param>
-internal sealed record Frame(int Step, string Name, ModifiedJulianDate Time, PinholeCamera Camera, SceneLight Light);
+/// <param name="Motion">How the camera moves during the exposure; null for images without it.</param>
+internal sealed record Frame(
+    int Step, string Name, ModifiedJulianDate Time, PinholeCamera Camera, SceneLight Light, CameraMotion? Motion = null);

@@ -14,9 +14,10 @@ internal static class GroundCheck
     /// <summary>Checks the cameras of all frames.</summary>
     /// <param name="frames">The frames.</param>
     /// <param name="model">The terrain; null to take the reference sphere for it.</param>
+    /// <param name="span">s: how long the shutter is open about a frame's time; matters for cameras that move.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     /// <exception cref="BadInputException">A camera lies below the terrain; the message names the steps.</exception>
-    public static void Refuse(IReadOnlyList<Frame> frames, ElevationModel? model, CancellationToken cancellation)
+    public static void Refuse(IReadOnlyList<Frame> frames, ElevationModel? model, double span, CancellationToken cancellation)
     {
         List<string> buried = [];
         int count = 0;
@@ -25,7 +26,16 @@ internal static class GroundCheck
         {
             cancellation.ThrowIfCancellationRequested();
             Vector3D position = frame.Camera.PositionMoonMe;
-            double depth = model?.DepthBelowGround(position) ?? MoonConstants.ReferenceRadius - position.Length;
+            double depth = Depth(position);
+            if (frame.Motion is { IsRest: false } motion)
+            {
+                // At the ends of the way, and where it is nearest to the Moon's centre.
+                Vector3D way = 0.5 * span * motion.VelocityMoonMe;
+                double squared = Vector3D.Dot(way, way);
+                double nearest = squared > 0.0 ? Math.Clamp(-Vector3D.Dot(position, way) / squared, -1.0, 1.0) : 0.0;
+                depth = new[] { depth, Depth(position - way), Depth(position + way), Depth(position + (nearest * way)) }.Max();
+            }
+
             if (depth > 0.0 && ++count <= NamedSteps)
             {
                 unit = buried.Count == 0 ? PlausibleMistakes.InKilometres(position) : unit;
@@ -39,5 +49,10 @@ internal static class GroundCheck
             throw new BadInputException(
                 $"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.{unit}");
         }
+
+        // A way may lead through the centre, above which there is no place of the model.
+        double Depth(Vector3D position) => position.Length < 0.5 * MoonConstants.ReferenceRadius
+            ? MoonConstants.ReferenceRadius - position.Length
+            : model?.DepthBelowGround(position) ?? MoonConstants.ReferenceRadius - position.Length;
     }
 }

@@ -29,7 +29,7 @@ internal sealed record PreparedRun(
         try
         {
             RunFrames run = RunFrames.Read(camera, settings, ephemeris, model, host, cancellation);
-            GroundCheck.Refuse(run.Frames, model.Opened, cancellation);
+            GroundCheck.Refuse(run.Frames, model.Opened, settings.ShutterSpan, cancellation);
             run.WarnOfFieldOfView(settings, host);
             return new PreparedRun(run.States, run.Names, run.Frames, model.Opened);
         }

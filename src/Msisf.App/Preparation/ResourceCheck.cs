@@ -18,7 +18,10 @@ internal static class ResourceCheck
     /// <summary>Bytes per pixel in POV-Ray 3.7: five floats.</summary>
     private const long PovRayBytesPerPixel = 20;
 
-    /// <summary>Maximum bytes per pixel in the native renderer: the surface seen, light and radiance, shadow receivers, facets.</summary>
+    /// <summary>
+    /// Maximum bytes per pixel in the native renderer: the surface seen, light and radiance, shadow receivers, facets. With a shutter two
+    /// frames are held: that of the frame's time, and another instant of the exposure.
+    /// </summary>
     private const long NativeBytesPerPixel = 200;
 
     /// <summary>Bytes per pixel in memory while a layer is written: three numbers.</summary>
@@ -104,7 +107,7 @@ internal static class ResourceCheck
     {
         long pixels = Pixels(settings);
         long drawing = settings.Renderer == RendererKind.Native
-            ? (NativeBytesPerPixel + (settings.Native.Layers is null ? 0 : LayerBytesPerPixel)
+            ? ((NativeBytesPerPixel * (settings.Shutter is null ? 1 : 2)) + (settings.Native.Layers is null ? 0 : LayerBytesPerPixel)
                 + (settings.Native.Detector is null ? 0 : DetectorBytesPerPixel)) * pixels
             : Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels);
         return drawing + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0);

@@ -29,8 +29,11 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
         CancellationToken cancellation)
     {
         RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, settings.Aberration);
-        IReadOnlyList<SpacecraftState> states = host.Times.Measure(
-            Phase.States, () => new StateReader(ephemeris.Engine, geometry, host).Read(camera, cancellation));
+        StateReader reader = new(ephemeris.Engine, geometry, host)
+        {
+            CameraWithShutter = settings.Shutter is null ? null : settings.Camera!.Name,
+        };
+        IReadOnlyList<SpacecraftState> states = host.Times.Measure(Phase.States, () => reader.Read(camera, cancellation));
         IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
         Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
         return new RunFrames(states, names, frames);

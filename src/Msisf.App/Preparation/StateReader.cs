@@ -11,6 +11,7 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;
 
@@ -26,6 +27,9 @@ internal sealed class StateReader
     /// <param name="host">Output, log, clock and environment of the program.</param>
     public StateReader(Func<IEphemeris> ephemeris, ISceneGeometry scene, ProgramHost host) =>
         (_ephemeris, _scene, _host) = (ephemeris, scene, host);
+
+    /// <summary>The camera file whose shutter needs to know how the camera moves; null if nothing does.</summary>
+    public string? CameraWithShutter { get; init; }
 
     /// <summary>Reads or computes all states.</summary>
     /// <param name="camera">The source of the states.</param>
@@ -46,7 +50,7 @@ internal sealed class StateReader
             _ => OnOrbit((OrbitSettings)camera, cancellation),
         };
         return states.Count > 0
-            ? states
+            ? StateMotions.Of(states, camera, CameraWithShutter)
             : throw new NothingToRenderException(camera is BatchFileSettings empty
                 ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
                     + "or below a header line of its columns."
@@ -125,9 +129,15 @@ internal sealed class StateReader
         return [.. settings.Times.Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();
+            SpacecraftState state = StateAt(time);
+            return CameraWithShutter is null ? state : state with { Motion = StateMotions.About(time, StateAt, settings) };
+        })];
+
+        SpacecraftState StateAt(ModifiedJulianDate time)
+        {
             Vector3D position = orbit.PositionMoonMe(time);
             return new SpacecraftState(
                 time, position, attitude?.MoonFromCamera(time, position, orbit.NormalMoonMe) ?? NadirPointing.MoonFromCamera(position));
-        })];
+        }
     }
 }

@@ -27,7 +27,7 @@ internal static class DryRun
         using ModelOnDemand onDemand = new(settings, host);
         RunFrames run = RunFrames.Read(camera, settings, ephemeris, onDemand, host, cancellation);
         ElevationModel? model = IfThere(onDemand, settings, host);
-        GroundCheck.Refuse(run.Frames, model, cancellation);
+        GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation);
         run.WarnOfFieldOfView(settings, host);
         RunNotes notes = new(settings.PixelsPerDegree);
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>

@@ -71,11 +71,9 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
             ? frame.Camera
             : new PinholeCamera(frame.Camera.PositionMoonMe, frame.Camera.MoonFromCamera, detector.WindowModel);
         NativeRenderer renderer = _levels.For(window, _settings.Render.SubsamplesPerAxis);
-        using NativeFrame drawn = _times.Measure(
-            Phase.Draw, () => renderer.Render(window, frame.Light, _options, threads, cancellation));
-        DetectorImage? detected = detector is null
-            ? null
-            : _times.Measure(Phase.Detector, () => detector.Expose(drawn, frame.Time, threads, cancellation));
+        NativeRenderOptions options = frame.Motion is { IsRest: false } ? _options with { KeepGroundTruth = true } : _options;
+        using NativeFrame drawn = Draw(renderer, window, frame, options, threads, cancellation);
+        DetectorImage? detected = detector is null ? null : Expose(detector, renderer, frame, drawn, threads, cancellation);
         MemoryStream image = _idleImages.TryTake(out MemoryStream? idle) ? idle : new MemoryStream();
         image.SetLength(0);
         _times.Measure(Phase.Output, () => Encode(drawn, detected, image));
@@ -103,6 +101,39 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         }
 
         return outputs;
+    }
+
+    private NativeFrame Draw(
+        NativeRenderer renderer, PinholeCamera camera, Frame frame, NativeRenderOptions options, int threads,
+        CancellationToken cancellation) =>
+        _times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
+
+    /// <summary>Sums up the exposure of a frame and reads it out.</summary>
+    /// <param name="detector">The detector.</param>
+    /// <param name="renderer">Draws the other instants of the exposure.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="middle">It at its own time.</param>
+    /// <param name="threads">Number of threads.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    private DetectorImage Expose(
+        CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, int threads, CancellationToken cancellation)
+    {
+        CameraMotion motion = frame.Motion ?? default;
+        SubExposures exposures = _times.Measure(
+            Phase.Detector, () => detector.SubExposuresOf(middle, motion, threads, cancellation));
+        DetectorImage image = detector.Begin(middle);
+        NativeRenderOptions options = _options with { KeepGroundTruth = false };
+        for (int index = 0; index < exposures.Count; index++)
+        {
+            using NativeFrame? other = index == exposures.Middle
+                ? null
+                : Draw(renderer, motion.Moved(middle.Camera, exposures.TimeOf(index)), frame, options, threads, cancellation);
+            _times.Measure(
+                Phase.Detector, () => detector.Collect(other ?? middle, exposures, index, image, threads, cancellation));
+        }
+
+        _times.Measure(Phase.Detector, () => detector.Read(image, frame.Time, middle.Camera, threads, cancellation));
+        return image;
     }
 
     private void Encode(NativeFrame drawn, DetectorImage? detected, MemoryStream image)

@@ -1,5 +1,6 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
 using Msisf.Core.Orbit;
 
 namespace Msisf.App.Settings;
@@ -93,12 +94,19 @@ internal static class CameraOptions
         Default = Core.Attitude.AttitudeFrame.MoonMe,
     };
 
+    /// <summary>Motion of the camera.</summary>
+    public static NumberListSpec Motion { get; } = new(
+        "--motion",
+        CameraMotion.NumberNames,
+        "With a camera file that has a shutter, and no orbit: velocity over the Moon (m/s, ME/PA) and angular velocity about the camera's "
+            + "axes (rad/s, relative to ME/PA) during the exposure");
+
     /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Where the camera is",
         [
             FixedState, BatchFile, KeplerSet, StateVectors, PointingOptions.Position, Epoch, Time, Times, TimeInterval, Attitude,
-            AttitudeTransition, AttitudeFrame, OrbitFrame, .. PointingOptions.OfPosition,
+            AttitudeTransition, AttitudeFrame, OrbitFrame, .. PointingOptions.OfPosition, Motion,
         ])
     {
         Note =

@@ -1,5 +1,6 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
 using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
@@ -8,7 +9,11 @@ using Msisf.Core.Time;
 namespace Msisf.App.Settings;
 
 /// <summary>Where the camera of each image is, in one of the ways of thesis section 6.3, or by its place.</summary>
-internal abstract record CameraSettings;
+internal abstract record CameraSettings
+{
+    /// <summary>How the camera moves during each exposure; null if the user does not say it.</summary>
+    public CameraMotion? Motion { get; init; }
+}
 
 /// <summary>One image.</summary>
 /// <param name="State">Its time, position and orientation.</param>

@@ -1,6 +1,7 @@
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
@@ -65,16 +66,25 @@ internal sealed class CameraSettingsReader
             return null;
         }
 
+        CameraMotion? motion = Motion();
         if (way == PointingOptions.Position)
         {
             Refuse(OrbitOptions, $"is not allowed with {way.Name}. Remove it; --look-at or --off-nadir says how the camera points.");
             RequireTimes(way);
             return new PlaceSettings(
                 way.Named(() => PointingText.ParsePosition(PointingOptions.Position.Read(_values))),
-                PointingOptions.ReadPointing(_values), Times());
+                PointingOptions.ReadPointing(_values), Times())
+            {
+                Motion = motion,
+            };
         }
 
         Refuse(PointingOptions.OfPosition, $"is not allowed with {way.Name}, but with {PointingOptions.Position.Name} only. Remove it.");
+        if (way == CameraOptions.KeplerSet || way == CameraOptions.StateVectors)
+        {
+            Refuse([CameraOptions.Motion], $"is not allowed with {way.Name}, which itself says how the camera moves. Remove it.");
+        }
+
         if (way == CameraOptions.KeplerSet)
         {
             return Orbit(way, KeplerElements);
@@ -89,9 +99,13 @@ internal sealed class CameraSettingsReader
             [.. OrbitOptions, .. TimeOptions],
             $"is not allowed with {way.Name}, which itself says time, position and orientation. Remove it.");
         return CameraOptions.FixedState.Read(_values) is { } numbers
-            ? new FixedStateSettings(CameraOptions.FixedState.Named(() => SpacecraftState.FromNumbers(numbers)))
-            : new BatchFileSettings(_batchFile.Read(_values), _batchFile);
+            ? new FixedStateSettings(CameraOptions.FixedState.Named(() => SpacecraftState.FromNumbers(numbers))) { Motion = motion }
+            : new BatchFileSettings(_batchFile.Read(_values), _batchFile) { Motion = motion };
     }
+
+    private CameraMotion? Motion() => CameraOptions.Motion.Read(_values) is { } numbers
+        ? CameraOptions.Motion.Named(() => CameraMotion.FromNumbers(numbers))
+        : null;
 
     private OrbitSettings Orbit(OptionSpec way, Func<KeplerElements> readElements)
     {

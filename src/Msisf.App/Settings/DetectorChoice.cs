@@ -13,6 +13,14 @@ internal static class DetectorChoice
     /// <exception cref="UsageException">An option contradicts it.</exception>
     public static CameraFileDetector? Of(CameraFile? camera, OptionValues values)
     {
+        if (values.IsGiven(CameraOptions.Motion) && camera?.Detector?.Settings.Shutter is null)
+        {
+            throw new UsageException(
+                $"{CameraOptions.Motion.Name} has no meaning without a camera file whose section 'detector' has a 'shutter' "
+                    + "(docs/detector.md). Add the key, or remove the option.")
+                .About(CameraOptions.Motion, ImageOptions.Camera);
+        }
+
         if (camera?.Detector is null)
         {
             return null;

@@ -58,8 +58,15 @@ internal static class FrameArguments
     /// <summary>The canonical arguments of one frame: its state and the settings.</summary>
     /// <param name="state">State of the frame.</param>
     /// <param name="settings">The result of <see cref="OfSettings"/>.</param>
-    public static string Of(SpacecraftState state, string settings) =>
-        $"{CameraOptions.FixedState.Name} '{{{string.Join(',', state.ToNumbers().Select(NumberSpec.TextOf))}}}' {settings}";
+    public static string Of(SpacecraftState state, string settings)
+    {
+        string fixedState = $"{CameraOptions.FixedState.Name} {List((state with { Motion = null }).ToNumbers())}";
+        return state.Motion is { } motion
+            ? $"{fixedState} {CameraOptions.Motion.Name} {List(motion.ToNumbers())} {settings}"
+            : $"{fixedState} {settings}";
+    }
+
+    private static string List(double[] numbers) => $"'{{{string.Join(',', numbers.Select(NumberSpec.TextOf))}}}'";
 
     /// <summary>
     /// The map with its properties, and the band where a map, the law or the radiance depends on it. A frame without a map says so if an

@@ -1,5 +1,6 @@
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
@@ -31,6 +32,12 @@ internal sealed record RenderSettings
 
     /// <summary>Settings of the program's own renderer; defaults if POV-Ray is used.</summary>
     public required NativeSettings Native { get; init; }
+
+    /// <summary>The shutter of the camera's detector; null for images without the camera's motion.</summary>
+    public Shutter? Shutter => Native.Detector?.Settings.Shutter;
+
+    /// <summary>s: how long the shutter is open for any row; 0 without a shutter.</summary>
+    public double ShutterSpan => Shutter?.Span(Native.Detector!.Settings.ExposureTime, Height) ?? 0.0;
 
     public required AlbedoSettings Albedo { get; init; }
 

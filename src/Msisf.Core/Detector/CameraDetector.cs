@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Errors;
@@ -11,6 +12,9 @@ namespace Msisf.Core.Detector;
 /// <summary>The optics and the detector of one camera, for all frames of a run. Safe for several threads.</summary>
 public sealed class CameraDetector
 {
+    /// <summary>Maximum number of instants for which one frame is drawn; odd.</summary>
+    public const int MaxSubExposures = 999;
+
     private readonly DetectorSettings _settings;
     private readonly double _electronsPerSteradian;
     private readonly double[] _throughput;
@@ -38,24 +42,74 @@ public sealed class CameraDetector
     /// <summary>The camera with which frames are drawn: as wide as the detector and its margin.</summary>
     public CameraModel WindowModel { get; }
 
-    /// <summary>Reads out the image of a frame.</summary>
-    /// <param name="drawn">The frame, drawn with <see cref="WindowModel"/>, in sunlight.</param>
-    /// <param name="time">Time of the frame, UTC; goes into the noise.</param>
-    /// <param name="threads">Number of threads; the image does not depend on it.</param>
+    /// <summary>The instants for which a frame must be drawn so that none of its points jumps by more than the shutter allows.</summary>
+    /// <param name="middle">
+    /// The frame at its own time, drawn with <see cref="WindowModel"/>; with ground truth if there is a motion.
+    /// </param>
+    /// <param name="motion">How the camera moves.</param>
+    /// <param name="threads">Number of threads.</param>
     /// <param name="cancellation">Stops the work.</param>
-    /// <exception cref="OperationCanceledException">It was stopped.</exception>
-    public DetectorImage Expose(NativeFrame drawn, ModifiedJulianDate time, int threads, CancellationToken cancellation)
+    /// <exception cref="BadInputException">More than <see cref="MaxSubExposures"/> are needed.</exception>
+    public SubExposures SubExposuresOf(NativeFrame middle, CameraMotion motion, int threads, CancellationToken cancellation)
+    {
+        int height = middle.Camera.Height - (2 * Margin);
+        if (_settings.Shutter is not Shutter shutter || motion.IsRest)
+        {
+            return new SubExposures(1, _settings.ExposureTime, 0.0, height);
+        }
+
+        double span = shutter.Span(_settings.ExposureTime, height);
+        double pixels = ImageMotion.Greatest(middle, motion, span, MaxSubExposures, threads, cancellation);
+        double needed = Math.Max(1.0, Math.Ceiling(pixels / shutter.MaxStep));
+        return needed <= MaxSubExposures
+            ? new SubExposures((int)needed | 1, _settings.ExposureTime, shutter.LineTime, height)
+            : throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"the image moves by up to {pixels:G3} px while the shutter is open for {span:G3} s; steps of 'motion-step' "
+                    + $"{shutter.MaxStep} px would be {needed:G3} sub-exposures, and {MaxSubExposures} is the most. Give the camera file a "
+                    + $"larger 'motion-step' or a shorter 'exposure-time'{(shutter.LineTime > 0.0 ? " or 'line-time'" : string.Empty)}, or "
+                    + $"check the velocities."));
+    }
+
+    /// <summary>An image without electrons, for one frame.</summary>
+    /// <param name="middle">The frame, drawn with <see cref="WindowModel"/>.</param>
+    public DetectorImage Begin(NativeFrame middle)
     {
         if (!_idle.TryTake(out DetectorImage? image))
         {
-            image = new DetectorImage(drawn.Camera.Width - (2 * Margin), drawn.Camera.Height - (2 * Margin));
+            return new DetectorImage(middle.Camera.Width - (2 * Margin), middle.Camera.Height - (2 * Margin));
         }
 
-        double perSteradian = _electronsPerSteradian * SpectralBand.RadianceOfUnitIrradiance(drawn.LightPositionMoonMe.Length);
-        _pass.Expose(drawn.RadianceFactorMemory, _throughput, perSteradian, image, threads, cancellation);
-        _pass.Read(image, FrameNumber.Of(time, drawn.Camera), threads, cancellation);
+        Array.Clear(image.Electrons);
         return image;
     }
+
+    /// <summary>Collects the electrons of one instant of the exposure.</summary>
+    /// <param name="drawn">The frame at that instant, drawn with <see cref="WindowModel"/>, in sunlight.</param>
+    /// <param name="exposures">All instants.</param>
+    /// <param name="index">Which of them it is.</param>
+    /// <param name="image">Receives the electrons.</param>
+    /// <param name="threads">Number of threads; the image does not depend on it.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    /// <exception cref="OperationCanceledException">It was stopped.</exception>
+    public void Collect(
+        NativeFrame drawn, SubExposures exposures, int index, DetectorImage image, int threads, CancellationToken cancellation)
+    {
+        double perSteradian = _electronsPerSteradian * SpectralBand.RadianceOfUnitIrradiance(drawn.LightPositionMoonMe.Length);
+        _pass.Expose(
+            drawn.RadianceFactorMemory, _throughput, perSteradian, row => exposures.WeightOf(index, row), image, threads, cancellation);
+    }
+
+    /// <summary>Reads out the image of a frame when all its electrons are collected.</summary>
+    /// <param name="image">The image.</param>
+    /// <param name="time">Time of the frame, UTC; goes into the noise.</param>
+    /// <param name="camera">The frame's camera at that time; goes into the noise.</param>
+    /// <param name="threads">Number of threads; the image does not depend on it.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    /// <exception cref="OperationCanceledException">It was stopped.</exception>
+    public void Read(
+        DetectorImage image, ModifiedJulianDate time, PinholeCamera camera, int threads, CancellationToken cancellation) =>
+        _pass.Read(image, FrameNumber.Of(time, camera), threads, cancellation);
 
     /// <summary>Returns an image's memory for later frames; it must not be used after that.</summary>
     public void GiveBack(DetectorImage image) => _idle.Add(image);

@@ -1,3 +1,4 @@
+using System.Buffers;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Detector.Psf;
@@ -27,38 +28,49 @@ internal sealed class DetectorPass
         _converter = new Converter(settings);
     }
 
-    /// <summary>Computes <see cref="DetectorImage.Electrons"/>.</summary>
+    /// <summary>Adds the electrons of one drawn instant to <see cref="DetectorImage.Electrons"/>.</summary>
     /// <param name="light">
     /// Radiance factor of each pixel of the frame, wider and higher than the detector by the PSF's radius on each side.
     /// </param>
     /// <param name="throughput">Throughput of each pixel of the detector, steradians.</param>
     /// <param name="perSteradian">Electrons that a pixel collects at a radiance factor of 1, for each steradian.</param>
+    /// <param name="weightOfRow">Part of the exposure of a row, from 0, for which the instant stands.</param>
     /// <param name="image">Receives the electrons.</param>
     /// <param name="threads">Number of threads.</param>
     /// <param name="cancellation">Stops the work.</param>
     public void Expose(
-        ReadOnlyMemory<double> light, ReadOnlyMemory<double> throughput, double perSteradian, DetectorImage image, int threads,
-        CancellationToken cancellation)
+        ReadOnlyMemory<double> light, ReadOnlyMemory<double> throughput, double perSteradian, Func<int, double> weightOfRow,
+        DetectorImage image, int threads, CancellationToken cancellation)
     {
         int width = image.Width;
         int margin = _settings.PointSpread?.Radius ?? 0;
         WorkerTeam.Run(threads, image.Height, (_, row) =>
         {
-            Span<double> target = image.Electrons.AsSpan(row * width, width);
+            double weight = weightOfRow(row);
+            if (weight == 0.0)
+            {
+                return;
+            }
+
+            double[] memory = ArrayPool<double>.Shared.Rent(width);
+            Span<double> spread = memory.AsSpan(0, width);
             if (_settings.PointSpread is PointSpreadKernel kernel)
             {
-                KernelConvolution.Row(light.Span, width + (2 * margin), kernel, row, target);
+                KernelConvolution.Row(light.Span, width + (2 * margin), kernel, row, spread);
             }
             else
             {
-                light.Span.Slice(row * width, width).CopyTo(target);
+                light.Span.Slice(row * width, width).CopyTo(spread);
             }
 
+            Span<double> target = image.Electrons.AsSpan(row * width, width);
             ReadOnlySpan<double> factors = throughput.Span.Slice(row * width, width);
             for (int column = 0; column < width; column++)
             {
-                target[column] *= perSteradian * factors[column];
+                target[column] += spread[column] * (perSteradian * factors[column]) * weight;
             }
+
+            ArrayPool<double>.Shared.Return(memory);
         }, cancellation);
     }
 

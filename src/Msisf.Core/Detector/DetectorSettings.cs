@@ -14,6 +14,9 @@ public sealed record DetectorSettings
     /// <summary>Seconds.</summary>
     public required double ExposureTime { get; init; }
 
+    /// <summary>When the rows are exposed; null for images without the camera's motion.</summary>
+    public Shutter? Shutter { get; init; }
+
     /// <summary>Whether all pixels take as much light as the one on the axis: the image of an ideal flat-field correction.</summary>
     public bool IsFlatFielded { get; init; }
 

@@ -83,25 +83,25 @@ internal sealed class FramePass
     /// <summary>Gets the surface point at a pixel's centre and its illumination.</summary>
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light)
     {
-        if (_options is not { KeepGroundTruth: true } || _visible is null)
-        {
-            throw new InvalidOperationException($"The frame was drawn without {nameof(NativeRenderOptions.KeepGroundTruth)}.");
-        }
-
-        if (!_visible.TryGet(x, y, out hit))
+        if (!TryGetSurface(x, y, out hit))
         {
             light = default;
             return false;
         }
 
         light = PixelIllumination.At(hit.PointMoonMe, _sunlight.VisibleFraction(((y - 1) * Camera.Width) + x - 1), Light);
-        if (_options.Normals == NormalModel.Smooth)
+        if (_options!.Normals == NormalModel.Smooth)
         {
             hit = hit with { NormalMoonMe = _shader.SmoothNormal(hit, Camera.PositionMoonMe) };
         }
 
         return true;
     }
+
+    /// <summary>Gets the surface point at a pixel's centre, with its facet's normal.</summary>
+    public bool TryGetSurface(int x, int y, out SurfaceHit hit) => _options is { KeepGroundTruth: true } && _visible is not null
+        ? _visible.TryGet(x, y, out hit)
+        : throw new InvalidOperationException($"The frame was drawn without {nameof(NativeRenderOptions.KeepGroundTruth)}.");
 
     private bool HasDisc => Light.IsSun && _options!.Sun == SunModel.Disc;
 

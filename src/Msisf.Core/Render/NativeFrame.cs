@@ -39,6 +39,10 @@ public sealed class NativeFrame : IGroundTruth, IDisposable
     /// </exception>
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light) => Pass.TryGet(x, y, out hit, out light);
 
+    /// <summary>Gets the surface point at a pixel's centre, with its facet's normal.</summary>
+    /// <inheritdoc cref="TryGet"/>
+    internal bool TryGetSurface(int x, int y, out SurfaceHit hit) => Pass.TryGetSurface(x, y, out hit);
+
     /// <summary>Returns the frame's memory to the renderer for later frames.</summary>
     public void Dispose()
     {

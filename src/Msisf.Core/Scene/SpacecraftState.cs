@@ -1,3 +1,4 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Time;
@@ -17,25 +18,39 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// </summary>
     public static IReadOnlyList<string> NumberNames { get; } = ["MJD", "rx", "ry", "rz", "qx", "qy", "qz", "q0"];
 
+    /// <summary>How the camera moves about this time; null if that is not known or not wanted.</summary>
+    public CameraMotion? Motion { get; init; }
+
     /// <summary>
-    /// The eight numbers in the order of <see cref="NumberNames"/>; <see cref="FromNumbers"/> makes the same state of them, to the last
-    /// bit.
+    /// The eight numbers in the order of <see cref="NumberNames"/>, and the six of <see cref="Motion"/> if there is one;
+    /// <see cref="FromNumbers"/> makes the same state of them, to the last bit.
     /// </summary>
     public double[] ToNumbers() =>
     [
         Time.Days, PositionMoonMe.X, PositionMoonMe.Y, PositionMoonMe.Z, MoonFromCamera.X, MoonFromCamera.Y, MoonFromCamera.Z,
-        MoonFromCamera.W,
+        MoonFromCamera.W, .. Motion?.ToNumbers() ?? [],
     ];
 
-    /// <summary>Checks and takes the eight numbers.</summary>
-    /// <param name="numbers">In the order of <see cref="NumberNames"/>.</param>
-    /// <exception cref="BadInputException">The MJD is no date, the position is not finite, or the quaternion is no rotation.</exception>
-    /// <exception cref="ArgumentException">Not eight numbers.</exception>
-    public static SpacecraftState FromNumbers(ReadOnlySpan<double> numbers) =>
-        numbers.Length == NumberNames.Count
-            ? new SpacecraftState(
-                new ModifiedJulianDate(numbers[0]),
-                new Vector3D(Guard.Finite(numbers[1], "rx (m)"), Guard.Finite(numbers[2], "ry (m)"), Guard.Finite(numbers[3], "rz (m)")),
-                UnitQuaternion.FromComponents(numbers[4], numbers[5], numbers[6], numbers[7]))
-            : throw new ArgumentException($"{numbers.Length} numbers for a state of {NumberNames.Count}.", nameof(numbers));
+    /// <summary>Checks and takes the eight numbers, or these and the six of a motion.</summary>
+    /// <param name="numbers">In the order of <see cref="NumberNames"/>, then of <see cref="CameraMotion.NumberNames"/>.</param>
+    /// <exception cref="BadInputException">
+    /// The MJD is no date, the position or the motion is not finite, or the quaternion is no rotation.
+    /// </exception>
+    /// <exception cref="ArgumentException">Neither eight nor fourteen numbers.</exception>
+    public static SpacecraftState FromNumbers(ReadOnlySpan<double> numbers)
+    {
+        int count = NumberNames.Count;
+        if (numbers.Length != count && numbers.Length != count + CameraMotion.NumberNames.Count)
+        {
+            throw new ArgumentException($"{numbers.Length} numbers for a state of {count}.", nameof(numbers));
+        }
+
+        return new SpacecraftState(
+            new ModifiedJulianDate(numbers[0]),
+            new Vector3D(Guard.Finite(numbers[1], "rx (m)"), Guard.Finite(numbers[2], "ry (m)"), Guard.Finite(numbers[3], "rz (m)")),
+            UnitQuaternion.FromComponents(numbers[4], numbers[5], numbers[6], numbers[7]))
+        {
+            Motion = numbers.Length == count ? null : CameraMotion.FromNumbers(numbers[count..]),
+        };
+    }
 }

@@ -47,6 +47,27 @@ public sealed class DetectorSectionTests : IDisposable
     }
 
     [Fact]
+    public void Read_Shutter_BecomesTheSettings()
+    {
+        Assert.Null(Read(Right).Settings.Shutter);
+        Assert.Equal(new Shutter { LineTime = 0.0, MaxStep = 0.25 }, Read([.. Right, "shutter: global"]).Settings.Shutter);
+        Assert.Equal(
+            new Shutter { LineTime = 2e-5, MaxStep = 0.1 },
+            Read([.. Right, "shutter: rolling", "line-time: 2e-5", "motion-step: 0.1"]).Settings.Shutter);
+    }
+
+    [Theory]
+    [InlineData("shutter: global", "line-time: 1e-5", "'line-time' has no meaning with a global shutter")]
+    [InlineData("shutter: rolling", "line-time: 0", "'line-time' is 0; a number above 0")]
+    [InlineData("shutter: global", "motion-step: 0", "'motion-step' is 0; a number from 0.01 to 1")]
+    public void Read_WrongShutter_SaysWhatAndWhere(string shutter, string line, string expected)
+    {
+        BadInputException error = Assert.Throws<BadInputException>(() => Parse(Text([.. Right, shutter, line])));
+        Assert.Contains("camera.yaml, line 13, ", error.Message, StringComparison.Ordinal);
+        Assert.Contains(expected, error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Read_SeedNone_HasNoSeed() => Assert.Null(Read([.. Right, "seed: none"]).Settings.Seed);
 
     [Fact]
@@ -114,6 +135,10 @@ public sealed class DetectorSectionTests : IDisposable
     [InlineData("seed: -1", 12, "a whole number from 0 on, or none")]
     [InlineData("seed: random", 12, "a whole number from 0 on, or none")]
     [InlineData("fits: maybe", 12, "one of yes, no")]
+    [InlineData("shutter: rollin", 12, "one of global, rolling is needed, perhaps 'rolling'")]
+    [InlineData("shutter: rolling", 12, "a rolling shutter needs 'line-time'")]
+    [InlineData("line-time: 0.001", 12, "'line-time' has no meaning without 'shutter'")]
+    [InlineData("motion-step: 0.1", 12, "'motion-step' has no meaning without 'shutter'")]
     [InlineData("detector: 5", 12, "'detector'")]
     public void Read_WrongLine_SaysWhatAndWhere(string line, int expectedLine, string expected)
     {

@@ -28,6 +28,27 @@ public class BatchColumnsTests
     }
 
     [Fact]
+    public void Read_Motion_IsThatOfTheState()
+    {
+        double[] numbers = [60328.5, 2e6, 1.0, -3.0, 0.1, 0.2, 0.3, 0.9273618495495703, 1500.0, -2.0, 3.5, 1e-3, 0.0, -2e-4];
+        SpacecraftState expected = SpacecraftState.FromNumbers(numbers);
+        Assert.Equal(1500.0, expected.Motion!.Value.VelocityMoonMe.X);
+        Assert.Equal(-2e-4, expected.Motion.Value.AngularVelocityCamera.Z);
+        Assert.Equal(numbers, expected.ToNumbers());
+
+        Assert.Equal([expected], Read(
+            $"time,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n60328.5,2E6,1,-3,{Quaternion},1500,-2,3.5,1e-3,0,-2e-4"));
+        StringWriter writer = new();
+        BatchFileWriter.Write(writer, "head", [expected]);
+        Assert.Equal([expected], Read(writer.ToString()));
+        Assert.Contains("# MJD rx ry rz qx qy qz q0 vx vy vz wx wy wz", writer.ToString(), StringComparison.Ordinal);
+        Assert.Contains(
+            "column wz is missing: vx, vy, vz, wx, wy, wz go together.",
+            Assert.Throws<BadInputException>(() => Read("time,x,y,z,vx,vy,vz,wx,wy\n1,2,3,4,5,6,7,8,9")).Message,
+            StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Read_PlaceAndTarget_AreThoseOfPointing()
     {
         SpacecraftState state = Assert.Single(Read(

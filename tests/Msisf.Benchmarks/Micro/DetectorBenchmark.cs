@@ -50,7 +50,7 @@ public class DetectorBenchmark
     }
 
     [Benchmark]
-    public void Psf() => _pass.Expose(_light, _throughput, perSteradian: 1.0, _image, Threads, CancellationToken.None);
+    public void Psf() => _pass.Expose(_light, _throughput, perSteradian: 1.0, _ => 1.0, _image, Threads, CancellationToken.None);
 
     [Benchmark]
     public void Noise() => _pass.Read(_image, _frame++, Threads, CancellationToken.None);
