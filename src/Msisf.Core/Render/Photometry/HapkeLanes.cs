@@ -83,8 +83,7 @@ internal readonly struct HapkeLanes
     }
 
     /// <summary>
-    /// A buffer for the computation, which begins where a line of the cache does: else each access would be to two lines, and that takes
-    /// half as long again in all.
+    /// A buffer for the computation, which begins where a line of the cache does, so that no vector lies across two lines.
     /// </summary>
     /// <param name="stack">Memory on the stack, which does not move, of <see cref="BufferLength"/>.</param>
     public static Span<Vector512<double>> BufferIn(Span<double> stack)
