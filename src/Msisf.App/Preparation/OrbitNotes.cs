@@ -42,7 +42,7 @@ internal static class OrbitNotes
             ? string.Create(
                 CultureInfo.InvariantCulture,
                 $"{double.RadiansToDegrees(angle):G3} degrees, up to {MoonConstants.ReferenceRadius * angle / 1000.0:G3} km")
-            : string.Create(CultureInfo.InvariantCulture, $"{double.RadiansToDegrees(angle):F0} degrees");
+            : string.Create(CultureInfo.InvariantCulture, $"{angle / (2.0 * Math.PI):G3} turns of the Moon");
         return $"{time} from the epoch its ground track is off by {distance}";
     }
 }

@@ -18,6 +18,9 @@ internal sealed class RunNotes
     /// <summary>px: wider cells show as facets in the image.</summary>
     private const double WidestCell = 10.0;
 
+    /// <summary>px: a camera that almost touches the ground has no sensible number of pixels a cell.</summary>
+    private const double LargestTold = 10000.0;
+
     /// <summary>
     /// Days: the Moon's uneven gravity turns a low orbit by about a degree a day, so that after this time the two-body orbit says nothing
     /// of the real one.
@@ -103,9 +106,10 @@ internal sealed class RunNotes
         if (_widestCell > WidestCell)
         {
             string step = _count == 1 ? string.Empty : string.Create(CultureInfo.InvariantCulture, $" at step {_widestStep}");
-            log.Note(string.Create(
-                CultureInfo.InvariantCulture,
-                $"Cells of the model are {_widestCell:F0} px wide in the image{step}: a finer model (--res) would show more."));
+            string width = _widestCell < LargestTold
+                ? string.Create(CultureInfo.InvariantCulture, $"{_widestCell:F0}")
+                : string.Create(CultureInfo.InvariantCulture, $"more than {LargestTold:F0}");
+            log.Note($"Cells of the model are {width} px wide in the image{step}: a finer model (--res) would show more.");
         }
 
         if (camera is OrbitSettings orbit && EpochAway(orbit.Epoch) is { } away)
