@@ -8,8 +8,6 @@ namespace Msisf.Adapters.Manifest;
 internal static class ManifestLine
 {
     private const int Sha256Digits = 64;
-    private const string OrbitFrame = "orbit_frame";
-    private const string AttitudeFrame = "attitude_frame";
 
     private static readonly JsonWriterOptions Plain = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
@@ -33,8 +31,6 @@ internal static class ManifestLine
                     json.WriteString("run", run.Run);
                     json.WriteString("settings", run.Settings);
                     json.WriteNumber("frames", run.Frames);
-                    WriteIfGiven(json, OrbitFrame, run.OrbitFrame);
-                    WriteIfGiven(json, AttitudeFrame, run.AttitudeFrame);
                     break;
                 case ExpectedRecord expected:
                     json.WriteString("record", "expected");
@@ -87,9 +83,7 @@ internal static class ManifestLine
             line.GetProperty("description") is { ValueKind: JsonValueKind.Object } description
                 ? description.GetRawText()
                 : throw new FormatException()),
-        "run" => new RunRecord(
-            Text(line, "run"), Text(line, "settings"), Step(line, "frames"), TextIfGiven(line, OrbitFrame),
-            TextIfGiven(line, AttitudeFrame)),
+        "run" => new RunRecord(Text(line, "run"), Text(line, "settings"), Step(line, "frames")),
         "expected" => new ExpectedRecord(Text(line, "run"), Step(line, "step"), Name(line), Text(line, "frame")),
         "frame" => new FrameRecord(Step(line, "step"), Name(line), Text(line, "frame"), Text(line, "settings"), Files(line)),
         "failed" => new FailedRecord(Step(line, "step"), Name(line), Text(line, "frame"), Text(line, "cause")),
@@ -101,14 +95,6 @@ internal static class ManifestLine
         json.WriteNumber("step", step);
         json.WriteString("name", name);
         json.WriteString("frame", key);
-    }
-
-    private static void WriteIfGiven(Utf8JsonWriter json, string property, string? text)
-    {
-        if (text is not null)
-        {
-            json.WriteString(property, text);
-        }
     }
 
     private static void WriteFiles(Utf8JsonWriter json, IReadOnlyList<OutputFile> files)
@@ -143,9 +129,6 @@ internal static class ManifestLine
 
     private static int Step(JsonElement line, string property) =>
         line.GetProperty(property).GetInt32() is > 0 and int step ? step : throw new FormatException();
-
-    private static string? TextIfGiven(JsonElement line, string property) =>
-        line.TryGetProperty(property, out JsonElement value) ? value.GetString() : null;
 
     private static string Text(JsonElement line, string property) => line.GetProperty(property).GetString() ?? throw new FormatException();
 }

@@ -12,10 +12,7 @@ public sealed record SettingsRecord(string Key, string Description) : ManifestRe
 /// <param name="Run">Names the run: the same frames with the same settings are the same run, in one piece or in many.</param>
 /// <param name="Settings">Key of its settings.</param>
 /// <param name="Frames">How many frames it has.</param>
-/// <param name="OrbitFrame">Frame of the orbit, as --orbit-frame names it; null without an orbit.</param>
-/// <param name="AttitudeFrame">Frame of the attitude, as --attitude-frame names it; null without an attitude on an orbit.</param>
-public sealed record RunRecord(
-    string Run, string Settings, int Frames, string? OrbitFrame = null, string? AttitudeFrame = null) : ManifestRecord;
+public sealed record RunRecord(string Run, string Settings, int Frames) : ManifestRecord;
 
 /// <summary>A frame that a run expects.</summary>
 /// <param name="Run">The run.</param>

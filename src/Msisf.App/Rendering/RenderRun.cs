@@ -70,8 +70,7 @@ internal sealed class RenderRun
                 sun?.Engine.EngineName,
                 kernels,
                 version,
-                maps.Files),
-            camera as OrbitSettings));
+                maps.Files)));
         return await RenderAsync(run, plan, inputs, maps, cancellation).ConfigureAwait(false);
     }
 

@@ -3,7 +3,6 @@ using System.Security.Cryptography;
 using System.Text;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Settings;
-using Msisf.Core.Attitude;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Series;
@@ -13,16 +12,9 @@ internal sealed class RunPlan
 {
     private readonly IReadOnlyList<SpacecraftState> _states;
     private readonly IReadOnlyList<string> _names;
-    private readonly OrbitSettings? _orbit;
 
-    /// <param name="states">The states of all frames, in the order of their steps.</param>
-    /// <param name="names">Their file names, without extension.</param>
-    /// <param name="identity">Everything else that determines the frames.</param>
-    /// <param name="orbit">The orbit that the states came of, whose frames the states do not tell; null if they came of none.</param>
-    public RunPlan(
-        IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RunIdentity identity, OrbitSettings? orbit)
+    public RunPlan(IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RunIdentity identity)
     {
-        _orbit = orbit;
         _states = states;
         _names = names;
         Identity = identity;
@@ -64,15 +56,8 @@ internal sealed class RunPlan
         }
 
         ManifestRecord[] settings = known.Settings.ContainsKey(Identity.Record.Key) ? [] : [Identity.Record];
-        return [.. settings, Record(), .. Frames];
+        return [.. settings, new RunRecord(Key, Identity.Record.Key, _states.Count), .. Frames];
     }
-
-    private RunRecord Record() => new(
-        Key,
-        Identity.Record.Key,
-        _states.Count,
-        _orbit is null ? null : CameraOptions.OrbitFrame.WordOf(_orbit.Frame),
-        _orbit?.Attitude is null ? null : CameraOptions.AttitudeFrame.WordOf(_orbit.AttitudeFrame ?? AttitudeFrame.MoonMe));
 
     private string KeyOfAll()
     {

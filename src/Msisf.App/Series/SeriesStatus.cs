@@ -15,9 +15,6 @@ internal sealed class SeriesStatus
     /// <summary>Files in the folder that no record names; empty unless they were looked for.</summary>
     public IReadOnlyList<StrayFile> Strays { get; private init; } = [];
 
-    /// <summary>The run that was begun last; null if the manifest names none.</summary>
-    public RunRecord? LastRun { get; private init; }
-
     /// <summary>All frames, grouped by run with the last run at the end, in the order of their steps.</summary>
     public IReadOnlyList<FrameCheck> Frames { get; }
 
@@ -43,8 +40,7 @@ internal sealed class SeriesStatus
     {
         ManifestContent manifest = SeriesManifest.Read(folder, host.Log);
         FrameChecker checker = new(folder, CheckDepth.Checksums, new FileStructure(host.Installation.MetaFileDtd));
-        SeriesStatus status = Of(folder, manifest, checker, cancellation);
-        return new SeriesStatus(folder, status.Frames) { LastRun = status.LastRun, Strays = StrayFile.In(folder, manifest) };
+        return new SeriesStatus(folder, Of(folder, manifest, checker, cancellation).Frames) { Strays = StrayFile.In(folder, manifest) };
     }
 
     /// <summary>The state of the frames that a manifest expects.</summary>
@@ -61,10 +57,7 @@ internal sealed class SeriesStatus
             .ToArray()
             .AsParallel().AsOrdered().WithCancellation(cancellation)
             .Select(expected => Explained(manifest, checker.Check(
-                expected, manifest.Frames.GetValueOrDefault(expected.Name), manifest.Failed.GetValueOrDefault(expected.Name))))])
-    {
-        LastRun = manifest.LastRun is { } last ? manifest.Runs.GetValueOrDefault(last) : null,
-    };
+                expected, manifest.Frames.GetValueOrDefault(expected.Name), manifest.Failed.GetValueOrDefault(expected.Name))))]);
 
     /// <summary>The number of frames in a state.</summary>
     public int CountOf(FrameState state) => Frames.Count(frame => frame.State == state);

@@ -30,11 +30,6 @@ internal static class CheckCommand
         }
 
         Print(status, call.Host.Results);
-        if (FramesOf(status.LastRun) is { } frames)
-        {
-            call.Host.Log.Note(frames);
-        }
-
         return status.IsComplete && !status.Strays.Any(file => file.IsLeftOver) ? 0 : ExitNotComplete;
     }
 
@@ -70,13 +65,6 @@ internal static class CheckCommand
             CultureInfo.InvariantCulture,
             $"{count} frame{(count == 1 ? string.Empty : "s")}: {status.CountOf(FrameState.Complete)} complete{string.Concat(others)}.")
             + strays);
-    }
-
-    /// <summary>What the files of a run do not tell: the frames in which its orbit and attitude were given.</summary>
-    private static string? FramesOf(RunRecord? run)
-    {
-        string attitude = run?.AttitudeFrame is { } frame ? $"{CameraOptions.AttitudeFrame.Name} {frame}" : "no --attitude";
-        return run?.OrbitFrame is { } orbit ? $"The last run is an orbit with {CameraOptions.OrbitFrame.Name} {orbit}, {attitude}." : null;
     }
 
     private static string Word(FrameState state) =>

@@ -10,8 +10,6 @@ public sealed class ManifestLineTests
     [
         new SettingsRecord("ab12", """{"version":"1.0.0","kernels":[{"name":"n\u00e4if.tls"}]}"""),
         new RunRecord("r1", "ab12", 200),
-        new RunRecord("r2", "ab12", 200, "j2000", "lvlh"),
-        new RunRecord("r3", "ab12", 200, "moon-me"),
         new ExpectedRecord("r1", 7, "Mond \u00e4 \"7\"", "f7"),
         new FailedRecord(8, "m_8", "f8", "POV-Ray ended with exit code 137:\n<killed>"),
     ];

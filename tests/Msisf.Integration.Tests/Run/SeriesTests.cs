@@ -32,21 +32,6 @@ public sealed class SeriesTests : IDisposable
         AssertSameBytes("whole", "pieces", (2 * Frames) + 1);
     }
 
-    [RequiresTheory(Part.Ldem4)]
-    [InlineData("--attitude {0,0,0,1} --attitude-frame LVLH --orbit-frame j2000", "--orbit-frame j2000, --attitude-frame lvlh.")]
-    [InlineData("--attitude {0,0,0,1}", "--orbit-frame moon-me, --attitude-frame moon-me.")]
-    [InlineData("--frames 1", "--orbit-frame moon-me, no --attitude.")]
-    public void Status_OfAnOrbit_SaysInWhichFramesItWasGiven(string more, string frames)
-    {
-        Assert.Equal(0, Run("out", more.Split(' ')).ExitCode);
-
-        string note = $"msis: The last run is an orbit with {frames}{Environment.NewLine}";
-        Assert.Equal(note, Look("status", "out").Error);
-        Assert.Equal(note, Look("verify", "out").Error);
-        Assert.Equal(0, Single("one").ExitCode);
-        Assert.Empty(Look("status", "one").Error);
-    }
-
     [RequiresFact(Part.Ldem4)]
     public void Run_Again_MakesOnlyWhatIsNotThereAndRight()
     {
