@@ -42,7 +42,8 @@ replace_block() {
 
 # validate FOLDER: compares what the program draws with a real image; tables and plots go into the docs.
 validate() {
-    local data=${root%/*}/shared/validation map
+    local data map
+    data=$(dirname "$PWD")/shared/validation
     [ -d "$data/wac" ] || die "--validate needs the LROC strip M1181493219CE.vis.odd.reduced.cub of USGS's ISIS test data in $data/wac"
     install_parts matplotlib gdal-library downloader certificates
     scripts/build.sh

@@ -2,6 +2,7 @@
 import matplotlib
 
 matplotlib.use("svg")
+matplotlib.rcParams["svg.hashsalt"] = "msisf"  # the same data, the same bytes
 import matplotlib.pyplot as plt
 import numpy as np
 

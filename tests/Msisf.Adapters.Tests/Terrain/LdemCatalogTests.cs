@@ -99,7 +99,7 @@ public sealed class LdemCatalogTests : IDisposable
     [Fact]
     public void Find_ExplicitPathThatIsMissing_NamesIt() =>
         Assert.Contains(
-            "gone.lbl: can't be read",
+            "gone.lbl: there is no such file",
             Assert.Throws<BadInputException>(() => LdemCatalog.Find(1, _folder["gone.lbl"], [])).Message,
             StringComparison.Ordinal);
 

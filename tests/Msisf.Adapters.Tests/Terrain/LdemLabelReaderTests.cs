@@ -164,7 +164,7 @@ public class LdemLabelReaderTests
     [Fact]
     public void ReadFile_MissingFile_NamesIt() =>
         Assert.Contains(
-            "/nowhere/LDEM_4.LBL: can't be read",
+            "/nowhere/LDEM_4.LBL: there is no such file",
             Assert.Throws<BadInputException>(() => LdemLabelReader.ReadFile("/nowhere/LDEM_4.LBL")).Message,
             StringComparison.Ordinal);
 

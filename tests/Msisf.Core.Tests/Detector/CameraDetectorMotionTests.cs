@@ -151,7 +151,10 @@ public sealed class CameraDetectorMotionTests
         Sun,
         new NativeRenderOptions
         {
-            Reflectance = new LambertReflectance(0.5), Albedo = map, Normals = NormalModel.Smooth, SubsamplesPerAxis = 3,
+            Reflectance = new LambertReflectance(0.5),
+            Albedo = map,
+            Normals = NormalModel.Smooth,
+            SubsamplesPerAxis = 3,
             KeepGroundTruth = true,
         },
         threads);

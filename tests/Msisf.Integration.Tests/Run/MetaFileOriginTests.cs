@@ -65,7 +65,8 @@ public sealed class MetaFileOriginTests : IDisposable
     {
         CommandLineRun run = CommandLineRun.Of(
         [
-            "--fixed-state", state, "--renderer", "native", "--reflectance", "lambert", "--width", "63", "--height", "63", "--ldem", TestParts.Ldem4Label!,
+            "--fixed-state", state, "--renderer", "native", "--reflectance", "lambert", "--width", "63", "--height", "63",
+            "--ldem", TestParts.Ldem4Label!,
             "--output-dir", _folder["out"], "--output-name", "view", "--batch",
             .. more.Contains("--ignore-sun") ? [] : (string[])["--ephemeris", "builtin"], .. more,
         ]);
