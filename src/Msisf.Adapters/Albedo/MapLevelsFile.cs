@@ -1,7 +1,5 @@
 using System.Globalization;
 using System.IO.MemoryMappedFiles;
-using System.Security.Cryptography;
-using System.Text;
 using Msisf.Adapters.Interop;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
@@ -150,9 +148,5 @@ internal sealed unsafe class MapLevelsFile : IDisposable
     }
 
     /// <summary>A name that the map of a path has for itself.</summary>
-    private static string NameOf(string path)
-    {
-        string place = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(Path.GetFullPath(path))))[..16];
-        return $"{Path.GetFileNameWithoutExtension(path)}-{place}.levels";
-    }
+    private static string NameOf(string path) => $"{Path.GetFileNameWithoutExtension(path)}-{PathKey.Of(path)}.levels";
 }

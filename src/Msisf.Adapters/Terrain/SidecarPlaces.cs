@@ -1,5 +1,4 @@
-using System.Security.Cryptography;
-using System.Text;
+using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
@@ -19,8 +18,8 @@ public sealed record SidecarPlaces(string Beside, string? Cached)
     public static SidecarPlaces Of(LdemSet set, string extension, string? cacheFolder)
     {
         string beside = set.FileBeside(extension);
-        string place = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(Path.GetFullPath(beside))).AsSpan(0, 8));
-        return new SidecarPlaces(beside, cacheFolder is null ? null : Path.Combine(cacheFolder, $"{set.ProductId}-{place}{extension}"));
+        return new SidecarPlaces(
+            beside, cacheFolder is null ? null : Path.Combine(cacheFolder, $"{set.ProductId}-{PathKey.Of(beside)}{extension}"));
     }
 
     /// <summary>The first place whose folder takes files.</summary>
