@@ -9,6 +9,7 @@ using Microsoft.AspNetCore.Hosting.Server.Features;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Http.Features;
 using Microsoft.AspNetCore.Server.Kestrel.Core;
+using Microsoft.AspNetCore.Routing;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.FileProviders;
 using Microsoft.Extensions.Hosting;
@@ -41,6 +42,10 @@ internal sealed class HttpServer : IAsyncDisposable
     public string Address => _settings.Listen.SocketPath
         ?? _web.Services.GetRequiredService<IServer>().Features.GetRequiredFeature<IServerAddressesFeature>().Addresses.First();
 
+    /// <summary>The paths that the server answers, each with its method: "GET /healthz".</summary>
+    internal IEnumerable<string> Routes => _web.Services.GetRequiredService<EndpointDataSource>().Endpoints.OfType<RouteEndpoint>().Select(
+        route => $"{route.Metadata.GetRequiredMetadata<HttpMethodMetadata>().HttpMethods[0]} {route.RoutePattern.RawText}");
+
     /// <summary>Starts a server.</summary>
     /// <param name="settings">Its settings.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
@@ -55,7 +60,7 @@ internal sealed class HttpServer : IAsyncDisposable
         builder.Services.Configure<HostOptions>(options => options.ShutdownTimeout = settings.TimeLimit + TimeToSend);
         WebApplication web = builder.Build();
         HttpServer server = new(web, frames, settings);
-        server.AddRoutes(host.Log);
+        server.AddRoutes(host);
         try
         {
             await web.StartAsync().ConfigureAwait(false);
@@ -159,10 +164,10 @@ internal sealed class HttpServer : IAsyncDisposable
         }
     }
 
-    private void AddRoutes(ILog log)
+    private void AddRoutes(ProgramHost host)
     {
         RequestGuard guard = new(_settings);
-        _web.Use((context, next) => RequestErrors.HandleAsync(context, next, guard, _frames.Metrics, log));
+        _web.Use((context, next) => RequestErrors.HandleAsync(context, next, guard, _frames.Metrics, host.Log));
         _web.UseWebSockets(new WebSocketOptions { KeepAliveInterval = TimeSpan.FromSeconds(30) });
         AddFiles();
         _web.UseRouting();
@@ -172,7 +177,16 @@ internal sealed class HttpServer : IAsyncDisposable
             context.Response.ContentType = ServerMetrics.ContentType;
             return context.Response.WriteAsync(_frames.Metrics.Text());
         });
+        byte[] description = OpenApiDocument.Write(host.Version);
+        _web.MapGet("/openapi.json", context =>
+        {
+            context.Response.ContentType = AnswerForm.Json;
+            return context.Response.Body.WriteAsync(description).AsTask();
+        });
         _web.MapGet("/v1/models", new ModelsEndpoint(_frames).AnswerAsync);
+        _web.MapGet("/v1/sun", new SunEndpoint(_frames).AnswerAsync);
+        _web.MapPost("/v1/pixels", new PixelsEndpoint(_frames).AnswerAsync);
+        _web.MapPost("/v1/points", new PointsEndpoint(_frames).AnswerAsync);
         _web.MapPost("/v1/render", new RenderEndpoint(_frames).AnswerAsync);
         _web.MapGet("/v1/stream", new StreamEndpoint(_frames, _web.Lifetime.ApplicationStopping).AnswerAsync);
     }
