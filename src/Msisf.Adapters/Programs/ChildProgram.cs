@@ -29,7 +29,7 @@ public sealed record ChildProgram(string Program, IReadOnlyList<string> Argument
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
     public async Task<ProcessResult> RunAsync(CancellationToken cancellation)
     {
-        using Process process = Start();
+        using Process process = Start(takesOutput: true);
         using CancellationTokenSource limit = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
         limit.CancelAfter(TimeLimit ?? Timeout.InfiniteTimeSpan);
         process.StandardInput.Close();
@@ -51,14 +51,26 @@ public sealed record ChildProgram(string Program, IReadOnlyList<string> Argument
         }
     }
 
-    private Process Start()
+    /// <summary>Runs the program with our own standard output and error.</summary>
+    /// <param name="cancellation">Closes its standard input, upon which the program ends by itself.</param>
+    /// <returns>Its exit code.</returns>
+    /// <exception cref="ExternalPartException">It can't be started.</exception>
+    public async Task<int> RunUntilInputEndsAsync(CancellationToken cancellation)
+    {
+        using Process process = Start(takesOutput: false);
+        using CancellationTokenRegistration end = cancellation.Register(process.StandardInput.Close);
+        await process.WaitForExitAsync(CancellationToken.None).ConfigureAwait(false);
+        return process.ExitCode;
+    }
+
+    private Process Start(bool takesOutput)
     {
         ProcessStartInfo start = new(Program, Arguments)
         {
             WorkingDirectory = WorkingFolder,
             RedirectStandardInput = true,
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
+            RedirectStandardOutput = takesOutput,
+            RedirectStandardError = takesOutput,
         };
         foreach ((string name, string value) in Environment)
         {

@@ -3,6 +3,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
 
@@ -10,6 +11,7 @@ namespace Msisf.App.Rendering;
 internal sealed class NativeLevels
 {
     private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();
+    private readonly ConcurrentDictionary<int, Lazy<TerrainTracer>> _tracers = new();
     private readonly IElevationGrid _grid;
     private readonly LodLevels? _levels;
     private readonly DetailRule? _rule;
@@ -28,11 +30,22 @@ internal sealed class NativeLevels
     }
 
     /// <summary>The renderer for a frame.</summary>
-    public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis)
+    public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) =>
+        _renderers.GetOrAdd(
+            LevelFor(camera, subsamplesPerAxis), level => new Lazy<NativeRenderer>(() => new NativeRenderer(GridOf(level)))).Value;
+
+    /// <summary>Traces single rays through the surface that a frame shows.</summary>
+    /// <returns>The tracer, and px/deg of its surface.</returns>
+    public (ITerrainTracer Tracer, int PixelsPerDegree) TracerFor(PinholeCamera camera, int subsamplesPerAxis)
     {
-        int level = _rule?.LevelOfImage(camera.Footprint, subsamplesPerAxis) ?? 0;
-        return _renderers.GetOrAdd(level, Create).Value;
+        int level = LevelFor(camera, subsamplesPerAxis);
+        return (
+            _tracers.GetOrAdd(level, one => new Lazy<TerrainTracer>(() => new TerrainTracer(GridOf(one)))).Value,
+            _grid.PixelsPerDegree >> level);
     }
 
-    private Lazy<NativeRenderer> Create(int level) => new(() => new NativeRenderer(level == 0 ? _grid : _levels!.Level(level)));
+    private int LevelFor(PinholeCamera camera, int subsamplesPerAxis) =>
+        _rule?.LevelOfImage(camera.Footprint, subsamplesPerAxis) ?? 0;
+
+    private IElevationGrid GridOf(int level) => level == 0 ? _grid : _levels!.Level(level);
 }
