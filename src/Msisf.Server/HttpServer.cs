@@ -55,7 +55,7 @@ internal sealed class HttpServer : IAsyncDisposable
         builder.Services.Configure<HostOptions>(options => options.ShutdownTimeout = settings.TimeLimit + TimeToSend);
         WebApplication web = builder.Build();
         HttpServer server = new(web, frames, settings);
-        server.AddRoutes(host.Log);
+        server.AddRoutes(host);
         try
         {
             await web.StartAsync().ConfigureAwait(false);
@@ -159,10 +159,10 @@ internal sealed class HttpServer : IAsyncDisposable
         }
     }
 
-    private void AddRoutes(ILog log)
+    private void AddRoutes(ProgramHost host)
     {
         RequestGuard guard = new(_settings);
-        _web.Use((context, next) => RequestErrors.HandleAsync(context, next, guard, _frames.Metrics, log));
+        _web.Use((context, next) => RequestErrors.HandleAsync(context, next, guard, _frames.Metrics, host.Log));
         _web.UseWebSockets(new WebSocketOptions { KeepAliveInterval = TimeSpan.FromSeconds(30) });
         AddFiles();
         _web.UseRouting();
@@ -173,6 +173,11 @@ internal sealed class HttpServer : IAsyncDisposable
             return context.Response.WriteAsync(_frames.Metrics.Text());
         });
         _web.MapGet("/v1/models", new ModelsEndpoint(_frames).AnswerAsync);
+        _web.MapGet("/v1/catalogues/{name}", new CataloguesEndpoint(_settings.Catalogues).AnswerAsync);
+        FoldersEndpoint folders = new(_frames, host);
+        _web.MapGet("/v1/folders", folders.ListAsync);
+        _web.MapGet("/v1/folders/{name}", folders.ListFramesAsync);
+        _web.MapGet("/v1/folders/{name}/frames/{number}/{kind}", folders.SendFileAsync);
         _web.MapPost("/v1/render", new RenderEndpoint(_frames).AnswerAsync);
         _web.MapGet("/v1/stream", new StreamEndpoint(_frames, _web.Lifetime.ApplicationStopping).AnswerAsync);
     }

@@ -13,7 +13,7 @@ public sealed class ModulePage(Chromium chromium) : IAsyncLifetime
     private const string CallOfModule = """
         async ([module, name, parameters]) => {
             try {
-                return { value: (await import(`/js/${module}.js`))[name](...parameters) ?? null };
+                return { value: (await import(`/js/${module}.js`))[name](...JSON.parse(parameters)) ?? null };
             } catch (error) {
                 return { error: error.message };
             }
@@ -46,7 +46,7 @@ public sealed class ModulePage(Chromium chromium) : IAsyncLifetime
     private async Task<JsonElement> AnswerAsync(string module, string name, object[] parameters)
     {
         _page ??= await OpenAsync();
-        return (await _page.EvaluateAsync(CallOfModule, new object[] { module, name, parameters }))!.Value;
+        return (await _page.EvaluateAsync(CallOfModule, new[] { module, name, JsonSerializer.Serialize(parameters) }))!.Value;
     }
 
     private async Task<IPage> OpenAsync()

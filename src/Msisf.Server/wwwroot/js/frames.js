@@ -33,7 +33,7 @@ export class Frames {
     /** Offers the server's folders and batch files. */
     async offer() {
         const { folders } = await getJson('/v1/folders').catch(() => ({ folders: [] }));
-        $('folder').append(...folders.map(({ name, frames }) => new Option(`${name} (${frames} ${frames === 1 ? 'frame' : 'frames'})`, name)));
+        $('folder').append(...folders.map(({ name, kind }) => new Option(kind === 'batch' ? `${name} (batch file)` : name, name)));
     }
 
     /** Puts frames on the time line and shows the first; none closes it. */
