@@ -18,7 +18,9 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
     private static readonly (string Kind, string Ending)[] Kinds = [("image", ".png"), ("annotated", ".annotated.png"), ("meta", ".xml")];
 
     private static readonly HashSet<string> Known =
-        [.. JsonOptions.OptionsOfFrame().Except([RendererOptions.Renderer, NativeOptions.Layers]).Select(option => option.Key)];
+        [.. JsonOptions.OptionsOfFrame().Except([
+            RendererOptions.Renderer, NativeOptions.Layers, OutputOptions.Grid, OutputOptions.GridHorizontal, OutputOptions.GridVertical,
+        ]).Select(option => option.Key)];
 
     private readonly Lock _gate = new();
     private (DateTime Written, long Length) _version;

@@ -82,6 +82,8 @@ export class Picture {
         try {
             for (const samples of most > 1 ? [1, most] : [1]) {
                 const start = performance.now();
+                const words = `${size.width} × ${size.height}, ${samples} ${samples === 1 ? 'sample' : 'samples'} a pixel`;
+                this.hooks.onStatus(`Drawing: ${words}.`);
                 const image = await renderPlane({ ...truth, samples }, signal);
                 if (signal.aborted) {
                     return;
@@ -91,8 +93,7 @@ export class Picture {
                 Stage.paintGrey(this.stage.image, image);
                 this.#show(view, size, truth);
                 this.hooks.onNotice(null);
-                this.hooks.onStatus(`At rest: ${image.width} × ${image.height}, ${samples} ${samples === 1 ? 'sample' : 'samples'} `
-                    + `a pixel, ${Math.round(performance.now() - start)} ms.`);
+                this.hooks.onStatus(`At rest: ${words}, ${Math.round(performance.now() - start)} ms.`);
                 if (samples === 1) {
                     this.hooks.onRest(truth);
                 }
