@@ -9,6 +9,7 @@ using Microsoft.AspNetCore.Hosting.Server.Features;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Http.Features;
 using Microsoft.AspNetCore.Server.Kestrel.Core;
+using Microsoft.AspNetCore.Routing;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.FileProviders;
 using Microsoft.Extensions.Hosting;
@@ -40,6 +41,10 @@ internal sealed class HttpServer : IAsyncDisposable
     /// <summary>Where clients find the server: a URL, or the path of its Unix socket.</summary>
     public string Address => _settings.Listen.SocketPath
         ?? _web.Services.GetRequiredService<IServer>().Features.GetRequiredFeature<IServerAddressesFeature>().Addresses.First();
+
+    /// <summary>The paths that the server answers, each with its method: "GET /healthz".</summary>
+    internal IEnumerable<string> Routes => _web.Services.GetRequiredService<EndpointDataSource>().Endpoints.OfType<RouteEndpoint>().Select(
+        route => $"{route.Metadata.GetRequiredMetadata<HttpMethodMetadata>().HttpMethods[0]} {route.RoutePattern.RawText}");
 
     /// <summary>Starts a server.</summary>
     /// <param name="settings">Its settings.</param>
@@ -172,12 +177,21 @@ internal sealed class HttpServer : IAsyncDisposable
             context.Response.ContentType = ServerMetrics.ContentType;
             return context.Response.WriteAsync(_frames.Metrics.Text());
         });
+        byte[] description = OpenApiDocument.Write(host.Version);
+        _web.MapGet("/openapi.json", context =>
+        {
+            context.Response.ContentType = AnswerForm.Json;
+            return context.Response.Body.WriteAsync(description).AsTask();
+        });
         _web.MapGet("/v1/models", new ModelsEndpoint(_frames).AnswerAsync);
         _web.MapGet("/v1/catalogues/{name}", new CataloguesEndpoint(_settings.Catalogues).AnswerAsync);
         FoldersEndpoint folders = new(_frames, host);
         _web.MapGet("/v1/folders", folders.ListAsync);
         _web.MapGet("/v1/folders/{name}", folders.ListFramesAsync);
         _web.MapGet("/v1/folders/{name}/frames/{number}/{kind}", folders.SendFileAsync);
+        _web.MapGet("/v1/sun", new SunEndpoint(_frames).AnswerAsync);
+        _web.MapPost("/v1/pixels", new PixelsEndpoint(_frames).AnswerAsync);
+        _web.MapPost("/v1/points", new PointsEndpoint(_frames).AnswerAsync);
         _web.MapPost("/v1/render", new RenderEndpoint(_frames).AnswerAsync);
         _web.MapGet("/v1/stream", new StreamEndpoint(_frames, _web.Lifetime.ApplicationStopping).AnswerAsync);
     }

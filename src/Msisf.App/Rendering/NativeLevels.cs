@@ -35,14 +35,8 @@ internal sealed class NativeLevels
             LevelFor(camera, subsamplesPerAxis), level => new Lazy<NativeRenderer>(() => new NativeRenderer(GridOf(level)))).Value;
 
     /// <summary>Traces single rays through the surface that a frame shows.</summary>
-    /// <returns>The tracer, and px/deg of its surface.</returns>
-    public (ITerrainTracer Tracer, int PixelsPerDegree) TracerFor(PinholeCamera camera, int subsamplesPerAxis)
-    {
-        int level = LevelFor(camera, subsamplesPerAxis);
-        return (
-            _tracers.GetOrAdd(level, one => new Lazy<TerrainTracer>(() => new TerrainTracer(GridOf(one)))).Value,
-            _grid.PixelsPerDegree >> level);
-    }
+    public ITerrainTracer TracerFor(PinholeCamera camera, int subsamplesPerAxis) => _tracers.GetOrAdd(
+        LevelFor(camera, subsamplesPerAxis), level => new Lazy<TerrainTracer>(() => new TerrainTracer(GridOf(level)))).Value;
 
     private int LevelFor(PinholeCamera camera, int subsamplesPerAxis) =>
         _rule?.LevelOfImage(camera.Footprint, subsamplesPerAxis) ?? 0;

@@ -131,8 +131,7 @@ internal sealed class JsonOptions
                 _ => throw new UsageException($"{option.Name} is {JsonText.Shown(value)}; true or false is needed.").About(option),
             },
             NumberListSpec when value.ValueKind == JsonValueKind.Array => $"{{{JsonText.Joined(value, ",", option.Name)}}}",
-            _ when value.ValueKind == JsonValueKind.Array && option.ListSeparator is { } separator =>
-                JsonText.Joined(value, separator, option.Name),
+            _ when value.ValueKind == JsonValueKind.Array => JsonText.Joined(value, option.ListSeparator ?? ",", option.Name),
             _ => JsonText.Of(value, option.Name),
         };
         Put(option, option == AlbedoOptions.Map || option == NativeOptions.HapkeMap ? _names.Map(option.Key, text!) : text);

@@ -63,7 +63,7 @@ internal sealed class RenderSession : IDisposable
     public NativeImage Draw(PreparedFrame frame, int threads, CancellationToken cancellation) =>
         _drawing.Draw(frame.Frame, threads, cancellation);
 
-    /// <summary>Single rays through the surface that a frame shows.</summary>
+    /// <summary>Follows single rays of a frame on the surface that it shows; the Sun is a point, the normals are those of facets.</summary>
     public FrameTruth TruthOf(PreparedFrame frame) =>
         new(frame.Frame, _levels.TracerFor(frame.Frame.Camera, Settings.Native.Render.SubsamplesPerAxis));
 

@@ -28,7 +28,9 @@ internal sealed class RenderSessions : IDisposable
     {
         RenderSettings settings = requested.Settings;
         string maps = $"{settings.Albedo} {settings.Native.ReflectanceText} {settings.Native.HapkeMap}";
-        string key = $"{FrameArguments.OfSettings(settings, settings.Ephemeris)} {maps} {settings.Camera?.Sha256}";
+        bool hasTruth = settings.Native.Render.KeepGroundTruth;
+        bool hasDetector = settings.Native.Detector is not null;
+        string key = $"{FrameArguments.OfSettings(settings, settings.Ephemeris)} {maps} {settings.Camera?.Sha256} {hasTruth} {hasDetector}";
         return _sessions.Rent(key, () => Open(requested, maps));
     }
 

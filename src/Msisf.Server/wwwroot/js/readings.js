@@ -16,9 +16,12 @@ const ROWS = [
     ['Pixel covers', reading => lengthText(reading.pixel_scale)],
     ['Distance', reading => lengthText(reading.distance)],
     ['Slope', reading => degrees(reading.slope, 2)],
-    ['Facet', reading => `${reading.facet.line}, ${reading.facet.sample} ${reading.facet.half}`],
+    ['Facet', reading => `${reading.facet.line}, ${reading.facet.sample} ${HALVES[reading.facet.half]}`],
     ['Pixel', reading => reading.pixel.join(', ')],
 ];
+
+/** Names of the two facets of a cell, as the meta file has them. */
+const HALVES = ['SW', 'NE'];
 
 const COLUMNS = ['here', 'A', 'B'];
 

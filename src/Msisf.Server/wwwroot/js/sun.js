@@ -26,7 +26,7 @@ export class Sun {
             asked = this.#mjd;
             const sun = await getJson(`/v1/sun?mjd=${asked}`).catch(() => null);
             this.position = sun && scale(sun.direction, sun.distance);
-            this.subsolar = sun?.subsolar ?? null;
+            this.subsolar = sun?.sub_solar_point ?? null;
             this.onChange();
         }
         this.#isAsking = false;
