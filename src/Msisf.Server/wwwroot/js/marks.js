@@ -34,13 +34,6 @@ export class Marks {
             return;
         }
         const overlay = new Overlay(this.stage.overlay, shown.view, shown.size);
-        if ($('show-grid').checked) {
-            overlay.drawGrid();
-        }
-        if ($('show-terminator').checked && sunPosition) {
-            overlay.drawTerminator(sunPosition);
-        }
-        overlay.drawCraters(this.#craters);
         const pins = ['A', 'B'].filter(letter => readings.get(letter));
         if (pins.length === 2) {
             overlay.drawWay(...pins.map(letter => readings.get(letter).position));
@@ -48,6 +41,13 @@ export class Marks {
         for (const letter of pins) {
             overlay.drawPin(readings.get(letter).position, letter);
         }
+        if ($('show-grid').checked) {
+            overlay.drawGrid();
+        }
+        if ($('show-terminator').checked && sunPosition) {
+            overlay.drawTerminator(sunPosition);
+        }
+        overlay.drawCraters(this.#craters);
         const here = readings.get('here');
         if (isAtRest && here && here.illumination_direction !== null && $('show-arrow').checked) {
             overlay.drawArrow(here.pixel, here.illumination_direction);
