@@ -15,6 +15,9 @@ internal sealed class ViewerPage : IAsyncDisposable
     /// <summary>The page.</summary>
     public IPage Page { get; }
 
+    /// <summary>Images that came by the stream.</summary>
+    public int Images { get; private set; }
+
     /// <summary>Messages of the console that belong to the test.</summary>
     public string? Expected { get; init; }
 
@@ -30,6 +33,7 @@ internal sealed class ViewerPage : IAsyncDisposable
         window.Request += (_, request) => viewer.Note(
             !request.Url.StartsWith(address, StringComparison.Ordinal) && !request.Url.StartsWith($"blob:{address}", StringComparison.Ordinal),
             $"request to {request.Url}");
+        viewer.Page.WebSocket += (_, socket) => socket.FrameReceived += (_, frame) => viewer.Images += frame.Binary is null ? 0 : 1;
         await viewer.Page.GotoAsync($"{address}/#{settings}");
         await viewer.AtRestAsync();
         return viewer;

@@ -18,9 +18,6 @@ public class WayTests(Chromium chromium, ViewerServer server)
     public async Task FlyPointAndRead_NumbersAreThoseOfTheMetaFile_AlsoAfterAReload()
     {
         await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, OverClavius);
-        int images = 0;
-        viewer.Page.WebSocket += (_, socket) => socket.FrameReceived += (_, frame) => images += frame.Binary is null ? 0 : 1;
-
         LocatorBoundingBoxResult box = (await viewer.Page.Locator("#picture").BoundingBoxAsync())!;
         (float x, float y) = (box.X + (box.Width / 2), box.Y + (box.Height / 2));
         await viewer.MoveAsync(async () =>
@@ -48,7 +45,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
         await viewer.AtRestAsync();
         await viewer.PointAsync(150, 200);
         Assert.Equal(texts, await TextsAsync(viewer));
-        Assert.True(images >= 3, $"{images} images came by the stream");
+        Assert.True(viewer.Images >= 3, $"{viewer.Images} images came by the stream");
     }
 
     [RequiresFact(Part.Chromium, Part.Ldem4, Part.Python)]

@@ -47,8 +47,9 @@ const marks = new Marks(
     () => ({ shown: picture.shown, isAtRest: picture.isAtRest, sunPosition: sun.position, readings, crosshair }),
     notice);
 const panel = new Panel(state);
+const ask = async pixel => (await readPixels(picture.shown.frame, [pixel])).at(0);
 const reader = new Reader(
-    async pixel => (await readPixels(picture.shown.frame, [pixel])).at(0),
+    ask,
     reading => {
         readings.set('here', reading);
         if (crosshair) {
@@ -108,12 +109,17 @@ function showSun() {
     $('sun-elevation').title = centre ? `At ${latitudeText(placeOf(centre).latitude)}, ${longitudeText(placeOf(centre).longitude)}` : '';
 }
 
-function pin() {
-    if (readings.pin() === null && crosshair === null) {
-        $('spoken').textContent = 'There is no Moon to pin here.';
-    } else {
-        $('spoken').textContent = $('between').textContent;
+/** Pins what is read; a click may come before its reading does. */
+async function pin() {
+    const pixel = crosshair ?? pointed;
+    if (!pixel || !picture.shown?.frame || !picture.isAtRest) {
+        return;
     }
+    const here = readings.get('here');
+    const isRead = here?.pixel.every((number, axis) => number === pixel[axis]);
+    const reading = isRead ? here : await ask(pixel).catch(() => null);
+    readings.pin(reading && { ...reading, pixel });
+    $('spoken').textContent = reading ? $('between').textContent : 'There is no Moon to pin here.';
 }
 
 function setCrosshair(pixel) {

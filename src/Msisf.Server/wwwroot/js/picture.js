@@ -7,6 +7,13 @@ import { Stage } from './stage.js';
 
 const REST_AFTER = 250; // ms without a movement
 
+/** Samples of a whole picture: more take longer than anybody waits to look around. */
+const MOST_SAMPLES = 16e6;
+
+/** As many samples a pixel, a square number, as are wanted and as a picture of this size can have. */
+const samplesFor = (wanted, { width, height }) =>
+    Math.max(1, Math.floor(Math.sqrt(Math.min(wanted, MOST_SAMPLES / (width * height))))) ** 2;
+
 export class Picture {
     #stream;
     #timer = 0;
@@ -78,7 +85,7 @@ export class Picture {
         const { signal } = this.#abort;
         const [view, size] = [this.state.view, this.state.size];
         const truth = this.state.frame(size);
-        const most = this.state.picture.samples;
+        const most = samplesFor(this.state.picture.samples, size);
         try {
             for (const samples of most > 1 ? [1, most] : [1]) {
                 const start = performance.now();

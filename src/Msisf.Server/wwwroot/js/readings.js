@@ -23,6 +23,18 @@ const ROWS = [
 /** Names of the two facets of a cell, as the meta file has them. */
 const HALVES = ['SW', 'NE'];
 
+const HINTS = {
+    Height: 'Over the sphere of 1,737.4 km',
+    Incidence: 'From the ground\'s normal to the Sun',
+    Emission: 'From the ground\'s normal to the camera',
+    Phase: 'From the Sun to the camera, seen from the ground',
+    'Light from': 'Direction to the Sun along the ground, in the image: 0 down, 90 right, 180 up, 270 left',
+    'Pixel covers': 'Across the line of sight',
+    Slope: 'From the ground\'s normal to the vertical',
+    Facet: 'Line, sample and half of the cell of the elevation model',
+    Pixel: 'The first is 1, 1',
+};
+
 const COLUMNS = ['here', 'A', 'B'];
 
 export class Readings {
@@ -39,6 +51,7 @@ export class Readings {
             const head = document.createElement('th');
             head.scope = 'row';
             head.textContent = name;
+            head.title = HINTS[name] ?? '';
             row.append(head);
             this.#cells[name] = Object.fromEntries(COLUMNS.map(column => [column, row.insertCell()]));
             for (const column of COLUMNS) {
@@ -61,14 +74,11 @@ export class Readings {
         this.onChange();
     }
 
-    /** Keeps what is read here: as A, then as B, then B anew. Answers the letter, or null if there is nothing to keep. */
-    pin() {
-        if (!this.#read.here) {
-            return null;
+    /** Keeps a reading: as A, then as B, then B anew. */
+    pin(reading) {
+        if (reading) {
+            this.set(this.#read.A ? 'B' : 'A', reading);
         }
-        const letter = this.#read.A ? 'B' : 'A';
-        this.set(letter, this.#read.here);
-        return letter;
     }
 
     unpin() {
