@@ -25,10 +25,14 @@ public class AccessibilityTests(Chromium chromium, ViewerServer server)
         await viewer.Page.Locator("#scale").WaitForAsync();
 
         await AssertNothingFoundAsync(viewer);
-        Assert.Equal(width, await viewer.Page.EvaluateAsync<int>("document.documentElement.scrollWidth"));
-        Assert.Equal(
-            await viewer.Page.EvaluateAsync<int>("document.querySelector('aside').clientWidth"),
-            await viewer.Page.EvaluateAsync<int>("document.querySelector('aside').scrollWidth"));
+        Assert.Equal(width, await viewer.Page.EvaluateAsync<int>("() => document.documentElement.scrollWidth"));
+        foreach (string part in new[] { "aside", "#settings", "#reading" })
+        {
+            Assert.Equal(
+                await viewer.Page.EvaluateAsync<int>("part => document.querySelector(part).clientWidth", part),
+                await viewer.Page.EvaluateAsync<int>("part => document.querySelector(part).scrollWidth", part));
+        }
+
         await viewer.Page.ClickAsync("#help-open");
         await AssertNothingFoundAsync(viewer);
     }

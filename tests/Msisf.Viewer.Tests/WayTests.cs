@@ -71,7 +71,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
     [RequiresFact(Part.Chromium, Part.Ldem4)]
     public async Task KeyboardAlone_ReadsPinsMeasuresAndSwitches()
     {
-        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, $"{Small}&mjd=55292.85");
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, $"{Small}&mjd=55292.85", 360, 700);
         await viewer.Page.FocusAsync("#help-open");
         await viewer.Page.Keyboard.PressAsync("Tab"); // the picture is next
         await viewer.Page.Keyboard.PressAsync("c");
@@ -89,6 +89,10 @@ public class WayTests(Chromium chromium, ViewerServer server)
         string between = (await viewer.Page.TextContentAsync("#between"))!;
         Assert.Contains(rise.ToString("+0.00;−0.00", CultureInfo.InvariantCulture), between, StringComparison.Ordinal);
         Assert.Equal(GroundKilometres(await PlaceAsync(viewer, "A"), await PlaceAsync(viewer, "B")), Number(between.Split(' ')[4]), 0.002);
+
+        Assert.Equal(
+            await viewer.Page.EvaluateAsync<int>("() => document.getElementById('reading').clientWidth"),
+            await viewer.Page.EvaluateAsync<int>("() => document.getElementById('reading').scrollWidth"));
 
         foreach ((string key, string field) in new[] { ("g", "show-grid"), ("t", "show-terminator") })
         {
@@ -149,7 +153,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
         string latitude = await viewer.ReadAsync("Latitude");
         Assert.Equal(Math.Abs(Value(place.Attribute("lat")!.Value)), Number(latitude), 0.6e-6);
         Assert.EndsWith(Value(place.Attribute("lat")!.Value) < 0.0 ? "S" : "N", latitude, StringComparison.Ordinal);
-        Assert.Equal(Value(place.Attribute("lon")!.Value), Number(await viewer.ReadAsync("Longitude")), 0.6e-6);
+        Assert.Equal(Value(place.Attribute("lon")!.Value), Number(await viewer.ReadAsync("Longitude E")), 0.6e-6);
         Assert.Equal(Of("Height"), Number(await viewer.ReadAsync("Height")), 0.006);
         Assert.Equal(Of("IncidenceAngle"), Number(await viewer.ReadAsync("Incidence")), 0.6e-4);
         Assert.Equal(Of("EmissionAngle"), Number(await viewer.ReadAsync("Emission")), 0.6e-4);
@@ -172,7 +176,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
         "text => document.querySelector('[data-row=Pixel][data-column=here]').textContent === text", pixel);
 
     private static async Task<(double Latitude, double Longitude)> PlaceAsync(ViewerPage viewer, string pin) =>
-        (-Number(await viewer.ReadAsync("Latitude", pin)), Number(await viewer.ReadAsync("Longitude", pin)));
+        (-Number(await viewer.ReadAsync("Latitude", pin)), Number(await viewer.ReadAsync("Longitude E", pin)));
 
     /// <summary>By the haversine, on the reference sphere.</summary>
     private static double GroundKilometres((double Latitude, double Longitude) a, (double Latitude, double Longitude) b)

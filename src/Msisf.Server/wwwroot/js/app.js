@@ -14,7 +14,7 @@ import { Stage } from './stage.js';
 import { State } from './state.js';
 import { Sun } from './sun.js';
 import { TakeAway } from './takeaway.js';
-import { degrees, latitudeText, lengthText, longitudeText } from './text.js';
+import { degrees, latitudeText, lengthText } from './text.js';
 
 const $ = id => document.getElementById(id);
 
@@ -105,8 +105,8 @@ function showSun() {
     $('sun-elevation').textContent = over ? degrees(over.elevation) : '–';
     $('sun-azimuth').textContent = over ? degrees(over.azimuth) : '–';
     $('sub-solar').textContent = sun.subsolar
-        ? `${latitudeText(sun.subsolar.latitude)}, ${longitudeText(sun.subsolar.longitude)}` : '–';
-    $('sun-elevation').title = centre ? `At ${latitudeText(placeOf(centre).latitude)}, ${longitudeText(placeOf(centre).longitude)}` : '';
+        ? `${latitudeText(sun.subsolar.latitude)}, ${degrees(sun.subsolar.longitude, 6)} E` : '–';
+    $('sun-elevation').title = centre ? `At ${latitudeText(placeOf(centre).latitude)}, ${degrees(placeOf(centre).longitude, 6)} E` : '';
 }
 
 /** Pins what is read; a click may come before its reading does. */

@@ -1,12 +1,12 @@
 // The truth under the mouse and at two pins, as a table; and what lies between the pins.
 
 import { groundDistance, length, subtract } from './geometry.js';
-import { degrees, fixed, latitudeText, lengthText, longitudeText } from './text.js';
+import { degrees, fixed, latitudeText, lengthText } from './text.js';
 
 /** The rows of the table: a name, and how a reading's value is written. */
 const ROWS = [
     ['Latitude', reading => latitudeText(reading.latitude)],
-    ['Longitude', reading => longitudeText(reading.longitude)],
+    ['Longitude E', reading => degrees(reading.longitude, 6)],
     ['Height', reading => `${fixed(reading.height, 2)} m`],
     ['Incidence', reading => degrees(reading.incidence, 4)],
     ['Emission', reading => degrees(reading.emission, 4)],
@@ -91,7 +91,7 @@ export class Readings {
     get sentence() {
         const here = this.#read.here;
         return here
-            ? `${latitudeText(here.latitude)}, ${longitudeText(here.longitude)}, height ${fixed(here.height, 0)} metres, ${here.lit}`
+            ? `${latitudeText(here.latitude)}, ${degrees(here.longitude, 6)} east, height ${fixed(here.height, 0)} metres, ${here.lit}`
             : 'No Moon here';
     }
 

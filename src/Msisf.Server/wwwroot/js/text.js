@@ -17,9 +17,6 @@ export const degrees = (angle, decimals = 3) => (angle === null || angle === und
 /** 12.345678° N */
 export const latitudeText = latitude => `${fixed(Math.abs(latitude), 6)}° ${latitude < 0 ? 'S' : 'N'}`;
 
-/** 345.678901° E */
-export const longitudeText = longitude => `${fixed(longitude, 6)}° E`;
-
 /** A length of any size, in m or km, with the digits that matter. */
 export function lengthText(metres) {
     const size = Math.abs(metres);
