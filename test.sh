@@ -24,6 +24,7 @@ trap 'rm -rf "$MSISF_RESULTS" "$MSISF_RESULTS".*' EXIT
 
 install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib numpy pytest pip downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
     warn 'going on without them: their tests are skipped'
+install_parts chromium || warn 'going on without it: the tests of the viewer are skipped'
 ensure_dotnet
 
 # Optimized, or the tests take twice as long; the assertions of debug builds stay.

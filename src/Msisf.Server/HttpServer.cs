@@ -186,6 +186,11 @@ internal sealed class HttpServer : IAsyncDisposable
             return context.Response.Body.WriteAsync(description).AsTask();
         });
         _web.MapGet("/v1/models", new ModelsEndpoint(_frames).AnswerAsync);
+        _web.MapGet("/v1/catalogues/{name}", new CataloguesEndpoint(_settings.Catalogues).AnswerAsync);
+        FoldersEndpoint folders = new(_frames, host);
+        _web.MapGet("/v1/folders", folders.ListAsync);
+        _web.MapGet("/v1/folders/{name}", folders.ListFramesAsync);
+        _web.MapGet("/v1/folders/{name}/frames/{number}/{kind}", folders.SendFileAsync);
         _web.MapGet("/v1/sun", new SunEndpoint(_frames).AnswerAsync);
         _web.MapPost("/v1/pixels", new PixelsEndpoint(_frames).AnswerAsync);
         _web.MapPost("/v1/points", new PointsEndpoint(_frames).AnswerAsync);

@@ -17,7 +17,7 @@ internal sealed class ModelsEndpoint(FrameService frames)
         {
             camera.Name, camera.Model.Width, camera.Model.Height, FieldOfView = camera.FieldOfViewDegrees, camera.Description,
         }),
-        Catalogues = Array.Empty<object>(),
+        Catalogues = frames.Settings.Catalogues.Keys.Select(name => new { Name = name }),
         Reflectances = NativeOptions.Reflectance.Words,
         Layers = NativeOptions.Layers.Words,
         frames.Settings.MaxPixels,

@@ -41,6 +41,11 @@ internal static class OpenApiDocument
                     "Says where the Sun is at a time, and where it stands in the sky of a place.", AnswerForm.Json,
                     ["utc", "mjd", "latitude", "longitude", "ephemeris", "aberration"]),
                 ["/v1/models"] = Get("Lists the names that requests may use.", AnswerForm.Json, []),
+                ["/v1/catalogues/{name}"] = Get("Lists the craters of a catalogue, the largest first.", AnswerForm.Json, []),
+                ["/v1/folders"] = Get("Lists the output folders and batch files of --folders.", AnswerForm.Json, []),
+                ["/v1/folders/{name}"] = Get("Lists the frames of one.", AnswerForm.Json, []),
+                ["/v1/folders/{name}/frames/{number}/{kind}"] = Get(
+                    "Sends a file of a frame: image, annotated or meta.", AnswerForm.Png, []),
                 ["/v1/stream"] = Get("A WebSocket on which states go in and images come out.", AnswerForm.Json, []),
                 ["/healthz"] = Get("Says that the server is there.", "text/plain", []),
                 ["/metrics"] = Get("Counts of what the server did, as Prometheus reads them.", "text/plain", []),

@@ -16,13 +16,15 @@ internal static class ServerProgram
     /// <param name="values">The options of msis serve.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Ends the server; it finishes what it is doing.</param>
+    /// <param name="onAddress">Gets the address on which it listens; without it the server prints the address itself.</param>
     /// <returns>The server's exit code.</returns>
     /// <exception cref="MsisfException">An option is wrong, or the program is not there.</exception>
-    public static Task<int> RunAsync(OptionValues values, ProgramHost host, CancellationToken cancellation)
+    public static Task<int> RunAsync(
+        OptionValues values, ProgramHost host, CancellationToken cancellation, Action<string>? onAddress = null)
     {
         ServeOptions.Read(values); // what is wrong is said by msis, before anything is started
         ChildProgram program = new(Find(host), ServeArguments.ToWords(values, CommandTable.Serve));
-        return program.RunUntilInputEndsAsync(cancellation);
+        return program.RunUntilInputEndsAsync(cancellation, onAddress);
     }
 
     private static string Find(ProgramHost host)

@@ -1,3 +1,4 @@
+using Msisf.App.Serving;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 
@@ -99,7 +100,11 @@ internal static class ServeOptions
             Queue.Read(values),
             TimeSpan.FromSeconds(TimeLimit.Read(values)),
             SurfaceOptions.Ldem.ReadIfGiven(values),
-            LightOptions.Kernels.ReadIfGiven(values));
+            LightOptions.Kernels.ReadIfGiven(values))
+        {
+            Folders = NamedPaths.Read(ViewOptions.Folders, values),
+            Catalogues = NamedPaths.Read(ViewOptions.Catalogues, values),
+        };
     }
 
     private static string ReadToken(string path) => FileErrors.ToBadInput($"--token-file {path}: can't be read", () =>

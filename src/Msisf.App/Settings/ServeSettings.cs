@@ -12,4 +12,11 @@ namespace Msisf.App.Settings;
 /// <param name="Kernels">SPICE meta-kernel; null for that of the installation.</param>
 internal sealed record ServeSettings(
     ListenAddress Listen, string? Token, (string Path, string Key)? Certificate, IReadOnlyList<string> Hosts, int MaxPixels, int Queue,
-    TimeSpan TimeLimit, string? Ldem, string? Kernels);
+    TimeSpan TimeLimit, string? Ldem, string? Kernels)
+{
+    /// <summary>Output folders and batch files of the viewer's time line, by name.</summary>
+    public IReadOnlyDictionary<string, string> Folders { get; init; } = new Dictionary<string, string>();
+
+    /// <summary>Catalogues of craters, by name.</summary>
+    public IReadOnlyDictionary<string, string> Catalogues { get; init; } = new Dictionary<string, string>();
+}
