@@ -3,7 +3,6 @@ using System.Text.Json;
 using Microsoft.AspNetCore.Http;
 using Msisf.App.Host;
 using Msisf.App.Serving;
-using Msisf.Core.Time;
 
 namespace Msisf.Server;
 
