@@ -88,7 +88,9 @@ public sealed class GuardTests(RunningServer server) : IClassFixture<RunningServ
         using HttpClient client = new(handler);
 
         Assert.Equal("ok\n", await client.GetStringAsync(new Uri("http://localhost/healthz")));
-        Assert.Equal(UnixFileMode.UserRead | UnixFileMode.UserWrite, File.GetUnixFileMode(path));
+        Assert.True(
+            OperatingSystem.IsWindows() || File.GetUnixFileMode(path) == (UnixFileMode.UserRead | UnixFileMode.UserWrite),
+            "others may use the socket");
         await running.DisposeAsync();
         Assert.False(File.Exists(path));
         Directory.Delete(folder);
