@@ -15,7 +15,11 @@ internal sealed class ModelsEndpoint(FrameService frames)
         HapkeMaps = frames.Names.Maps.Where(IsHapke),
         Cameras = frames.Names.Cameras.Select(camera => new
         {
-            camera.Name, camera.Model.Width, camera.Model.Height, FieldOfView = camera.FieldOfViewDegrees, camera.Description,
+            camera.Name,
+            camera.Model.Width,
+            camera.Model.Height,
+            FieldOfView = camera.FieldOfViewDegrees,
+            camera.Description,
         }),
         Catalogues = frames.Settings.Catalogues.Keys.Select(name => new { Name = name }),
         Reflectances = NativeOptions.Reflectance.Words,

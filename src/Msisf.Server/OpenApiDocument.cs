@@ -171,7 +171,10 @@ internal static class OpenApiDocument
                 ["description"] = description,
                 ["items"] = new JsonObject
                 {
-                    ["type"] = "array", ["items"] = new JsonObject { ["type"] = "number" }, ["minItems"] = least, ["maxItems"] = most,
+                    ["type"] = "array",
+                    ["items"] = new JsonObject { ["type"] = "number" },
+                    ["minItems"] = least,
+                    ["maxItems"] = most,
                 },
             },
         },
@@ -190,7 +193,9 @@ internal static class OpenApiDocument
 
     private static JsonObject Member(string name, JsonObject schema) => new()
     {
-        ["type"] = "object", ["required"] = Types(name), ["properties"] = new JsonObject { [name] = schema },
+        ["type"] = "object",
+        ["required"] = Types(name),
+        ["properties"] = new JsonObject { [name] = schema },
     };
 
     private static JsonObject ListOf(JsonObject items) => new() { ["type"] = "array", ["items"] = items };

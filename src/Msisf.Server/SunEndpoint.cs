@@ -47,7 +47,8 @@ internal sealed class SunEndpoint(FrameService frames)
             Mjd = time.Days,
             SubSolarPoint = new
             {
-                Latitude = double.RadiansToDegrees(below.Latitude), Longitude = double.RadiansToDegrees(below.Longitude),
+                Latitude = double.RadiansToDegrees(below.Latitude),
+                Longitude = double.RadiansToDegrees(below.Longitude),
             },
             Direction = (double[])[direction.X, direction.Y, direction.Z],
             Distance = sun.Length,
