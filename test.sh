@@ -13,7 +13,7 @@ require_own_folders
 
 # The suites, scripts/suites/NAME.sh; of xunit each project by itself. The longest first, so that none runs alone at the
 # end. A new suite is added here, and what it needs to install_parts below; a new project is found by itself.
-suites=('xunit Msisf.Stress.Tests' php scripts 'xunit Msisf.Integration.Tests' 'xunit Msisf.Core.Tests' style)
+suites=('xunit Msisf.Stress.Tests' php scripts 'xunit Msisf.Integration.Tests' 'xunit Msisf.Core.Tests' python style)
 for project in $(test_projects); do
     [[ " ${suites[*]} " == *" $project "* ]] || suites+=("xunit $project")
 done
@@ -22,7 +22,7 @@ MSISF_RESULTS=$(mktemp)
 export MSISF_RESULTS
 trap 'rm -rf "$MSISF_RESULTS" "$MSISF_RESULTS".*' EXIT
 
-install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
+install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib numpy pytest pip downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
     warn 'going on without them: their tests are skipped'
 install_parts chromium || warn 'going on without it: the tests of the viewer are skipped'
 ensure_dotnet

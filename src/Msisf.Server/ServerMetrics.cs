@@ -73,15 +73,12 @@ internal sealed class ServerMetrics(RenderQueue queue, RenderSessions sessions, 
         Gauge(text, "msisf_running", "Requests whose work is done now.", queue.Running);
         Gauge(text, "msisf_streams", "Streams that are open.", Volatile.Read(ref _streams));
         Gauge(text, "msisf_sessions", "Cameras with options that are kept warm.", sessions.Count);
-        Gauge(text, "process_resident_memory_bytes", "Memory of the program.", MemoryOfProcess());
+        using Process process = Process.GetCurrentProcess();
+        Gauge(text, "process_resident_memory_bytes", "Memory of the program.", process.WorkingSet64);
+        Head(text, "process_cpu_seconds_total", "counter", "Processor time of the program.");
+        text.Append(CultureInfo.InvariantCulture, $"process_cpu_seconds_total {process.TotalProcessorTime.TotalSeconds:R}\n");
         Gauge(text, "process_uptime_seconds", "Time since the server began.", clock.GetElapsedTime(_start).TotalSeconds);
         return text.ToString();
-    }
-
-    private static double MemoryOfProcess()
-    {
-        using Process process = Process.GetCurrentProcess();
-        return process.WorkingSet64;
     }
 
     private static void Gauge(StringBuilder text, string name, string help, double value)

@@ -1,7 +1,6 @@
 using System.Text.Json;
 using Microsoft.AspNetCore.Http;
 using Msisf.Adapters.Input;
-using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;

@@ -15,7 +15,7 @@ import msisf
 import numpy as np
 
 MU = 4.902800066e12  # m^3/s^2, gravity of the Moon (JPL DE421)
-SPIN = np.array([0.0, 0.0, 2.6617e-6])  # rad/s, of the frame MOON_ME
+SPIN = 2.6617e-6  # rad/s, of the frame MOON_ME about z
 SPHERE = 1737400.0  # m
 STEP = 5.0  # s between pictures
 PIXELS = 128
@@ -30,7 +30,8 @@ def rate(state: np.ndarray) -> np.ndarray:
     """Motion in the frame that turns with the Moon."""
     position, velocity = state[:3], state[3:]
     gravity = -MU * position / np.linalg.norm(position) ** 3
-    return np.concatenate((velocity, gravity - 2.0 * np.cross(SPIN, velocity) - np.cross(SPIN, np.cross(SPIN, position))))
+    turning = [2.0 * SPIN * velocity[1] + SPIN**2 * position[0], -2.0 * SPIN * velocity[0] + SPIN**2 * position[1], 0.0]
+    return np.concatenate((velocity, gravity + turning))
 
 
 def propagate(state: np.ndarray, seconds: float) -> np.ndarray:
@@ -72,10 +73,11 @@ def corners(image: np.ndarray) -> np.ndarray:
 
 
 def box(values: np.ndarray) -> np.ndarray:
-    """Sums over 7 x 7 pixels."""
-    size = 7
-    padded = np.pad(values, size // 2, mode="edge")
-    return np.lib.stride_tricks.sliding_window_view(padded, (size, size)).sum(axis=(2, 3))
+    """Sums over 7 x 7 pixels, by differences of running sums."""
+    half = 3
+    sums = np.pad(values, ((half + 1, half), (half + 1, half))).cumsum(axis=0).cumsum(axis=1)
+    size = 2 * half + 1
+    return sums[size:, size:] - sums[:-size, size:] - sums[size:, :-size] + sums[:-size, :-size]
 
 
 def find(spot: np.ndarray, expected: np.ndarray, seen: np.ndarray) -> Tuple[np.ndarray, float]:
@@ -86,9 +88,11 @@ def find(spot: np.ndarray, expected: np.ndarray, seen: np.ndarray) -> Tuple[np.n
     reach = HALF_PATCH + SEARCH
     area = seen[y - reach : y + reach + 1, x - reach : x + reach + 1].astype(float)
     windows = np.lib.stride_tricks.sliding_window_view(area, (size, size))
-    windows = windows - windows.mean(axis=(2, 3), keepdims=True)
     patch = patch - patch.mean()
-    likeness = (windows * patch).sum(axis=(2, 3)) / (np.sqrt((windows**2).sum(axis=(2, 3)) * (patch**2).sum()) + 1e-9)
+    count = size * size
+    products = np.einsum("abij,ij->ab", windows, patch)
+    squares = np.einsum("abij,abij->ab", windows, windows) - windows.sum(axis=(2, 3)) ** 2 / count
+    likeness = products / (np.sqrt(np.maximum(squares, 0.0) * (patch**2).sum()) + 1e-9)
     row, column = np.unravel_index(np.argmax(likeness), likeness.shape)
     if not (0 < row < 2 * SEARCH and 0 < column < 2 * SEARCH):
         return spot.astype(float), 0.0
@@ -139,7 +143,7 @@ def run(moon: msisf.Moon, frames: int = 300) -> np.ndarray:
     sun = np.radians(moon.sun(mjd)["sub_solar_point"]["longitude"])
     radius = SPHERE + 400e3
     start = sun - np.radians(75.0)  # the Sun stands low first, then higher
-    speed = np.sqrt(MU / radius) - SPIN[2] * radius
+    speed = np.sqrt(MU / radius) - SPIN * radius
     truth = np.array([radius * np.cos(start), radius * np.sin(start), 0.0, -speed * np.sin(start), speed * np.cos(start), 0.0])
     believed = Filter(truth + [1500.0, -1200.0, 1000.0, 0.5, -0.5, 0.5], np.diag([2000.0**2] * 3 + [1.0] * 3))
     errors = []

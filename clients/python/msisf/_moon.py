@@ -6,6 +6,7 @@ import datetime
 import io
 import json
 import ssl
+import threading
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Tuple, Type, Union
 from urllib.parse import urlencode
@@ -61,12 +62,19 @@ class Moon:
         self._options = _named(options)
         if model is not None:
             self._options["model"] = model
+        self._local = threading.local()
         self._http = Http(address or (self._process.address if self._process else ""), token, timeout, context)
 
     @property
     def address(self) -> str:
         """Where the server is."""
         return self._http.address
+
+    @property
+    def last_times(self) -> Dict[str, float]:
+        """ms that the server took for the last image of ``render`` in this thread: "wait", "draw" and "write"."""
+        times: Dict[str, float] = getattr(self._local, "times", {})
+        return times
 
     def render(
         self,
@@ -101,6 +109,7 @@ class Moon:
         if layers:
             request.update({"layers": list(layers), "layers-format": "npy"})
         headers, content = self._http.post("/v1/render", request, "multipart/mixed, application/x-npy, application/json")
+        self._local.times = _times(headers.get("Server-Timing", ""))
         parts = parts_of(headers, content)
         arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
         image = arrays.pop("image")
@@ -203,6 +212,11 @@ class Moon:
 
 def _named(options: Mapping[str, Any]) -> Dict[str, Any]:
     return {name.replace("_", "-"): value for name, value in options.items()}
+
+
+def _times(text: str) -> Dict[str, float]:
+    pairs = (entry.strip().split(";dur=") for entry in text.split(",") if ";dur=" in entry)
+    return {name: float(value) for name, value in pairs}
 
 
 def _time(time: Time) -> str:
