@@ -80,6 +80,8 @@ public class FrameTests(Chromium chromium, ViewerServer server)
         for (int step = 0; step < 3; step++)
         {
             await viewer.MoveAsync(() => viewer.Page.ClickAsync("#time-steps button:last-child"));
+            await viewer.Page.WaitForFunctionAsync(
+                "count => document.getElementById('record').textContent === `Stop recording (${count})`", step + 2);
         }
 
         await viewer.Page.ClickAsync("#record");
