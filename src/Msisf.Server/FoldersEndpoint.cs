@@ -3,7 +3,6 @@ using System.Text.Json;
 using Microsoft.AspNetCore.Http;
 using Msisf.App.Host;
 using Msisf.App.Serving;
-using Msisf.Core.Time;
 
 namespace Msisf.Server;
 
@@ -112,5 +111,7 @@ internal sealed class FoldersEndpoint
 
     /// <summary>Numbers as numbers, all else as text.</summary>
     private static object JsonValue(string text) =>
-        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number) ? number : text;
+        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number)
+            ? number
+            : text;
 }

@@ -29,7 +29,8 @@ internal sealed class FrameAnswers
         int layers = settings.Native.Layers?.Layers.Count ?? 0;
         string? problem = form.Main switch
         {
-            AnswerForm.Fits when layers == 0 && settings.Native.Detector is null => $"{form.Main} is for layers, and the request {LayersNeeded}",
+            AnswerForm.Fits when layers == 0 && settings.Native.Detector is null =>
+                $"{form.Main} is for layers, and the request {LayersNeeded}",
             AnswerForm.Raw or AnswerForm.Npy when layers > 1 =>
                 $"{form.Main} holds one layer, and the request names {layers}. Accept {AnswerForm.Multipart}.",
             _ => null,
@@ -130,7 +131,10 @@ internal sealed class FrameAnswers
         string meta = form.IsMultipart ? form.Meta : form.Main;
         if (meta is AnswerForm.Xml or AnswerForm.Json)
         {
-            answer.Add(meta == AnswerForm.Xml ? "xml" : "json", meta, stream => WriteMeta(stream, meta, session, frame, rendered, metadata, cancellation));
+            answer.Add(
+                meta == AnswerForm.Xml ? "xml" : "json",
+                meta,
+                stream => WriteMeta(stream, meta, session, frame, rendered, metadata, cancellation));
         }
     }
 

@@ -23,6 +23,9 @@ internal sealed class HttpServer : IAsyncDisposable
 {
     private const int MaxConnections = 256;
 
+    /// <summary>bytes: an image that fits goes to the system at once, and need not wait for the client piece by piece.</summary>
+    private const int ResponseBuffer = 4 << 20;
+
     private static readonly TimeSpan HeadersTimeout = TimeSpan.FromSeconds(10);
     private static readonly TimeSpan KeepAlive = TimeSpan.FromMinutes(5);
 
@@ -122,6 +125,7 @@ internal sealed class HttpServer : IAsyncDisposable
         options.Limits.MaxRequestBodySize = JsonBody.LargestRequest;
         options.Limits.MaxConcurrentConnections = MaxConnections;
         options.Limits.MaxConcurrentUpgradedConnections = MaxConnections;
+        options.Limits.MaxResponseBufferSize = ResponseBuffer;
         options.Limits.RequestHeadersTimeout = HeadersTimeout;
         options.Limits.KeepAliveTimeout = KeepAlive;
         if (settings.Listen.SocketPath is { } path)

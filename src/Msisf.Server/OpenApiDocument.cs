@@ -34,7 +34,8 @@ internal static class OpenApiDocument
                     Member("points", ListOf(Nullable("SurfacePoint")))),
                 ["/v1/points"] = Post(
                     "Says where places of the Moon are seen in an image.",
-                    FrameWith("points", "[latitude, longitude] or [latitude, longitude, height]: degrees, m over the sphere of 1737400 m", 2, 3),
+                    FrameWith(
+                        "points", "[latitude, longitude] or [latitude, longitude, height]: degrees, m over the sphere of 1737400 m", 2, 3),
                     [AnswerForm.Json],
                     Member("pixels", ListOf(Reference("ImagePoint")))),
                 ["/v1/sun"] = Get(

@@ -28,7 +28,8 @@ internal sealed record PointsRequest(RequestedFrame Frame, IReadOnlyList<double[
         if (!members.TryGetValue("frame", out JsonElement frame) || !members.TryGetValue(name, out JsonElement list)
             || list.ValueKind != JsonValueKind.Array)
         {
-            throw new UsageException($"the request needs 'frame', the options of a frame, and '{name}', a list of [{string.Join(", ", fields)}].");
+            throw new UsageException(
+                $"the request needs 'frame', the options of a frame, and '{name}', a list of [{string.Join(", ", fields)}].");
         }
 
         return new PointsRequest(

@@ -8,7 +8,8 @@ ConsoleLog log = new(Console.Error);
 try
 {
     ProgramHost host = ServerHost.Create(Console.Out, log, TimeProvider.System, Environment.GetEnvironmentVariable);
-    await using HttpServer server = await HttpServer.StartAsync(ServeOptions.Read(ServeArguments.FromWords(args)), host).ConfigureAwait(false);
+    ServeSettings settings = ServeOptions.Read(ServeArguments.FromWords(args));
+    await using HttpServer server = await HttpServer.StartAsync(settings, host).ConfigureAwait(false);
     Console.Out.WriteLine(server.Address);
     await server.RunAsync(Console.In).ConfigureAwait(false);
     return 0;

@@ -1,4 +1,5 @@
 using Microsoft.AspNetCore.Http;
+using Microsoft.AspNetCore.Routing;
 using Microsoft.AspNetCore.WebUtilities;
 using Msisf.App.Host;
 
@@ -51,14 +52,15 @@ internal static class RequestErrors
     }
 
     /// <summary>One of the server's own paths, so that clients can't make up as many as they like.</summary>
-    private static string PathOf(HttpContext context) =>
-        context.GetEndpoint() is { } ? context.Request.Path.Value! : "other";
+    private static string PathOf(HttpContext context) => (context.GetEndpoint() as RouteEndpoint)?.RoutePattern.RawText ?? "other";
 
     private static Problem Bug(Exception exception, ILog log)
     {
         log.Error($"a bug in msis, please report it with the request and this text: {exception.GetType().Name}: {exception.Message}");
         log.Raw(exception.StackTrace ?? string.Empty);
         return new Problem(
-            StatusCodes.Status500InternalServerError, $"a bug in msis, please report it: {exception.GetType().Name}: {exception.Message}", []);
+            StatusCodes.Status500InternalServerError,
+            $"a bug in msis, please report it: {exception.GetType().Name}: {exception.Message}",
+            []);
     }
 }

@@ -37,7 +37,8 @@ internal sealed class RequestGuard(ServeSettings settings)
         {
             throw new RefusedException(
                 StatusCodes.Status403Forbidden,
-                $"the request is for the host '{request.Host.Host}', which is not this server. Use its address, or start it with --allow-host.");
+                $"the request is for the host '{request.Host.Host}', which is not this server. Use its address, or start it "
+                    + "with --allow-host.");
         }
 
         if (request.Headers.Origin is { Count: > 0 } origin && origin != $"{request.Scheme}://{request.Host}")
@@ -46,7 +47,7 @@ internal sealed class RequestGuard(ServeSettings settings)
                 StatusCodes.Status403Forbidden, $"the request comes from a page of {origin}; pages of other sites are refused.");
         }
 
-        if (request.Headers["Sec-Fetch-Site"] is [ "cross-site" or "same-site" ] && request.Path != "/")
+        if (request.Headers["Sec-Fetch-Site"] is ["cross-site" or "same-site"] && request.Path != "/")
         {
             throw new RefusedException(StatusCodes.Status403Forbidden, "the request comes from a page of another site, which is refused.");
         }
@@ -61,7 +62,8 @@ internal sealed class RequestGuard(ServeSettings settings)
 
     /// <summary>An address can't be another site's name for this computer; only names can.</summary>
     private bool IsOwnHost(string host) =>
-        host == "localhost" || IPAddress.TryParse(host.Trim('[', ']'), out _) || settings.Hosts.Contains(host, StringComparer.OrdinalIgnoreCase);
+        host == "localhost" || IPAddress.TryParse(host.Trim('[', ']'), out _)
+        || settings.Hosts.Contains(host, StringComparer.OrdinalIgnoreCase);
 
     private bool HasToken(StringValues authorization)
     {

@@ -264,9 +264,10 @@ internal sealed class StreamSession : IDisposable
         }
     }
 
-    private static JsonElement FrameOf(IReadOnlyDictionary<string, JsonElement> members) => members.TryGetValue("frame", out JsonElement frame)
-        ? frame
-        : throw new UsageException("the first message has no 'frame', the options of the images.");
+    private static JsonElement FrameOf(IReadOnlyDictionary<string, JsonElement> members) =>
+        members.TryGetValue("frame", out JsonElement frame)
+            ? frame
+            : throw new UsageException("the first message has no 'frame', the options of the images.");
 
     private static string WordOf(IReadOnlyDictionary<string, JsonElement> members, string name, params string[] words)
     {

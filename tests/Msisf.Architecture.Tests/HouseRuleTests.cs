@@ -15,6 +15,7 @@ public sealed partial class HouseRuleTests
             .SelectMany(name => Assembly.Load(name).GetTypes())
             .Where(
                 type => type.GetCustomAttribute<CompilerGeneratedAttribute>() is null
+                    && type.Namespace is not null // the class of top-level statements
                     && !type.FullName!.Contains('<', StringComparison.Ordinal)),
     ];
 

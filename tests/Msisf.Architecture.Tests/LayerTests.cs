@@ -5,7 +5,7 @@ using Xunit;
 
 namespace Msisf.Architecture.Tests;
 
-/// <summary>Cli and Server use App uses Adapters and MySql use Core, never back; Core is pure; native calls live in one namespace.</summary>
+/// <summary>Programs use App uses Adapters and MySql use Core, never back; Core is pure; native calls live in one namespace.</summary>
 public sealed class LayerTests
 {
     /// <summary>The compiler puts it into every iterator method.</summary>
@@ -13,7 +13,8 @@ public sealed class LayerTests
 
     private static readonly Assembly Core = Assembly.Load("Msisf.Core");
     private static readonly Assembly[] Own = [.. (
-        (string[])["Msisf.Core", "Msisf.Synthesis", "Msisf.Adapters", "Msisf.MySql", "Msisf.App", "msis", "msis-server"]).Select(Assembly.Load)];
+        (string[])["Msisf.Core", "Msisf.Synthesis", "Msisf.Adapters", "Msisf.MySql", "Msisf.App", "msis", "msis-server"])
+        .Select(Assembly.Load)];
 
     /// <summary>Each names all that it may use of ours, and uses it: a reference that nothing needs is not in the assembly.</summary>
     [Theory]

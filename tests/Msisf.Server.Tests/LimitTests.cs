@@ -71,12 +71,12 @@ public sealed class LimitTests
     [RequiresFact(Part.Ldem4)]
     public async Task EndOfInput_FinishesWhatRuns()
     {
-        using RunningServer server = await RunningServer.StartAsync();
-        string frame = $"{{{RunningServer.SmallFrame.Replace("64", "1024", StringComparison.Ordinal)}, \"samples\": 64, \"sun\": \"disc\"}}";
+        using RunningServer server = await RunningServer.StartAsync((ServeOptions.TimeLimit, "600"));
+        string frame = $"{{{RunningServer.SmallFrame.Replace("64", "512", StringComparison.Ordinal)}, \"samples\": 256}}";
         Task<HttpResponseMessage> running = server.PostAsync("/v1/render", frame);
         await WaitForAsync(server, "msisf_running 1");
 
-        await Within.Seconds(60.0, "the end of the server", server.Server.RunAsync(TextReader.Null));
+        await Within.Seconds(600.0, "the end of the server", server.Server.RunAsync(TextReader.Null));
 
         using HttpResponseMessage answer = await running;
         Assert.Equal(HttpStatusCode.OK, answer.StatusCode);

@@ -20,14 +20,18 @@ public sealed class MalformedRequestTests(RunningServer server) : IClassFixture<
 
     private static readonly string[] Values =
     [
-        "1e308", "-1e308", "1e-320", "1e999", "-0", "99999999999999999999", "null", "true", "[]", "{}", "\"\"", "\"\\ud800\"", "\"\\u0000\"",
+        "1e308", "-1e308", "1e-320", "1e999", "-0", "99999999999999999999", "null", "true", "[]", "{}", "\"\"",
+        "\"\\ud800\"", "\"\\u0000\"",
         "\"NaN\"", "\"/etc/passwd\"", "[[[[]]]]", "[1,2,3]", "0", "-1", "16385", "\"../x\"", "\"hapke:w=9\"", "\"all\"", "3.5",
     ];
 
     private static readonly string[] Paths = ["/v1/render", "/v1/pixels", "/v1/points"];
 
     private static readonly string[] Accepts =
-        ["image/png", "application/octet-stream", "application/x-npy", "application/json", "application/xml", "multipart/mixed", "text/html", "*/*"];
+    [
+        "image/png", "application/octet-stream", "application/x-npy", "application/json", "application/xml", "multipart/mixed", "text/html",
+        "*/*",
+    ];
 
     /// <summary>Each answer is the request's own fault or the image; none is the server's.</summary>
     [RequiresFact(Part.Ldem4)]
@@ -57,7 +61,9 @@ public sealed class MalformedRequestTests(RunningServer server) : IClassFixture<
     public async Task TornRequests_DoNotStopTheServer()
     {
         Random random = new(20261123);
-        string whole = $"POST /v1/render HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: {Sources[0].Length}\r\n\r\n{Sources[0]}";
+        const string start = "POST /v1/render HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n";
+        string head = $"{start}Content-Length: {Sources[0].Length}";
+        string whole = $"{head}\r\n\r\n{Sources[0]}";
         Uri address = new(server.Address);
         int requests = TestLength.Of(everyDay: 100, longForm: 10_000);
         for (int i = 0; i < requests; i++)
@@ -116,7 +122,8 @@ public sealed class MalformedRequestTests(RunningServer server) : IClassFixture<
             {
                 0 => (at, at + length),
                 1 => (at, at),
-                2 when json.IndexOf(':', at) is > 0 and int colon && json.IndexOfAny([',', '}'], colon) is > 0 and int end => (colon + 1, end),
+                2 when json.IndexOf(':', at) is > 0 and int colon && json.IndexOfAny([',', '}'], colon) is > 0 and int end =>
+                    (colon + 1, end),
                 _ => (at, json.Length),
             };
             json = string.Concat(json.AsSpan(0, from), more, json.AsSpan(to));

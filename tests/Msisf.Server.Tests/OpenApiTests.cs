@@ -23,7 +23,8 @@ public sealed class OpenApiTests(RunningServer server) : IClassFixture<RunningSe
     [RequiresFact(Part.Ldem4)]
     public async Task OptionsOfAFrame_AreKnown_ToTheServer()
     {
-        JsonElement options = (await ReadAsync()).GetProperty("components").GetProperty("schemas").GetProperty("Frame").GetProperty("properties");
+        JsonElement schemas = (await ReadAsync()).GetProperty("components").GetProperty("schemas");
+        JsonElement options = schemas.GetProperty("Frame").GetProperty("properties");
 
         foreach (string name in options.EnumerateObject().Select(option => option.Name))
         {
@@ -40,7 +41,8 @@ public sealed class OpenApiTests(RunningServer server) : IClassFixture<RunningSe
     public async Task ContentTypesOfRender_AreSent()
     {
         JsonElement render = (await ReadAsync()).GetProperty("paths").GetProperty("/v1/render").GetProperty("post");
-        string[] types = [.. render.GetProperty("responses").GetProperty("200").GetProperty("content").EnumerateObject().Select(type => type.Name)];
+        JsonElement content = render.GetProperty("responses").GetProperty("200").GetProperty("content");
+        string[] types = [.. content.EnumerateObject().Select(type => type.Name)];
 
         Assert.Equal(7, types.Length);
         foreach (string type in types.Where(type => type != AnswerForm.Fits)) // needs layers and CFITSIO: another test

@@ -44,8 +44,9 @@ public sealed class PixelTests(RunningServer server) : IClassFixture<RunningServ
     public async Task Points_LeadBack_ToTheirPixels()
     {
         JsonElement[] points = await AskAsync("pixels", Frame, "[20.25, 30.5], [48, 32], [90, 60]", "points");
-        string places = string.Join(", ", points.Select(point => FormattableString.Invariant(
-            $"[{point.GetProperty("latitude").GetDouble():R}, {point.GetProperty("longitude").GetDouble():R}, {point.GetProperty("height").GetDouble():R}]")));
+        string[] fields = ["latitude", "longitude", "height"];
+        string places = string.Join(
+            ", ", points.Select(point => $"[{string.Join(", ", fields.Select(field => point.GetProperty(field).GetRawText()))}]"));
 
         JsonElement[] pixels = await AskAsync("points", Frame, places, "pixels");
 
@@ -83,7 +84,10 @@ public sealed class PixelTests(RunningServer server) : IClassFixture<RunningServ
         JsonElement there = await RunningServer.JsonOf(await server.Client.GetAsync(FormattableString.Invariant(
             $"/v1/sun?mjd=55289&latitude={latitude}&longitude={longitude}")));
         JsonElement[] points = await AskAsync(
-            "points", Frame, FormattableString.Invariant($"[{latitude:R}, {longitude:R}], [{-latitude:R}, {longitude - 180.0:R}]"), "pixels");
+            "points",
+            Frame,
+            FormattableString.Invariant($"[{latitude:R}, {longitude:R}], [{-latitude:R}, {longitude - 180.0:R}]"),
+            "pixels");
 
         Assert.Equal(90.0, there.GetProperty("elevation").GetDouble(), 4);
         Assert.InRange(there.GetProperty("distance").GetDouble(), 1.45e11, 1.53e11); // m: 1 au and a little

@@ -45,10 +45,9 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
         foreach (string name in new[] { "depth.npy", "normal.npy", "mask.npy", "layers.json", "xml" })
         {
             string file = Assert.Single(Directory.GetFiles(folder.Path, $"*.{name}"));
+            string content = Encoding.Latin1.GetString(File.ReadAllBytes(file));
             Assert.Contains(
-                $"filename=\"{name}\"\r\nContent-Length: {new FileInfo(file).Length}\r\n\r\n{Encoding.Latin1.GetString(File.ReadAllBytes(file))}\r\n--",
-                answer,
-                StringComparison.Ordinal);
+                $"filename=\"{name}\"\r\nContent-Length: {content.Length}\r\n\r\n{content}\r\n--", answer, StringComparison.Ordinal);
         }
     }
 

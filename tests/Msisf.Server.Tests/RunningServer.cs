@@ -69,7 +69,8 @@ public sealed class RunningServer : IAsyncLifetime, IDisposable
     }
 
     /// <summary>Posts JSON.</summary>
-    public async Task<HttpResponseMessage> PostAsync(string path, string json, string? accept = null, CancellationToken cancellation = default)
+    public async Task<HttpResponseMessage> PostAsync(
+        string path, string json, string? accept = null, CancellationToken cancellation = default)
     {
         using HttpRequestMessage request = new(HttpMethod.Post, path)
         {

@@ -112,6 +112,29 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
         Assert.Equal(numbers.Order(), numbers);
     }
 
+    /// <summary>When the first of four has its last image, the others have most of theirs.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task FourClients_AreServedAlike()
+    {
+        const int images = 40;
+        int[] counts = new int[4];
+        int[]? whenFirstEnded = null;
+        await Task.WhenAll(Enumerable.Range(0, counts.Length).Select(client => Task.Run(async () =>
+        {
+            using ClientWebSocket socket = await OpenAsync("""{"frame": {"width": 256, "height": 256}}""");
+            for (int i = 0; i < images; i++)
+            {
+                await SendAsync(socket, State);
+                await ReceiveAsync(socket);
+                counts[client]++;
+            }
+
+            Interlocked.CompareExchange(ref whenFirstEnded, [.. counts], null);
+        })));
+
+        Assert.All(whenFirstEnded!, count => Assert.True(count >= images / 2, $"{string.Join(", ", whenFirstEnded!)} of {images}"));
+    }
+
     private async Task<ClientWebSocket> OpenAsync(string message)
     {
         ClientWebSocket socket = await ConnectAsync();

@@ -143,8 +143,12 @@ public class WayTests(Chromium chromium, ViewerServer server)
         string sun = await client.GetStringAsync(new Uri($"{server.Address}/v1/sun?mjd=55308&latitude=-20&longitude=30"));
         using System.Text.Json.JsonDocument json = System.Text.Json.JsonDocument.Parse(sun);
 
-        Assert.Equal(json.RootElement.GetProperty("elevation").GetDouble(), Number((await viewer.Page.TextContentAsync("#sun-elevation"))!), 0.0006);
-        Assert.Equal(json.RootElement.GetProperty("azimuth").GetDouble(), Number((await viewer.Page.TextContentAsync("#sun-azimuth"))!), 0.0006);
+        foreach (string angle in new[] { "elevation", "azimuth" })
+        {
+            Assert.Equal(
+                json.RootElement.GetProperty(angle).GetDouble(),
+                Number((await viewer.Page.TextContentAsync($"#sun-{angle}"))!), 0.0006);
+        }
     }
 
     private static async Task AssertReadAsync(ViewerPage viewer, XElement pixel)

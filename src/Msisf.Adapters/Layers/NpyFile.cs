@@ -15,7 +15,8 @@ public static class NpyFile
     private const int MagicLength = 8;
 
     /// <summary>Length of the head at the beginning of a file, bytes.</summary>
-    public static int LengthOfHead(ReadOnlySpan<byte> file) => MagicLength + sizeof(ushort) + BinaryPrimitives.ReadUInt16LittleEndian(file[MagicLength..]);
+    public static int LengthOfHead(ReadOnlySpan<byte> file) =>
+        MagicLength + sizeof(ushort) + BinaryPrimitives.ReadUInt16LittleEndian(file[MagicLength..]);
 
     /// <summary>Writes the head of a grey image; its levels follow by rows, in the machine's byte order.</summary>
     /// <param name="stream">Receives it.</param>

@@ -158,7 +158,8 @@ internal sealed class JsonOptions
 
         if (CommandTable.OptionsOfRun.Any(other => other.Key == key))
         {
-            throw new UsageException($"'{key}' can't stand in a request: it names a file, or belongs to a run of many images. Leave it out.");
+            throw new UsageException(
+                $"'{key}' can't stand in a request: it names a file, or belongs to a run of many images. Leave it out.");
         }
 
         string question = NearestName.Question(key, [.. Allowed.Keys, ModelKey]);

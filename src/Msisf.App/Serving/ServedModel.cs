@@ -39,7 +39,7 @@ internal sealed class ServedModel : IDisposable
     public ElevationModel Opened => _model.Value;
 
     /// <summary>The renderers of the model; they keep what they have read.</summary>
-    /// <param name="errorPixels">px: how far coarser levels may shift a point in the image; null to draw from the full model always.</param>
+    /// <param name="errorPixels">px: how far coarser levels may shift a point in the image; null to draw from the full model.</param>
     public NativeLevels LevelsFor(double? errorPixels)
     {
         if (_levels.Count > MaxLevels)

@@ -29,8 +29,8 @@ internal sealed class ServedNames : IDisposable
         if (Models.Count == 0)
         {
             throw new BadInputException(
-                $"No elevation model in {settings.Ldem ?? string.Join(", ", folders)}. Get one with 'scripts/get-ldem.sh', or name one with "
-                    + $"{SurfaceOptions.Ldem.Name}.");
+                $"No elevation model in {settings.Ldem ?? string.Join(", ", folders)}. Get one with 'scripts/get-ldem.sh', or name one "
+                    + $"with {SurfaceOptions.Ldem.Name}.");
         }
 
         _maps = new Dictionary<string, string>(StringComparer.Ordinal);

@@ -6,7 +6,7 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Serving;
 
-/// <summary>Starts the program of the server, which msis itself does not contain: starting ASP.NET Core would slow down every call.</summary>
+/// <summary>Starts the program of the server, which msis does not contain: starting ASP.NET Core would slow down every call.</summary>
 internal static class ServerProgram
 {
     private const string Name = "msis-server";
@@ -32,6 +32,7 @@ internal static class ServerProgram
         string[] names = OperatingSystem.IsWindows() ? [$"{Name}.exe"] : [Name];
         string folder = host.Environment(Variable) ?? AppContext.BaseDirectory;
         return SearchPath.Find(folder, names) ?? throw new ExternalPartException(
-            $"{Name} is not in {folder}, where the server's program belongs. Build it with scripts/build.sh, or set {Variable} to its folder.");
+            $"{Name} is not in {folder}, where the server's program belongs. Build it with scripts/build.sh, or set {Variable} to "
+                + "its folder.");
     }
 }

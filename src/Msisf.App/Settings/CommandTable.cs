@@ -145,8 +145,8 @@ internal static class CommandTable
     public static CommandSpec Serve { get; } = new("serve", "Draw images on request over HTTP and WebSocket, for closed loops.")
     {
         Details =
-            "Prints the address on which it listens, and runs until it gets a signal. Images are drawn as by msis --renderer native with the "
-                + "same options. docs/server.md says what a request holds.",
+            "Prints the address on which it listens, and runs until it gets a signal. Images are drawn as by msis --renderer native with "
+                + "the same options. docs/server.md says what a request holds.",
         Examples =
         [
             ("On this computer, at any free port:", "msis serve --listen 127.0.0.1:0"),

@@ -1,4 +1,3 @@
-using Msisf.App.Serving;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 

@@ -1,5 +1,6 @@
 using Msisf.Adapters.Programs;
 using Msisf.Core.Errors;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Programs;
@@ -21,6 +22,19 @@ public sealed class ChildProgramTests
     [Fact]
     public async Task Run_ReadsStandardInput_FindsItEmpty() =>
         Assert.Equal("end", (await Shell("cat; printf end").RunAsync(CancellationToken.None)).Output);
+
+    /// <summary>The program reads its input to the end and ends by itself.</summary>
+    [Fact]
+    public async Task RunUntilInputEnds_Cancelled_LetsTheProgramEnd()
+    {
+        using CancellationTokenSource end = new();
+        Task<int> running = Shell("cat; exit 7").RunUntilInputEndsAsync(end.Token);
+        Assert.False(running.IsCompleted);
+
+        await end.CancelAsync();
+
+        Assert.Equal(7, await Within.Seconds(60.0, "the end of the program", running));
+    }
 
     [Fact]
     public async Task Run_FolderAndVariableGiven_ProgramHasThem()

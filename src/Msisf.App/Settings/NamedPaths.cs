@@ -1,7 +1,7 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 
-namespace Msisf.App.Serving;
+namespace Msisf.App.Settings;
 
 /// <summary>Files or folders under the names by which clients ask for them, so that no path of a request reaches the file system.</summary>
 internal static class NamedPaths
