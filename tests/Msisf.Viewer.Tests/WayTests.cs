@@ -176,7 +176,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
     private static async Task<string[]> TextsAsync(ViewerPage viewer) =>
         [.. await viewer.Page.Locator("#readings td[data-column=here]").AllTextContentsAsync()];
 
-    private static Task WaitForPixelAsync(ViewerPage viewer, string pixel) => viewer.Page.WaitForFunctionAsync(
+    private static async Task WaitForPixelAsync(ViewerPage viewer, string pixel) => await viewer.Page.WaitForFunctionAsync(
         "text => document.querySelector('[data-row=Pixel][data-column=here]').textContent === text", pixel);
 
     private static async Task<(double Latitude, double Longitude)> PlaceAsync(ViewerPage viewer, string pin) =>
