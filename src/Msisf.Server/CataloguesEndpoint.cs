@@ -28,7 +28,10 @@ internal sealed class CataloguesEndpoint(IReadOnlyDictionary<string, string> pat
             Name = name,
             Craters = craters.Select(crater => new
             {
-                crater.Name, Latitude = crater.LatitudeDegrees, Longitude = crater.LongitudeDegrees, crater.Diameter,
+                crater.Name,
+                Latitude = crater.LatitudeDegrees,
+                Longitude = crater.LongitudeDegrees,
+                crater.Diameter,
             }),
         });
     }

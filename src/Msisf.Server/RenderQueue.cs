@@ -49,7 +49,7 @@ internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : I
                 StatusCodes.Status503ServiceUnavailable,
                 string.Create(
                     CultureInfo.InvariantCulture,
-                    $"the image took longer than the server's --time-limit of {limit.TotalSeconds} s. Ask for a smaller one or for fewer "
+                    $"the image took longer than the server's --max-seconds of {limit.TotalSeconds} s. Ask for a smaller one or for fewer "
                         + $"samples."));
         }
     }

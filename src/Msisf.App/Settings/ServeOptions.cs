@@ -1,10 +1,11 @@
+using System.Text.RegularExpressions;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 
 /// <summary>The options of msis serve.</summary>
-internal static class ServeOptions
+internal static partial class ServeOptions
 {
     /// <summary>Port if none is given.</summary>
     public const int DefaultPort = 8810;
@@ -39,6 +40,7 @@ internal static class ServeOptions
         "--allow-host", "LIST", "Names under which clients may ask for the server, beside localhost and addresses; separated by commas")
     {
         Separator = ",",
+        Form = (HostNames(), "names of computers separated by commas are needed, e.g. moon.example.org"),
     };
 
     /// <summary>Largest image.</summary>
@@ -55,7 +57,7 @@ internal static class ServeOptions
 
     /// <summary>Longest time of a request.</summary>
     public static WholeNumberSpec TimeLimit { get; } = new(
-        "--time-limit", "SECONDS", 1, MaxTimeLimit, "How long a request may take, waiting included")
+        "--max-seconds", "SECONDS", 1, MaxTimeLimit, "How long a request may take, waiting included")
     {
         Default = DefaultTimeLimit,
     };
@@ -94,7 +96,7 @@ internal static class ServeOptions
             address,
             token is null ? null : TokenFile.Concerned(() => ReadToken(token)),
             certificate is null ? null : (certificate, key!),
-            Hosts.ReadIfGiven(values)?.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries) ?? [],
+            Hosts.ReadIfGiven(values)?.Split(',') ?? [],
             MaxPixels.Read(values),
             Queue.Read(values),
             TimeSpan.FromSeconds(TimeLimit.Read(values)),
@@ -116,4 +118,7 @@ internal static class ServeOptions
                 $"--token-file {path}: the first line is no token; at least {shortest} letters, digits or signs without blanks and colons "
                     + "are needed, e.g. from 'openssl rand -hex 16'.");
     });
+
+    [GeneratedRegex("^[A-Za-z0-9.-]+(,[A-Za-z0-9.-]+)*$")]
+    private static partial Regex HostNames();
 }
