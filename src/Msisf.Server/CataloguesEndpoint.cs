@@ -4,7 +4,7 @@ using Msisf.Adapters.Catalogues;
 
 namespace Msisf.Server;
 
-/// <summary>GET /v1/catalogues/NAME: the craters of a catalogue of <c>--catalogues</c>, the largest first; each file is read once.</summary>
+/// <summary>GET /v1/catalogues/NAME: the craters of a catalogue of <c>--catalogues</c>, the largest first; a file is read once.</summary>
 /// <param name="paths">The files by their names.</param>
 internal sealed class CataloguesEndpoint(IReadOnlyDictionary<string, string> paths)
 {
@@ -17,7 +17,8 @@ internal sealed class CataloguesEndpoint(IReadOnlyDictionary<string, string> pat
         if (!paths.TryGetValue(name, out string? path))
         {
             throw new RefusedException(
-                StatusCodes.Status404NotFound, $"'{name}' is no catalogue of this server; GET /v1/models lists them, and --catalogues names them.");
+                StatusCodes.Status404NotFound,
+                $"'{name}' is no catalogue of this server; GET /v1/models lists them, and --catalogues names them.");
         }
 
         IReadOnlyList<CatalogueCrater> craters = _read.GetOrAdd(

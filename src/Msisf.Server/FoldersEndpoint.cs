@@ -111,5 +111,7 @@ internal sealed class FoldersEndpoint
 
     /// <summary>Numbers as numbers, all else as text.</summary>
     private static object JsonValue(string text) =>
-        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number) ? number : text;
+        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number)
+            ? number
+            : text;
 }

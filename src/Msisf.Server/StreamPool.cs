@@ -2,7 +2,7 @@ using System.Collections.Concurrent;
 
 namespace Msisf.Server;
 
-/// <summary>Memory for answers, used again and again: the garbage collector is slow to free what is as large as an image. Thread-safe.</summary>
+/// <summary>Memory for answers, used again: the garbage collector is slow to free what is as large as an image. Thread-safe.</summary>
 internal sealed class StreamPool
 {
     /// <summary>bytes: larger streams are not kept.</summary>

@@ -61,7 +61,8 @@ public sealed class MalformedRequestTests(RunningServer server) : IClassFixture<
     public async Task TornRequests_DoNotStopTheServer()
     {
         Random random = new(20261123);
-        string head = $"POST /v1/render HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: {Sources[0].Length}";
+        const string start = "POST /v1/render HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n";
+        string head = $"{start}Content-Length: {Sources[0].Length}";
         string whole = $"{head}\r\n\r\n{Sources[0]}";
         Uri address = new(server.Address);
         int requests = TestLength.Of(everyDay: 100, longForm: 10_000);

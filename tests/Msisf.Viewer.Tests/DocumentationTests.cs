@@ -58,8 +58,8 @@ public class DocumentationTests(Chromium chromium, ViewerServer server)
         }
 
         Assert.Equal(SizeOf(taken), SizeOf(await File.ReadAllBytesAsync(path)));
-        Assert.Contains(
-            $"images/{name}", await File.ReadAllTextAsync(Path.Combine(TestParts.RepositoryRoot, "docs", "viewer.md")), StringComparison.Ordinal);
+        string docs = await File.ReadAllTextAsync(Path.Combine(TestParts.RepositoryRoot, "docs", "viewer.md"));
+        Assert.Contains($"images/{name}", docs, StringComparison.Ordinal);
     }
 
     private static (int Width, int Height) SizeOf(byte[] png) =>

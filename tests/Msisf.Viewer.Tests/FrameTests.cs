@@ -80,6 +80,8 @@ public class FrameTests(Chromium chromium, ViewerServer server)
         for (int step = 0; step < 3; step++)
         {
             await viewer.MoveAsync(() => viewer.Page.ClickAsync("#time-steps button:last-child"));
+            await viewer.Page.WaitForFunctionAsync(
+                "count => document.getElementById('record').textContent === `Stop recording (${count})`", step + 2);
         }
 
         await viewer.Page.ClickAsync("#record");
@@ -97,8 +99,8 @@ public class FrameTests(Chromium chromium, ViewerServer server)
         Assert.True(video.Length > 1000, $"a video of {video.Length.ToString(CultureInfo.InvariantCulture)} bytes");
     }
 
-    private static Task StatusAsync(ViewerPage viewer, string text) =>
-        viewer.Page.WaitForFunctionAsync("text => document.getElementById('status').textContent === text", text);
+    private static async Task StatusAsync(ViewerPage viewer, string text) =>
+        await viewer.Page.WaitForFunctionAsync("text => document.getElementById('status').textContent === text", text);
 
     private static Task<string> PixelsAsync(ViewerPage viewer) =>
         viewer.Page.EvaluateAsync<string>("document.getElementById('image').toDataURL()");

@@ -4,7 +4,7 @@ using Xunit;
 
 namespace Msisf.Viewer.Tests;
 
-/// <summary>The viewer in a window. When it is closed, nothing may have been asked of another host, and nothing may have gone wrong.</summary>
+/// <summary>The viewer in a window. When it is closed, nothing may have gone wrong, and no other host may have been asked.</summary>
 internal sealed class ViewerPage : IAsyncDisposable
 {
     private readonly IBrowserContext _window;
@@ -31,7 +31,8 @@ internal sealed class ViewerPage : IAsyncDisposable
         viewer.Page.Console += (_, message) => viewer.Note(message.Type is "error" or "warning", $"{message.Type}: {message.Text}");
         viewer.Page.PageError += (_, error) => viewer.Note(true, error);
         window.Request += (_, request) => viewer.Note(
-            !request.Url.StartsWith(address, StringComparison.Ordinal) && !request.Url.StartsWith($"blob:{address}", StringComparison.Ordinal),
+            !request.Url.StartsWith(address, StringComparison.Ordinal)
+                && !request.Url.StartsWith($"blob:{address}", StringComparison.Ordinal),
             $"request to {request.Url}");
         viewer.Page.WebSocket += (_, socket) => socket.FrameReceived += (_, frame) => viewer.Images += frame.Binary is null ? 0 : 1;
         await viewer.Page.GotoAsync($"{address}/#{settings}");

@@ -64,7 +64,8 @@ public sealed class ViewerServer : IDisposable
                     output.Append(text);
                 }
             });
-        Within.Seconds(StartSeconds, "the address of msis view", () => Text().Contains('\n', StringComparison.Ordinal)).GetAwaiter().GetResult();
+        Within.Seconds(StartSeconds, "the address of msis view", () => Text().Contains('\n', StringComparison.Ordinal))
+            .GetAwaiter().GetResult();
         return (program, Text().Split('\n')[0].Trim());
 
         string Text()

@@ -143,8 +143,12 @@ public class WayTests(Chromium chromium, ViewerServer server)
         string sun = await client.GetStringAsync(new Uri($"{server.Address}/v1/sun?mjd=55308&latitude=-20&longitude=30"));
         using System.Text.Json.JsonDocument json = System.Text.Json.JsonDocument.Parse(sun);
 
-        Assert.Equal(json.RootElement.GetProperty("elevation").GetDouble(), Number((await viewer.Page.TextContentAsync("#sun-elevation"))!), 0.0006);
-        Assert.Equal(json.RootElement.GetProperty("azimuth").GetDouble(), Number((await viewer.Page.TextContentAsync("#sun-azimuth"))!), 0.0006);
+        foreach (string angle in new[] { "elevation", "azimuth" })
+        {
+            Assert.Equal(
+                json.RootElement.GetProperty(angle).GetDouble(),
+                Number((await viewer.Page.TextContentAsync($"#sun-{angle}"))!), 0.0006);
+        }
     }
 
     private static async Task AssertReadAsync(ViewerPage viewer, XElement pixel)
@@ -172,7 +176,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
     private static async Task<string[]> TextsAsync(ViewerPage viewer) =>
         [.. await viewer.Page.Locator("#readings td[data-column=here]").AllTextContentsAsync()];
 
-    private static Task WaitForPixelAsync(ViewerPage viewer, string pixel) => viewer.Page.WaitForFunctionAsync(
+    private static async Task WaitForPixelAsync(ViewerPage viewer, string pixel) => await viewer.Page.WaitForFunctionAsync(
         "text => document.querySelector('[data-row=Pixel][data-column=here]').textContent === text", pixel);
 
     private static async Task<(double Latitude, double Longitude)> PlaceAsync(ViewerPage viewer, string pin) =>

@@ -15,7 +15,8 @@ public static class CraterCatalogueReader
 
     private const double MetresPerKilometre = 1000.0;
 
-    private static readonly string[] LatitudeNames = ["lat", "latitude", "lat_elli_img", "lat_circ_img", "center latitude", "center_latitude"];
+    private static readonly string[] LatitudeNames =
+        ["lat", "latitude", "lat_elli_img", "lat_circ_img", "center latitude", "center_latitude"];
 
     private static readonly string[] LongitudeNames =
         ["lon", "long", "longitude", "lon_elli_img", "lon_circ_img", "center longitude", "center_longitude"];

@@ -20,14 +20,16 @@ public class CraterCatalogueReaderTests
     {
         const string text = "Feature Name,Diameter,Center Latitude,Center Longitude\n\"Müller, \"\"old\"\"\",24.2,-7.6,360\nSmall,1,0,0\n";
 
-        Assert.Equal([new CatalogueCrater("Müller, \"old\"", -7.6, 0.0, 24_200.0), new CatalogueCrater("Small", 0.0, 0.0, 1000.0)], Read(text));
+        Assert.Equal(
+            [new CatalogueCrater("Müller, \"old\"", -7.6, 0.0, 24_200.0), new CatalogueCrater("Small", 0.0, 0.0, 1000.0)], Read(text));
     }
 
     [Fact]
     public void Read_MoreCratersThanAreKept_KeepsTheLargestFirst()
     {
         string text = "lat,lon,diam_km\n" + string.Concat(
-            Enumerable.Range(1, CraterCatalogueReader.MostCraters + 2).Select(number => FormattableString.Invariant($"0,0,{number / 100.0}\n")));
+            Enumerable.Range(1, CraterCatalogueReader.MostCraters + 2).Select(
+                number => FormattableString.Invariant($"0,0,{number / 100.0}\n")));
 
         IReadOnlyList<CatalogueCrater> craters = Read(text);
 
@@ -49,7 +51,8 @@ public class CraterCatalogueReaderTests
     {
         using TemporaryFolder folder = new();
 
-        Assert.Contains("no such file", Assert.Throws<BadInputException>(() => CraterCatalogueReader.Read(folder["c.csv"])).Message, StringComparison.Ordinal);
+        string message = Assert.Throws<BadInputException>(() => CraterCatalogueReader.Read(folder["c.csv"])).Message;
+        Assert.Contains("no such file", message, StringComparison.Ordinal);
     }
 
     private static IReadOnlyList<CatalogueCrater> Read(string text)

@@ -71,7 +71,8 @@ public class GeometryTests(ModulePage page) : IClassFixture<ModulePage>
     public async Task ViewOf_QuaternionWithoutRotationOverTheOrigin_LooksDownWithNorthUp()
     {
         // docs/camera-model.md: {0,0,0,1} looks from over latitude 0, longitude 0 straight down, north up.
-        JsonElement found = await page.CallAsync("geometry", "viewOf", new object[] { new[] { 55289.0, 2e6, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0 } });
+        double[] state = [55289.0, 2e6, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+        JsonElement found = await page.CallAsync("geometry", "viewOf", new object[] { state });
 
         Assert.Equal(0.0, found.GetProperty("tilt").GetDouble(), AngleTolerance);
         Assert.Equal(0.0, found.GetProperty("heading").GetDouble(), AngleTolerance);

@@ -4,7 +4,7 @@ using Xunit;
 
 namespace Msisf.Viewer.Tests.Modules;
 
-/// <summary>wwwroot/js/time.js, text.js, batch.js, commands.js, layers.js and meta.js: values counted by hand or taken from the thesis.</summary>
+/// <summary>wwwroot/js/time.js, text.js, batch.js, commands.js, layers.js, meta.js: values counted by hand.</summary>
 [Collection(Chromium.Collection)]
 public class TextTests(ModulePage page) : IClassFixture<ModulePage>
 {
@@ -83,15 +83,18 @@ public class TextTests(ModulePage page) : IClassFixture<ModulePage>
     public async Task MetaRows_NumbersOfAMetaFile_AreInTheirShortestForm()
     {
         const string xml = """
-            <MSISRendering><GeneralInformation><SimulationTime><MJD>+5.528900000000000E+004</MJD><UTC>2010-04-03T00:00:00Z</UTC></SimulationTime>
-            <CameraPosition unit="m"><Vector3D x="+2.000000000000000E+006" y="-1.500000000000000E+000" z="+0.000000000000000E+000"/></CameraPosition>
+            <MSISRendering><GeneralInformation>
+            <SimulationTime><MJD>+5.528900000000000E+004</MJD><UTC>2010-04-03T00:00:00Z</UTC></SimulationTime>
+            <CameraPosition unit="m">
+            <Vector3D x="+2.000000000000000E+006" y="-1.500000000000000E+000" z="+0.000000000000000E+000"/></CameraPosition>
             <FOV unit="deg">40</FOV></GeneralInformation><PixelInformation><Pixel/><Pixel/></PixelInformation></MSISRendering>
             """;
 
         JsonElement rows = await page.CallAsync("meta", "metaRows", xml);
 
         Assert.Equal(
-            """[["Time","55289, 2010-04-03T00:00:00Z"],["Camera position","x 2000000, y -1.5, z 0 m"],["Field of view","40 deg"],["Pixels in the meta file","2"]]""",
+            """[["Time","55289, 2010-04-03T00:00:00Z"],["Camera position","x 2000000, y -1.5, z 0 m"],"""
+                + """["Field of view","40 deg"],["Pixels in the meta file","2"]]""",
             rows.GetRawText());
     }
 }

@@ -100,7 +100,8 @@ async function findGround() {
 function showSun() {
     const { view, size } = state;
     const camera = cameraOf(view);
-    const centre = meetSphere(camera.position, rayThrough(camera, { ...size, fov: view.fov }, [(size.width + 1) / 2, (size.height + 1) / 2]));
+    const middle = [(size.width + 1) / 2, (size.height + 1) / 2];
+    const centre = meetSphere(camera.position, rayThrough(camera, { ...size, fov: view.fov }, middle));
     const over = centre && sun.position ? sunAt(centre, sun.position) : null;
     $('sun-elevation').textContent = over ? degrees(over.elevation) : '–';
     $('sun-azimuth').textContent = over ? degrees(over.azimuth) : '–';

@@ -13,6 +13,7 @@ export class Flight {
     #states = [];
     #isRecording = false;
     #last = 0;
+    #timer = 0;
 
     /** @param onRecorded gets the states of a flight when it ends. */
     constructor(state, onRecorded, onProblem) {
@@ -22,28 +23,40 @@ export class Flight {
         $('flight-video').addEventListener('click', event => this.#saveVideo(event.target));
     }
 
-    /** Keeps the state of the view, if a flight is recorded and the last one is long enough ago. */
+    /** Keeps the state of the view if it is a new one and a flight is recorded; not before the last one is long enough ago. */
     note() {
-        const now = performance.now();
-        if (this.#isRecording && now - this.#last >= BETWEEN) {
-            this.#last = now;
-            this.#states.push(stateOf(this.state.view));
-            $('record').textContent = `Stop recording (${this.#states.length})`;
+        clearTimeout(this.#timer);
+        const wait = this.#last + BETWEEN - performance.now();
+        if (this.#isRecording && wait > 0) {
+            this.#timer = setTimeout(() => this.note(), wait);
+        } else if (this.#isRecording) {
+            this.#keep();
             if (this.#states.length === MOST_STATES) {
                 this.#end();
             }
         }
     }
 
+    #keep() {
+        const state = stateOf(this.state.view);
+        if (this.#states.at(-1)?.every((number, index) => number === state[index])) {
+            return;
+        }
+        this.#last = performance.now();
+        this.#states.push(state);
+        $('record').textContent = `Stop recording (${this.#states.length})`;
+    }
+
     #begin() {
         this.#isRecording = true;
         this.#states = [];
-        this.#last = 0;
+        this.#last = -BETWEEN;
         $('record').setAttribute('aria-pressed', 'true');
         this.note();
     }
 
     #end() {
+        this.#keep();
         this.#isRecording = false;
         $('record').setAttribute('aria-pressed', 'false');
         $('record').textContent = 'Record a flight';

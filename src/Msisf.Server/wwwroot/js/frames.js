@@ -85,7 +85,8 @@ export class Frames {
         const kind = document.querySelector('input[name="frame-kind"]:checked').value;
         const url = kind === 'drawn' ? null : frame[kind] ?? frame.image;
         $('frame-slider').value = this.#index;
-        $('frame-label').textContent = `${frame.number} of ${this.#list.at(-1).number}, ${calendarOf(frame.state[0]).replace('T', ' ')} UTC`;
+        const time = calendarOf(frame.state[0]).replace('T', ' ');
+        $('frame-label').textContent = `${frame.number} of ${this.#list.at(-1).number}, ${time} UTC`;
         $('frame-slider').setAttribute('aria-valuetext', $('frame-label').textContent);
         const bitmap = url ? await createImageBitmap(await getBlob(url)) : null;
         if (frame !== this.#list[this.#index]) {

@@ -1,5 +1,6 @@
 // Which marks lie over the picture, and the fields that switch them.
 
+import { Grid } from './grid.js';
 import { Overlay } from './overlay.js';
 import { getJson } from './server.js';
 
@@ -42,7 +43,7 @@ export class Marks {
             overlay.drawPin(readings.get(letter).position, letter);
         }
         if ($('show-grid').checked) {
-            overlay.drawGrid();
+            new Grid(overlay).draw();
         }
         if ($('show-terminator').checked && sunPosition) {
             overlay.drawTerminator(sunPosition);

@@ -60,7 +60,8 @@ export class Navigation {
             return;
         }
         this.stage.stage.setPointerCapture(event.pointerId);
-        this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY, startX: event.clientX, startY: event.clientY, moved: false });
+        const [x, y] = [event.clientX, event.clientY];
+        this.#pointers.set(event.pointerId, { x, y, startX: x, startY: y, moved: false });
     }
 
     #move(event) {

@@ -1,21 +1,11 @@
-// What is drawn over the picture: grid, terminator, craters, the light's arrow, pins, the crosshair.
+// What is drawn over the picture: terminator, craters, the light's arrow, pins, the crosshair.
 
-import { cameraOf, circleAround, focalLength, isOnNearSide, meetSphere, placeOf, pointAt, project, rayThrough, scale,
-    combine, turn, REFERENCE_RADIUS } from './geometry.js';
+import { cameraOf, circleAround, focalLength, isOnNearSide, pointAt, project, scale, combine, REFERENCE_RADIUS } from './geometry.js';
 import { fixed } from './text.js';
 
-const STEPS = [30, 15, 10, 5, 2, 1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
-const COLOURS = { grid: 'rgba(120, 200, 255, 0.55)', terminator: '#ffb347', crater: '#b6f09c', arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff' };
-
-const between = (from, to, count) => Array.from({ length: count + 1 }, (_, i) => from + (to - from) * i / count);
-
-const multiples = (step, from, to) => {
-    const first = Math.ceil(from / step);
-    return Array.from({ length: Math.max(0, Math.floor(to / step) - first + 1) }, (_, i) => (first + i) * step);
+const COLOURS = {
+    terminator: '#ffb347', crater: '#b6f09c', arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff',
 };
-
-const nearest = (list, value) =>
-    list.reduce((best, item) => (Math.abs(item - value) < Math.abs(best - value) ? item : best), list[0]);
 
 export class Overlay {
     /** @param canvas covers the picture; @param view and size say what camera the picture is of. */
@@ -25,7 +15,8 @@ export class Overlay {
         this.lens = { ...size, fov: view.fov };
         this.camera = cameraOf(view);
         this.unit = canvas.width / size.width;
-        this.text = Math.max(11, Math.round(13 * (window.devicePixelRatio || 1) * parseFloat(getComputedStyle(document.documentElement).fontSize) / 16));
+        const pageText = parseFloat(getComputedStyle(document.documentElement).fontSize);
+        this.text = Math.max(11, Math.round(13 / 16 * pageText * (window.devicePixelRatio || 1)));
         this.labels = [];
         this.context.clearRect(0, 0, canvas.width, canvas.height);
         this.context.font = `${this.text}px system-ui, sans-serif`;
@@ -83,80 +74,6 @@ export class Overlay {
         this.context.fillStyle = colour;
         this.context.fillText(text, x, y);
         return true;
-    }
-
-    /** The places that the picture's border and middle show, of the sphere. */
-    #placesSeen() {
-        const { width, height } = this.lens;
-        const places = [];
-        for (let i = 0; i <= 12; i++) {
-            for (let k = 0; k <= 12; k++) {
-                const ray = rayThrough(this.camera, this.lens, [1 + (width - 1) * i / 12, 1 + (height - 1) * k / 12]);
-                const point = meetSphere(this.camera.position, ray);
-                if (point) {
-                    places.push(placeOf(point));
-                }
-            }
-        }
-        return places;
-    }
-
-    /** Degrees between the lines of the grid: about six lines across what is seen. Null without Moon. */
-    gridStep() {
-        const places = this.#placesSeen();
-        if (places.length === 0) {
-            return null;
-        }
-        const latitudes = places.map(place => place.latitude);
-        const span = Math.max(...latitudes) - Math.min(...latitudes);
-        return STEPS.find(step => span / step >= 5) ?? STEPS.at(-1);
-    }
-
-    /** Parallels and meridians of the sphere, where the picture shows it. */
-    drawGrid() {
-        const step = this.gridStep();
-        if (step === null) {
-            return;
-        }
-        const { south, north, west, east, middle } = this.#extent(step);
-        const isPolar = Math.max(-south, north) > 80;
-        const parallels = multiples(step, south, north).filter(latitude => Math.abs(latitude) < 90);
-        const meridians = multiples(isPolar ? Math.max(step, 10) : step, west, east === west + 360 ? east - 1e-9 : east);
-        for (const latitude of parallels) {
-            this.line(between(west, east, 720).map(longitude => pointAt(latitude, longitude)), COLOURS.grid);
-        }
-        for (const longitude of meridians) {
-            this.line(between(south, north, 360).map(latitude => pointAt(latitude, longitude)), COLOURS.grid);
-        }
-        const decimals = Math.max(0, -Math.floor(Math.log10(step)));
-        const [alongLatitude, alongLongitude] = [nearest(parallels, middle.latitude), nearest(meridians, middle.longitude)];
-        for (const longitude of meridians.sort((a, b) => Math.abs(a - middle.longitude) - Math.abs(b - middle.longitude))) {
-            this.#gridLabel(alongLatitude, longitude, `${fixed(turn(longitude), decimals)}° E`);
-        }
-        for (const latitude of parallels) {
-            const letter = latitude < 0 ? ' S' : latitude > 0 ? ' N' : '';
-            this.#gridLabel(latitude, alongLongitude, `${fixed(Math.abs(latitude), decimals)}°${letter}`);
-        }
-    }
-
-    /** The part of the sphere that the grid covers, degrees; longitudes count on from the middle's. */
-    #extent(step) {
-        const places = this.#placesSeen();
-        const middle = places[Math.floor(places.length / 2)];
-        const latitudes = places.map(place => place.latitude);
-        const [south, north] = step >= 15 ? [-90, 90]
-            : [Math.max(Math.min(...latitudes) - step, -90), Math.min(Math.max(...latitudes) + step, 90)];
-        const offsets = places.map(place => turn(place.longitude - middle.longitude + 180) - 180);
-        const [west, east] = step >= 15 || Math.max(-south, north) > 80 ? [-180, 180]
-            : [Math.min(...offsets) - step, Math.max(...offsets) + step];
-        return { south, north, west: middle.longitude + west, east: middle.longitude + east, middle };
-    }
-
-    #gridLabel(latitude, longitude, text) {
-        const place = latitude === undefined || longitude === undefined ? null : this.at(pointAt(latitude, longitude));
-        if (place) {
-            this.label(text, [place[0] + this.text / 4, place[1] - this.text * 0.7], '#bfe3ff');
-        }
     }
 
     /** The line on the sphere where the Sun's centre stands on the horizon. */

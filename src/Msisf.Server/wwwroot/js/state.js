@@ -55,7 +55,9 @@ export class State {
     fitTo(width, height) {
         if (width !== this.window.width || height !== this.window.height) {
             this.window = { width, height };
-            this.#tell(false);
+            if (this.picture.fit) {
+                this.#tell(false);
+            }
         }
     }
 
