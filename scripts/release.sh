@@ -28,6 +28,7 @@ stage_program() {
     mkdir -p "$1/lib" "$1/input/ldem" "$1/input/albedo" "$1/scripts/lib"
     cp -R msis kernels cameras "$1"
     cp -R publish "$1/publish"
+    rm -rf "$1/publish/server" # needs ASP.NET Core of the machine
     rm -f "$1"/publish/*.pdb "$1"/publish/*.xml "$1"/publish/createdump "$1"/publish/libmscordaccore.so "$1"/publish/libmscordbi.so \
         "$1/publish/sources" "$1/publish/dotnet-root"
     cp lib/*.dtd "$1/lib"
