@@ -1,13 +1,15 @@
 # shellcheck shell=bash
 . "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
 
-# A clone, and a stand-in for the SDK that publishes one file and counts its builds; it has MySqlConnector where REGISTRY=yes.
+# A clone, and a stand-in for the SDK that publishes one file and notes its builds; it has MySqlConnector where REGISTRY=yes, and
+# no package of the runtime where RUNTIME=no.
 make_clone_with_sdk() {
     make_clone "$PWD/clone"
     make_executable sdk/dotnet <<'SDK'
 #!/usr/bin/env bash
 case $1 in
     --list-sdks) printf '8.0.100 [/old/sdk]\n10.0.100 [%s/sdk]\n' "$(cd "$(dirname "$0")" && pwd -P)" ;;
+    restore) [ "${RUNTIME:-}" != no ] || exit 1 ;;
     publish)
         case $2 in
             *Msisf.MySql.Package)
@@ -16,8 +18,9 @@ case $1 in
                 mkdir -p "$2" && echo package >"$2/MySqlConnector.dll"
                 exit
                 ;;
+            *Msisf.Server) exit ;;
         esac
-        echo build >>"$BUILDS"
+        echo "$*" >>"$BUILDS"
         [ -z "${BROKEN:-}" ] || exit 1
         while [ "$1" != -o ]; do shift; done
         mkdir -p "$2" && echo '#!/bin/sh' >"$2/msis" && chmod +x "$2/msis"
@@ -100,4 +103,27 @@ SDK
     HOME=$PWD/home run clone/scripts/build.sh
     assert_code 0
     assert_same "$(cat clone/publish/dotnet-root)" "$PWD/home/.dotnet"
+}
+
+test_build_brings_dotnet_along_where_its_package_is_to_be_had() {
+    [ "$(uname -s)-$(uname -m)" = Linux-x86_64 ] || {
+        echo 'missing: Linux on x86-64'
+        exit 77
+    }
+    make_clone_with_sdk
+    run clone/scripts/build.sh
+    assert_code 0
+    assert_says_build '-r linux-x64 -p:WithFramework=true'
+    echo 'return 1;' >clone/src/Msisf.Cli/Other.cs
+    RUNTIME=no run clone/scripts/build.sh
+    assert_code 0
+    assert_says 'msis uses the .NET of this machine'
+    assert_says_build '-r linux-x64'
+    assert_silent_on WithFramework
+}
+
+# assert_says_build TEXT: the last build was asked for it.
+assert_says_build() {
+    output=$(tail -n 1 "$BUILDS")
+    assert_says "$1"
 }

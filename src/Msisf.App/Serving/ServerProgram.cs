@@ -11,6 +11,7 @@ internal static class ServerProgram
 {
     private const string Name = "msis-server";
     private const string Variable = "MSISF_SERVER";
+    private const string Folder = "server";
 
     /// <summary>Runs the server until it ends, or is cancelled.</summary>
     /// <param name="values">The options of msis serve.</param>
@@ -30,7 +31,8 @@ internal static class ServerProgram
     private static string Find(ProgramHost host)
     {
         string[] names = OperatingSystem.IsWindows() ? [$"{Name}.exe"] : [Name];
-        string folder = host.Environment(Variable) ?? AppContext.BaseDirectory;
+        string folder = host.Environment(Variable)
+            ?? $"{Path.Combine(AppContext.BaseDirectory, Folder)}{Path.PathSeparator}{AppContext.BaseDirectory}";
         return SearchPath.Find(folder, names) ?? throw new ExternalPartException(
             $"{Name} is not in {folder}, where the server's program belongs. Build it with scripts/build.sh, or set {Variable} to "
                 + "its folder.");

@@ -51,8 +51,8 @@ internal sealed class SequenceResult
     /// <summary>Of all windows.</summary>
     public double SlowestRate => Enumerable.Range(0, Frames - WindowFrames).Min(RateFrom);
 
-    /// <summary>Memory while the first window was made; null if the run was too short to be seen.</summary>
-    public MemorySample? FirstMemory => MedianMemory(0.0, _doneAt[WindowFrames]);
+    /// <summary>Memory around the middle of the first window, after 50 of 1000 frames; null if the run was too short to be seen.</summary>
+    public MemorySample? FirstMemory => MedianMemory(_doneAt[WindowFrames / 4], _doneAt[WindowFrames * 3 / 4]);
 
     public MemorySample? LastMemory => MedianMemory(_doneAt[Frames - 1 - WindowFrames], double.PositiveInfinity);
 

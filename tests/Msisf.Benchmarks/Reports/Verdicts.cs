@@ -53,7 +53,12 @@ internal static class Verdicts
         {
             double growth = (double)late.OwnBytes / early.OwnBytes;
             yield return new Verdict(
-                about, "own memory at the end to that at the start", SequenceTargets.MaxMemoryGrowth, IsUpperLimit: true, growth, growth,
+                about,
+                FormattableString.Invariant($"own memory at the end to that after {sequence.WindowFrames / 2} frames"),
+                SequenceTargets.MaxMemoryGrowth,
+                IsUpperLimit: true,
+                growth,
+                growth,
                 Unit.Times);
         }
     }

@@ -11,11 +11,12 @@ internal sealed class DepthPyramid
 
     /// <summary>Makes room for a grid.</summary>
     /// <param name="size">Number of bins along each edge of the grid.</param>
-    public void Prepare(int size)
+    /// <param name="maxSize">Maximum of that number in later frames of the same size.</param>
+    public void Prepare(int size, int maxSize)
     {
         _size = size;
         int level = 0;
-        for (int edge = size; ; edge = (edge + 1) / 2, level++)
+        for (int edge = maxSize; ; edge = (edge + 1) / 2, level++)
         {
             if (level == _levels.Count)
             {
@@ -24,7 +25,7 @@ internal sealed class DepthPyramid
 
             if (_levels[level].Length < edge * edge)
             {
-                _levels[level] = new float[edge * edge * 5 / 4];
+                _levels[level] = new float[edge * edge];
             }
 
             if (edge == 1)

@@ -67,18 +67,22 @@ internal sealed class ReceiverGrid
         }
 
         // A bin of about 2 x 2 pixels: with larger bins facets test more receivers in vain, with smaller ones they visit more bins.
-        Size = Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MaxBins);
+        Size = SizeFor(receivers);
         _u = new LightAxis(box.MinU, box.MaxU, Size);
         _v = new LightAxis(box.MinV, box.MaxV, Size);
-        _depths.Prepare(Size);
-        int room = Size * Size * 5 / 4; // the next frames' numbers differ a little
-        if (_starts.Length < (Size * Size) + 1)
+
+        // Room for as many receivers as there are pixels: what no frame uses takes no memory, and arrays that grew with the frames of an
+        // orbit would leave their predecessors behind.
+        int maxSize = Math.Max(Size, SizeFor(length));
+        int room = maxSize * maxSize;
+        _depths.Prepare(Size, maxSize);
+        if (_starts.Length < room + 1)
         {
             _starts = new int[room + 1];
             _isWanted = new byte[room];
         }
 
-        if (_parts.Length < parts || _parts[0].Counts.Length < Size * Size)
+        if (_parts.Length < parts || _parts[0].Counts.Length < room)
         {
             _parts = [.. Enumerable.Range(0, Math.Max(parts, _parts.Length)).Select(_ => new Part(new int[room], new float[room]))];
         }
@@ -159,9 +163,9 @@ internal sealed class ReceiverGrid
         Array.Clear(_isWanted, 0, Size * Size);
         _starts[Size * Size] = next;
         Length = next;
-        if (U.Length < next + LaneCount)
+        int room = _bins.Length + LaneCount;
+        if (U.Length < room)
         {
-            int room = next + (next / 4) + LaneCount; // the next frames' numbers differ a little
             U = new double[room];
             V = new double[room];
             W = new double[room];
@@ -237,6 +241,8 @@ internal sealed class ReceiverGrid
         ref int start = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_starts), row * Size);
         return (Unsafe.Add(ref start, firstColumn), Unsafe.Add(ref start, lastColumn + 1));
     }
+
+    private static int SizeFor(int receivers) => Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MaxBins);
 
     /// <summary>The counts and depths of the bins that one thread finds for its group of rows.</summary>
     /// <param name="Counts">Number of receivers in each bin; after <see cref="Place"/>, the index of the next one to be stored.</param>

@@ -1,0 +1,81 @@
+# shellcheck shell=bash
+. "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
+
+# A clone whose program is a stand-in: it says where it runs, and prints the texts that are installed.
+make_published_clone() {
+    need dpkg-deb
+    make_clone "$PWD/clone"
+    make_executable clone/scripts/build.sh </dev/null
+    cp "$MSISF_TESTED_ROOT"/{README.md,LICENSE} clone
+    mkdir -p clone/cameras
+    echo 'focal-length: 1' >clone/cameras/one.yaml
+    echo 'meta' >clone/kernels/msisf.tm
+    echo '<!ELEMENT a EMPTY>' >clone/lib/MSISRendering.dtd
+    make_executable clone/publish/msis <<'PROGRAM'
+#!/bin/sh
+case $1 in
+    man) echo '.TH MSIS 1 ""' ;;
+    completion) echo "# Completion of msis for $2" ;;
+    *) echo "program: $* in $0 dotnet=${DOTNET_ROOT:-none}" ;;
+esac
+PROGRAM
+    echo code >clone/publish/msis.dll
+    echo symbols >clone/publish/msis.pdb
+    echo /my/dotnet >clone/publish/dotnet-root
+    [ "${1:-}" = without ] || echo runtime >clone/publish/libcoreclr.so
+}
+
+test_release_packages_hold_program_kernels_and_dependencies() {
+    make_published_clone
+    run clone/scripts/release.sh out
+    assert_code 0
+    version=$(sed -n 's|.*<Version>\(.*\)</Version>.*|\1|p' clone/Directory.Build.props)
+    assert_says "$PWD/out/msisf-$version-linux-x64.tar.gz"
+    assert_same "$(ls -A out)" "msisf-$version-linux-x64.tar.gz
+msisf_${version}_amd64.deb"
+
+    tar -xzf "out/msisf-$version-linux-x64.tar.gz"
+    run env -i "msisf-$version-linux-x64/msis" --version
+    assert_says "program: --version in msisf-$version-linux-x64/publish/msis dotnet=none"
+    assert_file "msisf-$version-linux-x64/kernels/msisf.tm"
+    assert_no_file "msisf-$version-linux-x64/publish/msis.pdb"
+
+    dpkg-deb -x "out/msisf_${version}_amd64.deb" tree
+    run env -i tree/usr/bin/msis --version
+    assert_says 'program: --version in'
+    assert_file tree/usr/lib/msisf/kernels/msisf.tm
+    assert_file tree/usr/lib/msisf/cameras/one.yaml
+    assert_same "$(gzip -dc tree/usr/share/man/man1/msis.1.gz)" '.TH MSIS 1 ""'
+    assert_same "$(cat tree/usr/share/zsh/vendor-completions/_msis)" '# Completion of msis for zsh'
+    run dpkg-deb -f "out/msisf_${version}_amd64.deb" Package Version Architecture Depends
+    assert_says "Version: $version"
+    assert_says 'libssl3'
+    assert_silent_on dotnet
+}
+
+test_release_again_gives_the_same_bytes() {
+    make_published_clone
+    run clone/scripts/release.sh first
+    touch clone/publish/msis.dll
+    run clone/scripts/release.sh second
+    assert_code 0
+    assert_same "$(cd second && cksum -- *)" "$(cd first && cksum -- *)"
+}
+
+test_release_of_a_build_without_dotnet_is_refused() {
+    make_published_clone without
+    run clone/scripts/release.sh out
+    assert_code 1
+    assert_says 'uses the .NET of this machine'
+    assert_same "$(ls -A out)" ''
+}
+
+test_release_real_program_runs_where_there_is_no_dotnet() {
+    [ -e "$MSISF_TESTED_ROOT/publish/libcoreclr.so" ] || {
+        echo 'missing: a program that brings .NET along'
+        exit 77
+    }
+    run env -i HOME="$PWD" PATH=/nowhere /bin/sh "$MSISF_TESTED_ROOT/msis" --version
+    assert_code 0
+    assert_same "$output" "$(sed -n 's|.*<Version>\(.*\)</Version>.*|\1|p' "$MSISF_TESTED_ROOT/Directory.Build.props")"
+}
