@@ -42,6 +42,7 @@ internal static class NpyFile
         return type switch
         {
             LayerType.Real64 => $"{order}f8",
+            LayerType.Real32 => $"{order}f4",
             LayerType.Unsigned8 => "|u1",
             _ => $"{order}i4",
         };
