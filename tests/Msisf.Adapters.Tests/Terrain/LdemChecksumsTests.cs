@@ -40,6 +40,7 @@ public sealed class LdemChecksumsTests : IDisposable
     {
         string label = TestModel.Write(_folder.Path, TestModel.Label, "abc"u8.ToArray());
         LdemChecksums checksums = LdemChecksums.Open(LdemSet.Join([LdemLabelReader.ReadFile(label)]), null, largestRead: 2);
+        long bytesToRead = checksums.BytesToRead;
 
         IReadOnlyList<InputFile> files = checksums.Read(CancellationToken.None).Files;
 
@@ -48,7 +49,7 @@ public sealed class LdemChecksumsTests : IDisposable
             new InputFile(InputKind.ElevationImage, "LDEM_1.IMG", 3, "1bd28ebf0e69fdd449a37fee00d52d6b6e935f0dec8760cb0950be3ac2a34d4c") { IsOfPieces = true },
             files[1]);
         Assert.Equal(Read(label, null).Files[0], files[0]);
-        Assert.Equal(new FileInfo(label).Length, checksums.BytesToRead);
+        Assert.Equal(new FileInfo(label).Length, bytesToRead);
     }
 
     [Fact]
