@@ -103,6 +103,19 @@ public sealed class FitsLayerWriterTests : IDisposable
     [RequiresFact(Part.CFitsio)]
     public void Write_SameFrameTwice_SameBytes() => Assert.Equal(LayerFrame.Fits(), LayerFrame.Fits());
 
+    /// <summary>Memory that an earlier file was in, and that looks like one, is used again.</summary>
+    [RequiresFact(Part.CFitsio)]
+    public void Write_AfterFilesOfOtherSizes_SameBytes()
+    {
+        byte[] first = LayerFrame.Fits("all", LayerPrecision.Single);
+        for (int file = 0; file < 20; file++)
+        {
+            LayerFrame.Fits(file % 2 == 0 ? "all" : "mask,normal");
+
+            Assert.Equal(first, LayerFrame.Fits("all", LayerPrecision.Single));
+        }
+    }
+
     [RequiresFact(Part.CFitsio)]
     public void Write_Compressed_IsSmallerAndTheSameBytesAgain()
     {
