@@ -111,7 +111,8 @@ internal sealed class FrameAnswers
             if (isFits)
             {
                 answer.Add("fits", AnswerForm.Fits, stream => FitsLayerWriter.Write(
-                    stream, metadata, provenance, rendered.Truth!, layers, precision, session.Settings.Native.LayersCompression, cancellation));
+                    stream, metadata, provenance, rendered.Truth!, layers, precision, session.Settings.Native.LayersCompression,
+                    cancellation));
             }
             else
             {

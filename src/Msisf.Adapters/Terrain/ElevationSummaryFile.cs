@@ -9,8 +9,8 @@ namespace Msisf.Adapters.Terrain;
 
 /// <summary>
 /// Stores what is known of a model's <see cref="ElevationSummary"/> beside it, because reading it again takes long. A file that is damaged
-/// or of another model counts as missing. Layout: a magic number, the source's fingerprint (32 bytes), SHA-256 of the rest, then little-endian 32-bit
-/// floats.
+/// or of another model counts as missing. Layout: a magic number, the source's fingerprint (32 bytes), SHA-256 of the rest, then
+/// little-endian 32-bit floats; blocks that are not known are 0.
 /// </summary>
 public static class ElevationSummaryFile
 {

@@ -67,7 +67,8 @@ public sealed class ElevationSummaryFileTests : IDisposable
     [InlineData(72)]
     [InlineData(100)]
     [InlineData(1000)]
-    public void Read_Truncated_IsNoSummary(int bytes) => Assert.Null(ElevationSummaryFile.Read(Content().AsSpan(0, bytes), Source, new CountingGrid()));
+    public void Read_Truncated_IsNoSummary(int bytes) =>
+        Assert.Null(ElevationSummaryFile.Read(Content().AsSpan(0, bytes), Source, new CountingGrid()));
 
     [Theory]
     [InlineData(3)]

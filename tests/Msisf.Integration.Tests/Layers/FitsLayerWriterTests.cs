@@ -177,6 +177,8 @@ public sealed class FitsLayerWriterTests : IDisposable
 
     /// <summary>The bits of numbers, but of any NaN those of one.</summary>
     private static long[] Numbers(byte[] bytes, bool isSingle) => isSingle
-        ? [.. MemoryMarshal.Cast<byte, float>(bytes).ToArray().Select(x => (long)BitConverter.SingleToInt32Bits(float.IsNaN(x) ? float.NaN : x))]
-        : [.. MemoryMarshal.Cast<byte, double>(bytes).ToArray().Select(x => BitConverter.DoubleToInt64Bits(double.IsNaN(x) ? double.NaN : x))];
+        ? [.. MemoryMarshal.Cast<byte, float>(bytes).ToArray().Select(
+            x => (long)BitConverter.SingleToInt32Bits(float.IsNaN(x) ? float.NaN : x))]
+        : [.. MemoryMarshal.Cast<byte, double>(bytes).ToArray().Select(
+            x => BitConverter.DoubleToInt64Bits(double.IsNaN(x) ? double.NaN : x))];
 }
