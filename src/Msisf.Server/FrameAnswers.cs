@@ -108,16 +108,18 @@ internal sealed class FrameAnswers
         bool isFits = form.IsMultipart ? session.Settings.Native.LayersFormat == LayersFormat.Fits : form.Main == AnswerForm.Fits;
         if (layers is not null && (form.IsMultipart || isLayer || isFits))
         {
+            LayerPrecision precision = session.Settings.Native.LayersPrecision;
             if (isFits)
             {
-                answer.Add("fits", AnswerForm.Fits, stream =>
-                    FitsLayerWriter.Write(stream, metadata, provenance, rendered.Truth!, layers, cancellation));
+                answer.Add("fits", AnswerForm.Fits, stream => FitsLayerWriter.Write(
+                    stream, metadata, provenance, rendered.Truth!, layers, precision, session.Settings.Native.LayersCompression,
+                    cancellation));
             }
             else
             {
                 NpyLayerWriter.Write(
                     (name, write) => AddLayer(answer, image, layers, name, write, form), metadata, provenance, rendered.Truth!, layers,
-                    cancellation);
+                    precision, cancellation);
             }
         }
 

@@ -27,6 +27,8 @@ public sealed class NativeOptionsTests : IDisposable
     [InlineData($"{Fixed} --lod-error 101", 1, "--lod-error is 101; its range is 0 to 100")]
     [InlineData($"{Fixed} --lod off --lod-error 1", 1, "--lod-error has no meaning with --lod off")]
     [InlineData($"{Native} --layers all --layers-format tiff", 1, "--layers-format is 'tiff'; one of fits, npy is needed")]
+    [InlineData($"{Native} --layers all --layers-precision half", 1, "--layers-precision is 'half'; one of double, single is needed")]
+    [InlineData($"{Native} --layers all --layers-compression rice", 1, "--layers-compression is 'rice'; one of none, gzip is needed")]
     [InlineData($"{Native} --samples 3", 1, "--samples is 3; the samples form a square grid, so a square number is needed: 1 or 4.")]
     [InlineData($"{Native} --samples 2", 1, "a square number is needed: 1 or 4.")]
     [InlineData($"{Native} --samples 255", 1, "a square number is needed: 225 or 256.")]
@@ -76,6 +78,10 @@ public sealed class NativeOptionsTests : IDisposable
     [InlineData($"{Native} --layers depth,depth", 1, "depth is there twice")]
     [InlineData($"{Native} --layers all,depth", 1, "'all' is no layer")]
     [InlineData($"{Native} --layers-format npy", 1, "--layers-format is given, but no --layers")]
+    [InlineData($"{Native} --layers-precision single", 1, "--layers-precision is given, but no --layers")]
+    [InlineData($"{Native} --layers-compression none", 1, "--layers-compression is given, but no --layers")]
+    [InlineData($"{Native} --layers mask --layers-format npy --layers-compression gzip", 1,
+        "--layers-compression gzip is for --layers-format fits. Choose one of them")]
 
     // Options of one renderer with the other.
     [InlineData($"{Fixed} --reflectance hapke", 1, "--reflectance is for --renderer native only")]

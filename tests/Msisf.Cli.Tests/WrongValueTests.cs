@@ -136,7 +136,7 @@ public sealed class WrongValueTests : IDisposable
             words.AddRange(["--renderer", "native"]);
         }
 
-        if (option == "--layers-format")
+        if (option.StartsWith("--layers-", StringComparison.Ordinal))
         {
             words.AddRange(["--layers", "depth"]);
         }

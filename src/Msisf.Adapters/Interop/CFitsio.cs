@@ -13,6 +13,9 @@ internal static unsafe class CFitsio
     /// </summary>
     public static readonly Lock Gate = new();
 
+    /// <summary>Whether the library may work on several files at the same time.</summary>
+    public static bool IsReentrant { get; } = CFitsioNative.fits_is_reentrant() != 0;
+
     /// <summary>Checks that a library can be loaded.</summary>
     /// <param name="name">As the run-time linker knows it.</param>
     /// <exception cref="ExternalPartException">It can't.</exception>

@@ -14,7 +14,14 @@ internal static unsafe partial class CFitsioNative
     internal const int TypeByte = 11;
     internal const int TypeUnsignedShort = 20;
     internal const int TypeInt = 31;
+    internal const int TypeFloat = 42;
     internal const int TypeDouble = 82;
+
+    /// <summary>Compression GZIP_2: gzip of the bytes sorted by significance.</summary>
+    internal const int ShuffledGzip = 22;
+
+    /// <summary>Value of <see cref="fits_set_quantize_level"/> for compression without loss.</summary>
+    internal const float NoQuantization = 9999.0f;
 
     /// <summary>Bytes that <see cref="ffgerr"/> may write.</summary>
     internal const int StatusTextLength = 31;
@@ -98,4 +105,24 @@ internal static unsafe partial class CFitsioNative
     [LibraryImport(Library)]
     [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
     internal static partial int ffgmsg(byte* text);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial int fits_is_reentrant();
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial int fits_set_compression_type(CFitsioHandle file, int type, ref int status);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial int fits_set_quantize_level(CFitsioHandle file, float level, ref int status);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial int fits_set_tile_dim(CFitsioHandle file, int axes, long* lengths, ref int status);
+
+    [LibraryImport(Library)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial int fits_img_compress(CFitsioHandle image, CFitsioHandle compressed, ref int status);
 }

@@ -13,7 +13,10 @@ internal sealed unsafe class FitsMemory : IDisposable
     public FitsMemory(nuint capacity)
     {
         _block = (Block*)NativeMemory.AllocZeroed((nuint)sizeof(Block));
-        _block->Address = NativeMemory.Alloc(capacity);
+
+        // CFITSIO takes all of the memory for the file, and looks for units behind the last one: what an earlier file left there would be
+        // such a unit.
+        _block->Address = NativeMemory.AllocZeroed(capacity);
         _block->Size = capacity;
     }
 

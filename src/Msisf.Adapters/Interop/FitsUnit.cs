@@ -11,7 +11,10 @@ namespace Msisf.Adapters.Interop;
 internal sealed unsafe class FitsUnit : IDisposable
 {
     /// <summary>bytes: the header of an empty primary unit, and one of some 70 keywords; CFITSIO takes more if it needs it.</summary>
-    private const int DefaultHeaders = 4 * 2880;
+    private const int DefaultHeaders = 4 * Block;
+
+    /// <summary>bytes: FITS files consist of blocks of this length.</summary>
+    private const int Block = 2880;
 
     /// <summary>CFITSIO's name for BITPIX 16 with BZERO 32768.</summary>
     private const int UnsignedShortImage = 20;
@@ -19,10 +22,10 @@ internal sealed unsafe class FitsUnit : IDisposable
     private readonly FitsMemory _memory;
     private readonly CFitsioHandle _file;
 
-    private FitsUnit(long dataBytes)
+    private FitsUnit(long capacity)
     {
         CFitsio.RequireLibrary(CFitsioNative.Library);
-        _memory = new FitsMemory(checked((nuint)dataBytes + DefaultHeaders));
+        _memory = new FitsMemory(checked((nuint)capacity));
         int status = 0;
         lock (CFitsio.Gate)
         {
@@ -40,7 +43,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
     public static FitsUnit Primary()
     {
-        FitsUnit unit = new(0);
+        FitsUnit unit = new(DefaultHeaders);
         unit.CreateOrDispose(8, []);
         return unit;
     }
@@ -51,7 +54,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
     public static FitsUnit PrimaryImage(int width, int height)
     {
-        FitsUnit unit = new((long)sizeof(ushort) * width * height);
+        FitsUnit unit = new(((long)sizeof(ushort) * width * height) + DefaultHeaders);
         unit.CreateOrDispose(UnsignedShortImage, [width, height]);
         return unit;
     }
@@ -68,7 +71,7 @@ internal sealed unsafe class FitsUnit : IDisposable
             bytes *= length;
         }
 
-        FitsUnit unit = new(bytes);
+        FitsUnit unit = new(bytes + DefaultHeaders);
         unit.CreateOrDispose(8, []); // an extension needs a primary unit before it, which is not copied
         unit.CreateOrDispose(bitsPerPixel, lengths);
         return unit;
@@ -138,7 +141,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     }
 
     /// <summary>Writes pixels.</summary>
-    /// <typeparam name="T">The image's own type: byte, ushort, int or double; in memory order of the machine.</typeparam>
+    /// <typeparam name="T">The image's own type: byte, ushort, int, float or double; in memory order of the machine.</typeparam>
     /// <param name="first">Where they begin in the image, from 0.</param>
     /// <param name="values">Written as they are.</param>
     public void Write<T>(long first, ReadOnlySpan<T> values)
@@ -153,6 +156,56 @@ internal sealed unsafe class FitsUnit : IDisposable
                 CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffppr));
             }
         }
+    }
+
+    /// <summary>The same image compressed without loss, in tiles of whole rows, as a table that readers show as the image.</summary>
+    /// <param name="tileRows">Rows of a tile.</param>
+    /// <param name="lengths">NAXIS1, NAXIS2, ... of the image.</param>
+    /// <exception cref="ExternalPartException">CFITSIO fails.</exception>
+    public FitsUnit Compressed(int tileRows, params ReadOnlySpan<long> lengths)
+    {
+        Span<long> tile = stackalloc long[lengths.Length];
+        tile.Fill(1);
+        tile[0] = lengths[0];
+        tile[1] = Math.Min(tileRows, lengths[1]);
+        FitsUnit compressed = new(Block); // when CFITSIO moves the end of a table, it takes memory behind it for units
+        compressed.CreateOrDispose(8, []);
+        int status = 0;
+        lock (CFitsio.Gate)
+        {
+            CFitsioNative.ffflus(_file, ref status);
+            CFitsioNative.fits_set_compression_type(compressed._file, CFitsioNative.ShuffledGzip, ref status);
+            CFitsioNative.fits_set_quantize_level(compressed._file, CFitsioNative.NoQuantization, ref status);
+            fixed (long* pointer = tile)
+            {
+                CFitsioNative.fits_set_tile_dim(compressed._file, tile.Length, pointer, ref status);
+            }
+        }
+
+        // Seconds of a large image: a library that allows it compresses several files at a time.
+        bool isLocked = !CFitsio.IsReentrant;
+        if (isLocked)
+        {
+            CFitsio.Gate.Enter();
+        }
+
+        CFitsioNative.fits_img_compress(_file, compressed._file, ref status);
+        if (isLocked)
+        {
+            CFitsio.Gate.Exit();
+        }
+
+        lock (CFitsio.Gate)
+        {
+            if (status != 0)
+            {
+                compressed.Dispose();
+            }
+
+            CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.fits_img_compress));
+        }
+
+        return compressed;
     }
 
     /// <summary>Sets the checksums and copies the unit to a stream. Nothing can be added after that.</summary>
@@ -184,6 +237,7 @@ internal sealed unsafe class FitsUnit : IDisposable
             byte => CFitsioNative.TypeByte,
             ushort => CFitsioNative.TypeUnsignedShort,
             int => CFitsioNative.TypeInt,
+            float => CFitsioNative.TypeFloat,
             double => CFitsioNative.TypeDouble,
             _ => throw new ArgumentException($"No FITS image has pixels of type {typeof(T)}.", nameof(T)),
         };

@@ -65,19 +65,25 @@ internal static class LayerPasses
         }
     }
 
-    /// <summary>As many layers at once as fit, one at least.</summary>
+    /// <summary>As many layers at once as fit; one at least, or two that share their computation.</summary>
     private static IEnumerable<Layer[]> Passes(IReadOnlyList<Layer> layers, int planesAtOnce)
     {
         List<Layer> pass = [];
-        foreach (Layer layer in layers)
+        for (int i = 0; i < layers.Count; i++)
         {
-            if (pass.Count > 0 && pass.Sum(other => other.Planes) + layer.Planes > planesAtOnce)
+            bool isPair = i + 1 < layers.Count && layers[i].ComputedWith == layers[i + 1].Name;
+            int planes = layers[i].Planes + (isPair ? layers[i + 1].Planes : 0);
+            if (pass.Count > 0 && pass.Sum(other => other.Planes) + planes > planesAtOnce)
             {
                 yield return [.. pass];
                 pass.Clear();
             }
 
-            pass.Add(layer);
+            pass.Add(layers[i]);
+            if (isPair)
+            {
+                pass.Add(layers[++i]);
+            }
         }
 
         yield return [.. pass];

@@ -59,6 +59,7 @@ public static class NpyFile
     private static string TypeText(LayerType type) => type switch
     {
         LayerType.Real64 => $"{ByteOrder}f8",
+        LayerType.Real32 => $"{ByteOrder}f4",
         LayerType.Unsigned8 => "|u1",
         _ => $"{ByteOrder}i4",
     };

@@ -20,6 +20,7 @@ public static class NpyLayerWriter
     /// <param name="provenance">Goes there too.</param>
     /// <param name="truth">What the pixels show; its camera is the frame's.</param>
     /// <param name="layers">Which.</param>
+    /// <param name="precision">Of their real numbers.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>
     /// <returns>The paths, the JSON file last.</returns>
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
@@ -31,6 +32,7 @@ public static class NpyLayerWriter
         LayerProvenance provenance,
         IGroundTruth truth,
         LayerSet layers,
+        LayerPrecision precision = LayerPrecision.Double,
         CancellationToken cancellation = default)
     {
         List<string> paths = [];
@@ -45,6 +47,7 @@ public static class NpyLayerWriter
             provenance,
             truth,
             layers,
+            precision,
             cancellation);
         return paths;
     }
@@ -55,30 +58,32 @@ public static class NpyLayerWriter
     /// <param name="provenance">Goes there too.</param>
     /// <param name="truth">What the pixels show; its camera is the frame's.</param>
     /// <param name="layers">Which.</param>
+    /// <param name="precision">Of their real numbers.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Write(
         Action<string, Action<Stream>> put, FrameMetadata frame, LayerProvenance provenance, IGroundTruth truth, LayerSet layers,
-        CancellationToken cancellation)
+        LayerPrecision precision, CancellationToken cancellation)
     {
         LayerSampler sampler = new(truth, provenance);
         LayerPasses.Run(
             sampler,
             layers.Layers,
-            (layer, planes) => put($"{layer.Name}.npy", stream => WriteLayer(stream, sampler, layer, planes)),
+            (layer, planes) => put($"{layer.Name}.npy", stream => WriteLayer(stream, sampler, layer, layer.StoredType(precision), planes)),
             cancellation);
         put("layers.json", stream => LayersJson.Write(stream, frame, provenance, layers));
     }
 
-    private static void WriteLayer(Stream stream, LayerSampler sampler, Layer layer, IReadOnlyList<double[]> planes)
+    private static void WriteLayer(
+        Stream stream, LayerSampler sampler, Layer layer, LayerType type, IReadOnlyList<double[]> planes)
     {
         if (layer.Planes > 1)
         {
-            NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width, layer.Planes);
+            NpyFile.WriteHead(stream, type, sampler.Height, sampler.Width, layer.Planes);
         }
         else
         {
-            NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width);
+            NpyFile.WriteHead(stream, type, sampler.Height, sampler.Width);
         }
 
         double[] row = new double[sampler.Width * layer.Planes];
@@ -93,16 +98,21 @@ public static class NpyLayerWriter
                 }
             }
 
-            WriteRow(stream, layer.Type, row);
+            WriteRow(stream, layer, type, row);
         }
     }
 
-    private static void WriteRow(Stream stream, LayerType type, double[] row)
+    private static void WriteRow(Stream stream, Layer layer, LayerType type, double[] row)
     {
         switch (type)
         {
             case LayerType.Real64:
                 stream.Write(MemoryMarshal.AsBytes<double>(row));
+                break;
+            case LayerType.Real32:
+                float[] rounded = new float[row.Length];
+                StoredValues.Round(layer, row, rounded);
+                stream.Write(MemoryMarshal.AsBytes<float>(rounded));
                 break;
             case LayerType.Unsigned8:
                 WriteNumbers<byte>(stream, row);

@@ -48,12 +48,13 @@ public static class MetaFileInputs
     private static InputFile? TryInput(XmlReader reader)
     {
         string? word = reader.GetAttribute("kind");
+        string? ofPieces = reader.GetAttribute(OriginXml.PiecesChecksum);
         InputKind[] kinds = [.. Enum.GetValues<InputKind>().Where(kind => OriginXml.WordOf(kind) == word)];
         return kinds.Length == 1
             && reader.GetAttribute("name") is string name
             && long.TryParse(reader.GetAttribute("bytes"), NumberStyles.None, CultureInfo.InvariantCulture, out long bytes)
-            && reader.GetAttribute("sha256") is string hash
-            ? new InputFile(kinds[0], name, bytes, hash)
+            && (ofPieces ?? reader.GetAttribute(OriginXml.Checksum)) is string hash
+            ? new InputFile(kinds[0], name, bytes, hash) { IsOfPieces = ofPieces is not null }
             : null;
     }
 }

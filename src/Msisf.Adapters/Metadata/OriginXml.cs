@@ -12,6 +12,12 @@ internal static class OriginXml
     /// <summary>Name of the element of an input file.</summary>
     public const string InputElement = "Input";
 
+    /// <summary>Attribute of an input file: SHA-256 of its content.</summary>
+    public const string Checksum = "sha256";
+
+    /// <summary>The same of its length and of pieces spread over it.</summary>
+    public const string PiecesChecksum = "sha256OfPieces";
+
     /// <summary>The lines, without the last LF.</summary>
     public static string Lines(FrameMetadata frame) =>
         string.Join('\n', [Model(frame.Elevation), .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input)]);
@@ -59,5 +65,5 @@ internal static class OriginXml
     private static string Input(InputFile file) => string.Create(
         CultureInfo.InvariantCulture,
         $"    <{InputElement} kind=\"{WordOf(file.Kind)}\" name=\"{XmlText.EscapeAttribute(file.Name)}\" bytes=\"{file.Bytes}\""
-            + $" sha256=\"{file.Sha256}\" />");
+            + $" {(file.IsOfPieces ? PiecesChecksum : Checksum)}=\"{file.Sha256}\" />");
 }

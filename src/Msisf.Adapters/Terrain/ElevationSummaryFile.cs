@@ -8,39 +8,58 @@ using Msisf.Core.Tiles;
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// Stores a model's <see cref="ElevationSummary"/> beside it, since making one reads the whole model. A file that is damaged or of another
-/// model counts as missing. Layout: a magic number, the source's fingerprint (32 bytes), SHA-256 of the rest, then little-endian 32-bit
-/// floats.
+/// Stores what is known of a model's <see cref="ElevationSummary"/> beside it, because reading it again takes long. A file that is damaged
+/// or of another model counts as missing. Layout: a magic number, the source's fingerprint (32 bytes), SHA-256 of the rest, then
+/// little-endian 32-bit floats; blocks that are not known are 0.
 /// </summary>
 public static class ElevationSummaryFile
 {
     private const int HashBytes = 32;
 
+    /// <summary>Samples that are read in some 0.3 s; storing and loading the file takes a third of that.</summary>
+    private const long MinSamplesRead = 1L << 26;
+
     private static ReadOnlySpan<byte> Magic => "MSISFSM1"u8;
 
-    /// <summary>Reads the summary, or makes and stores it.</summary>
+    /// <summary>The summary on demand of a model, with what is stored of it.</summary>
     /// <param name="path">The file beside the model.</param>
     /// <param name="source">What the model is now.</param>
     /// <param name="grid">The model.</param>
-    /// <returns>The summary, and why it could not be stored; null if it was, or need not be.</returns>
-    public static (ElevationSummary Summary, string? Warning) LoadOrBuild(string path, SummarySource source, IElevationGrid grid)
+    public static ElevationSummary Open(string path, SummarySource source, IElevationGrid grid)
     {
-        if (TryLoad(path, source) is ElevationSummary stored)
+        try
         {
-            return (stored, null);
+            return (File.Exists(path) ? Read(File.ReadAllBytes(path), source, grid) : null) ?? ElevationSummary.OnDemand(grid);
+        }
+        catch (Exception exception) when (exception.IsFileError() || exception is BadInputException)
+        {
+            return ElevationSummary.OnDemand(grid); // an unreadable file is as good as none
+        }
+    }
+
+    /// <summary>Stores a summary, if so much of the model was read for it that the next run should not read it again.</summary>
+    /// <param name="path">The file beside the model.</param>
+    /// <param name="source">What the model was when it was opened.</param>
+    /// <param name="summary">The summary.</param>
+    /// <param name="minSamplesRead">How much is so much.</param>
+    /// <returns>Why it could not be stored; null if it was, or need not be.</returns>
+    public static string? StoreIfWorthwhile(
+        string path, SummarySource source, ElevationSummary summary, long minSamplesRead = MinSamplesRead)
+    {
+        if (summary.SamplesRead < minSamplesRead)
+        {
+            return null;
         }
 
-        ElevationSummary summary = ElevationSummary.Build(grid);
         try
         {
             AtomicFile.Write(path, stream => Write(stream, source, summary));
+            return null;
         }
         catch (ExternalPartException exception)
         {
-            return (summary, $"{exception.Message} The model's summary is made anew in each run.");
+            return $"{exception.Message} The next run reads the same parts of the model again.";
         }
-
-        return (summary, null);
     }
 
     /// <summary>Writes a summary.</summary>
@@ -61,7 +80,7 @@ public static class ElevationSummaryFile
 
     /// <summary>Reads a summary.</summary>
     /// <returns>Null if the content is not a whole summary of this very source.</returns>
-    public static ElevationSummary? Read(ReadOnlySpan<byte> content, SummarySource source)
+    public static ElevationSummary? Read(ReadOnlySpan<byte> content, SummarySource source, IElevationGrid grid)
     {
         int head = Magic.Length + (2 * HashBytes);
         if (content.Length < head || content.Length % sizeof(float) != head % sizeof(float) || !content.StartsWith(Magic)
@@ -78,18 +97,6 @@ public static class ElevationSummaryFile
             values[index] = BinaryPrimitives.ReadSingleLittleEndian(payload[(sizeof(float) * index)..]);
         }
 
-        return ElevationSummary.FromValues(source.PixelsPerDegree, values);
-    }
-
-    private static ElevationSummary? TryLoad(string path, SummarySource source)
-    {
-        try
-        {
-            return File.Exists(path) ? Read(File.ReadAllBytes(path), source) : null;
-        }
-        catch (Exception exception) when (exception.IsFileError() || exception is BadInputException)
-        {
-            return null; // an unreadable file is as good as none: the summary is made again
-        }
+        return ElevationSummary.OnDemand(grid, values);
     }
 }

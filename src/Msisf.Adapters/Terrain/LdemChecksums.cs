@@ -6,34 +6,42 @@ namespace Msisf.Adapters.Terrain;
 
 /// <summary>
 /// SHA-256 of a model's files. Those of large files are computed once and remembered in a file beside the model or in the user's cache,
-/// as long as length and time of the file stay the same.
+/// as long as length and time of the file stay the same. Of the images of the largest models only pieces are read.
 /// </summary>
 public sealed class LdemChecksums
 {
     /// <summary>Bytes: files up to this length are hashed in every run, which takes some ms; LDEM_4 has 2 MB.</summary>
     private const long LongestHashedEachRun = 4L << 20;
 
+    /// <summary>
+    /// Bytes of all images of a model that are read completely: a minute at 300 MB/s. LDEM_256 has 8.5 GB, LDEM_512 34 GB.
+    /// </summary>
+    private const long LargestRead = 16L << 30;
+
     private readonly ModelFile[] _files;
+    private readonly bool _ofPieces;
     private readonly SidecarPlaces _places;
     private readonly HashSet<RememberedChecksum> _remembered;
 
-    private LdemChecksums(ModelFile[] files, SidecarPlaces places, HashSet<RememberedChecksum> remembered) =>
-        (_files, _places, _remembered) = (files, places, remembered);
+    private LdemChecksums(ModelFile[] files, bool ofPieces, SidecarPlaces places, HashSet<RememberedChecksum> remembered) =>
+        (_files, _ofPieces, _places, _remembered) = (files, ofPieces, places, remembered);
 
-    /// <summary>Bytes that <see cref="Read"/> will read.</summary>
-    public long BytesToRead => _files.Where(file => file.FindIn(_remembered) is null).Sum(file => file.Bytes);
+    /// <summary>Bytes that <see cref="Read"/> will read, but for pieces.</summary>
+    public long BytesToRead => _files.Where(file => !IsOfPieces(file) && file.FindIn(_remembered) is null).Sum(file => file.Bytes);
 
     /// <summary>Finds the files and the checksums that were remembered.</summary>
     /// <param name="set">The model.</param>
     /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
+    /// <param name="largestRead">bytes: images of a model that has more in all of them are not read completely.</param>
     /// <exception cref="ExternalPartException">A file of the model can't be read.</exception>
-    public static LdemChecksums Open(LdemSet set, string? cacheFolder)
+    public static LdemChecksums Open(LdemSet set, string? cacheFolder, long largestRead = LargestRead)
     {
         SidecarPlaces places = SidecarPlaces.Of(set, ".checksums", cacheFolder);
         ModelFile[] files = FileErrors.ToExternalPart(
             $"{set.Location}: can't be read", () => set.Parts.SelectMany(FilesOf).ToArray());
+        bool ofPieces = files.Where(file => file.Kind == InputKind.ElevationImage).Sum(file => file.Bytes) > largestRead;
         return new LdemChecksums(
-            files, places, [.. RememberedChecksum.ReadFile(places.Beside), .. RememberedChecksum.ReadFile(places.Cached)]);
+            files, ofPieces, places, [.. RememberedChecksum.ReadFile(places.Beside), .. RememberedChecksum.ReadFile(places.Cached)]);
     }
 
     /// <summary>The model's files with their checksums; computes those that are not remembered, and remembers them.</summary>
@@ -45,6 +53,11 @@ public sealed class LdemChecksums
         bool isNew = false;
         InputFile[] inputs = [.. _files.Select(file =>
         {
+            if (IsOfPieces(file))
+            {
+                return file.HashPieces();
+            }
+
             RememberedChecksum? known = file.FindIn(_remembered);
             if (known is null)
             {
@@ -57,6 +70,8 @@ public sealed class LdemChecksums
         })];
         return (inputs, isNew ? Store() : null);
     }
+
+    private bool IsOfPieces(ModelFile file) => _ofPieces && file.Kind == InputKind.ElevationImage;
 
     private static IEnumerable<ModelFile> FilesOf(LdemLabel label)
     {
@@ -75,7 +90,7 @@ public sealed class LdemChecksums
             FileErrors.ToExternalPart($"{path}: can't be written", () =>
                 Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!));
             RememberedChecksum[] kept = [.. _files
-                .Where(file => file.Bytes > LongestHashedEachRun && file.IsUnchanged)
+                .Where(file => file.Bytes > LongestHashedEachRun && !IsOfPieces(file) && file.IsUnchanged)
                 .Select(file => file.FindIn(_remembered)!)];
             AtomicFile.WriteText(path, writer => RememberedChecksum.Write(writer, kept));
             return null;
@@ -101,6 +116,10 @@ public sealed class LdemChecksums
 
         public RememberedChecksum? FindIn(IEnumerable<RememberedChecksum> known) => known.FirstOrDefault(
             one => one.Name == System.IO.Path.GetFileName(Path) && one.Bytes == Bytes && one.WrittenTicks == WrittenTicks);
+
+        public InputFile HashPieces() => FileErrors.ToExternalPart(
+            $"{Path}: can't be read",
+            () => new InputFile(Kind, System.IO.Path.GetFileName(Path), Bytes, FilePieces.Sha256Of(Path)) { IsOfPieces = true });
 
         public RememberedChecksum Hash(CancellationToken cancellation) =>
             new(System.IO.Path.GetFileName(Path), Bytes, WrittenTicks, FileHash.Sha256Of(Path, cancellation));

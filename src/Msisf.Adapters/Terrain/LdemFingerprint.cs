@@ -1,4 +1,5 @@
 using System.Security.Cryptography;
+using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
@@ -12,11 +13,6 @@ namespace Msisf.Adapters.Terrain;
 /// <param name="Sha256">Of labels, lengths and pieces of the images: 64 hexadecimal digits.</param>
 public sealed record LdemFingerprint(string ProductId, long ImageBytes, string Sha256)
 {
-    /// <summary>Pieces of each image that are read, from its start to its end.</summary>
-    private const int Pieces = 64;
-
-    private const int PieceBytes = 4096;
-
     /// <summary>Reads what is needed of a model's files.</summary>
     /// <exception cref="ExternalPartException">They can't be read.</exception>
     public static LdemFingerprint Of(LdemSet set)
@@ -28,27 +24,13 @@ public sealed record LdemFingerprint(string ProductId, long ImageBytes, string S
             FileErrors.ToExternalPart($"{label.LabelPath}: can't be read", () =>
             {
                 using FileStream text = File.OpenRead(label.LabelPath);
-                Append(hash, text, 0, Math.Min(text.Length, SummarySource.LongestLabel));
+                FilePieces.Append(hash, text, 0, Math.Min(text.Length, SummarySource.LongestLabel));
                 using FileStream image = File.OpenRead(FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath);
-                hash.AppendData(BitConverter.GetBytes(image.Length));
-                long last = Math.Max(0, image.Length - PieceBytes);
-                for (int piece = 0; piece < Pieces; piece++)
-                {
-                    Append(hash, image, last * piece / (Pieces - 1), Math.Min(PieceBytes, image.Length));
-                }
-
+                FilePieces.Append(hash, image);
                 bytes += image.Length;
             });
         }
 
         return new LdemFingerprint(set.ProductId, bytes, Convert.ToHexStringLower(hash.GetHashAndReset()));
-    }
-
-    private static void Append(IncrementalHash hash, FileStream file, long start, long length)
-    {
-        byte[] piece = new byte[length];
-        file.Position = start;
-        file.ReadExactly(piece);
-        hash.AppendData(piece);
     }
 }

@@ -19,21 +19,29 @@ namespace Msisf.App.Preparation;
 internal sealed class ElevationModel : IDisposable
 {
     /// <summary>
-    /// Maximum resolution, px/deg, at which the summary is computed in every run, which takes less time than an image; the summary of a
-    /// finer model is kept in a file.
+    /// Maximum resolution, px/deg, at which the whole summary is computed in every run, which takes less time than an image; that of a
+    /// finer model is read where a frame needs it, and kept in a file if that was much.
     /// </summary>
     private const int FinestSummarisedEachRun = 16;
 
+    private const string SummaryExtension = ".summary";
+
     private readonly LdemImage _image;
+    private readonly ILog _log;
+    private readonly Lazy<SummarySource> _source;
     private readonly Lazy<ElevationSummary> _summary;
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
-    private ElevationModel(LdemImage image, Func<ElevationSummary> summarise, Func<ModelLevels> openLevels)
+    private ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
     {
         _image = image;
-        _summary = new Lazy<ElevationSummary>(summarise);
+        _log = log;
+        _source = new Lazy<SummarySource>(() => SummarySource.Of(image.Set));
+        _summary = new Lazy<ElevationSummary>(() => image.PixelsPerDegree <= FinestSummarisedEachRun
+            ? ElevationSummary.Build(image)
+            : ElevationSummaryFile.Open(image.Set.FileBeside(SummaryExtension), _source.Value, image));
         _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(image));
         _levels = new Lazy<ModelLevels>(openLevels);
     }
@@ -64,7 +72,7 @@ internal sealed class ElevationModel : IDisposable
         host.Log.Note(image.Set.IsSynthetic
             ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
             : $"Elevation: {image.ProductId} ({image.Set.Description}).");
-        return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, isSparing, host));
+        return new ElevationModel(image, host.Log, () => OpenLevels(image, isSparing, host));
     }
 
     /// <summary>Whether <see cref="Open"/> finds a model of a resolution if no path is given.</summary>
@@ -75,23 +83,6 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>Folders in which models are searched if no path is given, in the order of the search.</summary>
     public static string[] Folders(ProgramHost host) =>
         [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
-
-    private static ElevationSummary Summarise(LdemImage image, ILog log)
-    {
-        if (image.PixelsPerDegree <= FinestSummarisedEachRun)
-        {
-            return ElevationSummary.Build(image);
-        }
-
-        (ElevationSummary summary, string? warning) = ElevationSummaryFile.LoadOrBuild(
-            image.Set.FileBeside(".summary"), SummarySource.Of(image.Set), image);
-        if (warning is not null)
-        {
-            log.Warning(warning);
-        }
-
-        return summary;
-    }
 
     private static ModelLevels OpenLevels(LdemImage image, bool isSparing, ProgramHost host)
     {
@@ -107,7 +98,7 @@ internal sealed class ElevationModel : IDisposable
         return levels;
     }
 
-    /// <summary>The tiles that a frame needs, with reasons; the first call computes the summary of the model.</summary>
+    /// <summary>The tiles that a frame needs, with reasons; the first call opens the summary of the model.</summary>
     public TileSelection Select(Frame frame) =>
         Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary.Value);
 
@@ -136,11 +127,21 @@ internal sealed class ElevationModel : IDisposable
 
     public void Dispose()
     {
+        StoreSummary();
         if (_levels.IsValueCreated)
         {
             _levels.Value.Dispose();
         }
 
         _image.Dispose();
+    }
+
+    private void StoreSummary()
+    {
+        if (_summary.IsValueCreated && _source.IsValueCreated && ElevationSummaryFile.StoreIfWorthwhile(
+            _image.Set.FileBeside(SummaryExtension), _source.Value, _summary.Value) is { } warning)
+        {
+            _log.Warning(warning);
+        }
     }
 }

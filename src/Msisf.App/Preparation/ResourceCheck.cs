@@ -18,6 +18,9 @@ internal static class ResourceCheck
     /// <summary>Bytes per pixel in POV-Ray 3.7: five floats.</summary>
     private const long PovRayBytesPerPixel = 20;
 
+    /// <summary>Bytes of a POV-Ray process with a small scene, but for its image.</summary>
+    private const long PovRaySmallScene = 256L << 20;
+
     /// <summary>
     /// Maximum bytes per pixel in the native renderer: the surface seen, light and radiance, shadow receivers, facets. With a shutter two
     /// frames are held: that of the frame's time, and another instant of the exposure.
@@ -66,6 +69,17 @@ internal static class ResourceCheck
         long fitting = Math.Max(1, memoryThere / MemoryOfFrame(settings));
         return (int)Math.Clamp(settings.Jobs ?? Math.Min(cores, fitting), 1, Math.Max(1, frames));
     }
+
+    /// <summary>
+    /// The number of POV-Ray processes with small scenes to run at once: POV-Ray sleeps a third of its time with such scenes, so there are
+    /// twice as many as large ones, unless memory is scarce or <c>--jobs</c> gives a number.
+    /// </summary>
+    /// <param name="settings">Settings of the run.</param>
+    /// <param name="atOnce">Number of processes with large scenes.</param>
+    /// <param name="memoryThere">Bytes of memory that can be used.</param>
+    /// <returns><paramref name="atOnce"/>, or a multiple of it.</returns>
+    public static int SmallScenesAtOnce(RenderSettings settings, int atOnce, long memoryThere) =>
+        settings.Jobs is null && 2 * atOnce * (MemoryOfFrame(settings) + PovRaySmallScene) <= memoryThere ? 2 * atOnce : atOnce;
 
     /// <summary>
     /// Checks the memory for the images that are made at once, and the disk space for the whole run. The meta file is streamed, so it needs

@@ -92,12 +92,14 @@ internal sealed class FrameFiles
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);
         LayerProvenance provenance = _description.Provenance(metadata, rendered);
+        LayerPrecision precision = _settings.Native.LayersPrecision;
         if (_settings.Native.LayersFormat == LayersFormat.Npy)
         {
-            return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, cancellation);
+            return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, precision, cancellation);
         }
 
-        files.Write($"{stem}.fits", stream => FitsLayerWriter.Write(stream, metadata, provenance, rendered.Truth, layers, cancellation));
+        files.Write($"{stem}.fits", stream => FitsLayerWriter.Write(
+            stream, metadata, provenance, rendered.Truth, layers, precision, _settings.Native.LayersCompression, cancellation));
         return [$"{stem}.fits"];
     }
 }

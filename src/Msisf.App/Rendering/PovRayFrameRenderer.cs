@@ -22,12 +22,18 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// </summary>
     private const long MinFacesOfStrip = 250_000;
 
+    /// <summary>
+    /// Maximum number of triangles of a scene that POV-Ray draws in so short a time that its 0.65 s of sleeping are a good part of it, with
+    /// so little memory (some 0.25 GB) that there may be more processes than cores.
+    /// </summary>
+    private const long MaxFacesOfSmallScene = 250_000;
+
     private readonly RenderSettings _settings;
     private readonly ElevationModel _model;
     private readonly ScenePatterns _patterns;
     private readonly PovRayProcess _povRay;
     private readonly PovAlbedo? _albedo;
-    private readonly SemaphoreSlim _processes;
+    private readonly ProcessSlots _processes;
     private readonly FrameFiles _files;
     private readonly RunTimes _times;
 
@@ -37,6 +43,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// <param name="povRay">Starts POV-Ray.</param>
     /// <param name="albedo">The map of the surface's reflectance; null for even grey.</param>
     /// <param name="processes">Maximum number of POV-Ray processes at once; the meshes of the next frame are made while they run.</param>
+    /// <param name="smallProcesses">The same of processes with small scenes.</param>
     /// <param name="files">Writes a frame's files.</param>
     /// <param name="times">Times of the parts of the run.</param>
     public PovRayFrameRenderer(
@@ -46,6 +53,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         PovRayProcess povRay,
         PovAlbedo? albedo,
         int processes,
+        int smallProcesses,
         FrameFiles files,
         RunTimes times)
     {
@@ -54,13 +62,14 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _patterns = patterns;
         _povRay = povRay;
         _albedo = albedo;
-        _processes = new SemaphoreSlim(processes);
+        _processes = new ProcessSlots(processes, smallProcesses);
+        FramesAhead = smallProcesses - processes + 1;
         _files = files;
         _times = times;
     }
 
     /// <inheritdoc/>
-    public int FramesAhead => 1;
+    public int FramesAhead { get; }
 
     /// <inheritdoc/>
     public async Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation)
@@ -68,23 +77,21 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         double? error = _settings.LevelOfDetailError;
         IReadOnlyList<SurfacePart> parts = _times.Measure(Phase.Selection, () => _model.SelectParts(frame, error));
         int made = _times.Measure(Phase.Patterns, () => _patterns.Ensure(parts, cancellation));
+        long faces = _patterns.CountFaces(parts);
         IReadOnlyList<PixelRows> strips = PixelRows.Strips(
-            frame.Camera.Height, error is null ? 1 : StripsFor(parts, threads), PovRayProcess.BlockRows);
+            frame.Camera.Height, error is null ? 1 : StripsFor(faces, threads), PovRayProcess.BlockRows);
         PovRayJob[] jobs = strips.Count == 1
             ? [JobOf(frame, parts, null, threads)]
             : Jobs(frame, parts, strips, threads / strips.Count, cancellation);
-        await _processes.WaitAsync(cancellation).ConfigureAwait(false); // for another frame's POV-Ray, which has --timeout as its limit
-        try
+
+        // Waits for another frame's POV-Ray, which has --timeout as its limit.
+        using (await _processes.TakeAsync(faces <= MaxFacesOfSmallScene, cancellation).ConfigureAwait(false))
         {
             using Stream image = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);
             void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, parts), _patterns.FileNameOf);
             RenderedFrame rendered = new(
                 RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.Grid.PixelsPerDegree, LevelsOf(parts), TruthOf(frame));
             return new FrameOutputs(_files.Write(frame, rendered, cancellation), parts.Count, made);
-        }
-        finally
-        {
-            _processes.Release();
         }
     }
 
@@ -99,8 +106,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// The number of strips in which an image is drawn. POV-Ray parses with one thread, so a large scene is drawn in up to one strip per
     /// thread, each with only the parts that it needs.
     /// </summary>
-    private int StripsFor(IReadOnlyList<SurfacePart> parts, int threads) =>
-        (int)Math.Clamp(_patterns.CountFaces(parts) / MinFacesOfStrip, 1, threads);
+    private static int StripsFor(long faces, int threads) => (int)Math.Clamp(faces / MinFacesOfStrip, 1, threads);
 
     /// <summary>
     /// Makes one POV-Ray job per strip. Each strip uses parts selected for the whole image: parts selected for one strip could be coarser

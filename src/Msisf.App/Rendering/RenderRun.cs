@@ -109,7 +109,7 @@ internal sealed class RenderRun
         FrameFiles files = new(_settings, description, comparison, ledger, _times);
         using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native
             ? Native(run.Model, maps, files)
-            : PovRay(run.Model, maps.Albedo, files, atOnce);
+            : PovRay(run.Model, maps.Albedo, files, atOnce, ResourceCheck.SmallScenesAtOnce(_settings, atOnce, memory));
         using FrameTimes frameTimes = new(_settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
@@ -153,13 +153,13 @@ internal sealed class RenderRun
             state == FrameState.Complete ? new FrameOutputs(ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true) : null)];
     }
 
-    private PovRayFrameRenderer PovRay(ElevationModel model, OpenedAlbedoMap? map, FrameFiles files, int processes)
+    private PovRayFrameRenderer PovRay(ElevationModel model, OpenedAlbedoMap? map, FrameFiles files, int processes, int smallProcesses)
     {
         PovRayProcess povRay = new(FindPovRay());
         ScenePatterns patterns = new(
             new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
         PovAlbedo? albedo = map is null ? null : new PovAlbedo(map, patterns.Folder);
-        return new PovRayFrameRenderer(_settings, model, patterns, povRay, albedo, processes, files, _times);
+        return new PovRayFrameRenderer(_settings, model, patterns, povRay, albedo, processes, smallProcesses, files, _times);
     }
 
     private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files)

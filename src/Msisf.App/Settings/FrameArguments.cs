@@ -127,8 +127,15 @@ internal static class FrameArguments
             [
                 NativeOptions.Layers.Name, string.Join(',', native.Layers.Layers.Select(layer => layer.Name)),
                 .. NativeOptions.LayersFormat.Words(native.LayersFormat),
+                .. UnlessDefault(NativeOptions.LayersPrecision, native.LayersPrecision),
+                .. UnlessDefault(NativeOptions.LayersCompression, native.LayersCompression),
             ],
     ];
+
+    /// <summary>An option that is newer than the manifest: frames made before it are those of its default.</summary>
+    private static IEnumerable<string> UnlessDefault<T>(ChoiceSpec<T> option, T value)
+        where T : struct =>
+        value.Equals(option.Default) ? [] : option.Words(value);
 
     private static string Text(int value) => value.ToString(CultureInfo.InvariantCulture);
 }

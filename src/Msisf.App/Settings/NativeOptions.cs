@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Layers;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Layers;
 using Msisf.Core.Render;
@@ -102,9 +103,32 @@ internal static class NativeOptions
         Default = Settings.LayersFormat.Fits,
     };
 
+    /// <summary>Precision of the layers' real numbers.</summary>
+    public static ChoiceSpec<LayerPrecision> LayersPrecision { get; } = new(
+        "--layers-precision", [new Choice("double", LayerPrecision.Double), new Choice("single", LayerPrecision.Single)],
+        "Precision of the layers' real numbers; with single, latitude, longitude and position stay double")
+    {
+        Default = LayerPrecision.Double,
+    };
+
+    /// <summary>Compression of the layers in FITS.</summary>
+    public static ChoiceSpec<LayerCompression> LayersCompression { get; } = new(
+        "--layers-compression", [new Choice("none", LayerCompression.None), new Choice("gzip", LayerCompression.Gzip)],
+        "Lossless compression of the layers in FITS")
+    {
+        Default = LayerCompression.None,
+    };
+
+    /// <summary>The options that are of use with layers only.</summary>
+    public static IReadOnlyList<OptionSpec> OfLayers => [LayersFormat, LayersPrecision, LayersCompression];
+
     /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
-        "Native renderer", [Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, Layers, LayersFormat])
+        "Native renderer",
+        [
+            Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, Layers, LayersFormat, LayersPrecision,
+            LayersCompression,
+        ])
     {
         Note = "Only with --renderer native.",
     };

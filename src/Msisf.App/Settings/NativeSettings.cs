@@ -1,4 +1,5 @@
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.Layers;
 using Msisf.Core.Layers;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
@@ -30,4 +31,8 @@ internal sealed record NativeSettings
     public required LayerSet? Layers { get; init; }
 
     public required LayersFormat LayersFormat { get; init; }
+
+    public required LayerPrecision LayersPrecision { get; init; }
+
+    public required LayerCompression LayersCompression { get; init; }
 }

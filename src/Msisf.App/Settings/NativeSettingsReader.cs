@@ -53,6 +53,8 @@ internal static class NativeSettingsReader
             Detector = detector,
             Layers = layers,
             LayersFormat = NativeOptions.LayersFormat.Read(values),
+            LayersPrecision = NativeOptions.LayersPrecision.Read(values),
+            LayersCompression = NativeOptions.LayersCompression.Read(values),
         };
     }
 

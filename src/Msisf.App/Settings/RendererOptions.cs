@@ -1,3 +1,4 @@
+using Msisf.Adapters.Layers;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
@@ -37,10 +38,18 @@ internal static class RendererOptions
                 .About(wrong, Renderer);
         }
 
-        if (values.IsGiven(NativeOptions.LayersFormat) && values.Text(NativeOptions.Layers) is null)
+        if (NativeOptions.OfLayers.FirstOrDefault(values.IsGiven) is { } ofLayers && values.Text(NativeOptions.Layers) is null)
         {
             throw new UsageException(
-                "--layers-format is given, but no --layers. Name the layers, or leave it out.").About(NativeOptions.LayersFormat);
+                $"{ofLayers.Name} is given, but no --layers. Name the layers, or leave it out.").About(ofLayers);
+        }
+
+        if (NativeOptions.LayersCompression.Read(values) != LayerCompression.None
+            && NativeOptions.LayersFormat.Read(values) != LayersFormat.Fits)
+        {
+            throw new UsageException(
+                "--layers-compression gzip is for --layers-format fits. Choose one of them, or compress the .npy files afterwards.")
+                .About(NativeOptions.LayersCompression, NativeOptions.LayersFormat);
         }
     }
 }

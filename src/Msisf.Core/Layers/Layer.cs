@@ -22,7 +22,7 @@ public sealed class Layer
     /// <summary>EXTNAME in FITS: the name in capitals, with underscores: "PIXEL_SCALE".</summary>
     public string ExtensionName => Name.ToUpperInvariant().Replace('-', '_');
 
-    /// <summary>How the values are stored.</summary>
+    /// <summary>How the values are stored in double precision.</summary>
     public LayerType Type { get; }
 
     /// <summary>Unit of the values: "m", "deg", or empty for a pure number.</summary>
@@ -39,8 +39,24 @@ public sealed class Layer
 
     internal LayerValue Value { get; }
 
+    /// <summary>How the values are stored in a precision.</summary>
+    public LayerType StoredType(LayerPrecision precision) =>
+        Type == LayerType.Real64 && precision == LayerPrecision.Single && !KeepsDouble ? LayerType.Real32 : Type;
+
     /// <summary>Whether only a camera with a detector has it.</summary>
     public bool NeedsDetector { get; init; }
+
+    /// <summary>Whether single precision is too coarse: 7 digits of a latitude, longitude or position are metres on the ground.</summary>
+    public bool KeepsDouble { get; init; }
+
+    /// <summary>Whether the values are directions in degrees, [0, 360): in single precision those just below 360 become 0.</summary>
+    public bool IsDirection { get; init; }
+
+    /// <summary>
+    /// The layer that needs the same intermediate results: the two are computed at the same time; null for none. It follows this one in
+    /// <see cref="LayerCatalogue.All"/>.
+    /// </summary>
+    public string? ComputedWith { get; init; }
 
     /// <summary>Value of a pixel whose centre shows no surface; null where it has none.</summary>
     internal Func<ImageBrightness, double?> EmptyValue { get; init; } = static _ => null;

@@ -18,9 +18,19 @@ public static class LayerCatalogue
             "position", LayerType.Real64, "m",
             "Surface point from the Moon's centre, in MOON_ME.",
             SurfaceValues.Position,
-            "x", "y", "z"),
-        new("latitude", LayerType.Real64, "deg", "Planetocentric latitude, -90 to 90.", SurfaceValues.Latitude),
-        new("longitude", LayerType.Real64, "deg", "East longitude, 0 to below 360; 0 on the polar axis.", SurfaceValues.Longitude),
+            "x", "y", "z")
+        {
+            KeepsDouble = true,
+        },
+        new("latitude", LayerType.Real64, "deg", "Planetocentric latitude, -90 to 90.", SurfaceValues.Latitude)
+        {
+            KeepsDouble = true,
+            ComputedWith = "longitude",
+        },
+        new("longitude", LayerType.Real64, "deg", "East longitude, 0 to below 360; 0 on the polar axis.", SurfaceValues.Longitude)
+        {
+            KeepsDouble = true,
+        },
         new("height", LayerType.Real64, "m", "Height over the sphere of 1 737 400 m.", SurfaceValues.Height),
         new(
             "normal", LayerType.Real64, string.Empty,
@@ -39,7 +49,10 @@ public static class LayerCatalogue
             "illumination-direction", LayerType.Real64, "deg",
             "Direction in the image in which the Sun lies along the ground: 0 down, 90 right, 180 up, 270 left. "
                 + "Undefined where the Sun is in the zenith.",
-            LightValues.Direction),
+            LightValues.Direction)
+        {
+            IsDirection = true,
+        },
         new(
             "mask", LayerType.Unsigned8, string.Empty,
             "0 no surface, 1 lit, 2 penumbra, 3 shadow (Sun's centre above the point's horizontal plane, but hidden or behind the facet), "
@@ -71,7 +84,10 @@ public static class LayerCatalogue
             "aspect", LayerType.Real64, "deg",
             "Azimuth in which the ground falls, clockwise from north: 0 north, 90 east, 180 south, 270 west. "
                 + "Undefined on level ground and on the polar axis.",
-            SlopeValues.Aspect),
+            SlopeValues.Aspect)
+        {
+            IsDirection = true,
+        },
         new(
             "sphere-incidence", LayerType.Real64, "deg",
             "Angle between the direction from the Moon's centre and the direction to the Sun's centre, 0 to 180.",

@@ -40,6 +40,8 @@ public sealed class LayerSampler
     public void SampleRow(int row, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int start)
     {
         PinholeCamera camera = _truth.Camera;
+        PixelTruth pixel = new(_truth, _meshPixelsPerDegree);
+        (LayerValue Value, int Plane, double[] Values)[] targets = [.. Targets(layers, planes)];
         ReadOnlySpan<double> factors = _truth.RadianceFactors;
         ReadOnlySpan<double> electrons = _truth.Electrons;
         ReadOnlySpan<byte> saturated = _truth.Saturated;
@@ -53,8 +55,11 @@ public sealed class LayerSampler
                 saturated.IsEmpty ? null : saturated[index]);
             if (_truth.TryGet(column + 1, row + 1, out SurfaceHit hit, out PixelIllumination light))
             {
-                PixelTruth pixel = new(_truth, _meshPixelsPerDegree, camera.RayThrough(column + 1, row + 1), hit, light, brightness);
-                Fill(pixel, layers, planes, start + column);
+                pixel.MoveTo(camera.RayThrough(column + 1, row + 1), hit, light, brightness);
+                foreach ((LayerValue value, int plane, double[] values) in targets)
+                {
+                    values[start + column] = value(pixel, plane) ?? double.NaN;
+                }
             }
             else
             {
@@ -63,14 +68,16 @@ public sealed class LayerSampler
         }
     }
 
-    private static void Fill(in PixelTruth pixel, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int index)
+    /// <summary>Each plane with the function that computes its values.</summary>
+    private static IEnumerable<(LayerValue Value, int Plane, double[] Values)> Targets(
+        IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes)
     {
         int next = 0;
         foreach (Layer layer in layers)
         {
             for (int plane = 0; plane < layer.Planes; plane++)
             {
-                planes[next++][index] = layer.Value(pixel, plane) ?? double.NaN;
+                yield return (layer.Value, plane, planes[next++]);
             }
         }
     }

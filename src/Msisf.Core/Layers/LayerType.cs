@@ -6,6 +6,9 @@ public enum LayerType
     /// <summary>IEEE 754 double; NaN where undefined, as the FITS standard 4.0, section 5.3, has it.</summary>
     Real64,
 
+    /// <summary>IEEE 754 single precision, rounded to nearest; NaN where undefined.</summary>
+    Real32,
+
     /// <summary>0 to 255; always defined.</summary>
     Unsigned8,
 

@@ -4,4 +4,4 @@ namespace Msisf.Core.Layers;
 /// <param name="pixel">What is known of the pixel.</param>
 /// <param name="plane">0 to <see cref="Layer.Planes"/> - 1.</param>
 /// <returns>In the layer's unit, finite; null where it is undefined.</returns>
-internal delegate double? LayerValue(in PixelTruth pixel, int plane);
+internal delegate double? LayerValue(PixelTruth pixel, int plane);

@@ -6,15 +6,17 @@ namespace Msisf.Core.Layers;
 internal static class SlopeValues
 {
     /// <summary>Degrees between the normal and the radius.</summary>
-    public static double? Slope(in PixelTruth pixel, int plane) =>
-        double.RadiansToDegrees(Vector3D.AngleBetween(pixel.Hit.NormalMoonMe, pixel.Hit.PointMoonMe));
+    public static double? Slope(PixelTruth pixel, int plane) =>
+        double.RadiansToDegrees(Vector3D.AngleBetween(
+            pixel.Hit.NormalMoonMe, pixel.Hit.NormalMoonMe.Length, pixel.Hit.PointMoonMe, pixel.Radius));
 
     /// <summary>Degrees from north over east to the direction in which the ground falls.</summary>
-    public static double? Aspect(in PixelTruth pixel, int plane)
+    public static double? Aspect(PixelTruth pixel, int plane)
     {
-        Vector3D up = pixel.Hit.PointMoonMe.Normalized();
+        Vector3D up = pixel.Zenith;
         Vector3D east = Vector3D.Cross(Vector3D.UnitZ, up);
-        if (east.Length < Tolerances.ParallelSine)
+        double eastLength = east.Length;
+        if (eastLength < Tolerances.ParallelSine)
         {
             return null; // the polar axis has no north
         }
@@ -23,7 +25,7 @@ internal static class SlopeValues
         Vector3D north = Vector3D.Cross(up, east);
         double toEast = Vector3D.Dot(pixel.Hit.NormalMoonMe, east);
         double toNorth = Vector3D.Dot(pixel.Hit.NormalMoonMe, north);
-        if (double.Hypot(toEast, toNorth) < Tolerances.LevelSlope * east.Length)
+        if (double.Hypot(toEast, toNorth) < Tolerances.LevelSlope * eastLength)
         {
             return null;
         }
@@ -33,6 +35,6 @@ internal static class SlopeValues
     }
 
     /// <summary>Degrees between the radius and the direction to the Sun.</summary>
-    public static double? SphereIncidence(in PixelTruth pixel, int plane) =>
-        double.RadiansToDegrees(Vector3D.AngleBetween(pixel.Hit.PointMoonMe, pixel.ToLightMoonMe));
+    public static double? SphereIncidence(PixelTruth pixel, int plane) =>
+        double.RadiansToDegrees(Vector3D.AngleBetween(pixel.Hit.PointMoonMe, pixel.Radius, pixel.ToLightMoonMe, pixel.LightDistance));
 }

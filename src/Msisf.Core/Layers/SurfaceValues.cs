@@ -9,31 +9,29 @@ namespace Msisf.Core.Layers;
 internal static class SurfaceValues
 {
     /// <summary>m, along the ray; from the ray's parameter, so it keeps its digits when the ground is near.</summary>
-    public static double? Range(in PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.LineOfSightMoonMe.Length;
+    public static double? Range(PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.LineOfSightLength;
 
     /// <summary>m, along the optical axis: the ray's direction is one image plane distance long on it.</summary>
-    public static double? Depth(in PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.Camera.Direction.Length;
+    public static double? Depth(PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.AxisLength;
 
     /// <summary>m: see <see cref="PixelBeam"/>.</summary>
-    public static double? PixelScale(in PixelTruth pixel, int plane) => PixelBeam.SideAt(
+    public static double? PixelScale(PixelTruth pixel, int plane) => PixelBeam.SideAt(
         pixel.Camera, new Ray(pixel.Camera.PositionMoonMe, pixel.LineOfSightMoonMe), pixel.Hit.RayParameter);
 
-    public static double? Position(in PixelTruth pixel, int plane) => Component(pixel.Hit.PointMoonMe, plane);
+    public static double? Position(PixelTruth pixel, int plane) => Component(pixel.Hit.PointMoonMe, plane);
 
-    public static double? Normal(in PixelTruth pixel, int plane) => Component(pixel.Hit.NormalMoonMe, plane);
+    public static double? Normal(PixelTruth pixel, int plane) => Component(pixel.Hit.NormalMoonMe, plane);
 
-    public static double? Latitude(in PixelTruth pixel, int plane) =>
-        double.RadiansToDegrees(SelenographicPoint.Below(pixel.Hit.PointMoonMe).Latitude);
+    public static double? Latitude(PixelTruth pixel, int plane) => double.RadiansToDegrees(pixel.Place.Latitude);
 
-    public static double? Longitude(in PixelTruth pixel, int plane) =>
-        double.RadiansToDegrees(SelenographicPoint.Below(pixel.Hit.PointMoonMe).Longitude);
+    public static double? Longitude(PixelTruth pixel, int plane) => double.RadiansToDegrees(pixel.Place.Longitude);
 
-    public static double? Height(in PixelTruth pixel, int plane) => pixel.Hit.PointMoonMe.Length - MoonConstants.ReferenceRadius;
+    public static double? Height(PixelTruth pixel, int plane) => pixel.Radius - MoonConstants.ReferenceRadius;
 
-    public static double? Cell(in PixelTruth pixel, int plane) => plane == 0 ? pixel.Hit.Facet.Line : pixel.Hit.Facet.Sample;
+    public static double? Cell(PixelTruth pixel, int plane) => plane == 0 ? pixel.Hit.Facet.Line : pixel.Hit.Facet.Sample;
 
     /// <summary><see cref="TileId.Number"/> of the tile that the cell belongs to (docs/pattern-format.md).</summary>
-    public static double? Tile(in PixelTruth pixel, int plane) => TileId.Holding(pixel.Hit.Facet, pixel.MeshPixelsPerDegree).Number;
+    public static double? Tile(PixelTruth pixel, int plane) => TileId.Holding(pixel.Hit.Facet, pixel.MeshPixelsPerDegree).Number;
 
     private static double Component(Vector3D vector, int plane) => plane switch
     {

@@ -23,9 +23,15 @@ public static class IlluminationDirection
     /// of two nearby projections: the plane through the line of sight and the ground line cuts the image plane in the wanted direction,
     /// and its normal is one cross product (docs/deviations.md, rows 9 and 10).
     /// </remarks>
-    public static double? At(PinholeCamera camera, Vector3D lineOfSightMoonMe, Vector3D pointMoonMe, Vector3D sunPositionMoonMe)
+    public static double? At(PinholeCamera camera, Vector3D lineOfSightMoonMe, Vector3D pointMoonMe, Vector3D sunPositionMoonMe) =>
+        At(camera, lineOfSightMoonMe, lineOfSightMoonMe.Length, pointMoonMe, pointMoonMe.Length, sunPositionMoonMe);
+
+    /// <summary>The same, for a caller that knows the lengths of the line of sight and of the point's vector, which are not 0.</summary>
+    internal static double? At(
+        PinholeCamera camera, Vector3D lineOfSightMoonMe, double lineOfSightLength, Vector3D pointMoonMe, double pointRadius,
+        Vector3D sunPositionMoonMe)
     {
-        Vector3D lineOfSight = lineOfSightMoonMe.Normalized();
+        Vector3D lineOfSight = lineOfSightMoonMe / lineOfSightLength;
 
         // The point is taken on the line of sight: rounding moves it aside by 1e-10 m, which would turn the direction to a lamp at a
         // camera 1 m above the ground by 1e-7 degrees.
@@ -37,7 +43,7 @@ public static class IlluminationDirection
             return null;
         }
 
-        Vector3D zenith = pointMoonMe.Normalized();
+        Vector3D zenith = pointMoonMe / pointRadius;
         Vector3D alongGround = Vector3D.Cross(zenith, Vector3D.Cross(toSun / sunDistance, zenith));
         Vector3D planeNormal = camera.MoonFromCamera.Conjugate * Vector3D.Cross(lineOfSight, alongGround);
         double right = -planeNormal.Z;

@@ -57,10 +57,13 @@ public readonly record struct Vector3D(double X, double Y, double Z)
 
     /// <summary>Angle between two vectors in rad, [0, pi], right to the last digits at 0 and pi too.</summary>
     /// <remarks>W. Kahan, "How futile are mindless assessments of roundoff in floating-point computation?", section 12.</remarks>
-    public static double AngleBetween(Vector3D u, Vector3D v)
+    public static double AngleBetween(Vector3D u, Vector3D v) => AngleBetween(u, u.Length, v, v.Length);
+
+    /// <summary>The same, for a caller that knows the lengths.</summary>
+    internal static double AngleBetween(Vector3D u, double uLength, Vector3D v, double vLength)
     {
-        Vector3D a = v.Length * u;
-        Vector3D b = u.Length * v;
+        Vector3D a = vLength * u;
+        Vector3D b = uLength * v;
         return 2.0 * Math.Atan2((a - b).Length, (a + b).Length);
     }
 

@@ -6,32 +6,39 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Tiles;
 
 /// <summary>
-/// Bounds of a model's facets in all tiles and parts of tiles (<see cref="TileLayout"/>). Immutable, safe for several threads.
+/// Bounds of a model's facets in all tiles and parts of tiles (<see cref="TileLayout"/>), known from the beginning or read when they are
+/// requested. Safe for several threads.
 /// </summary>
 public sealed class ElevationSummary
 {
     private readonly BoundsTree _tree;
     private readonly TileLayout _layout;
+    private readonly IElevationGrid? _grid;
 
-    private ElevationSummary(BoundsTree tree, TileLayout layout)
+    private ElevationSummary(BoundsTree tree, TileLayout layout, NodeBounds limits, IElevationGrid? grid = null)
     {
+        _grid = grid;
         _tree = tree;
         _layout = layout;
-        Levels = [.. Enumerable.Range(0, layout.Levels).Reverse().Select(level => new SummaryLevel(tree, layout, level))];
-        NodeBounds all = NodeBounds.Empty;
-        ForEachNode(layout.Levels - 1, (_, bounds) => all = NodeBounds.Union(all, bounds));
-        MinRadius = all.Min;
-        MaxRadius = all.Max;
+        Levels = [.. Enumerable.Range(0, layout.Levels).Reverse().Select(level => new SummaryLevel(tree, layout, level, limits))];
+        MinRadius = limits.Min;
+        MaxRadius = limits.Max;
     }
 
     /// <summary>Samples a degree of the model.</summary>
     public int PixelsPerDegree => _layout.PixelsPerDegree;
 
-    /// <summary>Minimum radius of a vertex, m.</summary>
+    /// <summary>Minimum radius of a vertex, m; of a summary on demand, the limit that the model gives.</summary>
     public double MinRadius { get; }
 
-    /// <summary>Maximum radius of a vertex, m.</summary>
+    /// <summary>Maximum radius of a vertex, m; of a summary on demand, the limit that the model gives.</summary>
     public double MaxRadius { get; }
+
+    /// <summary>Number of samples that were read on demand.</summary>
+    public long SamplesRead => _tree.SamplesRead;
+
+    /// <summary>Whether parts are read when they are requested.</summary>
+    internal bool IsOnDemand => _grid is not null;
 
     /// <summary>Levels of the summary, coarsest (tiles) first.</summary>
     public IReadOnlyList<SummaryLevel> Levels { get; }
@@ -42,27 +49,38 @@ public sealed class ElevationSummary
         TileLayout layout = new(grid.PixelsPerDegree);
         BoundsTree tree = new(layout, new FacetMesh(grid));
         tree.ReadAll();
-        return new ElevationSummary(tree, layout);
-    }
-
-    /// <summary>Restores a summary from the numbers of <see cref="ToValues"/>.</summary>
-    /// <param name="pixelsPerDegree">Samples a degree of the model.</param>
-    /// <param name="values">Three a block: minimum and maximum radius (m), tangent of the steepest slope.</param>
-    /// <exception cref="BadInputException">The count is not that of a model of this resolution, or a value is impossible.</exception>
-    public static ElevationSummary FromValues(int pixelsPerDegree, ReadOnlySpan<float> values)
-    {
-        TileLayout layout = new(pixelsPerDegree);
-        int columns = layout.Columns(0);
-        int blocks = layout.Rows(0) * columns;
-        if (values.Length != 3 * blocks)
+        NodeBounds all = NodeBounds.Empty;
+        for (int tile = 0; tile < TileId.Count; tile++)
         {
-            throw new BadInputException($"The elevation summary has {values.Length} numbers, {3 * blocks} expected; make it again.");
+            all = NodeBounds.Union(all, tree.Of(layout.Levels - 1, tile / TileId.Columns, tile % TileId.Columns));
         }
 
-        BoundsTree tree = new(layout, mesh: null);
-        for (int block = 0; block < blocks; block++)
+        return new ElevationSummary(tree, layout, all with { MaxSlope = float.PositiveInfinity });
+    }
+
+    /// <summary>Makes a summary that reads the parts of the model that are requested, each once.</summary>
+    /// <param name="grid">The model.</param>
+    /// <param name="known">What is known of it: <see cref="ToValues"/> of an earlier summary, or nothing.</param>
+    /// <exception cref="BadInputException">The count is not that of a model of this resolution, or a value is impossible.</exception>
+    public static ElevationSummary OnDemand(IElevationGrid grid, ReadOnlySpan<float> known = default)
+    {
+        TileLayout layout = new(grid.PixelsPerDegree);
+        BoundsTree tree = new(layout, new FacetMesh(grid));
+        int columns = layout.Columns(0);
+        int blocks = layout.Rows(0) * columns;
+        if (known.Length != 3 * blocks && !known.IsEmpty)
         {
-            NodeBounds bounds = new(values[3 * block], values[(3 * block) + 1], values[(3 * block) + 2]);
+            throw new BadInputException($"The elevation summary has {known.Length} numbers, {3 * blocks} expected; make it again.");
+        }
+
+        for (int block = 0; block < known.Length / 3; block++)
+        {
+            NodeBounds bounds = new(known[3 * block], known[(3 * block) + 1], known[(3 * block) + 2]);
+            if (bounds == default)
+            {
+                continue;
+            }
+
             if (!(bounds.Min > 0.0F && bounds.Max >= bounds.Min && bounds.MaxSlope >= 0.0F && float.IsFinite(bounds.Max + bounds.MaxSlope)))
             {
                 throw new BadInputException($"Block {block} of the elevation summary can't be: {bounds}; make it again.");
@@ -71,17 +89,49 @@ public sealed class ElevationSummary
             tree.Set(0, block / columns, block % columns, bounds);
         }
 
-        return new ElevationSummary(tree, layout);
+        (double min, double max) = grid.RadiusLimits;
+        return new ElevationSummary(
+            tree, layout, new NodeBounds(MathF.BitDecrement((float)min), MathF.BitIncrement((float)max), float.PositiveInfinity), grid);
     }
 
     /// <summary>
-    /// The bounds of the finest blocks, row by row, three numbers a block; the whole summary can be restored from them.
+    /// The bounds of the finest blocks that are known, row by row, three numbers a block: minimum and maximum radius (m), tangent of the
+    /// steepest slope. Those of the others are 0.
     /// </summary>
     public float[] ToValues()
     {
-        float[] values = new float[3 * _layout.Rows(0) * _layout.Columns(0)];
-        ForEachNode(0, (block, bounds) => (values[3 * block], values[(3 * block) + 1], values[(3 * block) + 2]) = bounds);
+        int columns = _layout.Columns(0);
+        float[] values = new float[3 * _layout.Rows(0) * columns];
+        for (int block = 0; block < values.Length / 3; block++)
+        {
+            if (_tree.TryGetKnown(0, block / columns, block % columns, out NodeBounds bounds))
+            {
+                (values[3 * block], values[(3 * block) + 1], values[(3 * block) + 2]) = bounds;
+            }
+        }
+
         return values;
+    }
+
+    /// <summary>Reads what is not known of some tiles, on all cores.</summary>
+    internal void Read(IEnumerable<TileId> tiles)
+    {
+        if (_grid is null)
+        {
+            return;
+        }
+
+        int side = _layout.Subdivisions(0);
+        TileId[] unread = [.. tiles.Where(tile => Levels[0].NodeUnread(tile).IsUnread)];
+        Parallel.For(0, unread.Length * side, job =>
+        {
+            (int index, int row) = int.DivRem(job, side);
+            _tree.ReadRow((unread[index].RowFromNorth * side) + row, unread[index].Column * side, side);
+        });
+        if (unread.Length > 0)
+        {
+            _grid.ReleasePages(); // what is drawn of it is read once more
+        }
     }
 
     /// <summary>Refuses a summary of another model.</summary>
@@ -93,15 +143,6 @@ public sealed class ElevationSummary
             throw new BadInputException(
                 $"The elevation summary is of a model with {PixelsPerDegree} px/deg, but {grid.ProductId} has {grid.PixelsPerDegree}; "
                     + $"make it again.");
-        }
-    }
-
-    private void ForEachNode(int level, Action<int, NodeBounds> act)
-    {
-        int columns = _layout.Columns(level);
-        for (int block = 0; block < _layout.Rows(level) * columns; block++)
-        {
-            act(block, _tree.Of(level, block / columns, block % columns));
         }
     }
 }

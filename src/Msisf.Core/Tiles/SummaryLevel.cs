@@ -12,9 +12,11 @@ public sealed class SummaryLevel
     private readonly BoundsTree _tree;
     private readonly TileLayout _layout;
     private readonly int _level;
+    private readonly NodeBounds _limits;
 
-    internal SummaryLevel(BoundsTree tree, TileLayout layout, int level)
+    internal SummaryLevel(BoundsTree tree, TileLayout layout, int level, NodeBounds limits)
     {
+        _limits = limits;
         _tree = tree;
         _layout = layout;
         _level = level;
@@ -49,6 +51,19 @@ public sealed class SummaryLevel
     /// <param name="column">Westernmost block.</param>
     /// <param name="count">How many.</param>
     internal TerrainNode Node(int row, int column, int count) => _tree.Node(_level, row, column, count);
+
+    /// <summary>
+    /// The same without reading: a block that is not known has the limits of the model. What is true of all surfaces within these is true
+    /// of the block.
+    /// </summary>
+    internal TerrainNode NodeUnread(int row, int column, int count = 1) => _tree.NodeWithin(_level, row, column, count, _limits);
+
+    /// <summary>A tile without reading, as <see cref="NodeUnread(int, int, int)"/>; for the level of tiles.</summary>
+    internal TerrainNode NodeUnread(TileId tile) => NodeUnread(tile.RowFromNorth, tile.Column);
+
+    /// <summary>A block with the limits of the model, whatever is known of it.</summary>
+    internal TerrainNode NodeOfLimits(int row, int column) =>
+        _tree.NodeOf(_tree.CapOf(_level, row, column), _limits) with { IsUnread = true };
 
     /// <summary>A tile's block with its place and bounds.</summary>
     /// <param name="tile">The tile.</param>

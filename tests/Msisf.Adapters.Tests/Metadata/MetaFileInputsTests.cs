@@ -25,6 +25,7 @@ public sealed class MetaFileInputsTests : IDisposable
         string path = _folder.Write("m.xml", Head + """
             <Input kind="elevation-image" name="a &quot;b&quot; &amp; c.IMG" bytes="34000000000" sha256="0123" />
             <Input kind="kernel" name="de421.bsp" bytes="16788480" sha256="4567" />
+            <Input kind="elevation-image" name="LDEM_512.IMG" bytes="34000000000" sha256OfPieces="89ab" />
             <Input kind="of-the-future" name="x" bytes="1" sha256="89" />
           </GeneralInformation>
           <PixelInformation>
@@ -35,6 +36,7 @@ public sealed class MetaFileInputsTests : IDisposable
             [
                 new InputFile(InputKind.ElevationImage, "a \"b\" & c.IMG", 34_000_000_000, "0123"),
                 new InputFile(InputKind.Kernel, "de421.bsp", 16788480, "4567"),
+                new InputFile(InputKind.ElevationImage, "LDEM_512.IMG", 34_000_000_000, "89ab") { IsOfPieces = true },
             ],
             MetaFileInputs.Read(path));
     }

@@ -17,18 +17,36 @@ public sealed class ElevationSummaryFileTests : IDisposable
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
     [Fact]
-    public void LoadOrBuild_NoFile_BuildsAndStores()
+    public void Open_StoredSummary_ReadsNothingAgain()
     {
         CountingGrid grid = new();
-        (ElevationSummary first, string? warning) = ElevationSummaryFile.LoadOrBuild(FilePath, Source, grid);
+        ElevationSummary built = ElevationSummary.Build(grid);
+        File.WriteAllBytes(FilePath, Content());
         int reads = grid.Reads;
-        (ElevationSummary second, _) = ElevationSummaryFile.LoadOrBuild(FilePath, Source, grid);
+
+        ElevationSummary opened = ElevationSummaryFile.Open(FilePath, Source, grid);
+
+        Assert.True(reads > 0);
+        Assert.Equal(built.ToValues(), opened.ToValues());
+        Assert.Equal(reads, grid.Reads);
+    }
+
+    [Fact]
+    public void StoreIfWorthwhile_LittleWasRead_StoresNothing()
+    {
+        Assert.Null(ElevationSummaryFile.StoreIfWorthwhile(FilePath, Source, ElevationSummary.Build(new CountingGrid())));
+        Assert.Empty(Directory.GetFiles(_folder));
+    }
+
+    [Fact]
+    public void StoreIfWorthwhile_MuchWasRead_StoresIt()
+    {
+        string? warning = ElevationSummaryFile.StoreIfWorthwhile(
+            FilePath, Source, ElevationSummary.Build(new CountingGrid()), minSamplesRead: 100);
 
         Assert.Null(warning);
-        Assert.True(reads > 0);
-        Assert.Equal(reads, grid.Reads); // the second time the model is not touched
-        Assert.Equal(first.ToValues(), second.ToValues());
-        Assert.Equal(first.MaxRadius, second.MaxRadius);
+        Assert.Equal(Content(), File.ReadAllBytes(FilePath));
+        Assert.Single(Directory.GetFiles(_folder));
     }
 
     [Fact]
@@ -36,11 +54,11 @@ public sealed class ElevationSummaryFileTests : IDisposable
     {
         byte[] content = Content();
 
-        Assert.NotNull(ElevationSummaryFile.Read(content, Source));
-        Assert.Null(ElevationSummaryFile.Read(content, Source with { ProductId = "TEST_2" }));
-        Assert.Null(ElevationSummaryFile.Read(content, Source with { ImageBytes = 129_601 }));
-        Assert.Null(ElevationSummaryFile.Read(content, Source with { ImageWritten = Source.ImageWritten.AddTicks(1) }));
-        Assert.Null(ElevationSummaryFile.Read(content, Source with { LabelText = Source.LabelText + " " }));
+        Assert.NotNull(ElevationSummaryFile.Read(content, Source, new CountingGrid()));
+        Assert.Null(ElevationSummaryFile.Read(content, Source with { ProductId = "TEST_2" }, new CountingGrid()));
+        Assert.Null(ElevationSummaryFile.Read(content, Source with { ImageBytes = 129_601 }, new CountingGrid()));
+        Assert.Null(ElevationSummaryFile.Read(content, Source with { ImageWritten = Source.ImageWritten.AddTicks(1) }, new CountingGrid()));
+        Assert.Null(ElevationSummaryFile.Read(content, Source with { LabelText = Source.LabelText + " " }, new CountingGrid()));
     }
 
     [Theory]
@@ -49,7 +67,8 @@ public sealed class ElevationSummaryFileTests : IDisposable
     [InlineData(72)]
     [InlineData(100)]
     [InlineData(1000)]
-    public void Read_Truncated_IsNoSummary(int bytes) => Assert.Null(ElevationSummaryFile.Read(Content().AsSpan(0, bytes), Source));
+    public void Read_Truncated_IsNoSummary(int bytes) =>
+        Assert.Null(ElevationSummaryFile.Read(Content().AsSpan(0, bytes), Source, new CountingGrid()));
 
     [Theory]
     [InlineData(3)]
@@ -61,27 +80,27 @@ public sealed class ElevationSummaryFileTests : IDisposable
         byte[] content = Content();
         content[position] ^= 1;
 
-        Assert.Null(ElevationSummaryFile.Read(content, Source));
+        Assert.Null(ElevationSummaryFile.Read(content, Source, new CountingGrid()));
     }
 
-    [Fact]
-    public void LoadOrBuild_DamagedFile_IsMadeAgain()
+    [Theory]
+    [InlineData("not a summary")]
+    [InlineData("")]
+    public void Open_DamagedFile_KnowsNothing(string content)
     {
-        File.WriteAllText(FilePath, "not a summary");
-        ElevationSummaryFile.LoadOrBuild(FilePath, Source, new CountingGrid());
+        File.WriteAllText(FilePath, content);
 
-        Assert.Equal(Content(), File.ReadAllBytes(FilePath));
-        Assert.Single(Directory.GetFiles(_folder));
+        Assert.All(ElevationSummaryFile.Open(FilePath, Source, new CountingGrid()).ToValues(), value => Assert.Equal(0.0F, value));
     }
 
     [Fact]
-    public void LoadOrBuild_FolderInTheWay_WarnsAndGoesOn()
+    public void StoreIfWorthwhile_FolderInTheWay_WarnsAndGoesOn()
     {
         Directory.CreateDirectory(FilePath);
-        (ElevationSummary summary, string? warning) = ElevationSummaryFile.LoadOrBuild(FilePath, Source, new CountingGrid());
+        ElevationSummary summary = ElevationSummaryFile.Open(FilePath, Source, new CountingGrid());
 
-        Assert.InRange(summary.MinRadius, 1_736_999.0, 1_737_001.0);
-        Assert.Contains("TEST_1.SUM", warning, StringComparison.Ordinal);
+        Assert.Contains(
+            "TEST_1.SUM", ElevationSummaryFile.StoreIfWorthwhile(FilePath, Source, summary, minSamplesRead: 0), StringComparison.Ordinal);
     }
 
     private static byte[] Content()

@@ -36,6 +36,27 @@ public sealed class LdemChecksumsTests : IDisposable
     }
 
     [Fact]
+    public void Read_ModelTooLargeToBeRead_HasItsLabelsHashAndPiecesOfItsImage()
+    {
+        string label = TestModel.Write(_folder.Path, TestModel.Label, "abc"u8.ToArray());
+        LdemChecksums checksums = LdemChecksums.Open(LdemSet.Join([LdemLabelReader.ReadFile(label)]), null, largestRead: 2);
+        long bytesToRead = checksums.BytesToRead;
+
+        IReadOnlyList<InputFile> files = checksums.Read(CancellationToken.None).Files;
+
+        // python3: hashlib.sha256(struct.pack("<q", 3) + 64 * b"abc").hexdigest()
+        Assert.Equal(
+            new InputFile(
+                InputKind.ElevationImage, "LDEM_1.IMG", 3, "1bd28ebf0e69fdd449a37fee00d52d6b6e935f0dec8760cb0950be3ac2a34d4c")
+            {
+                IsOfPieces = true,
+            },
+            files[1]);
+        Assert.Equal(Read(label, null).Files[0], files[0]);
+        Assert.Equal(new FileInfo(label).Length, bytesToRead);
+    }
+
+    [Fact]
     public void Read_LargeImageAgain_TakesWhatIsRemembered()
     {
         string label = Large();

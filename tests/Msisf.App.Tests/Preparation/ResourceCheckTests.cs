@@ -50,5 +50,13 @@ public sealed class ResourceCheckTests
     public void AtOnce_CoresAndMemory_AreNotExceeded(string options, int frames, int expected) =>
         Assert.Equal(expected, ResourceCheck.AtOnce(Settings(options), frames, cores: 8, Gibibyte));
 
+    [Theory]
+    [InlineData("", 2, 4)]
+    [InlineData("", 1, 2)]
+    [InlineData("", 3, 3)] // six processes of 276 MiB are more than a gibibyte
+    [InlineData("--jobs 2", 2, 2)]
+    public void SmallScenesAtOnce_MemoryAndJobs_AreNotExceeded(string options, int atOnce, int expected) =>
+        Assert.Equal(expected, ResourceCheck.SmallScenesAtOnce(Settings(options), atOnce, Gibibyte + (Gibibyte / 4)));
+
     private static RenderSettings Settings(string options) => RenderSettingsReader.Read(Given.Options(options));
 }

@@ -23,6 +23,14 @@ public sealed class FrameArgumentsTests
         "--fov 40 --width 64 --height 1024 --gridH 50 --gridV 50 --surface sphere --res 4 --lod-error 0.35 --ephemeris cspice "
         + "--aberration none --renderer native --band 689 --reflectance lambert --sun point --samples 1 --shading facet --exposure 1 "
         + "--transfer srgb --bit-depth 8 --layers radiance --layers-format fits")]
+    [InlineData("--renderer native --reflectance lambert --layers mask --layers-compression gzip --layers-precision single",
+        "--fov 40 --width 1024 --height 1024 --gridH 50 --gridV 50 --surface sphere --res 4 --lod-error 0.35 --ephemeris cspice "
+        + "--aberration none --renderer native --reflectance lambert --sun point --samples 1 --shading facet --exposure 1 "
+        + "--transfer srgb --bit-depth 8 --layers mask --layers-format fits --layers-precision single --layers-compression gzip")]
+    [InlineData("--renderer native --reflectance lambert --layers mask --layers-compression none --layers-precision double",
+        "--fov 40 --width 1024 --height 1024 --gridH 50 --gridV 50 --surface sphere --res 4 --lod-error 0.35 --ephemeris cspice "
+        + "--aberration none --renderer native --reflectance lambert --sun point --samples 1 --shading facet --exposure 1 "
+        + "--transfer srgb --bit-depth 8 --layers mask --layers-format fits")]
     [InlineData("--renderer native --reflectance nac",
         "--fov 40 --width 1024 --height 1024 --gridH 50 --gridV 50 --surface sphere --res 4 --lod-error 0.35 --ephemeris cspice "
         + "--aberration none --renderer native --reflectance nac --sun point --samples 1 --shading facet --exposure 5 "

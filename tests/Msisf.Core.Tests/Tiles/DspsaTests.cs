@@ -76,6 +76,28 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     }
 
     [RequiresFact(Part.Ldem4)]
+    public void Select_SummaryOnDemand_ChoosesTheSameAndReadsLess()
+    {
+        long read = 0;
+        for (int number = 0; number < Cameras; number++)
+        {
+            (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, ldem4.Grid, PixelsEach);
+            ElevationSummary onDemand = ElevationSummary.OnDemand(ldem4.Grid);
+            Vector3D? light = number % 4 == 3 ? null : sun;
+
+            TileSelection expected = Dspsa.Select(camera, light, ldem4.Grid, ldem4.Summary);
+
+            Assert.Equal(expected.Kept, Dspsa.Select(camera, light, ldem4.Grid, onDemand).Kept);
+            Assert.Equal(
+                Dspsa.Select(camera, light, ldem4.Grid, onDemand).All,
+                Dspsa.Select(camera, light, ldem4.Grid, ElevationSummary.OnDemand(ldem4.Grid)).All); // whatever was known
+            read += onDemand.SamplesRead;
+        }
+
+        Assert.InRange(read, 1, Cameras * (180L * 360 * 4 * 4) / 2);
+    }
+
+    [RequiresFact(Part.Ldem4)]
     public void Select_SameTwice_ChoosesTheSame()
     {
         (PinholeCamera camera, Vector3D sun, _) = CameraCases.Make(1, ldem4.Grid, 10_000);

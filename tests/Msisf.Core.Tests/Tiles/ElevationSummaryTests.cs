@@ -62,13 +62,60 @@ public sealed class ElevationSummaryTests
     }
 
     [Fact]
-    public void FromValues_WrongCountOrValue_IsBadInput()
+    public void OnDemand_WrongCountOrValue_IsBadInput()
     {
         float[] values = ElevationSummary.Build(Coarse).ToValues();
 
-        Assert.Throws<BadInputException>(() => ElevationSummary.FromValues(16, values));
+        Assert.Throws<BadInputException>(() => ElevationSummary.OnDemand(Fine, values));
         values[4] = float.NaN;
-        Assert.Throws<BadInputException>(() => ElevationSummary.FromValues(2, values));
+        Assert.Throws<BadInputException>(() => ElevationSummary.OnDemand(Coarse, values));
+    }
+
+    [Theory]
+    [InlineData(2)]
+    [InlineData(16)]
+    public void OnDemand_Blocks_AreThoseOfTheWholeModel(int pixelsPerDegree)
+    {
+        MemoryElevationGrid grid = pixelsPerDegree == 2 ? Coarse : Fine;
+        ElevationSummary whole = ElevationSummary.Build(grid);
+        ElevationSummary onDemand = ElevationSummary.OnDemand(grid);
+        onDemand.Read([TileId.FromNorth.First()]);
+        for (int index = 0; index < whole.Levels[0].Count; index += 7)
+        {
+            (int row, int column) = int.DivRem(index, whole.Levels[0].Columns);
+            Assert.Equal(whole.Levels[0].Node(row, column), onDemand.Levels[0].Node(row, column));
+        }
+    }
+
+    [Fact]
+    public void OnDemand_ValuesOfAPart_AreKnownAndTheRestIsNot()
+    {
+        ElevationSummary first = ElevationSummary.OnDemand(Coarse);
+        TileId[] tiles = [.. TileId.FromNorth];
+        first.Read([tiles[0], tiles[1000]]);
+        ElevationSummary second = ElevationSummary.OnDemand(Coarse, first.ToValues());
+
+        second.Read([tiles[1000]]);
+        Assert.Equal(0, second.SamplesRead);
+        Assert.Equal(first.ToValues(), second.ToValues());
+        second.Read([tiles[1001]]);
+        Assert.Equal(100, second.SamplesRead); // 5 x 5 degrees at 2 px/deg
+    }
+
+    /// <summary>What a node may be is decided before it is read: its unread bounds have to contain those that it gets.</summary>
+    [Fact]
+    public void NodeUnread_AnyNode_ContainsTheNodeThatIsRead()
+    {
+        ElevationSummary summary = ElevationSummary.OnDemand(Coarse);
+        foreach (TileId tile in TileId.All)
+        {
+            TerrainNode unread = summary.Levels[0].NodeUnread(tile);
+            TerrainNode read = summary.Levels[0].NodeOf(tile);
+
+            Assert.True(unread.IsUnread && !read.IsUnread && !summary.Levels[0].NodeUnread(tile).IsUnread);
+            Assert.True(unread.MinRadius <= read.MinRadius && unread.MaxRadius >= read.MaxRadius);
+            Assert.True((unread.Ball().Centre - read.Ball().Centre).Length + read.Ball().Radius <= unread.Ball().Radius);
+        }
     }
 
     private static void CheckFacet(in TerrainNode node, Vector3D a, Vector3D b, Vector3D c, Random random)

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.InteropServices;
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Layers;
 using Msisf.Core.Layers;
@@ -14,11 +15,12 @@ public sealed class FitsLayerWriterTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [RequiresTheory(Part.CFitsio, Part.Fitsverify)]
-    [InlineData("all")]
-    [InlineData("mask")]
-    public void Write_Layers_PassFitsverifyWithoutAWarning(string layers)
+    [InlineData("all", LayerPrecision.Double, LayerCompression.None)]
+    [InlineData("mask", LayerPrecision.Double, LayerCompression.None)]
+    [InlineData("all", LayerPrecision.Single, LayerCompression.Gzip)]
+    public void Write_Layers_PassFitsverifyWithoutAWarning(string layers, LayerPrecision precision, LayerCompression compression)
     {
-        string path = _folder.Write("frame.fits", LayerFrame.Fits(layers));
+        string path = _folder.Write("frame.fits", LayerFrame.Fits(layers, precision, compression));
 
         string output = ChildRun.Of(TestParts.Program("fitsverify")!, [path], "/").Output;
 
@@ -38,8 +40,13 @@ public sealed class FitsLayerWriterTests : IDisposable
         Assert.DoesNotContain("found 0 warning(s)", output, StringComparison.Ordinal);
     }
 
-    [RequiresFact(Part.CFitsio, Part.Astropy)]
-    public void Write_AllLayers_AstropyReadsThemToTheBit() => AssertReadToTheBit("astropy");
+    [RequiresTheory(Part.CFitsio, Part.Astropy)]
+    [InlineData(LayerPrecision.Double, LayerCompression.None)]
+    [InlineData(LayerPrecision.Double, LayerCompression.Gzip)]
+    [InlineData(LayerPrecision.Single, LayerCompression.None)]
+    [InlineData(LayerPrecision.Single, LayerCompression.Gzip)]
+    public void Write_AllLayers_AstropyReadsThemToTheBit(LayerPrecision precision, LayerCompression compression) =>
+        AssertReadToTheBit("astropy", precision, compression);
 
     /// <summary>K, R and t of the header, and the points of POSITION, in numpy.</summary>
     [RequiresFact(Part.CFitsio, Part.Astropy)]
@@ -53,7 +60,19 @@ public sealed class FitsLayerWriterTests : IDisposable
     }
 
     [RequiresFact(Part.CFitsio, Part.Astropy, Part.Gdal)]
-    public void Write_AllLayers_GdalReadsThemToTheBit() => AssertReadToTheBit("gdal");
+    public void Write_AllLayers_GdalReadsThemToTheBit() => AssertReadToTheBit("gdal", LayerPrecision.Double, LayerCompression.None);
+
+    [RequiresFact(Part.CFitsio, Part.Astropy)]
+    public void Write_CompressedHeaders_AreThoseOfTheImages()
+    {
+        Dictionary<string, string> plain = LayerFrame.Read("astropy", _folder.Write("plain.fits", LayerFrame.Fits()), _folder.Path);
+
+        Dictionary<string, string> compressed = LayerFrame.Read(
+            "astropy", _folder.Write("compressed.fits", LayerFrame.Fits(compression: LayerCompression.Gzip)), _folder.Path);
+
+        Assert.Contains("CELL.BLANK", plain.Keys);
+        Assert.Equal(Headers(plain), Headers(compressed));
+    }
 
     [RequiresFact(Part.CFitsio, Part.Astropy)]
     public void Write_Headers_HaveUnitsFramesAndProvenance()
@@ -84,6 +103,30 @@ public sealed class FitsLayerWriterTests : IDisposable
     [RequiresFact(Part.CFitsio)]
     public void Write_SameFrameTwice_SameBytes() => Assert.Equal(LayerFrame.Fits(), LayerFrame.Fits());
 
+    /// <summary>Memory that an earlier file was in, and that looks like one, is used again.</summary>
+    [RequiresFact(Part.CFitsio)]
+    public void Write_AfterFilesOfOtherSizes_SameBytes()
+    {
+        byte[] first = LayerFrame.Fits("all", LayerPrecision.Single);
+        for (int file = 0; file < 20; file++)
+        {
+            LayerFrame.Fits(file % 2 == 0 ? "all" : "mask,normal");
+
+            Assert.Equal(first, LayerFrame.Fits("all", LayerPrecision.Single));
+        }
+    }
+
+    [RequiresFact(Part.CFitsio)]
+    public void Write_Compressed_IsSmallerAndTheSameBytesAgain()
+    {
+        byte[] compressed = LayerFrame.Fits(compression: LayerCompression.Gzip);
+
+        byte[][] together = [.. Enumerable.Range(0, 4).AsParallel().Select(_ => LayerFrame.Fits(compression: LayerCompression.Gzip))];
+
+        Assert.InRange(compressed.Length, 1, 0.8 * LayerFrame.Fits().Length);
+        Assert.All(together, file => Assert.Equal(compressed, file));
+    }
+
     [RequiresFact(Part.CFitsio)]
     public void Write_SeveralAtOnce_SameBytesAsOneAlone()
     {
@@ -101,17 +144,41 @@ public sealed class FitsLayerWriterTests : IDisposable
         source.Cancel();
 
         Assert.ThrowsAny<OperationCanceledException>(() => FitsLayerWriter.Write(
-            Stream.Null, LayerFrame.Metadata, LayerFrame.Provenance, LayerFrame.Truth, LayerSet.WithoutDetector, source.Token));
+            Stream.Null, LayerFrame.Metadata, LayerFrame.Provenance, LayerFrame.Truth, LayerSet.WithoutDetector,
+            cancellation: source.Token));
     }
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
 
-    private void AssertReadToTheBit(string reader)
-    {
-        LayerFrame.Read(reader, _folder.Write("frame.fits", LayerFrame.Fits()), _folder.Path);
+    private static string[] Headers(Dictionary<string, string> said) =>
+        [.. said.Select(pair => $"{pair.Key}={pair.Value}").Order(StringComparer.Ordinal)];
 
-        Assert.All(
-            LayerSet.WithoutDetector.Layers,
-            layer => Assert.Equal(LayerFrame.ExpectedBytes(layer), File.ReadAllBytes(_folder[$"{layer.ExtensionName}.bin"])));
+    private void AssertReadToTheBit(string reader, LayerPrecision precision, LayerCompression compression)
+    {
+        string[] alwaysDouble = ["position", "latitude", "longitude"]; // docs/formats.md
+
+        LayerFrame.Read(reader, _folder.Write("frame.fits", LayerFrame.Fits("all", precision, compression)), _folder.Path);
+
+        Assert.All(LayerSet.WithoutDetector.Layers, layer =>
+        {
+            bool isSingle = precision == LayerPrecision.Single && !alwaysDouble.Contains(layer.Name);
+            byte[] expected = LayerFrame.ExpectedBytes(layer, isSingle);
+            byte[] read = File.ReadAllBytes(_folder[$"{layer.ExtensionName}.bin"]);
+            if (compression == LayerCompression.None || layer.Type != LayerType.Real64)
+            {
+                Assert.Equal(expected, read);
+            }
+            else
+            {
+                Assert.Equal(Numbers(expected, isSingle), Numbers(read, isSingle)); // CFITSIO's NaN has other bits
+            }
+        });
     }
+
+    /// <summary>The bits of numbers, but of any NaN those of one.</summary>
+    private static long[] Numbers(byte[] bytes, bool isSingle) => isSingle
+        ? [.. MemoryMarshal.Cast<byte, float>(bytes).ToArray().Select(
+            x => (long)BitConverter.SingleToInt32Bits(float.IsNaN(x) ? float.NaN : x))]
+        : [.. MemoryMarshal.Cast<byte, double>(bytes).ToArray().Select(
+            x => BitConverter.DoubleToInt64Bits(double.IsNaN(x) ? double.NaN : x))];
 }

@@ -27,17 +27,20 @@ internal static class LayerFrame
 
     public static SphereTruth Truth { get; } = new(Metadata.Camera, Metadata.SunPositionMoonMe, 16);
 
-    public static byte[] Fits(string layers = "all")
+    public static byte[] Fits(
+        string layers = "all", LayerPrecision precision = LayerPrecision.Double, LayerCompression compression = LayerCompression.None)
     {
         using MemoryStream stream = new();
         FitsLayerWriter.Write(
             stream, Metadata, Provenance, Truth,
-            layers == "all" ? LayerSet.WithoutDetector : LayerSet.Parse(layers));
+            layers == "all" ? LayerSet.WithoutDetector : LayerSet.Parse(layers), precision, compression);
         return stream.ToArray();
     }
 
     /// <summary>A layer's numbers as bytes: plane by plane, each by rows from the top.</summary>
-    public static byte[] ExpectedBytes(Layer layer)
+    /// <param name="layer">The layer.</param>
+    /// <param name="isSingle">Whether its real numbers are rounded to single precision.</param>
+    public static byte[] ExpectedBytes(Layer layer, bool isSingle = false)
     {
         LayerSampler sampler = new(Truth, Provenance);
         double[][] planes = [.. Enumerable.Range(0, layer.Planes).Select(_ => new double[Width * Height])];
@@ -49,6 +52,7 @@ internal static class LayerFrame
         double[] values = [.. planes.SelectMany(plane => plane)];
         return layer.Type switch
         {
+            LayerType.Real64 when isSingle => MemoryMarshal.AsBytes<float>([.. values.Select(value => (float)value)]).ToArray(),
             LayerType.Real64 => MemoryMarshal.AsBytes<double>(values).ToArray(),
             LayerType.Unsigned8 => [.. values.Select(value => (byte)value)],
             _ => MemoryMarshal.AsBytes<int>([.. values.Select(value => double.IsNaN(value) ? int.MinValue : (int)value)]).ToArray(),

@@ -13,31 +13,36 @@ public sealed class NpyLayerWriterTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [RequiresTheory(Part.Astropy)]
-    [InlineData("depth", "(67, 101)", "float64")]
-    [InlineData("mask", "(67, 101)", "uint8")]
-    [InlineData("tile", "(67, 101)", "int32")]
-    [InlineData("normal", "(67, 101, 3)", "float64")]
-    [InlineData("cell", "(67, 101, 2)", "int32")]
-    public void Write_Layer_NumpyReadsItToTheBit(string name, string shape, string type)
+    [InlineData("depth", LayerPrecision.Double, "(67, 101)", "float64")]
+    [InlineData("mask", LayerPrecision.Double, "(67, 101)", "uint8")]
+    [InlineData("tile", LayerPrecision.Double, "(67, 101)", "int32")]
+    [InlineData("normal", LayerPrecision.Double, "(67, 101, 3)", "float64")]
+    [InlineData("cell", LayerPrecision.Double, "(67, 101, 2)", "int32")]
+    [InlineData("depth", LayerPrecision.Single, "(67, 101)", "float32")]
+    [InlineData("latitude", LayerPrecision.Single, "(67, 101)", "float64")]
+    [InlineData("normal", LayerPrecision.Single, "(67, 101, 3)", "float32")]
+    [InlineData("cell", LayerPrecision.Single, "(67, 101, 2)", "int32")]
+    public void Write_Layer_NumpyReadsItToTheBit(string name, LayerPrecision precision, string shape, string type)
     {
         Layer layer = Assert.Single(LayerSet.Parse(name).Layers);
         using (AtomicFileSet files = new())
         {
             NpyLayerWriter.Write(
-                files, _folder["frame"], LayerFrame.Metadata, LayerFrame.Provenance, LayerFrame.Truth, LayerSet.Parse(name));
+                files, _folder["frame"], LayerFrame.Metadata, LayerFrame.Provenance, LayerFrame.Truth, LayerSet.Parse(name),
+                precision);
             files.Commit();
         }
 
         Dictionary<string, string> said = LayerFrame.Read("numpy", _folder[$"frame.{name}.npy"], _folder.Path);
 
         Assert.Equal((shape, type), (said["shape"], said["dtype"]));
-        Assert.Equal(PixelByPixel(layer), File.ReadAllBytes(_folder["array.bin"]));
+        Assert.Equal(PixelByPixel(layer, type == "float32"), File.ReadAllBytes(_folder["array.bin"]));
     }
 
     /// <summary>The planes' numbers side by side for each pixel.</summary>
-    private static byte[] PixelByPixel(Layer layer)
+    private static byte[] PixelByPixel(Layer layer, bool isSingle)
     {
-        byte[] planes = LayerFrame.ExpectedBytes(layer);
+        byte[] planes = LayerFrame.ExpectedBytes(layer, isSingle);
         int size = planes.Length / (layer.Planes * LayerFrame.Width * LayerFrame.Height);
         return
         [

@@ -25,7 +25,10 @@ internal static class ExampleFrame
             "1.0.0",
             "--fixed-state {55289,2E6} --output-dir \"<a> & b\"",
             RendererKind.PovRay,
-            [new InputFile(InputKind.ElevationImage, "\"a\" <b> & 'c'.IMG", 34_000_000_000, new string('0', 64))]);
+            [
+                new InputFile(InputKind.ElevationImage, "\"a\" <b> & 'c'.IMG", 34_000_000_000, new string('0', 64)) { IsOfPieces = true },
+                new InputFile(InputKind.Kernel, "d.bsp", 1, new string('1', 64)),
+            ]);
     }
 
     public static PixelSampler Sampler(FrameMetadata frame, int spacing) =>

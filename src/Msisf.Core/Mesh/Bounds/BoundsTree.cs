@@ -18,6 +18,7 @@ internal sealed class BoundsTree
     private readonly NodeStore[] _stores;
     private readonly NodeGeometry?[] _geometries;
     private readonly double _sagitta;
+    private long _samplesRead;
 
     /// <summary>Makes a tree that reads its nodes.</summary>
     /// <param name="layout">How the mesh is divided.</param>
@@ -42,6 +43,9 @@ internal sealed class BoundsTree
     /// <summary>How the mesh is divided.</summary>
     public BoundsLayout Layout { get; }
 
+    /// <summary>Number of samples that were read for bounds so far.</summary>
+    public long SamplesRead => Interlocked.Read(ref _samplesRead);
+
     /// <summary>The bounds of a node; parts that are not known yet are read.</summary>
     /// <exception cref="BadInputException">
     /// The model cannot be read there, or has a radius outside the range of the Moon's surface.
@@ -59,7 +63,9 @@ internal sealed class BoundsTree
             return bounds;
         }
 
-        bounds = _reader!.Read(Layout.Cells(level, row, column));
+        CellRange cells = Layout.Cells(level, row, column);
+        bounds = _reader!.Read(cells);
+        Interlocked.Add(ref _samplesRead, (long)(cells.EndLine - cells.FirstLine) * (cells.EndSample - cells.FirstSample));
         Set(level, row, column, bounds);
         return bounds;
     }
@@ -75,29 +81,38 @@ internal sealed class BoundsTree
     /// <summary>Computes the bounds of all nodes of the finest level, in one pass over the model from the north.</summary>
     public void ReadAll()
     {
-        CellRange[] cells = new CellRange[Layout.Columns(0)];
-        NodeBounds[] bounds = new NodeBounds[cells.Length];
-        long samples = 0;
+        long released = 0;
         for (int row = 0; row < Layout.Rows(0); row++)
         {
-            for (int column = 0; column < cells.Length; column++)
-            {
-                cells[column] = Layout.Cells(0, row, column);
-            }
-
-            _reader!.ReadRow(cells, bounds);
-            for (int column = 0; column < cells.Length; column++)
-            {
-                Set(0, row, column, bounds[column]);
-            }
-
-            samples += (long)(cells[0].EndLine - cells[0].FirstLine) * Layout.Samples;
-            if (samples >= SamplesBetweenReleases)
+            ReadRow(row, 0, Layout.Columns(0));
+            if (SamplesRead - released >= SamplesBetweenReleases)
             {
                 _mesh!.Grid.ReleasePages(); // the lines above are not read again, and are much
-                samples = 0;
+                released = SamplesRead;
             }
         }
+    }
+
+    /// <summary>Computes the bounds of neighbouring nodes of one row of the finest level; each line of the model is read once.</summary>
+    /// <param name="row">Their row.</param>
+    /// <param name="firstColumn">Column of the westernmost node.</param>
+    /// <param name="count">Number of nodes.</param>
+    public void ReadRow(int row, int firstColumn, int count)
+    {
+        CellRange[] cells = new CellRange[count];
+        NodeBounds[] bounds = new NodeBounds[count];
+        for (int node = 0; node < count; node++)
+        {
+            cells[node] = Layout.Cells(0, row, firstColumn + node);
+        }
+
+        _reader!.ReadRow(cells, bounds);
+        for (int node = 0; node < count; node++)
+        {
+            Set(0, row, firstColumn + node, bounds[node]);
+        }
+
+        Interlocked.Add(ref _samplesRead, (long)(cells[0].EndLine - cells[0].FirstLine) * (cells[^1].EndSample - cells[0].FirstSample));
     }
 
     /// <summary>The cap that holds the directions of all facets of a node.</summary>
@@ -130,6 +145,32 @@ internal sealed class BoundsTree
 
         CellRange cells = Layout.Cells(level, row, column) with { EndSample = Layout.Cells(level, row, column + count - 1).EndSample };
         return NodeOf(MeshBounds.CapOf(cells, Layout.Lines, Layout.Samples), bounds);
+    }
+
+    /// <summary>The same without reading: where parts of the node are not known, it has the limits of the model.</summary>
+    /// <param name="level">Their level.</param>
+    /// <param name="row">Their row.</param>
+    /// <param name="column">Column of the westernmost node.</param>
+    /// <param name="count">Number of nodes.</param>
+    /// <param name="limits">Bounds of all radii of the model.</param>
+    public TerrainNode NodeWithin(int level, int row, int column, int count, NodeBounds limits)
+    {
+        for (int next = column; next < column + count; next++)
+        {
+            if (!TryGetKnown(level, row, next, out _))
+            {
+                CellRange cells = Layout.Cells(level, row, column) with
+                {
+                    EndSample = Layout.Cells(level, row, column + count - 1).EndSample,
+                };
+                SphericalCap cap = count == 1
+                    ? CapOf(level, row, column)
+                    : MeshBounds.CapOf(cells, Layout.Lines, Layout.Samples);
+                return NodeOf(cap, limits) with { IsUnread = true };
+            }
+        }
+
+        return Node(level, row, column, count);
     }
 
     /// <summary>

@@ -123,17 +123,47 @@ internal sealed class DspsaRun
 
     private List<TileId> TilesInFrame()
     {
-        List<TileId> tiles = [];
-        foreach (TileId tile in TileId.FromNorth)
+        Array.Fill(_reasons, TileReason.OutsideFrame);
+        TileId[] possible = [.. TileId.FromNorth.Where(
+            tile => !_summary.IsOnDemand || MayBeSeen(0, tile.RowFromNorth, tile.Column, ref _reasons[tile.Number]))];
+        _summary.Read(possible);
+        return [.. possible.Where(tile => _frame.Classify(_tiles.NodeOf(tile).Ball()) != FrustumSide.Outside)];
+    }
+
+    /// <summary>
+    /// Whether a node may be seen with any heights that the model may have: whether one of its finest nodes may. Nothing is read.
+    /// </summary>
+    private bool MayBeSeen(int depth, int row, int column, ref TileReason reason)
+    {
+        SummaryLevel level = _summary.Levels[depth];
+        TerrainNode node = level.NodeOfLimits(row, column);
+        FrustumSide side = _frame.Classify(node.Ball());
+        if (side == FrustumSide.Outside)
         {
-            _reasons[tile.Number] = TileReason.OutsideFrame;
-            if (_frame.Classify(_tiles.NodeOf(tile).Ball()) != FrustumSide.Outside)
+            return false;
+        }
+
+        if (_walk.IsHidden(_view.Bounds(node)))
+        {
+            reason = TileReason.Hidden;
+            return false;
+        }
+
+        if (depth + 1 == _summary.Levels.Count)
+        {
+            return true;
+        }
+
+        int factor = _summary.Levels[depth + 1].Subdivisions / level.Subdivisions;
+        for (int child = 0; child < factor * factor; child++)
+        {
+            if (MayBeSeen(depth + 1, (row * factor) + (child / factor), (column * factor) + (child % factor), ref reason))
             {
-                tiles.Add(tile);
+                return true;
             }
         }
 
-        return tiles;
+        return false;
     }
 
     private void FindVisible(List<TileId> inFrame, SunView? sun, List<TileId> newlyKept, List<TileId> dark)

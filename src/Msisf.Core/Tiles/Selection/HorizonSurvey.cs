@@ -111,6 +111,12 @@ internal sealed class HorizonSurvey
                     continue;
                 }
 
+                TerrainNode unread = _blocks.NodeUnread(row, column, count);
+                if (unread.IsUnread && !Concerns(map, relevant, unread, _view.Bounds(unread)))
+                {
+                    continue;
+                }
+
                 TerrainNode node = _blocks.Node(row, column, count);
                 PolarBounds bounds = _view.Bounds(node);
                 if (Concerns(map, relevant, node, bounds))
@@ -133,7 +139,9 @@ internal sealed class HorizonSurvey
         bool[] tiles = new bool[level.Count];
         for (int tile = 0; tile < tiles.Length; tile++)
         {
-            TerrainNode node = level.Node(tile / level.Columns, tile % level.Columns);
+            TerrainNode node = _summary.IsOnDemand
+                ? level.NodeOfLimits(tile / level.Columns, tile % level.Columns)
+                : level.Node(tile / level.Columns, tile % level.Columns);
             tiles[tile] = Concerns(map, relevant, node, _view.Bounds(node));
         }
 

@@ -43,12 +43,20 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
             asked.Add(tile, table[tile]);
         }
 
+        bool IsPossible(in TerrainNode node, in PolarBounds bounds) =>
+            bounds.Near < _limb && SharesRay(asked, bounds) && _facets.MayBeIn(node, bounds)
+                && frame.Classify(node.Ball()) != FrustumSide.Outside;
+
         SummaryLevel tiles = summary.Levels[0];
         foreach (TileId tile in TileId.FromNorth)
         {
+            if (!IsPossible(tiles.NodeUnread(tile), table.Unread(tile)))
+            {
+                continue;
+            }
+
             TerrainNode node = tiles.NodeOf(tile);
-            if (table[tile].Near < _limb && SharesRay(asked, table[tile]) && _facets.MayBeIn(node, table[tile])
-                && frame.Classify(node.Ball()) != FrustumSide.Outside)
+            if (IsPossible(node, table[tile]))
             {
                 NoteBackFaces(tile, table.Blocks(tile));
             }

@@ -41,7 +41,7 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
         _newlyKept = newlyKept;
         foreach (TileId tile in TileId.FromNorth)
         {
-            _tiles.Add(tile, sun.Table[tile]);
+            _tiles.Add(tile, sun.Table.Unread(tile));
         }
 
         _candidates = [.. summary.Levels.Select(_ => new List<TileId>())];
@@ -128,7 +128,8 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
 
     private void AddIfCasting(List<TileId> found, TileId tile, in PolarBounds target)
     {
-        if (!_kept[tile.Number] && IsBefore(_sun.Table[tile], target) && AnyFacetCasts(tile, target))
+        if (!_kept[tile.Number] && IsBefore(_sun.Table.Unread(tile), target) && IsBefore(_sun.Table[tile], target)
+            && AnyFacetCasts(tile, target))
         {
             found.Add(tile);
         }
