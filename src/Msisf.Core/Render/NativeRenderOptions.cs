@@ -40,6 +40,9 @@ public sealed record NativeRenderOptions
         }
     }
 
+    /// <summary>More samples where they matter, instead of as many in each pixel; null for these.</summary>
+    public AdaptiveSampling? Adaptive { get; init; }
+
     /// <summary>
     /// Whether the frame keeps the ground truth of its pixels' centres. With an even number of samples along a pixel's edge this takes one
     /// more pass.

@@ -6,7 +6,7 @@ namespace Msisf.Core.Render.Visibility;
 /// <summary>
 /// The surface points that a frame's pixels show. Reading is safe for several threads, each with its own <see cref="SurfaceRow"/>.
 /// </summary>
-internal sealed class VisibleSurface
+internal sealed class VisibleSurface : ISurfaceRows
 {
     /// <summary>Number of rows of a band; the last band may have fewer.</summary>
     public const int BandRows = 64;
@@ -14,13 +14,13 @@ internal sealed class VisibleSurface
     private readonly List<Band> _bands = [];
     private RowResolver _resolver = null!;
 
-    /// <summary>px.</summary>
+    /// <inheritdoc/>
     public int Width { get; private set; }
 
-    /// <summary>px.</summary>
+    /// <inheritdoc/>
     public int Height { get; private set; }
 
-    /// <summary>The frame's projection.</summary>
+    /// <inheritdoc/>
     public ImageView View { get; private set; } = null!;
 
     /// <summary>Counts of the work for the frame.</summary>
@@ -45,18 +45,14 @@ internal sealed class VisibleSurface
         return inverse > 0.0;
     }
 
-    /// <summary>Computes the surface points of a row.</summary>
-    /// <param name="y">1 to the height.</param>
-    /// <param name="row">Receives the points.</param>
+    /// <inheritdoc/>
     public void Read(int y, SurfaceRow row)
     {
         Band band = BandOf(y, out int index);
         _resolver.Resolve(band, index, row);
     }
 
-    /// <summary>The facet of a pixel of a row.</summary>
-    /// <param name="y">The row that was read.</param>
-    /// <param name="number">From <see cref="SurfaceRow.Facets"/>.</param>
+    /// <inheritdoc/>
     public FacetId FacetOf(int y, int number) => BandOf(y, out _).Records[number].Facet;
 
     /// <summary>Starts a new frame.</summary>

@@ -1,0 +1,151 @@
+using System.Numerics;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Camera;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>
+/// The parts of pixels that show one facet each: the samples of a pixel on the same facet are one part, which stands at their mean. Where a
+/// shadow's border is near, each sample is a part of its own. One object is used for many bands.
+/// </summary>
+internal sealed class PixelParts
+{
+    private const int Lanes = SamplePattern.Lanes;
+    private const int FirstCapacity = 1024;
+
+    private FacetRecord[] _records = [];
+    private int _recordCount;
+
+    /// <summary>Number of parts.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>The pixel of each part: row of the image times its width plus column.</summary>
+    public int[] Pixels { get; private set; } = new int[FirstCapacity];
+
+    /// <summary>Number of samples of each part over those of its pixel.</summary>
+    public double[] Weights { get; private set; } = new double[FirstCapacity];
+
+    /// <summary>1/m: inverse depth of each part.</summary>
+    public double[] InverseDepths { get; private set; } = new double[FirstCapacity];
+
+    /// <summary>Each part's factor of the camera's vector to the right in its ray's direction.</summary>
+    public double[] Across { get; private set; } = new double[FirstCapacity];
+
+    /// <summary>Each part's factor of the camera's vector up, with a lens of the vector down.</summary>
+    public double[] Along { get; private set; } = new double[FirstCapacity];
+
+    /// <summary>Index of each part's facet in <see cref="Records"/>.</summary>
+    public int[] Facets { get; private set; } = new int[FirstCapacity];
+
+    /// <summary>The facets.</summary>
+    public ReadOnlySpan<FacetRecord> Records => _records.AsSpan(0, _recordCount);
+
+    /// <summary>Takes the parts of a band that was drawn.</summary>
+    /// <param name="band">The band.</param>
+    /// <param name="model">The camera.</param>
+    public void Take(SubsampleBand band, CameraModel model)
+    {
+        Count = 0;
+        if (_records.Length < band.RecordCount)
+        {
+            _records = new FacetRecord[band.RecordCount + (band.RecordCount / 4)];
+        }
+
+        _recordCount = band.RecordCount;
+        band.Records.CopyTo(_records);
+        for (int row = band.FirstRow; row <= band.LastRow; row++)
+        {
+            for (int column = 0; column < band.Width; column++)
+            {
+                int vectors = band.VectorsOf(column, row);
+                if (vectors > 0)
+                {
+                    TakePixel(band, model, column, row, vectors);
+                }
+            }
+        }
+    }
+
+    private void TakePixel(SubsampleBand band, CameraModel model, int column, int row, int vectors)
+    {
+        EnsureRoom(vectors * Lanes);
+        int start = band.Starts[band.IndexOf(column, row)];
+        int pixel = (row * band.Width) + column;
+        bool isSplit = band.HasBorder(column, row);
+        double weight = 1.0 / (vectors * Lanes);
+        ulong left = ulong.MaxValue >> (64 - (vectors * Lanes));
+        while (left != 0)
+        {
+            int first = BitOperations.TrailingZeroCount(left);
+            int facet = band.Facets[start + first];
+            ulong same = isSplit ? 1ul << first : SamplesOf(band, start, vectors, facet);
+            left &= ~same;
+            if (facet == Band.NotRecorded)
+            {
+                continue;
+            }
+
+            Add(band, model, start, same, weight);
+            Pixels[Count] = pixel;
+            Facets[Count++] = facet;
+        }
+    }
+
+    private static ulong SamplesOf(SubsampleBand band, int start, int vectors, int facet)
+    {
+        ulong samples = 0;
+        for (int vector = 0; vector < vectors; vector++)
+        {
+            ulong same = Vector256.Equals(Vector256.LoadUnsafe(ref band.Facets[start + (vector * Lanes)]), Vector256.Create(facet))
+                .ExtractMostSignificantBits();
+            samples |= same << (vector * Lanes);
+        }
+
+        return samples;
+    }
+
+    /// <summary>Places a part at the mean of its samples: the inverse depth is linear in the image.</summary>
+    private void Add(SubsampleBand band, CameraModel model, int start, ulong samples, double weight)
+    {
+        bool hasLens = model.Lens is not null;
+        double[] xs = hasLens ? band.Right : band.Columns;
+        double[] ys = hasLens ? band.Down : band.Rows;
+        double x = 0.0;
+        double y = 0.0;
+        double inverse = 0.0;
+        int count = BitOperations.PopCount(samples);
+        for (ulong left = samples; left != 0; left &= left - 1)
+        {
+            int sample = start + BitOperations.TrailingZeroCount(left);
+            x += xs[sample];
+            y += ys[sample];
+            inverse += band.InverseDepths[sample];
+        }
+
+        double perCount = 1.0 / count;
+        Weights[Count] = weight * count;
+        InverseDepths[Count] = inverse * perCount;
+        Across[Count] = hasLens ? x * perCount : ((2.0 * (x * perCount)) + 1.0 - model.Width) / (2.0 * model.Width);
+        Along[Count] = hasLens ? y * perCount : (model.Height - 1.0 - (2.0 * (y * perCount))) / (2.0 * model.Height);
+    }
+
+    private void EnsureRoom(int more)
+    {
+        if (Count + more <= Pixels.Length)
+        {
+            return;
+        }
+
+        int room = Math.Max(2 * Pixels.Length, Count + more);
+        (int[] pixels, int[] facets) = (Pixels, Facets);
+        (double[] weights, double[] depths, double[] across, double[] along) = (Weights, InverseDepths, Across, Along);
+        Array.Resize(ref pixels, room);
+        Array.Resize(ref facets, room);
+        Array.Resize(ref weights, room);
+        Array.Resize(ref depths, room);
+        Array.Resize(ref across, room);
+        Array.Resize(ref along, room);
+        (Pixels, Facets) = (pixels, facets);
+        (Weights, InverseDepths, Across, Along) = (weights, depths, across, along);
+    }
+}
