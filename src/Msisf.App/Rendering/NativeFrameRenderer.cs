@@ -70,7 +70,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
         PinholeCamera window = detector is null or { Margin: 0 }
             ? frame.Camera
             : new PinholeCamera(frame.Camera.PositionMoonMe, frame.Camera.MoonFromCamera, detector.WindowModel);
-        NativeRenderer renderer = _levels.For(window, _settings.Render.SubsamplesPerAxis);
+        NativeRenderer renderer = _levels.For(window, _settings.Render.DetailSubsamplesPerAxis);
         NativeRenderOptions options = frame.Motion is { IsRest: false } ? _options with { KeepGroundTruth = true } : _options;
         using NativeFrame drawn = Draw(renderer, window, frame, options, threads, cancellation);
         DetectorImage? detected = detector is null ? null : Expose(detector, renderer, frame, drawn, threads, cancellation);

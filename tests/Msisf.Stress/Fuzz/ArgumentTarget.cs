@@ -23,7 +23,7 @@ internal sealed class ArgumentTarget(FuzzWorld world) : IFuzzTarget
         "--lod-error", "--ignore-sun", "--rendering-annotation", "--output-name", "{step}", "{mjd:0.0}", "--res", "-r", "--ldem",
         "--renderer", "native", "povray", "--reflectance",
         "hapke:w=0.3", "lunar-lambert:l=2", "moon", "nac", "--albedo-map", "none", "--albedo-map-properties", "scale=1,west=0",
-        "--albedo-map-checksum", "--band", "415", "--hapke-map", "--albedo", "--sun", "disc", "--samples", "--shading", "smooth",
+        "--albedo-map-checksum", "--band", "415", "--hapke-map", "--albedo", "--sun", "disc", "--samples", "auto:0.5", "--shading", "smooth",
         "--exposure", "--transfer",
         "linear", "--bit-depth", "16", "--layers", "all",
         "--layers-format", "npy", "--batch", "-b", "--ephemeris", "--aberration", "lt+s", "--kernels", "--pov-path", "--pov-options",

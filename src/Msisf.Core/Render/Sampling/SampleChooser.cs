@@ -1,4 +1,3 @@
-using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
 
@@ -10,69 +9,65 @@ namespace Msisf.Core.Render.Sampling;
 /// </summary>
 internal sealed class SampleChooser
 {
-    /// <summary>Levels of 65535 in a level of 255.</summary>
-    private const int Fine = 257;
+    /// <summary>px: columns of a block; its rows are those of a band.</summary>
+    private const int BlockColumns = 16;
 
-    private const int Contrasts = 256;
+    /// <summary>
+    /// Contrast that is assumed where facets are smaller than pixels and all centres around are equally bright, but there is contrast in a
+    /// block nearby. Measured (docs/native-renderer.md).
+    /// </summary>
+    private const byte UnseenContrast = 4;
 
+    /// <summary>
+    /// Vectors of samples from which each sample near a dark facet gets light of its own: with fewer, the border of a shadow that lies
+    /// between the centres is not what the error comes from.
+    /// </summary>
+    private const int ManyVectors = 4;
+
+    private readonly List<ContrastWindow> _windows = [];
+    private readonly int[] _histogram = new int[ContrastWindow.Contrasts];
     private ushort[] _levels = [];
+    private byte[] _light = [];
     private byte[] _contrasts = [];
-    private int[] _histogram = [];
+    private byte[] _isBlockMixed = [];
 
     /// <summary>The choice.</summary>
     public SampledPixels Pixels { get; } = new();
 
     /// <summary>Chooses.</summary>
-    /// <param name="width">px.</param>
-    /// <param name="height">px.</param>
+    /// <param name="visible">What the pixels' centres show.</param>
     /// <param name="radianceFactors">I/F of each pixel's centre.</param>
     /// <param name="sunlight">The light there.</param>
     /// <param name="sampling">Error and grey levels.</param>
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
     public void Choose(
-        int width, int height, double[] radianceFactors, PixelSunlight sunlight, AdaptiveSampling sampling, int threads,
+        VisibleSurface visible, double[] radianceFactors, PixelSunlight sunlight, AdaptiveSampling sampling, int threads,
         CancellationToken cancellation)
     {
-        Pixels.Prepare(width, height);
-        if (_levels.Length < width * height)
-        {
-            _levels = new ushort[width * height];
-            _contrasts = new byte[width * height];
-        }
-
-        int[] histogram = new int[Contrasts];
-        int bands = Pixels.VectorsOfBand.Length;
+        (int width, int height) = (visible.Width, visible.Height);
+        int bands = Begin(width, height, threads);
+        (int First, int End) RowsOf(int band) => (band * SampledPixels.BandRows, Math.Min((band + 1) * SampledPixels.BandRows, height));
         WorkerTeam.Run(threads, bands, (_, band) =>
         {
-            int first = band * SampledPixels.BandRows * width;
-            int count = Math.Min((band + 1) * SampledPixels.BandRows, height) * width - first;
-            sampling.Grey.Convert(radianceFactors.AsSpan(first, count), _levels.AsSpan(first, count));
+            (int first, int end) = RowsOf(band);
+            Range pixels = (first * width)..(end * width);
+            sampling.Grey.Convert(radianceFactors.AsSpan(pixels), _levels.AsSpan(pixels));
+            FindLight(sunlight, first * width, _light.AsSpan(pixels));
         }, cancellation);
+        WorkerTeam.Run(threads, bands, (worker, band) => Look(_windows[worker], visible, RowsOf(band), band), cancellation);
+        WorkerTeam.Run(threads, bands, (_, band) => Count(width, bands, RowsOf(band), band), cancellation);
+        byte[] vectors = SampleBudget.VectorsOf(_histogram, sampling.Error);
         WorkerTeam.Run(threads, bands, (_, band) =>
         {
-            int[] ofBand = new int[Contrasts];
-            for (int row = band * SampledPixels.BandRows; row < Math.Min((band + 1) * SampledPixels.BandRows, height); row++)
-            {
-                FindContrasts(width, height, row, sunlight, ofBand);
-            }
-
-            lock (histogram)
-            {
-                for (int contrast = 0; contrast < Contrasts; contrast++)
-                {
-                    histogram[contrast] += ofBand[contrast]; // whole numbers: the order has no influence
-                }
-            }
-        }, cancellation);
-        byte[] vectors = SampleBudget.VectorsOf(histogram, sampling.Error);
-        WorkerTeam.Run(threads, bands, (_, band) =>
-        {
+            (int first, int end) = RowsOf(band);
             int sum = 0;
-            for (int i = band * SampledPixels.BandRows * width; i < Math.Min((band + 1) * SampledPixels.BandRows, height) * width; i++)
+            for (int pixel = first * width; pixel < end * width; pixel++)
             {
-                byte chosen = vectors[_contrasts[i]];
-                Pixels.Codes[i] = chosen == 0 ? (byte)0 : (byte)(chosen | Pixels.Codes[i]);
+                byte chosen = vectors[_contrasts[pixel]];
+                byte code = Pixels.Codes[pixel];
+                bool isSplit = (code & SampledPixels.HasBorder) != 0 || (chosen >= ManyVectors && (code & ContrastWindow.Away) != 0);
+                Pixels.Codes[pixel] = chosen == 0 ? (byte)0 : isSplit ? (byte)(chosen | SampledPixels.HasBorder) : chosen;
                 sum += chosen;
             }
 
@@ -80,56 +75,121 @@ internal sealed class SampleChooser
         }, cancellation);
     }
 
-    private void FindContrasts(int width, int height, int row, PixelSunlight sunlight, int[] histogram)
+    private static void FindLight(PixelSunlight sunlight, int first, Span<byte> light)
     {
-        int above = Math.Max(row - 1, 0) * width;
-        int here = row * width;
-        int below = Math.Min(row + 1, height - 1) * width;
-        for (int column = 0; column < width; column++)
+        ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(first, light.Length);
+        if (sunlight.VisibleFractions.Length > 0)
         {
-            int min = int.MaxValue;
-            int max = int.MinValue;
-            bool isAnyLit = false;
-            bool isAnyHidden = false;
-            int end = Math.Min(column + 1, width - 1);
-            for (int x = Math.Max(column - 1, 0); x <= end; x++)
+            ReadOnlySpan<double> fractions = sunlight.VisibleFractions.AsSpan(first, light.Length);
+            for (int i = 0; i < light.Length; i++)
             {
-                min = Math.Min(min, Math.Min(_levels[above + x], Math.Min(_levels[here + x], _levels[below + x])));
-                max = Math.Max(max, Math.Max(_levels[above + x], Math.Max(_levels[here + x], _levels[below + x])));
+                light[i] = (byte)((fractions[i] > 0.0 ? ContrastWindow.Lit : 0)
+                    | (fractions[i] < 1.0 ? (cosines[i] > 0.0 ? ContrastWindow.Hidden : ContrastWindow.Away) : 0));
             }
 
-            int contrast = Math.Min(Contrasts - 1, (max - min + Fine - 1) / Fine);
-            _contrasts[here + column] = (byte)contrast;
-            histogram[contrast]++;
-            bool hasBorder = false;
-            if (contrast > 0)
-            {
-                for (int x = Math.Max(column - 1, 0); x <= end; x++)
-                {
-                    Look(sunlight, above + x, ref isAnyLit, ref isAnyHidden);
-                    Look(sunlight, here + x, ref isAnyLit, ref isAnyHidden);
-                    Look(sunlight, below + x, ref isAnyLit, ref isAnyHidden);
-                }
+            return;
+        }
 
-                hasBorder = isAnyLit && isAnyHidden;
-            }
-
-            Pixels.Codes[here + column] = hasBorder ? SampledPixels.HasBorder : (byte)0;
+        ReadOnlySpan<byte> hidden = sunlight.Hidden.AsSpan(first, light.Length);
+        for (int i = 0; i < light.Length; i++)
+        {
+            light[i] = !(cosines[i] > 0.0) ? ContrastWindow.Away : hidden[i] == 0 ? ContrastWindow.Lit : ContrastWindow.Hidden;
         }
     }
 
-    private static void Look(PixelSunlight sunlight, int pixel, ref bool isAnyLit, ref bool isAnyHidden)
+    private static int BlocksAcross(int width) => (width + BlockColumns - 1) / BlockColumns;
+
+    private int Begin(int width, int height, int threads)
     {
-        if (sunlight.VisibleFractions.Length > 0)
+        Pixels.Prepare(width, height);
+        if (_levels.Length < width * height)
         {
-            double fraction = sunlight.VisibleFractions[pixel];
-            isAnyLit |= fraction > 0.0;
-            isAnyHidden |= sunlight.CosIncidence[pixel] > 0.0 && fraction < 1.0;
+            _levels = new ushort[width * height];
+            _light = new byte[width * height];
+            _contrasts = new byte[width * height];
         }
-        else if (sunlight.CosIncidence[pixel] > 0.0)
+
+        int bands = Pixels.VectorsOfBand.Length;
+        if (_isBlockMixed.Length < bands * BlocksAcross(width))
         {
-            isAnyLit |= sunlight.Hidden[pixel] == 0;
-            isAnyHidden |= sunlight.Hidden[pixel] != 0;
+            _isBlockMixed = new byte[bands * BlocksAcross(width)];
+        }
+
+        while (_windows.Count < threads)
+        {
+            _windows.Add(new ContrastWindow());
+        }
+
+        foreach (ContrastWindow window in _windows)
+        {
+            window.Begin(width);
+        }
+
+        Array.Clear(_histogram);
+        return bands;
+    }
+
+    /// <summary>Finds contrasts, facets and the borders of shadows around the pixels of a band.</summary>
+    private void Look(ContrastWindow window, VisibleSurface visible, (int First, int End) rows, int band)
+    {
+        (int width, int height) = (visible.Width, visible.Height);
+        Span<byte> isBlockMixed = _isBlockMixed.AsSpan(band * BlocksAcross(width), BlocksAcross(width));
+        isBlockMixed.Clear();
+        for (int row = rows.First; row < rows.End; row++)
+        {
+            int here = row * width;
+            Span<byte> contrasts = _contrasts.AsSpan(here, width);
+            window.Look(
+                _levels, _light, Math.Max(row - 1, 0) * width, here, Math.Min(row + 1, height - 1) * width, contrasts,
+                Pixels.Codes.AsSpan(here, width));
+            window.LookAtFacets(visible, row, row == rows.First, Pixels.Codes.AsSpan(here, width));
+            for (int block = 0; block < isBlockMixed.Length; block++)
+            {
+                int first = block * BlockColumns;
+                isBlockMixed[block] |= contrasts[first..Math.Min(first + BlockColumns, width)].ContainsAnyExceptInRange((byte)0, (byte)1)
+                    ? (byte)1
+                    : (byte)0;
+            }
+        }
+    }
+
+    /// <summary>Counts the contrasts of a band, with those that may be hidden between the pixels' centres.</summary>
+    private void Count(int width, int bands, (int First, int End) rows, int band)
+    {
+        Span<int> histogram = stackalloc int[ContrastWindow.Contrasts];
+        histogram.Clear();
+        int blocks = BlocksAcross(width);
+        for (int block = 0; block < blocks; block++)
+        {
+            bool isNear = false;
+            for (int other = Math.Max(band - 1, 0); other <= Math.Min(band + 1, bands - 1); other++)
+            {
+                int first = Math.Max(block - 1, 0);
+                isNear |= _isBlockMixed.AsSpan((other * blocks) + first, Math.Min(block + 2, blocks) - first).Contains((byte)1);
+            }
+
+            for (int row = rows.First; row < rows.End; row++)
+            {
+                int end = (row * width) + Math.Min((block + 1) * BlockColumns, width);
+                for (int pixel = (row * width) + (block * BlockColumns); pixel < end; pixel++)
+                {
+                    byte code = Pixels.Codes[pixel];
+                    if (isNear && (code & ContrastWindow.IsAlone) != 0 && _contrasts[pixel] < UnseenContrast)
+                    {
+                        _contrasts[pixel] = UnseenContrast;
+                    }
+
+                    histogram[_contrasts[pixel]]++;
+                }
+            }
+        }
+
+        lock (_histogram)
+        {
+            for (int contrast = 0; contrast < histogram.Length; contrast++)
+            {
+                _histogram[contrast] += histogram[contrast]; // whole numbers: their order has no influence
+            }
         }
     }
 }

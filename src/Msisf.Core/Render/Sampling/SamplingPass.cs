@@ -36,7 +36,7 @@ internal sealed class SamplingPass(SurfaceModel surface)
         double[] radianceFactors, int threads, CancellationToken cancellation)
     {
         ImageView view = frame.View;
-        _chooser.Choose(view.Camera.Width, view.Camera.Height, radianceFactors, sunlight, options.Adaptive!, threads, cancellation);
+        _chooser.Choose(frame.Surface, radianceFactors, sunlight, options.Adaptive!, threads, cancellation);
         SampledPixels pixels = _chooser.Pixels;
         while (_workers.Count < threads)
         {

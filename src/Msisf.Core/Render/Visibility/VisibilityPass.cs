@@ -25,6 +25,9 @@ internal sealed class VisibilityPass
         _culler = new BlockCuller(surface);
     }
 
+    /// <summary>What the last frame shows.</summary>
+    public VisibleSurface Surface => _result;
+
     /// <summary>The projection of the last frame.</summary>
     public ImageView View => _result.View;
 
