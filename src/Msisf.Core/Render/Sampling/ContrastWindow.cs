@@ -7,26 +7,20 @@ namespace Msisf.Core.Render.Sampling;
 /// <summary>Looks at the 3 x 3 pixels around each pixel of a row. Each thread needs its own object.</summary>
 internal sealed class ContrastWindow
 {
-    /// <summary>Number of contrasts: levels of 255.</summary>
-    public const int Contrasts = 256;
-
     /// <summary>Bit of a pixel whose centre is lit.</summary>
     public const byte Lit = 1;
 
-    /// <summary>Bit of a pixel whose centre faces the Sun, but has not all of its light.</summary>
-    public const byte Hidden = 2;
+    /// <summary>Bit of a pixel whose centre has not all light.</summary>
+    public const byte Dark = 2;
+
+    /// <summary>Lit and dark pixels meet.</summary>
+    public const byte Mixed = Lit | Dark;
+
+    /// <summary>Bit of a pixel that shows another facet than its four neighbours: facets are about as small as pixels.</summary>
+    public const byte IsAlone = 4;
 
     /// <summary>A facet that no pixel shows.</summary>
     private const long Beyond = -2;
-
-    /// <summary>Bit of a pixel whose centre faces away from the Sun or shows no surface; in codes, that such pixels and lit ones meet.</summary>
-    public const byte Away = 4;
-
-    /// <summary>Bit of a pixel that shows another facet than its four neighbours: facets are about as small as pixels.</summary>
-    public const byte IsAlone = 0x40;
-
-    private const byte Border = Lit | Hidden;
-    private const byte Shade = Lit | Away;
 
     /// <summary>Levels of 65535 in a contrast of 1.</summary>
     private const ushort Fine = 256;
@@ -55,9 +49,7 @@ internal sealed class ContrastWindow
     /// <param name="visible">What the pixels show.</param>
     /// <param name="row">The row, from 0.</param>
     /// <param name="isFirst">Whether it is the first one of a band.</param>
-    /// <param name="codes">
-    /// Get <see cref="IsAlone"/> and <see cref="SampledPixels.HasBorder"/> where a pixel shows another facet than its four neighbours.
-    /// </param>
+    /// <param name="codes">Get <see cref="IsAlone"/> where a pixel shows another facet than its four neighbours.</param>
     public void LookAtFacets(VisibleSurface visible, int row, bool isFirst, Span<byte> codes)
     {
         if (isFirst)
@@ -75,7 +67,7 @@ internal sealed class ContrastWindow
         {
             long facet = _facets[i + 1];
             bool isShared = facet == _facets[i] | facet == _facets[i + 2] | facet == _facetsAbove[i + 1] | facet == _facetsBelow[i + 1];
-            codes[i] |= isShared ? (byte)0 : (byte)(IsAlone | SampledPixels.HasBorder);
+            codes[i] |= isShared ? (byte)0 : IsAlone;
         }
     }
 
@@ -94,14 +86,14 @@ internal sealed class ContrastWindow
         }
     }
 
-    /// <summary>Finds the contrasts of a row's pixels, and where lit and hidden pixels meet.</summary>
+    /// <summary>Finds the contrasts of a row's pixels, and the light around them.</summary>
     /// <param name="levels">Levels of 65535 of the rows above, here and below; the borders of the image are repeated.</param>
     /// <param name="above">First pixel of the row above.</param>
     /// <param name="here">First pixel of the row.</param>
     /// <param name="below">First pixel of the row below.</param>
-    /// <param name="light"><see cref="Lit"/> and <see cref="Hidden"/> of the pixels.</param>
+    /// <param name="light"><see cref="Lit"/> and <see cref="Dark"/> of the pixels.</param>
     /// <param name="contrasts">Receives the contrasts of the row, rounded up.</param>
-    /// <param name="codes">Receives <see cref="SampledPixels.HasBorder"/> where lit and hidden pixels meet, and <see cref="Away"/>.</param>
+    /// <param name="codes">Receives <see cref="Lit"/> and <see cref="Dark"/> of the pixels around.</param>
     public void Look(ushort[] levels, byte[] light, int above, int here, int below, Span<byte> contrasts, Span<byte> codes)
     {
         int width = contrasts.Length;
@@ -127,10 +119,7 @@ internal sealed class ContrastWindow
             Vector512.Narrow(contrast, contrast).GetLower().StoreUnsafe(ref MemoryMarshal.GetReference(contrasts), (nuint)column);
             Vector256<byte> around = Vector256.LoadUnsafe(ref _light[column]) | Vector256.LoadUnsafe(ref _light[column + 1])
                 | Vector256.LoadUnsafe(ref _light[column + 2]);
-            Vector256<byte> isBorder = Vector256.Equals(around & Vector256.Create(Border), Vector256.Create(Border));
-            Vector256<byte> isShade = Vector256.Equals(around & Vector256.Create(Shade), Vector256.Create(Shade));
-            ((isBorder & Vector256.Create(SampledPixels.HasBorder)) | (isShade & Vector256.Create(Away)))
-                .StoreUnsafe(ref MemoryMarshal.GetReference(codes), (nuint)column);
+            around.StoreUnsafe(ref MemoryMarshal.GetReference(codes), (nuint)column);
         }
 
         for (; column < width; column++)
@@ -138,8 +127,7 @@ internal sealed class ContrastWindow
             int min = Math.Min(Math.Min(_min[column], _min[column + 1]), _min[column + 2]);
             int max = Math.Max(Math.Max(_max[column], _max[column + 1]), _max[column + 2]);
             contrasts[column] = (byte)((Math.Min(max - min, ushort.MaxValue - Fine + 1) + Fine - 1) >> 8);
-            int around = _light[column] | _light[column + 1] | _light[column + 2];
-            codes[column] = (byte)(((around & Border) == Border ? SampledPixels.HasBorder : 0) | ((around & Shade) == Shade ? Away : 0));
+            codes[column] = (byte)(_light[column] | _light[column + 1] | _light[column + 2]);
         }
     }
 

@@ -15,6 +15,7 @@ internal sealed class SamplingPass(SurfaceModel surface)
     private const long SamplesAtOnce = 1 << 20;
 
     private readonly SampleChooser _chooser = new();
+    private readonly SampleTrials _trials = new();
     private readonly List<SubsampleWorker> _workers = [];
     private readonly List<PixelParts> _parts = [];
     private readonly List<int> _firstRows = [];
@@ -35,14 +36,29 @@ internal sealed class SamplingPass(SurfaceModel surface)
         VisibilityPass frame, SceneLight light, LightPass lights, NativeRenderOptions options, PixelSunlight sunlight,
         double[] radianceFactors, int threads, CancellationToken cancellation)
     {
-        ImageView view = frame.View;
-        _chooser.Choose(frame.Surface, radianceFactors, sunlight, options.Adaptive!, threads, cancellation);
-        SampledPixels pixels = _chooser.Pixels;
+        AdaptiveSampling sampling = options.Adaptive!;
+        _chooser.Classify(frame.Surface, radianceFactors, sunlight, sampling, threads, cancellation);
         while (_workers.Count < threads)
         {
             _workers.Add(new SubsampleWorker());
         }
 
+        Work work = new(frame, light, lights, options, radianceFactors, threads, cancellation);
+        List<int> trials = _chooser.ChooseTrials(sampling.Error);
+        _trials.Begin(trials, radianceFactors);
+        _chooser.Try(trials);
+        Draw(work, isTrial: true);
+        byte[] codes = SampleBudget.CodesOf(_chooser.Histogram, _trials.Sum(_chooser, sampling.Grey), sampling.Error);
+        _chooser.Spread(codes, trials, threads, cancellation);
+        Draw(work, isTrial: false);
+    }
+
+    /// <summary>Draws the chosen samples of all pixels and replaces their brightness.</summary>
+    /// <param name="work">The frame.</param>
+    /// <param name="isTrial">Whether the trials are told of each sample.</param>
+    private void Draw(Work work, bool isTrial)
+    {
+        SampledPixels pixels = _chooser.Pixels;
         int bands = pixels.VectorsOfBand.Length;
         for (int first = 0; first < bands;)
         {
@@ -55,31 +71,32 @@ internal sealed class SamplingPass(SurfaceModel surface)
 
             if (samples > 0)
             {
-                DrawBands(frame, light, lights, options, radianceFactors, (first, end), threads, cancellation);
+                DrawBands(work, (first, end), isTrial);
             }
 
             first = end;
         }
     }
 
-    private void DrawBands(
-        VisibilityPass frame, SceneLight light, LightPass lights, NativeRenderOptions options, double[] radianceFactors,
-        (int First, int End) bands, int threads, CancellationToken cancellation)
+    private void DrawBands(Work work, (int First, int End) bands, bool isTrial)
     {
+        VisibilityPass frame = work.Frame;
         int count = bands.End - bands.First;
-        while (_parts.Count < count)
+        int lists = isTrial ? 2 * count : count; // a trial's second half: the parts merged
+        while (_parts.Count < lists)
         {
             _parts.Add(new PixelParts());
         }
 
         WorkerTeam.Run(
-            threads,
+            work.Threads,
             count,
-            (worker, index) => _workers[worker].Draw(surface, frame, _chooser.Pixels, bands.First + index, _parts[index]),
-            cancellation);
+            (worker, index) => _workers[worker].Draw(
+                surface, frame, _chooser.Pixels, bands.First + index, _parts[index], isTrial ? _parts[count + index] : null),
+            work.Cancellation);
         _rows.Begin(frame.View);
         _firstRows.Clear();
-        for (int index = 0; index < count; index++)
+        for (int index = 0; index < lists; index++)
         {
             _firstRows.Add(_rows.Add(_parts[index]));
         }
@@ -91,33 +108,42 @@ internal sealed class SamplingPass(SurfaceModel surface)
         }
 
         _factors.AsSpan(0, room).Clear();
-        lights.Run(_rows, light, options, weight: 1.0, _sunlight, _factors, threads, cancellation);
-        int pixelsOfBand = SampledPixels.BandRows * frame.View.Camera.Width;
-        int pixelsOfImage = frame.View.Camera.Height * frame.View.Camera.Width;
-        WorkerTeam.Run(threads, count, (_, index) =>
+        work.Lights.Run(_rows, work.Light, work.Options, weight: 1.0, _sunlight, _factors, work.Threads, work.Cancellation);
+        WorkerTeam.Run(work.Threads, count, (_, index) =>
         {
-            int first = (bands.First + index) * pixelsOfBand;
-            int end = Math.Min(first + pixelsOfBand, pixelsOfImage);
-            Collect(
-                _parts[index], _factors.AsSpan(_firstRows[index] * PartRows.RowLength), _chooser.Pixels.Codes.AsSpan(first, end - first),
-                radianceFactors, first);
-        }, cancellation);
+            Collect(_parts[index], FactorsOf(index), work, bands.First + index);
+            if (isTrial)
+            {
+                _trials.TakeSamples(_parts[index], FactorsOf(index));
+                _trials.TakeMerged(_parts[count + index], FactorsOf(count + index));
+            }
+        }, work.Cancellation);
     }
 
-    private static void Collect(
-        PixelParts parts, ReadOnlySpan<double> factors, ReadOnlySpan<byte> codes, double[] radianceFactors, int firstPixel)
+    private ReadOnlySpan<double> FactorsOf(int list) => _factors.AsSpan(_firstRows[list] * PartRows.RowLength, _parts[list].Count);
+
+    /// <summary>Replaces the brightness of a band's pixels with further samples.</summary>
+    private void Collect(PixelParts parts, ReadOnlySpan<double> factors, Work work, int band)
     {
-        for (int i = 0; i < codes.Length; i++)
+        int width = work.Frame.View.Camera.Width;
+        int first = band * SampledPixels.BandRows * width;
+        int end = Math.Min(first + (SampledPixels.BandRows * width), width * work.Frame.View.Camera.Height);
+        for (int pixel = first; pixel < end; pixel++)
         {
-            if (codes[i] != 0)
+            if (_chooser.Pixels.Codes[pixel] != 0)
             {
-                radianceFactors[firstPixel + i] = 0.0;
+                work.RadianceFactors[pixel] = 0.0;
             }
         }
 
         for (int part = 0; part < parts.Count; part++)
         {
-            radianceFactors[parts.Pixels[part]] += parts.Weights[part] * factors[part];
+            work.RadianceFactors[parts.Pixels[part]] += parts.Weights[part] * factors[part];
         }
     }
+
+    /// <summary>A frame and what it is drawn with.</summary>
+    private sealed record Work(
+        VisibilityPass Frame, SceneLight Light, LightPass Lights, NativeRenderOptions Options, double[] RadianceFactors, int Threads,
+        CancellationToken Cancellation);
 }

@@ -35,6 +35,9 @@ internal sealed class PixelParts
     /// <summary>Each part's factor of the camera's vector up, with a lens of the vector down.</summary>
     public double[] Along { get; private set; } = new double[FirstCapacity];
 
+    /// <summary>Index of each part's first sample in its pixel.</summary>
+    public byte[] FirstSamples { get; private set; } = new byte[FirstCapacity];
+
     /// <summary>Index of each part's facet in <see cref="Records"/>.</summary>
     public int[] Facets { get; private set; } = new int[FirstCapacity];
 
@@ -44,7 +47,8 @@ internal sealed class PixelParts
     /// <summary>Takes the parts of a band that was drawn.</summary>
     /// <param name="band">The band.</param>
     /// <param name="model">The camera.</param>
-    public void Take(SubsampleBand band, CameraModel model)
+    /// <param name="mayBeSplit">Whether samples near a shadow's border are parts of their own.</param>
+    public void Take(SubsampleBand band, CameraModel model, bool mayBeSplit = true)
     {
         Count = 0;
         if (_records.Length < band.RecordCount)
@@ -61,18 +65,17 @@ internal sealed class PixelParts
                 int vectors = band.VectorsOf(column, row);
                 if (vectors > 0)
                 {
-                    TakePixel(band, model, column, row, vectors);
+                    TakePixel(band, model, column, row, vectors, mayBeSplit && band.HasBorder(column, row));
                 }
             }
         }
     }
 
-    private void TakePixel(SubsampleBand band, CameraModel model, int column, int row, int vectors)
+    private void TakePixel(SubsampleBand band, CameraModel model, int column, int row, int vectors, bool isSplit)
     {
         EnsureRoom(vectors * Lanes);
         int start = band.Starts[band.IndexOf(column, row)];
         int pixel = (row * band.Width) + column;
-        bool isSplit = band.HasBorder(column, row);
         double weight = 1.0 / (vectors * Lanes);
         ulong left = ulong.MaxValue >> (64 - (vectors * Lanes));
         while (left != 0)
@@ -88,6 +91,7 @@ internal sealed class PixelParts
 
             Add(band, model, start, same, weight);
             Pixels[Count] = pixel;
+            FirstSamples[Count] = (byte)first;
             Facets[Count++] = facet;
         }
     }
@@ -152,15 +156,16 @@ internal sealed class PixelParts
         }
 
         int room = Math.Max(2 * Pixels.Length, Count + more);
-        (int[] pixels, int[] facets) = (Pixels, Facets);
+        (int[] pixels, int[] facets, byte[] firstSamples) = (Pixels, Facets, FirstSamples);
         (double[] weights, double[] depths, double[] across, double[] along) = (Weights, InverseDepths, Across, Along);
         Array.Resize(ref pixels, room);
         Array.Resize(ref facets, room);
+        Array.Resize(ref firstSamples, room);
         Array.Resize(ref weights, room);
         Array.Resize(ref depths, room);
         Array.Resize(ref across, room);
         Array.Resize(ref along, room);
-        (Pixels, Facets) = (pixels, facets);
+        (Pixels, Facets, FirstSamples) = (pixels, facets, firstSamples);
         (Weights, InverseDepths, Across, Along) = (weights, depths, across, along);
     }
 }

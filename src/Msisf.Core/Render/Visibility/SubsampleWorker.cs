@@ -17,7 +17,9 @@ internal sealed class SubsampleWorker
     /// <param name="pixels">The pixels that get samples.</param>
     /// <param name="band">Index of the band.</param>
     /// <param name="parts">Receives the parts.</param>
-    public void Draw(SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, int band, PixelParts parts)
+    /// <param name="merged">Receives the parts without regard to borders of shadows; null if nobody wants them.</param>
+    public void Draw(
+        SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, int band, PixelParts parts, PixelParts? merged = null)
     {
         ImageView view = frame.View;
         _band.Begin(pixels, view.Camera.Model, band);
@@ -34,6 +36,7 @@ internal sealed class SubsampleWorker
         }
 
         parts.Take(_band, view.Camera.Model);
+        merged?.Take(_band, view.Camera.Model, mayBeSplit: false);
     }
 
     private void DrawPinhole(SurfaceModel surface, ImageView view, IReadOnlyList<VisibleBlock> blocks)
