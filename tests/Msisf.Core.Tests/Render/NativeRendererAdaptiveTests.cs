@@ -166,24 +166,6 @@ public sealed class NativeRendererAdaptiveTests(RuggedTerrain rugged) : IClassFi
     }
 
     [Fact]
-    public void Zz_Diagnose()
-    {
-        foreach (string name in new[] { "north-pole", "oblique-20km", "whole-disc", "limb-backlit", "grazing-sun", "far", "nadir-100km" })
-        {
-            (PinholeCamera camera, SceneLight sun) = Scene(name, 120, 120);
-            double[] truth = Levels(camera, sun, Options with { SubsamplesPerAxis = 8 });
-            List<string> all = [$"{name}: one {Rms(truth, Levels(camera, sun, Options)):F3}"];
-            foreach (double e in new[] { 0.4, 2.0 })
-            foreach (int f in Enumerable.Range(0, 6))
-            {
-                Msisf.Core.Render.Sampling.SampleChooser.Force = f;
-                all.Add($"{f}: {Rms(truth, Levels(camera, sun, Adaptive(e))):F3}");
-            }
-            File.AppendAllText("/tmp/samp/diag.txt", string.Join("  ", all) + "\n");
-        }
-    }
-
-    [Fact]
     public void Error_OutOfRange_IsRefused()
     {
         Assert.ThrowsAny<Exception>(() => new AdaptiveSampling(0.01, Grey));

@@ -19,7 +19,7 @@ internal sealed class SampleChooser
     private const double Minor = 0.03;
 
     /// <summary>The same for classes without contrast: what they hide is rare.</summary>
-    private const double TrialsWithoutContrast = 400.0;
+    private const double TrialsWithoutContrast = 1000.0;
 
     private readonly List<ContrastWindow> _windows = [];
     private readonly int[] _histogram = new int[PixelClass.Count];

@@ -128,12 +128,10 @@ internal sealed class SamplingPass(SurfaceModel surface)
         int width = work.Frame.View.Camera.Width;
         int first = band * SampledPixels.BandRows * width;
         int end = Math.Min(first + (SampledPixels.BandRows * width), width * work.Frame.View.Camera.Height);
-        for (int pixel = first; pixel < end; pixel++)
+        ReadOnlySpan<byte> codes = _chooser.Pixels.Codes.AsSpan(0, end);
+        for (int next; first < end && (next = codes[first..].IndexOfAnyExcept((byte)0)) >= 0; first += next + 1)
         {
-            if (_chooser.Pixels.Codes[pixel] != 0)
-            {
-                work.RadianceFactors[pixel] = 0.0;
-            }
+            work.RadianceFactors[first + next] = 0.0;
         }
 
         for (int part = 0; part < parts.Count; part++)

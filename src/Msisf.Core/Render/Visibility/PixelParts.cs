@@ -58,16 +58,11 @@ internal sealed class PixelParts
 
         _recordCount = band.RecordCount;
         band.Records.CopyTo(_records);
-        for (int row = band.FirstRow; row <= band.LastRow; row++)
+        for (int pixel = band.NextPixel(0); pixel >= 0; pixel = band.NextPixel(pixel + 1))
         {
-            for (int column = 0; column < band.Width; column++)
-            {
-                int vectors = band.VectorsOf(column, row);
-                if (vectors > 0)
-                {
-                    TakePixel(band, model, column, row, vectors, mayBeSplit && band.HasBorder(column, row));
-                }
-            }
+            (int row, int column) = Math.DivRem(pixel, band.Width);
+            row += band.FirstRow;
+            TakePixel(band, model, column, row, band.VectorsOf(column, row), mayBeSplit && band.HasBorder(column, row));
         }
     }
 

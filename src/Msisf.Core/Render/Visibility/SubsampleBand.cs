@@ -79,20 +79,26 @@ internal sealed class SubsampleBand
         InverseDepths.AsSpan(0, Count).Clear();
         Facets.AsSpan(0, Count).Fill(Band.NotRecorded);
         int next = 0;
-        for (int row = FirstRow; row <= LastRow; row++)
+        for (int pixel = NextPixel(0); pixel >= 0; pixel = NextPixel(pixel + 1))
         {
-            for (int column = 0; column < Width; column++)
+            (int row, int column) = Math.DivRem(pixel, Width);
+            int end = next + (VectorsOf(column, FirstRow + row) * SamplePattern.Lanes);
+            Starts[pixel] = next;
+            if (model.Lens is null)
             {
-                int end = next + (VectorsOf(column, row) * SamplePattern.Lanes);
-                Starts[IndexOf(column, row)] = next;
-                if (model.Lens is null)
-                {
-                    Place(column, row, next, end);
-                }
-
-                next = end;
+                Place(column, FirstRow + row, next, end);
             }
+
+            next = end;
         }
+    }
+
+    /// <summary>The next pixel with samples, counted from the band's first pixel on; -1 if there is none.</summary>
+    public int NextPixel(int pixel)
+    {
+        int first = FirstRow * Width;
+        int next = _codes.AsSpan(first + pixel, ((LastRow - FirstRow + 1) * Width) - pixel).IndexOfAnyExcept((byte)0);
+        return next < 0 ? -1 : pixel + next;
     }
 
     /// <summary>Number of vectors of samples of a pixel.</summary>

@@ -1,54 +1,84 @@
 using Msisf.Core.Render.Sampling;
+using Msisf.Core.Render.Visibility;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render.Sampling;
 
-/// <summary>How samples are spread over contrasts.</summary>
+/// <summary>How samples are spread over classes of pixels.</summary>
 public sealed class SampleBudgetTests
 {
-    [Fact]
-    public void VectorsOf_MoreContrast_AreNotFewer()
-    {
-        byte[] vectors = SampleBudget.VectorsOf(Even(), 0.5);
+    private const int Trials = 10_000; // so many that what is expected without a measurement has no weight
 
-        Assert.Equal(0, vectors[0]);
-        Assert.Equal(8, vectors[255]);
-        Assert.All(Enumerable.Range(1, 255), contrast => Assert.True(vectors[contrast] >= vectors[contrast - 1], $"contrast {contrast}"));
-    }
+    private const int Class = 5;
 
-    [Fact]
-    public void VectorsOf_SmallerError_AreNotFewerAnywhere()
-    {
-        byte[] rough = SampleBudget.VectorsOf(Even(), 1.0);
-        byte[] fine = SampleBudget.VectorsOf(Even(), 0.3);
+    /// <summary>Mean squared errors of the trials with 1, 8, 16, 32 and 64 samples: rms 2, 0.5, 0.25, 0.1 and 0 levels.</summary>
+    private static readonly double[] Squares = [4.0, 0.25, 0.0625, 0.01, 0.0];
 
-        Assert.All(rough.Zip(fine), pair => Assert.True(pair.Second >= pair.First));
-        Assert.True(fine.Sum(count => count) > rough.Sum(count => count));
-    }
-
-    /// <summary>With one contrast of 4 levels one sample leaves 0.152 * 4 = 0.61 levels, eight leave 0.039 * 4 = 0.16.</summary>
     [Theory]
-    [InlineData(1.0, 0)]
-    [InlineData(0.6, 1)]
-    [InlineData(0.05, 4)]
-    [InlineData(0.01, 8)]
-    public void VectorsOf_OneContrast_AreAsFewAsTheErrorAllows(double error, int expected)
+    [InlineData(3.0, 0)]
+    [InlineData(1.0, 1)]
+    [InlineData(0.4, 2)]
+    [InlineData(0.2, 4)]
+    [InlineData(0.05, 8)]
+    public void CodesOf_OneClass_AreAsFewSamplesAsTheErrorAllows(double error, int vectors)
     {
-        int[] histogram = new int[256];
-        histogram[4] = 1000;
+        ClassError[] errors = Errors();
+        Measure(errors[Class], 1.0, merged: 0.0);
 
-        Assert.Equal(expected, SampleBudget.VectorsOf(histogram, error)[4]);
+        byte code = SampleBudget.CodesOf(Histogram((Class, 1000)), errors, error)[Class];
+
+        Assert.Equal(vectors, code & SampledPixels.Vectors);
+        Assert.Equal(0, code & SampledPixels.HasBorder);
     }
 
     [Fact]
-    public void VectorsOf_AnImageWithoutContrast_AreNone()
+    public void CodesOf_AClassWithBordersOfShadows_GivesEachSampleItsLight()
     {
-        int[] histogram = new int[256];
-        histogram[0] = 1000;
+        ClassError[] errors = Errors();
+        Measure(errors[Class], 1.0, merged: 1.0);
 
-        Assert.Equal(0, SampleBudget.VectorsOf(histogram, 0.05)[0]);
+        byte code = SampleBudget.CodesOf(Histogram((Class, 1000)), errors, 0.4)[Class];
+
+        Assert.NotEqual(0, code & SampledPixels.HasBorder);
     }
 
-    /// <summary>As many pixels of each contrast.</summary>
-    private static int[] Even() => [.. Enumerable.Repeat(100, 256)];
+    [Fact]
+    public void CodesOf_TwoClasses_SpendMoreWhereMoreErrorIs()
+    {
+        ClassError[] errors = Errors();
+        Measure(errors[Class], 1.0, merged: 0.0);
+        Measure(errors[Class + 1], 25.0, merged: 0.0);
+
+        byte[] codes = SampleBudget.CodesOf(Histogram((Class, 1000), (Class + 1, 1000)), errors, 1.0);
+
+        Assert.True(codes[Class + 1] > codes[Class], $"{codes[Class]} and {codes[Class + 1]}");
+    }
+
+    [Fact]
+    public void CodesOf_AnImageWithoutContrastOrError_AreNone() =>
+        Assert.All(SampleBudget.CodesOf(Histogram((0, 1000)), Errors(), 0.05), code => Assert.Equal(0, code));
+
+    private static ClassError[] Errors() => [.. Enumerable.Range(0, PixelClass.Count).Select(_ => new ClassError())];
+
+    private static int[] Histogram(params (int Class, int Pixels)[] classes)
+    {
+        int[] histogram = new int[PixelClass.Count];
+        foreach ((int index, int pixels) in classes)
+        {
+            histogram[index] = pixels;
+        }
+
+        return histogram;
+    }
+
+    private static void Measure(ClassError error, double factor, double merged)
+    {
+        error.Pixels = Trials;
+        error.Parts = 2 * Trials;
+        error.MergedSquares = merged * Trials;
+        for (int i = 0; i < Squares.Length; i++)
+        {
+            error.Squares[i] = factor * Squares[i] * Trials;
+        }
+    }
 }

@@ -38,7 +38,7 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
     public void Draw_ASceneOfALens_ShowsWhatShiftedImagesShow(string name)
     {
         PinholeCamera pinhole = RenderScenes.Named("oblique-20km").Camera(rugged.Grid, 30, 41);
-        Compare(new PinholeCamera(pinhole.PositionMoonMe, pinhole.MoonFromCamera, LensCases.Of(name, 0.4, 30, 41)));
+        Compare(new PinholeCamera(pinhole.PositionMoonMe, pinhole.MoonFromCamera, LensCases.Of(name, 0.4, 41, 30)));
     }
 
     [Fact]
