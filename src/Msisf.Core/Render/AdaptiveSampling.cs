@@ -2,7 +2,9 @@ using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Core.Render;
 
-/// <summary>More samples where they matter: in pixels in which facets, silhouettes or borders of shadows of differing brightness meet.</summary>
+/// <summary>
+/// More samples where they matter: in pixels in which facets, silhouettes or borders of shadows of differing brightness meet.
+/// </summary>
 public sealed class AdaptiveSampling
 {
     /// <summary>Levels of 255: the smallest error that may be asked for.</summary>

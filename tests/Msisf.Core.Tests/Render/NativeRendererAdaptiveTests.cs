@@ -177,7 +177,11 @@ public sealed class NativeRendererAdaptiveTests(RuggedTerrain rugged) : IClassFi
         Adaptive(0.4, Options with { Reflectance = ReflectanceFactory.Create("moon", NoParameters) }),
         Adaptive(0.4, Options with { Reflectance = ReflectanceFactory.Create("hapke", NoParameters), Normals = NormalModel.Smooth }),
         Adaptive(0.4, Options with { Sun = SunModel.Disc }),
-        Adaptive(0.4, Options with { Reflectance = ReflectanceFactory.Create("moon", NoParameters), Albedo = SyntheticMaps.Of(360, (column, row) => 800 + (100 * ((column + row) % 3))) }),
+        Adaptive(0.4, Options with
+        {
+            Reflectance = ReflectanceFactory.Create("moon", NoParameters),
+            Albedo = SyntheticMaps.Of(360, (column, row) => 800 + (100 * ((column + row) % 3))),
+        }),
     ];
 
     private static double Rms(double[] a, double[] b) => Math.Sqrt(a.Zip(b, (x, y) => (x - y) * (x - y)).Average());

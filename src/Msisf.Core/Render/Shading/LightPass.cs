@@ -1,9 +1,9 @@
 using Msisf.Core.Mesh;
+using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
 using Msisf.Core.Tracing;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shading;
 

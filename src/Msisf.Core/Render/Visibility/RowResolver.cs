@@ -1,7 +1,7 @@
-using Msisf.Core.Camera;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tracing;
 

@@ -10,7 +10,9 @@ public sealed class SamplePatternTests
     public void Samples_AllTogether_AreTheGridOfSixtyFour()
     {
         IEnumerable<(double, double)> grid =
-            from row in Enumerable.Range(0, 8) from column in Enumerable.Range(0, 8) select (-0.4375 + (0.125 * column), -0.4375 + (0.125 * row));
+            from row in Enumerable.Range(0, 8)
+            from column in Enumerable.Range(0, 8)
+            select (-0.4375 + (0.125 * column), -0.4375 + (0.125 * row));
 
         Assert.Equal(grid.Order(), SamplePattern.Right.Zip(SamplePattern.Down).Order());
     }

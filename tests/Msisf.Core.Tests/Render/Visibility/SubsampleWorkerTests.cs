@@ -12,7 +12,7 @@ namespace Msisf.Core.Tests.Render.Visibility;
 /// <summary>The further samples of a pixel show what images show whose pixel centres are shifted there.</summary>
 public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<RuggedTerrain>
 {
-    /// <summary>m per m of the camera's distance: the depth of a sample comes from the projected corners, then from the facet's plane.</summary>
+    /// <summary>m per m of the camera's distance: a sample's depth comes from the projected corners, then from the facet's plane.</summary>
     private const double SamePoint = 1e-12;
 
     /// <summary>Samples on an edge between two facets, where rounding decides.</summary>
