@@ -23,6 +23,7 @@ public sealed class WrongValueTests : IDisposable
         ["--output-name"] = ["a/b", "{frame}", " "],
         ["--reflectance"] = ["x", "lambrt", "hapke:x=1", "hapke:w=x", "hapke:w=5"],
         ["--layers"] = ["x", "depth,x", "depth,depth"],
+        ["--samples"] = ["x", "", "0", "2", "257", "1.5", "auto:", "auto:x", "auto:0", "4:0.5"],
         ["--pov-options"] = ["fast", "+W64"],
         ["--frames"] = ["x", "0", "5:3"],
         ["--position"] = ["x", "1,2", "91,0,1e5", "0,400,1e5", "0,0,x", "0,0,terrain+x"],

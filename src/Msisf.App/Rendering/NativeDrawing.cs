@@ -56,7 +56,7 @@ internal sealed class NativeDrawing
         PinholeCamera window = detector is null or { Margin: 0 }
             ? frame.Camera
             : new PinholeCamera(frame.Camera.PositionMoonMe, frame.Camera.MoonFromCamera, detector.WindowModel);
-        NativeRenderer renderer = _levels.For(window, Settings.Render.SubsamplesPerAxis);
+        NativeRenderer renderer = _levels.For(window, Settings.Render.DetailSubsamplesPerAxis);
         NativeRenderOptions options = frame.Motion is { IsRest: false } ? _options with { KeepGroundTruth = true } : _options;
         NativeFrame drawn = Draw(renderer, window, frame, options, threads, cancellation);
         try

@@ -65,7 +65,7 @@ internal sealed class RenderSession : IDisposable
 
     /// <summary>Follows single rays of a frame on the surface that it shows; the Sun is a point, the normals are those of facets.</summary>
     public FrameTruth TruthOf(PreparedFrame frame) =>
-        new(frame.Frame, _levels.TracerFor(frame.Frame.Camera, Settings.Native.Render.SubsamplesPerAxis));
+        new(frame.Frame, _levels.TracerFor(frame.Frame.Camera, Settings.Native.Render.DetailSubsamplesPerAxis));
 
     /// <summary>What the meta file says of a frame.</summary>
     public FrameMetadata Describe(PreparedFrame frame, RenderedFrame rendered) =>

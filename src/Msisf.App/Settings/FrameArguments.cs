@@ -116,7 +116,7 @@ internal static class FrameArguments
         .. native.HapkeMap is { } hapkeMap ? (string[])[NativeOptions.HapkeMap.Name, Quoted(Path.GetFileName(hapkeMap))] : [],
         .. native.Albedo is double albedo ? (string[])[NativeOptions.Albedo.Name, NumberSpec.TextOf(albedo)] : [],
         .. NativeOptions.Sun.Words(native.Render.Sun),
-        NativeOptions.Samples.Name, Text(native.Render.SubsamplesPerAxis * native.Render.SubsamplesPerAxis),
+        NativeOptions.Samples.Name, SamplesReader.TextOf(native.Render),
         .. NativeOptions.Shading.Words(native.Render.Normals),
         NativeOptions.Exposure.Name, NumberSpec.TextOf(native.Grey.Exposure),
         .. NativeOptions.Transfer.Words(native.Grey.Transfer),

@@ -16,12 +16,14 @@ internal static class NativeOptions
     /// <summary>Exposure for other laws: I/F = 1 is white.</summary>
     public const double ExposureOfOtherLaws = 1.0;
 
-    /// <summary>Number of samples per pixel.</summary>
-    public static WholeNumberSpec Samples { get; } = new(
-        "--samples", "N", 1, NativeRenderOptions.MaxSubsamplesPerAxis * NativeRenderOptions.MaxSubsamplesPerAxis,
-        "Samples a pixel on a regular grid, a square number: 1, 4, 9, 16, ...")
+    /// <summary>Number of samples per pixel, or the error that they may leave.</summary>
+    public static TextSpec Samples { get; } = new(
+        "--samples", "N|auto[:ERROR]",
+        "Samples a pixel: a square number on a regular grid, 1, 4, 9, 16, ... 256; or auto, where brightness differs, for an rms error of "
+            + $"ERROR levels of 255 (default of ERROR: {NumberSpec.TextOf(AdaptiveSampling.DefaultError)})")
     {
-        Default = 1,
+        Default = "1",
+        Words = [SamplesReader.Auto],
     };
 
     /// <summary>Model of the surface normals.</summary>

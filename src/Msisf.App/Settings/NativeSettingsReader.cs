@@ -26,6 +26,13 @@ internal static class NativeSettingsReader
         LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
             ? DetectorChoice.LayersOf(NativeOptions.Layers.Concerned(() => Layers(names)), detector)
             : null;
+        GreyScale grey = NativeOptions.Exposure.Named(
+            () => new GreyScale(
+                NativeOptions.Exposure.ReadIfGiven(values) ?? (ReflectanceFactory.IsAbsolute(law, parameters)
+                    ? NativeOptions.ExposureOfMoon
+                    : NativeOptions.ExposureOfOtherLaws),
+                NativeOptions.Transfer.Read(values)));
+        (int subsamplesPerAxis, AdaptiveSampling? adaptive) = SamplesReader.Read(values, grey);
         return new NativeSettings
         {
             Render = new NativeRenderOptions
@@ -35,7 +42,8 @@ internal static class NativeSettingsReader
                         () => ReflectanceFactory.Create(law, parameters, albedo, map.Band))),
                 Sun = NativeOptions.Sun.Read(values),
                 Normals = NativeOptions.Shading.Read(values),
-                SubsamplesPerAxis = SubsamplesPerAxis(NativeOptions.Samples.Read(values)),
+                SubsamplesPerAxis = subsamplesPerAxis,
+                Adaptive = adaptive,
                 KeepGroundTruth = needsTruth || layers is not null,
             },
             ReflectanceText = parameters.Count == 0
@@ -43,12 +51,7 @@ internal static class NativeSettingsReader
                 : $"{law}:{string.Join(',', parameters.Select(pair => $"{pair.Key}={NumberSpec.TextOf(pair.Value)}"))}",
             HapkeMap = HapkeMap(values, law, map),
             Albedo = albedo,
-            Grey = NativeOptions.Exposure.Named(
-                () => new GreyScale(
-                    NativeOptions.Exposure.ReadIfGiven(values) ?? (ReflectanceFactory.IsAbsolute(law, parameters)
-                        ? NativeOptions.ExposureOfMoon
-                        : NativeOptions.ExposureOfOtherLaws),
-                    NativeOptions.Transfer.Read(values))),
+            Grey = grey,
             BitDepth = NativeOptions.BitDepth.Read(values),
             Detector = detector,
             Layers = layers,
@@ -82,17 +85,6 @@ internal static class NativeSettingsReader
             throw new UsageException("--albedo and --albedo-map both set the brightness of the surface. Leave one out.")
                 .About(NativeOptions.Albedo, AlbedoOptions.Map);
         }
-    }
-
-    private static int SubsamplesPerAxis(int samples)
-    {
-        int perAxis = (int)Math.Sqrt(samples); // exact for numbers as small as these
-        return perAxis * perAxis == samples
-            ? perAxis
-            : throw new UsageException(
-                $"--samples is {samples}; the samples form a square grid, so a square number is needed: "
-                    + $"{perAxis * perAxis} or {(perAxis + 1) * (perAxis + 1)}.")
-                .About(NativeOptions.Samples);
     }
 
     private static LayerSet Layers(string names)

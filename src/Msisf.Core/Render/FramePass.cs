@@ -1,7 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
+using Msisf.Core.Render.Sampling;
 using Msisf.Core.Render.Shading;
-using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
 using Msisf.Core.Tracing;
@@ -15,10 +15,8 @@ namespace Msisf.Core.Render;
 internal sealed class FramePass
 {
     private readonly VisibilityPass _visibility;
-    private readonly ShadowPass _shadows;
-    private readonly PenumbraPass _penumbras;
-    private readonly DiscShader _discShader = new();
-    private readonly RowShader _shader;
+    private readonly LightPass _light;
+    private readonly SamplingPass _sampling;
     private VisibleSurface? _visible;
     private readonly PixelSunlight _sunlight = new();
     private double[] _radianceFactors = [];
@@ -27,9 +25,8 @@ internal sealed class FramePass
     public FramePass(SurfaceModel surface)
     {
         _visibility = new VisibilityPass(surface);
-        _shadows = new ShadowPass(surface);
-        _penumbras = new PenumbraPass(surface);
-        _shader = new RowShader(surface);
+        _light = new LightPass(surface);
+        _sampling = new SamplingPass(surface);
     }
 
     /// <summary>Of the last frame.</summary>
@@ -49,7 +46,6 @@ internal sealed class FramePass
     {
         (Camera, Light, _options) = (camera, light, options);
         int pixels = camera.Width * camera.Height;
-        _sunlight.Prepare(pixels, HasDisc);
         if (_radianceFactors.Length < pixels)
         {
             _radianceFactors = new double[pixels];
@@ -78,6 +74,11 @@ internal sealed class FramePass
         {
             DrawSample(0.0, 0.0, weight: 0.0, threads, cancellation);
         }
+
+        if (options.Adaptive is not null)
+        {
+            _sampling.Run(_visibility, light, _light, options, _sunlight, _radianceFactors, threads, cancellation);
+        }
     }
 
     /// <summary>Gets the surface point at a pixel's centre and its illumination.</summary>
@@ -92,7 +93,7 @@ internal sealed class FramePass
         light = PixelIllumination.At(hit.PointMoonMe, _sunlight.VisibleFraction(((y - 1) * Camera.Width) + x - 1), Light);
         if (_options!.Normals == NormalModel.Smooth)
         {
-            hit = hit with { NormalMoonMe = _shader.SmoothNormal(hit, Camera.PositionMoonMe) };
+            hit = hit with { NormalMoonMe = _light.SmoothNormal(hit, Camera.PositionMoonMe) };
         }
 
         return true;
@@ -103,51 +104,11 @@ internal sealed class FramePass
         ? _visible.TryGet(x, y, out hit)
         : throw new InvalidOperationException($"The frame was drawn without {nameof(NativeRenderOptions.KeepGroundTruth)}.");
 
-    private bool HasDisc => Light.IsSun && _options!.Sun == SunModel.Disc;
-
     private static double Offset(int index, int across) => ((index + 0.5) / across) - 0.5;
 
     private void DrawSample(double offsetX, double offsetY, double weight, int threads, CancellationToken cancellation)
     {
         _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
-        FindLight(_visible, isShaded: weight > 0.0, threads, cancellation);
-        if (weight > 0.0)
-        {
-            _shader.Shade(_visible, Light, _sunlight, _options!, weight, _radianceFactors, threads, cancellation);
-        }
-    }
-
-    private void FindLight(VisibleSurface visible, bool isShaded, int threads, CancellationToken cancellation)
-    {
-        if (HasDisc)
-        {
-            SunDisc disc = new(Light.PositionMoonMe);
-            SunwardPoints points = new(visible, Light.PositionMoonMe, _sunlight.CosIncidence, disc.MinCosine);
-            _penumbras.Run(points, disc, _sunlight.HiddenPoints, threads, cancellation);
-            _discShader.Run(visible, disc, _sunlight, threads, cancellation);
-            return;
-        }
-
-        bool reflectsFirst = isShaded && RowShader.ReflectsFirst(_options!, HasDisc);
-        if (reflectsFirst)
-        {
-            _shader.Prepare(visible.Width * visible.Height);
-        }
-
-        SunwardPoints sunward = new(visible, Light.PositionMoonMe, _sunlight.CosIncidence)
-        {
-            RowRead = reflectsFirst
-                ? (row, pixels, cosines) => _shader.Reflect(visible, Light, _options!, row, pixels, cosines)
-                : null,
-        };
-        if (Light.IsSun)
-        {
-            _shadows.Run(sunward, Light.PositionMoonMe, _sunlight.Hidden, threads, cancellation);
-        }
-        else
-        {
-            _sunlight.Hidden.AsSpan(0, visible.Width * visible.Height).Clear();
-            WorkerTeam.Run(threads, sunward.Rows, (_, row) => sunward.ReadCosines(row), cancellation);
-        }
+        _light.Run(_visible, Light, _options!, weight, _sunlight, _radianceFactors, threads, cancellation);
     }
 }

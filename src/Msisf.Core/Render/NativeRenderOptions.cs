@@ -41,6 +41,14 @@ public sealed record NativeRenderOptions
     }
 
     /// <summary>
+    /// More samples where they matter, instead of as many in each pixel; null for these. With it <see cref="SubsamplesPerAxis"/> is 1.
+    /// </summary>
+    public AdaptiveSampling? Adaptive { get; init; }
+
+    /// <summary>Samples along a pixel's edge for which the level of detail is chosen.</summary>
+    public int DetailSubsamplesPerAxis => Adaptive is null ? SubsamplesPerAxis : AdaptiveSampling.SubsamplesPerAxis;
+
+    /// <summary>
     /// Whether the frame keeps the ground truth of its pixels' centres. With an even number of samples along a pixel's edge this takes one
     /// more pass.
     /// </summary>

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Core.Render;
 
 namespace Msisf.Benchmarks.Definitions;
 
@@ -35,6 +36,8 @@ internal static class Settings
         Native(1, Off),
         Native(2, Auto),
         Native(4, Auto),
+        NativeAdaptive(1.0),
+        NativeAdaptive(AdaptiveSampling.DefaultError),
     ];
 
     /// <summary>Those and the base line.</summary>
@@ -74,6 +77,16 @@ internal static class Settings
             IsFull = levels == Off,
             HasOwnSurface = !options.Contains(AntialiasingOption),
         };
+
+    /// <summary>Samples only where they matter.</summary>
+    private static Setting NativeAdaptive(double error)
+    {
+        string text = string.Create(CultureInfo.InvariantCulture, $"auto:{error}");
+        return new Setting($"native, {text}", SettingKind.Native, ["--samples", text, "--lod", Auto], IsRepeated: true)
+        {
+            SubsamplesPerAxis = AdaptiveSampling.SubsamplesPerAxis,
+        };
+    }
 
     private static Setting Native(int subsamplesPerAxis, string levels)
     {

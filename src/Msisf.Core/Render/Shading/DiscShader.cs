@@ -18,7 +18,7 @@ internal sealed class DiscShader
     /// <param name="sunlight">Has hidden points and cosines to the disc's centre; gets fractions, hidden flags and mean cosines.</param>
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
-    public void Run(VisibleSurface visible, SunDisc disc, PixelSunlight sunlight, int threads, CancellationToken cancellation) =>
+    public void Run(ISurfaceRows visible, SunDisc disc, PixelSunlight sunlight, int threads, CancellationToken cancellation) =>
         WorkerTeam.Run(threads, visible.Height, (_, row) =>
         {
             int start = row * visible.Width;
@@ -43,7 +43,7 @@ internal sealed class DiscShader
         }, cancellation);
 
     private void FindParts(
-        VisibleSurface visible, SunDisc disc, int row, Span<double> cosines, Span<double> fractions, Span<byte> hidden,
+        ISurfaceRows visible, SunDisc disc, int row, Span<double> cosines, Span<double> fractions, Span<byte> hidden,
         ReadOnlySpan<ulong> points)
     {
         SurfaceRow pixels = _rows.TryTake(out SurfaceRow? idle) ? idle : new SurfaceRow();

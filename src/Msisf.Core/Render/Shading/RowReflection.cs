@@ -48,7 +48,7 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// <param name="normals">Kind of normals.</param>
     /// <param name="weight">Weight of the sample in the mean over a pixel.</param>
     public void TakeLit(
-        VisibleSurface visible, int row, SceneLight light, PixelSunlight sunlight, NormalModel normals, double weight)
+        ISurfaceRows visible, int row, SceneLight light, PixelSunlight sunlight, NormalModel normals, double weight)
     {
         int start = row * visible.Width;
         SurfaceRow pixels = _row;

@@ -44,7 +44,7 @@ internal sealed class RowShader
     /// <param name="pixels">Its points.</param>
     /// <param name="cosIncidence">The cosines of their incidence angles.</param>
     public void Reflect(
-        VisibleSurface visible, SceneLight light, NativeRenderOptions options, int row, SurfaceRow pixels, double[] cosIncidence)
+        ISurfaceRows visible, SceneLight light, NativeRenderOptions options, int row, SurfaceRow pixels, double[] cosIncidence)
     {
         RowReflection reflection = Take();
         reflection.TakeFacing(pixels, cosIncidence, visible.Width);
@@ -69,7 +69,7 @@ internal sealed class RowShader
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
     public void Shade(
-        VisibleSurface visible,
+        ISurfaceRows visible,
         SceneLight light,
         PixelSunlight sunlight,
         NativeRenderOptions options,

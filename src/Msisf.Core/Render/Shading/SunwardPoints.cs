@@ -16,7 +16,7 @@ internal sealed class SunwardPoints : IReceiverRows
     /// <summary>Value stored as the cosine of pixels without surface: negative, so that they count as unlit.</summary>
     private const double NoSurface = -1.0;
 
-    private readonly VisibleSurface _visible;
+    private readonly ISurfaceRows _visible;
     private readonly Vector3D _sun;
     private readonly double[] _cosIncidence;
     private readonly double _minCosine;
@@ -27,7 +27,7 @@ internal sealed class SunwardPoints : IReceiverRows
     /// <param name="sunMoonMe">The position of the Sun or of the lamp, m, MOON_ME.</param>
     /// <param name="cosIncidence">One value for each pixel, row by row, set when a row is read; -1 where there is no surface.</param>
     /// <param name="minCosine">Only points with a greater cosine are read: 0, or slightly less for the Sun's disc.</param>
-    public SunwardPoints(VisibleSurface visible, Vector3D sunMoonMe, double[] cosIncidence, double minCosine = 0.0)
+    public SunwardPoints(ISurfaceRows visible, Vector3D sunMoonMe, double[] cosIncidence, double minCosine = 0.0)
     {
         _visible = visible;
         _sun = sunMoonMe;

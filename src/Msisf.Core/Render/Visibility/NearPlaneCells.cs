@@ -51,12 +51,25 @@ internal sealed class NearPlaneCells
 
         for (uint left = halves; left != 0; left &= left - 1)
         {
-            DrawFacet<TSamples>(block, index, BitOperations.TrailingZeroCount(left), band);
+            int half = BitOperations.TrailingZeroCount(left);
+            if (TryFind(block, index, half, band.Window, band.Margin, out HomogeneousEdges edges, out PixelRange pixels))
+            {
+                Fill<TSamples>(block, index, half, edges, pixels, band);
+            }
         }
     }
 
-    private void DrawFacet<TSamples>(ProjectedBlock block, int index, int half, Band band)
-        where TSamples : struct, ISampleKind
+    /// <summary>Finds the edges of a facet and the pixels in which it may lie.</summary>
+    /// <param name="block">The facet's block.</param>
+    /// <param name="index">Index of the north-western vertex of the facet's cell.</param>
+    /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
+    /// <param name="window">The pixels that are drawn.</param>
+    /// <param name="margin">px: maximum distance of a sample from its pixel along columns or rows.</param>
+    /// <param name="edges">The edges.</param>
+    /// <param name="pixels">The pixels.</param>
+    /// <returns>Whether there are such pixels.</returns>
+    public bool TryFind(
+        ProjectedBlock block, int index, int half, in PixelRange window, double margin, out HomogeneousEdges edges, out PixelRange pixels)
     {
         HomogeneousEdges.Corner a = Corner(block, index);
         HomogeneousEdges.Corner b = Corner(block, index + FacetCorners.Second(half));
@@ -68,22 +81,25 @@ internal sealed class NearPlaneCells
         extent.AddEdge(inImageA, inImageB);
         extent.AddEdge(inImageB, inImageC);
         extent.AddEdge(inImageC, inImageA);
-        PixelRange pixels = extent.PixelsOf(band);
-        if (!pixels.IsEmpty)
+        pixels = extent.PixelsOf(window, margin);
+        if (pixels.IsEmpty)
         {
-            HomogeneousEdges edges = new(a, b, c, _view);
-            Fill<TSamples>(block, index, half, a.FromCamera, edges, pixels, band);
+            edges = default;
+            return false;
         }
+
+        edges = new HomogeneousEdges(a, b, c, _view);
+        return true;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Fill<TSamples>(
-        ProjectedBlock block, int index, int half, Vector3D corner, HomogeneousEdges edges, PixelRange pixels, Band band)
+        ProjectedBlock block, int index, int half, HomogeneousEdges edges, PixelRange pixels, Band band)
         where TSamples : struct, ISampleKind
     {
         // The inverse depth is linear in the image. It is above 0 at every pixel that passes the test of the edges.
         Vector3D normal = block.Record(index, half).Normal;
-        double scale = 1.0 / (Vector3D.Dot(normal, corner) * _view.Distance);
+        double scale = ScaleOf(block, index, normal);
         Vector512<double> perColumn = Vector512.Create(Vector3D.Dot(normal, _view.RayPerColumn) * scale);
         Vector512<double> perRow = Vector512.Create(Vector3D.Dot(normal, _view.RayPerRow) * scale);
         Vector512<double> atFirst = Vector512.Create(Vector3D.Dot(normal, _view.FirstRay) * scale);
@@ -128,6 +144,13 @@ internal sealed class NearPlaneCells
         }
     }
 
+    /// <summary>The dot product of a facet's normal with a ray, times this, is the inverse depth at the ray (1/m).</summary>
+    /// <param name="block">The facet's block.</param>
+    /// <param name="index">Index of the north-western vertex of the facet's cell.</param>
+    /// <param name="normal">The facet's normal, of any length.</param>
+    public double ScaleOf(ProjectedBlock block, int index, Vector3D normal) =>
+        1.0 / (Vector3D.Dot(normal, block.At(index) - _view.Remainder) * _view.Distance);
+
     private HomogeneousEdges.Corner Corner(ProjectedBlock block, int index) =>
         new(block.At(index) - _view.Remainder, block.X[index], block.Y[index], block.IsUsable(index, _view));
 
@@ -168,11 +191,11 @@ internal sealed class NearPlaneCells
             Open(a.Y, b.Y, part, ref _top, ref _bottom);
         }
 
-        /// <summary>The pixels of the rectangle in a band, with one pixel added on each side for rounding.</summary>
-        public readonly PixelRange PixelsOf(Band band)
+        /// <summary>The pixels of the rectangle in a window, with one pixel added on each side for rounding.</summary>
+        public readonly PixelRange PixelsOf(in PixelRange window, double sampleMargin)
         {
-            double margin = 1.0 + band.Margin;
-            return PixelRange.Within(_left - margin, _right + margin, _top - margin, _bottom + margin, band);
+            double margin = 1.0 + sampleMargin;
+            return PixelRange.Within(_left - margin, _right + margin, _top - margin, _bottom + margin, window);
         }
 
         private static void Widen(double value, ref double min, ref double max)

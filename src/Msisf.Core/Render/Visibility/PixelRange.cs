@@ -6,9 +6,13 @@ internal readonly record struct PixelRange(int FirstColumn, int LastColumn, int 
     public bool IsEmpty => FirstColumn > LastColumn || FirstRow > LastRow;
 
     /// <summary>The pixels of a band that are drawn and whose centres lie within limits (px), which may be infinite.</summary>
-    public static PixelRange Within(double left, double right, double top, double bottom, Band band) => new(
-        (int)Math.Clamp(Math.Ceiling(left), band.Window.FirstColumn, band.Window.LastColumn + 1.0),
-        (int)Math.Clamp(Math.Floor(right), band.Window.FirstColumn - 1.0, band.Window.LastColumn),
-        (int)Math.Clamp(Math.Ceiling(top), band.Window.FirstRow, band.Window.LastRow + 1.0),
-        (int)Math.Clamp(Math.Floor(bottom), band.Window.FirstRow - 1.0, band.Window.LastRow));
+    public static PixelRange Within(double left, double right, double top, double bottom, Band band) =>
+        Within(left, right, top, bottom, band.Window);
+
+    /// <summary>The pixels of a window whose centres lie within limits (px), which may be infinite.</summary>
+    public static PixelRange Within(double left, double right, double top, double bottom, in PixelRange window) => new(
+        (int)Math.Clamp(Math.Ceiling(left), window.FirstColumn, window.LastColumn + 1.0),
+        (int)Math.Clamp(Math.Floor(right), window.FirstColumn - 1.0, window.LastColumn),
+        (int)Math.Clamp(Math.Ceiling(top), window.FirstRow, window.LastRow + 1.0),
+        (int)Math.Clamp(Math.Floor(bottom), window.FirstRow - 1.0, window.LastRow));
 }

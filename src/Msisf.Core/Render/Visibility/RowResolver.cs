@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tracing;
 
@@ -37,6 +38,12 @@ internal sealed class RowResolver
         }
     }
 
+    private double UpOf(int row)
+    {
+        double height = _view.Camera.Height;
+        return (1.0 + height - (2.0 * (row + 1 + _view.OffsetY))) / (2.0 * height);
+    }
+
     /// <summary>Computes the surface point of one pixel; column and row count from 0.</summary>
     public SurfaceHit Resolve(int column, int row, double inverseDepth, in FacetRecord record)
     {
@@ -59,19 +66,66 @@ internal sealed class RowResolver
     /// <param name="band">The band of the row.</param>
     /// <param name="row">The row, from 0.</param>
     /// <param name="pixels">Receives the pixels.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
     public void Resolve(Band band, int row, SurfaceRow pixels)
     {
         pixels.EnsureWidth(band.Width);
         Gather(band, row, pixels);
+        PinholeCamera camera = _view.Camera;
+        if (_lens is null)
+        {
+            Locate(pixels, camera.Direction + (UpOf(row) * camera.Up), camera.Right, vertical: null);
+        }
+        else
+        {
+            Locate(pixels, camera.LensAxis, camera.LensRight, camera.LensDown);
+        }
+    }
 
+    /// <summary>Computes the surface points of parts of pixels.</summary>
+    /// <param name="parts">The parts, of the same camera without offset.</param>
+    /// <param name="first">The first one that is wanted.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="points">Receives them, in their order; their columns count from 0.</param>
+    public void Resolve(PixelParts parts, int first, int count, SurfaceRow points)
+    {
+        points.EnsureWidth(count);
+        for (int i = 0; i < count; i++)
+        {
+            points.Columns[i] = i;
+        }
+
+        parts.InverseDepths.AsSpan(first, count).CopyTo(points.Parameters);
+        parts.Across.AsSpan(first, count).CopyTo(points.X);
+        parts.Along.AsSpan(first, count).CopyTo(points.Z);
+        parts.Facets.AsSpan(first, count).CopyTo(points.Facets);
+        points.Count = count;
+        GatherPlanes(parts.Records, points);
+        Pad(points);
+        PinholeCamera camera = _view.Camera;
+        if (camera.Model.Lens is null)
+        {
+            Locate(points, camera.Direction, camera.Right, camera.Up);
+        }
+        else
+        {
+            Locate(points, camera.LensAxis, camera.LensRight, camera.LensDown);
+        }
+    }
+
+    /// <summary>
+    /// Computes the points of a row whose X, and Z if there is a vertical vector, are the factors of the ray's direction.
+    /// </summary>
+    /// <param name="pixels">The pixels, gathered.</param>
+    /// <param name="middle">The direction of a ray with the factors 0.</param>
+    /// <param name="right">The vector that X multiplies.</param>
+    /// <param name="vertical">The vector that Z multiplies; null if the directions differ only by the vector to the right.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    private void Locate(SurfaceRow pixels, Vector3D middle, Vector3D right, Vector3D? vertical)
+    {
         Vector3D anchor = _view.Anchor;
         Vector3D position = _view.Camera.PositionMoonMe - anchor;
-        Vector3D right = _lens is null ? _view.Camera.Right : _view.Camera.LensRight;
-        Vector3D lensDown = _view.Camera.LensDown;
-        double height = _view.Camera.Height;
-        double up = (1.0 + height - (2.0 * (row + 1 + _view.OffsetY))) / (2.0 * height);
-        Vector3D middle = _lens is null ? _view.Camera.Direction + (up * _view.Camera.Up) : _view.Camera.LensAxis;
+        bool hasVertical = vertical is not null;
+        Vector3D other = vertical ?? default;
         Vector512<double> distance = Vector512.Create(_view.Distance);
         Vector512<double> max = Vector512.Create(MaxCorrection);
         ref double parameters = ref MemoryMarshal.GetArrayDataReference(pixels.Parameters);
@@ -89,12 +143,12 @@ internal sealed class RowResolver
             Vector512<double> directionX = Vector512.Create(middle.X) + (toRight * Vector512.Create(right.X));
             Vector512<double> directionY = Vector512.Create(middle.Y) + (toRight * Vector512.Create(right.Y));
             Vector512<double> directionZ = Vector512.Create(middle.Z) + (toRight * Vector512.Create(right.Z));
-            if (_lens is not null)
+            if (hasVertical)
             {
-                Vector512<double> toDown = Vector512.LoadUnsafe(ref z, i);
-                directionX += toDown * Vector512.Create(lensDown.X);
-                directionY += toDown * Vector512.Create(lensDown.Y);
-                directionZ += toDown * Vector512.Create(lensDown.Z);
+                Vector512<double> factor = Vector512.LoadUnsafe(ref z, i);
+                directionX += factor * Vector512.Create(other.X);
+                directionY += factor * Vector512.Create(other.Y);
+                directionZ += factor * Vector512.Create(other.Z);
             }
 
             Vector512<double> nearX = Along(Vector512.Create(position.X), parameter, directionX);
@@ -188,7 +242,12 @@ internal sealed class RowResolver
 
         pixels.Count = count;
         GatherPlanes(band.Records, pixels);
-        for (int behind = count; behind < count + SurfaceRow.Padding; behind++)
+        Pad(pixels);
+    }
+
+    private static void Pad(SurfaceRow pixels)
+    {
+        for (int behind = pixels.Count; behind < pixels.Count + SurfaceRow.Padding; behind++)
         {
             (pixels.Parameters[behind], pixels.X[behind], pixels.Y[behind], pixels.Z[behind]) = (1.0, 0.0, 0.0, 0.0);
             (pixels.NormalX[behind], pixels.NormalY[behind], pixels.NormalZ[behind]) = (1.0, 0.0, 0.0);

@@ -25,6 +25,18 @@ internal sealed class VisibilityPass
         _culler = new BlockCuller(surface);
     }
 
+    /// <summary>What the last frame shows.</summary>
+    public VisibleSurface Surface => _result;
+
+    /// <summary>The projection of the last frame.</summary>
+    public ImageView View => _result.View;
+
+    /// <summary>The blocks that the last frame may show; valid until the next one.</summary>
+    public IReadOnlyList<VisibleBlock> Blocks { get; private set; } = [];
+
+    /// <summary>The samples of the last frame's lens; null for a pinhole.</summary>
+    public LensSamples? Lens { get; private set; }
+
     /// <summary>Draws a frame.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
@@ -39,6 +51,7 @@ internal sealed class VisibilityPass
         LensSamples? lens = LensOf(camera, offsetX, offsetY, threads, cancellation);
         ImageView view = new(camera, offsetX, offsetY, lens);
         List<VisibleBlock> blocks = _culler.Find(view, threads, cancellation);
+        (Blocks, Lens) = (blocks, lens);
         _result.Begin(view, lens);
         while (_workers.Count < threads)
         {

@@ -6,21 +6,23 @@ namespace Msisf.Core.Render.Visibility;
 /// <summary>
 /// The surface points that a frame's pixels show. Reading is safe for several threads, each with its own <see cref="SurfaceRow"/>.
 /// </summary>
-internal sealed class VisibleSurface
+internal sealed class VisibleSurface : ISurfaceRows
 {
     /// <summary>Number of rows of a band; the last band may have fewer.</summary>
     public const int BandRows = 64;
 
+    private const long NoFacet = -1;
+
     private readonly List<Band> _bands = [];
     private RowResolver _resolver = null!;
 
-    /// <summary>px.</summary>
+    /// <inheritdoc/>
     public int Width { get; private set; }
 
-    /// <summary>px.</summary>
+    /// <inheritdoc/>
     public int Height { get; private set; }
 
-    /// <summary>The frame's projection.</summary>
+    /// <inheritdoc/>
     public ImageView View { get; private set; } = null!;
 
     /// <summary>Counts of the work for the frame.</summary>
@@ -45,19 +47,40 @@ internal sealed class VisibleSurface
         return inverse > 0.0;
     }
 
-    /// <summary>Computes the surface points of a row.</summary>
-    /// <param name="y">1 to the height.</param>
-    /// <param name="row">Receives the points.</param>
+    /// <inheritdoc/>
     public void Read(int y, SurfaceRow row)
     {
         Band band = BandOf(y, out int index);
         _resolver.Resolve(band, index, row);
     }
 
-    /// <summary>The facet of a pixel of a row.</summary>
-    /// <param name="y">The row that was read.</param>
-    /// <param name="number">From <see cref="SurfaceRow.Facets"/>.</param>
+    /// <inheritdoc/>
     public FacetId FacetOf(int y, int number) => BandOf(y, out _).Records[number].Facet;
+
+    /// <summary>Tells which pixels of a row show the same facet.</summary>
+    /// <param name="y">1 to the height.</param>
+    /// <param name="facets">Receives a number for each pixel, the same for the same facet in all rows; -1 without surface.</param>
+    public void ReadFacets(int y, Span<long> facets)
+    {
+        Band band = BandOf(y, out int row);
+        int start = (row - band.FirstRow) * band.Stride;
+        ReadOnlySpan<double> inverses = band.InverseDepths.AsSpan(start, facets.Length);
+        ReadOnlySpan<int> numbers = band.Facets.AsSpan(start, facets.Length);
+        ReadOnlySpan<FacetRecord> records = band.Records;
+        int last = Band.NotRecorded;
+        long facet = NoFacet;
+        for (int i = 0; i < facets.Length; i++)
+        {
+            int number = inverses[i] > 0.0 ? numbers[i] : Band.NotRecorded;
+            if (number != last)
+            {
+                last = number;
+                facet = number == Band.NotRecorded ? NoFacet : ((long)records[number].Line << 32) | (uint)records[number].SampleAndHalf;
+            }
+
+            facets[i] = facet;
+        }
+    }
 
     /// <summary>Starts a new frame.</summary>
     /// <param name="view">The frame's projection.</param>

@@ -1,0 +1,107 @@
+using Msisf.Core.Render.Photometry;
+using Msisf.Core.Render.Visibility;
+
+namespace Msisf.Core.Render.Sampling;
+
+/// <summary>
+/// Some pixels of each class that get all samples, each with light of its own, and again with one light for each facet: they tell how far
+/// off fewer samples are in this frame.
+/// </summary>
+internal sealed class SampleTrials
+{
+    /// <summary>Numbers of vectors of samples among which is chosen, after none.</summary>
+    public static readonly int[] Choices = [1, 2, 4, 8];
+
+    private readonly Dictionary<int, int> _indices = [];
+    private readonly double[][] _means = [[], [], [], [], [], []];
+    private double[] _parts = [];
+
+    /// <summary>The pixels, in their order.</summary>
+    public List<int> Pixels { get; private set; } = [];
+
+    /// <summary>Starts with the brightness of the pixels' centres.</summary>
+    public void Begin(List<int> pixels, double[] radianceFactors)
+    {
+        Pixels = pixels;
+        _indices.Clear();
+        _parts = new double[pixels.Count];
+        for (int i = 0; i < _means.Length; i++)
+        {
+            _means[i] = new double[pixels.Count];
+        }
+
+        for (int i = 0; i < pixels.Count; i++)
+        {
+            _indices[pixels[i]] = i;
+            _means[0][i] = radianceFactors[pixels[i]];
+        }
+    }
+
+    /// <summary>Takes the brightness of a band's facets. Several threads may call it with different bands.</summary>
+    /// <param name="parts">The facets in the pixels.</param>
+    /// <param name="factors">Their brightness.</param>
+    public void TakeMerged(PixelParts parts, ReadOnlySpan<double> factors)
+    {
+        for (int part = 0; part < parts.Count; part++)
+        {
+            int index = _indices[parts.Pixels[part]];
+            _parts[index]++;
+            _means[^1][index] += parts.Weights[part] * factors[part];
+        }
+    }
+
+    /// <summary>Takes the brightness of each sample of a band. Several threads may call it with different bands.</summary>
+    /// <param name="parts">The samples, each a part of its own.</param>
+    /// <param name="factors">Their brightness.</param>
+    public void TakeSamples(PixelParts parts, ReadOnlySpan<double> factors)
+    {
+        for (int part = 0; part < parts.Count; part++)
+        {
+            int index = _indices[parts.Pixels[part]];
+            int vector = parts.FirstSamples[part] / SamplePattern.Lanes;
+            for (int i = 0; i < Choices.Length; i++)
+            {
+                if (vector < Choices[i])
+                {
+                    _means[i + 1][index] += factors[part] / (Choices[i] * SamplePattern.Lanes);
+                }
+            }
+        }
+    }
+
+    /// <summary>Sums up what was measured.</summary>
+    /// <param name="chooser">Knows the classes.</param>
+    /// <param name="grey">From radiance factors to levels of 65535.</param>
+    /// <returns>One result for each class.</returns>
+    public ClassError[] Sum(SampleChooser chooser, GreyTable grey)
+    {
+        ushort[][] levels = [.. _means.Select(means =>
+        {
+            ushort[] converted = new ushort[means.Length];
+            grey.Convert(means, converted);
+            return converted;
+        })];
+        ClassError[] sums = [.. Enumerable.Range(0, PixelClass.Count).Select(_ => new ClassError())];
+        for (int i = 0; i < Pixels.Count; i++)
+        {
+            ClassError sum = sums[chooser.ClassOf(Pixels[i])];
+            int truth = levels[Choices.Length][i];
+            sum.Pixels++;
+            sum.Parts += _parts[i];
+            for (int choice = 0; choice < sum.Squares.Length; choice++)
+            {
+                sum.Squares[choice] += Square(levels[choice][i] - truth);
+            }
+
+            sum.MergedSquares += Square(levels[^1][i] - truth);
+        }
+
+        return sums;
+    }
+
+    private static double Square(int fineLevels)
+    {
+        double levels = fineLevels / 257.0; // levels of 65535 in one of 255
+        return levels * levels;
+    }
+}

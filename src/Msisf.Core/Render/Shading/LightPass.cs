@@ -1,0 +1,92 @@
+using Msisf.Core.Mesh;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Shadows;
+using Msisf.Core.Render.Visibility;
+using Msisf.Core.Scene;
+using Msisf.Core.Tracing;
+
+namespace Msisf.Core.Render.Shading;
+
+/// <summary>
+/// Finds the light on surface points and their brightness. One object serves many frames, one at a time, and keeps its memory.
+/// </summary>
+internal sealed class LightPass
+{
+    private readonly ShadowPass _shadows;
+    private readonly PenumbraPass _penumbras;
+    private readonly DiscShader _discShader = new();
+    private readonly RowShader _shader;
+
+    /// <summary>Makes a pass for a model.</summary>
+    public LightPass(SurfaceModel surface)
+    {
+        _shadows = new ShadowPass(surface);
+        _penumbras = new PenumbraPass(surface);
+        _shader = new RowShader(surface);
+    }
+
+    /// <summary>Finds the light on points and, with a weight, adds their brightness.</summary>
+    /// <param name="points">The points.</param>
+    /// <param name="light">The Sun, or the lamp at the camera.</param>
+    /// <param name="options">Reflectance law, Sun and kind of normals.</param>
+    /// <param name="weight">Weight of the points in the sum; 0 to find the light only.</param>
+    /// <param name="sunlight">Receives the light on each point.</param>
+    /// <param name="radianceFactors">Radiance factors (I/F), row by row; those of the points are added.</param>
+    /// <param name="threads">Maximum number of threads.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    public void Run(
+        ISurfaceRows points, SceneLight light, NativeRenderOptions options, double weight, PixelSunlight sunlight,
+        double[] radianceFactors, int threads, CancellationToken cancellation)
+    {
+        bool hasDisc = HasDisc(light, options);
+        sunlight.Prepare(points.Width * points.Height, hasDisc);
+        FindLight(points, light, options, weight > 0.0, sunlight, threads, cancellation);
+        if (weight > 0.0)
+        {
+            _shader.Shade(points, light, sunlight, options, weight, radianceFactors, threads, cancellation);
+        }
+    }
+
+    /// <summary>The smooth normal at a point, as it is used for shading; length 1, MOON_ME, or the facet's normal.</summary>
+    /// <param name="hit">The point, with its facet's normal.</param>
+    /// <param name="cameraMoonMe">The camera's position, m, MOON_ME.</param>
+    public Vector3D SmoothNormal(SurfaceHit hit, Vector3D cameraMoonMe) => _shader.SmoothNormal(hit, cameraMoonMe);
+
+    private static bool HasDisc(SceneLight light, NativeRenderOptions options) => light.IsSun && options.Sun == SunModel.Disc;
+
+    private void FindLight(
+        ISurfaceRows points, SceneLight light, NativeRenderOptions options, bool isShaded, PixelSunlight sunlight, int threads,
+        CancellationToken cancellation)
+    {
+        if (HasDisc(light, options))
+        {
+            SunDisc disc = new(light.PositionMoonMe);
+            SunwardPoints facing = new(points, light.PositionMoonMe, sunlight.CosIncidence, disc.MinCosine);
+            _penumbras.Run(facing, disc, sunlight.HiddenPoints, threads, cancellation);
+            _discShader.Run(points, disc, sunlight, threads, cancellation);
+            return;
+        }
+
+        bool reflectsFirst = isShaded && RowShader.ReflectsFirst(options, hasDisc: false);
+        if (reflectsFirst)
+        {
+            _shader.Prepare(points.Width * points.Height);
+        }
+
+        SunwardPoints sunward = new(points, light.PositionMoonMe, sunlight.CosIncidence)
+        {
+            RowRead = reflectsFirst
+                ? (row, pixels, cosines) => _shader.Reflect(points, light, options, row, pixels, cosines)
+                : null,
+        };
+        if (light.IsSun)
+        {
+            _shadows.Run(sunward, light.PositionMoonMe, sunlight.Hidden, threads, cancellation);
+        }
+        else
+        {
+            sunlight.Hidden.AsSpan(0, points.Width * points.Height).Clear();
+            WorkerTeam.Run(threads, sunward.Rows, (_, row) => sunward.ReadCosines(row), cancellation);
+        }
+    }
+}

@@ -1,0 +1,91 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>The buffers with which one thread draws the further samples of bands.</summary>
+internal sealed class SubsampleWorker
+{
+    private readonly ProjectedBlock _block = new();
+    private readonly SubsampleCells _cells = new();
+    private readonly SubsampleBand _band = new();
+    private readonly List<VisibleBlock> _touching = [];
+
+    /// <summary>Draws the further samples of a band and finds the parts of its pixels.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="frame">The frame, drawn with one sample a pixel at the pixels' centres.</param>
+    /// <param name="pixels">The pixels that get samples.</param>
+    /// <param name="band">Index of the band.</param>
+    /// <param name="parts">Receives the parts.</param>
+    /// <param name="merged">Receives the parts without regard to borders of shadows; null if nobody wants them.</param>
+    public void Draw(
+        SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, int band, PixelParts parts, PixelParts? merged = null)
+    {
+        ImageView view = frame.View;
+        _band.Begin(pixels, view.Camera.Model, band);
+        if (_band.Count > 0)
+        {
+            if (frame.Lens is { } lens)
+            {
+                DrawLens(surface, view, lens, frame.Blocks);
+            }
+            else
+            {
+                DrawPinhole(surface, view, frame.Blocks);
+            }
+        }
+
+        parts.Take(_band, view.Camera.Model);
+        merged?.Take(_band, view.Camera.Model, mayBeSplit: false);
+    }
+
+    private void DrawPinhole(SurfaceModel surface, ImageView view, IReadOnlyList<VisibleBlock> blocks)
+    {
+        _cells.Begin(view);
+        foreach (VisibleBlock visible in blocks)
+        {
+            if (visible.Rows.First <= _band.LastRow && visible.Rows.End > _band.FirstRow)
+            {
+                _block.Read(surface, visible.Block, view);
+                _block.Project(view);
+                _cells.Draw(_block, _band);
+            }
+        }
+    }
+
+    private void DrawLens(SurfaceModel surface, ImageView view, LensSamples lens, IReadOnlyList<VisibleBlock> blocks)
+    {
+        TangentBox tangents = _band.PlaceInLens(view.Camera.Model);
+        _touching.Clear();
+        double width = 0.0;
+        foreach (VisibleBlock visible in blocks)
+        {
+            if (visible.Tangents.Meets(tangents))
+            {
+                _touching.Add(visible);
+                width += Math.Sqrt(Math.Max(0.0, visible.Tangents.Area));
+            }
+        }
+
+        double cell = width * view.PixelsPerTangent / (_touching.Count * CellBlock.Size);
+        LensTile[] tiles =
+        [
+            .. lens.TilesOf(_band.FirstRow / VisibleSurface.BandRows, cell).Select(_band.Place).Where(tile => !tile.Pixels.IsEmpty),
+        ];
+        ImageView[] views = [.. tiles.Select(tile => new ImageView(view.Camera, view.OffsetX, view.OffsetY, lens, tile))];
+        foreach (VisibleBlock visible in _touching)
+        {
+            _block.Read(surface, visible.Block, view);
+            for (int tile = 0; tile < views.Length; tile++)
+            {
+                if (visible.Tangents.Meets(tiles[tile].Tangents))
+                {
+                    _band.Narrow(tiles[tile]);
+                    _cells.Begin(views[tile]);
+                    _block.Project(views[tile]);
+                    _cells.Draw(_block, _band);
+                }
+            }
+        }
+    }
+}
