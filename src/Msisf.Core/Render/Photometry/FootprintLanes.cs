@@ -3,6 +3,7 @@ using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render.Photometry;
 
@@ -20,6 +21,12 @@ internal sealed class FootprintLanes
 
     /// <summary>Most places at which a level is read for one pixel; a longer footprint is read from a coarser level.</summary>
     private const double MaxProbes = 16.0;
+
+    /// <summary>
+    /// Most places over <see cref="MaxProbes"/> where meridians run together, for each part of the Moon's radius over the distance from its
+    /// axis: a pixel beside a pole covers many columns of the map, but no more rows than others.
+    /// </summary>
+    private const double PolarProbes = 4.0;
 
     /// <summary>Added to squares of lengths that can be 0.</summary>
     private const double TinySquare = 1e-60;
@@ -262,10 +269,16 @@ internal sealed class FootprintLanes
             Vector512<double> along = Unsafe.Add(ref at, LongX);
             Vector512<double> across = Unsafe.Add(ref at, Area);
 
+            Vector512<double> maxProbes = Vector512.MinNative(
+                Vector512.MaxNative(
+                    Vector512.Floor(Vector512.Create(PolarProbes * MoonConstants.ReferenceRadius) * Unsafe.Add(ref at, PerAxis)),
+                    Vector512.Create(MaxProbes)),
+                Vector512.Create((double)MapLevelLanes.MaxPlaces));
+
             // Less than half a square at the end is shared among the others, which are longer then.
             Vector512<double> squares = along / Vector512.MaxNative(across, one);
             Vector512<double> probes = Vector512.MinNative(
-                Vector512.MaxNative(Vector512.Ceiling(squares - Vector512.Create(0.5)), one), Vector512.Create(MaxProbes));
+                Vector512.MaxNative(Vector512.Ceiling(squares - Vector512.Create(0.5)), one), maxProbes);
             Vector512<double> width = Vector512.MinNative(
                 Vector512.MaxNative(Vector512.MaxNative(across, along / probes), one), Vector512.Create(widest));
             Unsafe.Add(ref probeCounts, i) = probes;
