@@ -20,6 +20,7 @@ internal enum Part
     Parallel,
     Python,
     Numpy,
+    Chromium,
 }
 
 /// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
@@ -66,6 +67,7 @@ internal static class MissingParts
         Part.Parallel => TestParts.Program("parallel") is not null,
         Part.Python => TestParts.Python is not null,
         Part.Numpy => TestParts.PythonPackage("numpy") is not null,
+        Part.Chromium => TestParts.Program("chromium") is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

@@ -54,6 +54,23 @@ public static class LdemCatalog
         return incomplete is null ? null : throw incomplete;
     }
 
+    /// <summary>The models that <see cref="Find"/> finds in folders, one for each resolution, coarse ones first.</summary>
+    /// <param name="explicitPath">A label, an image, or a folder (--ldem); null to search the folders.</param>
+    /// <param name="folders">Where to look otherwise, first choice first; they need not exist.</param>
+    public static IReadOnlyList<LdemSet> All(string? explicitPath, IReadOnlyList<string> folders) =>
+        explicitPath is not null && !Directory.Exists(explicitPath)
+            ? [Read(explicitPath)]
+            :
+            [
+                .. PlacesOf(explicitPath, folders).Where(Directory.Exists)
+                    .SelectMany(folder => LabelsIn(folder, ".LBL"))
+                    .Select(label => label.PixelsPerDegree)
+                    .Distinct()
+                    .Order()
+                    .Select(pixelsPerDegree => FindWhole(pixelsPerDegree, explicitPath, folders))
+                    .OfType<LdemSet>(),
+            ];
+
     /// <summary>A named model.</summary>
     /// <param name="labelOrImage">
     /// Path of the label, or of the image beside it; of a split product that of any part, the others lie beside it.
@@ -62,6 +79,18 @@ public static class LdemCatalog
     /// It is missing, no label of a cylindrical lunar model, or its parts don't make up a whole Moon.
     /// </exception>
     public static LdemSet Read(string labelOrImage) => WithSiblings(LdemLabelReader.ReadFile(LabelOf(labelOrImage)));
+
+    private static LdemSet? FindWhole(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
+    {
+        try
+        {
+            return TryFind(pixelsPerDegree, explicitPath, folders);
+        }
+        catch (BadInputException)
+        {
+            return null; // its parts don't make up a whole Moon
+        }
+    }
 
     private static IReadOnlyList<string> PlacesOf(string? explicitPath, IReadOnlyList<string> folders) =>
         explicitPath is null ? folders : [explicitPath];

@@ -14,15 +14,17 @@ namespace Msisf.App.Settings;
 internal static class RenderSettingsReader
 {
     /// <summary>Reads and checks all options.</summary>
+    /// <param name="values">The options.</param>
+    /// <param name="openCamera">Opens the camera of a name; null for a preset or a file.</param>
     /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
-    public static RenderSettings Read(OptionValues values)
+    public static RenderSettings Read(OptionValues values, Func<string, CameraFile>? openCamera = null)
     {
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
         RendererKind renderer = RendererOptions.Renderer.Read(values);
         RendererOptions.Check(values);
         AlbedoSettings albedo = AlbedoOptions.Read(values);
-        CameraFile? camera = CameraChoice.Read(values);
+        CameraFile? camera = CameraChoice.Read(values, openCamera);
         RenderSettings settings = new()
         {
             Camera = camera,
