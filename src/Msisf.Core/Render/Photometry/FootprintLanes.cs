@@ -275,10 +275,12 @@ internal sealed class FootprintLanes
                     Vector512.Create(MaxProbes)),
                 Vector512.Create((double)MapLevelLanes.MaxPlaces));
 
-            // Less than half a square at the end is shared among the others, which are longer then.
+            // Less than half a square at the end is shared among the others, which are longer then; but not beside a pole, where the rows
+            // would be blurred with the columns.
+            Vector512<double> shared = Vector512.LessThanOrEqual(maxProbes, Vector512.Create(MaxProbes)) & Vector512.Create(0.5);
             Vector512<double> squares = along / Vector512.MaxNative(across, one);
             Vector512<double> probes = Vector512.MinNative(
-                Vector512.MaxNative(Vector512.Ceiling(squares - Vector512.Create(0.5)), one), maxProbes);
+                Vector512.MaxNative(Vector512.Ceiling(squares - shared), one), maxProbes);
             Vector512<double> width = Vector512.MinNative(
                 Vector512.MaxNative(Vector512.MaxNative(across, along / probes), one), Vector512.Create(widest));
             Unsafe.Add(ref probeCounts, i) = probes;
