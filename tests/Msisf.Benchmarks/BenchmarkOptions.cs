@@ -16,10 +16,10 @@ internal sealed class BenchmarkOptions
         IsQuick = isQuick;
         Names = values["--scenes"].LastOrDefault() is string names
             ? names.Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
-            : isQuick ? Scenes.QuickNames : [.. Scenes.All.Select(scene => scene.Name), Scenes.FromNothing, Scenes.Sequence];
+            : isQuick ? Scenes.QuickNames : [.. Scenes.All.Select(scene => scene.Name), Scenes.FromNothing, Scenes.Sequence, Scenes.Detector];
         Chosen = [.. Names.Where(
             name =>
-                name is not (Scenes.Sequence or Scenes.FromNothing)).Select(Scenes.Named).Select(scene => isQuick ? Quick(scene) : scene)];
+                name is not (Scenes.Sequence or Scenes.FromNothing or Scenes.Detector)).Select(Scenes.Named).Select(scene => isQuick ? Quick(scene) : scene)];
     }
 
     /// <summary>The repository's folder.</summary>
@@ -41,6 +41,8 @@ internal sealed class BenchmarkOptions
     public IReadOnlyList<Scene> Chosen { get; }
 
     public bool HasSequence => Names.Contains(Scenes.Sequence);
+
+    public bool HasDetector => Names.Contains(Scenes.Detector);
 
     public bool HasFromNothing => Names.Contains(Scenes.FromNothing);
 

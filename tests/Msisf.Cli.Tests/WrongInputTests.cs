@@ -218,7 +218,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("55289 2E6 2E6 0 0 0 0 1 2", 2, "line 1", "9 numbers, 8 expected")]
     [InlineData("55289 2E6 2E6 0 0 0 0 1\n55289 2E6 2E6 0 0 0 0 2", 2, "line 2", "length 1")]
     [InlineData("55289 NaN 2E6 0 0 0 0 1", 2, "line 1", "'NaN' is not finite")]
-    [InlineData("time,lat,lon,hight\n1,2,3,4", 2, "standard input, line 1", "The nearest one is 'height'")]
+    [InlineData("time,lat,lon,hight\n1,2,3,4", 2, "standard input, line 1", "did you mean height?")]
     [InlineData("time,lat,lon,height\n55289,2,3,x", 2, "line 2, column height", "'x' is no height")]
     [InlineData("time,lat,lon,height\n", 4, "no state in it", "header line of its columns")]
     [InlineData("", 4, "no state in it", "MJD rx ry rz")]

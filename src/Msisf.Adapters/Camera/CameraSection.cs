@@ -24,8 +24,9 @@ public sealed class CameraSection
         (_fileName, _what, _place, _entries) = (fileName, what, place, entries);
         if (entries.FirstOrDefault(entry => !keys.Contains(entry.Key)) is { } unknown)
         {
-            throw At(unknown, $"{NumberText.Shown(unknown.Key)} is no key of {what}. The nearest one is "
-                + $"'{NearestName.To(unknown.Key, keys)}'");
+            string question = NearestName.Question(unknown.Key, keys);
+            throw At(unknown, $"{NumberText.Shown(unknown.Key)} is no key of {what}"
+                + (question.Length > 0 ? question : $"; there are {string.Join(", ", keys)}"));
         }
     }
 
@@ -61,8 +62,8 @@ public sealed class CameraSection
         string? word = Text(key);
         return word is null || words.Contains(word)
             ? word
-            : throw Wrong(key, $"'{key}' is {NumberText.Shown(word)}; one of {string.Join(", ", words)} is needed, "
-                + $"perhaps '{NearestName.To(word, words)}'");
+            : throw Wrong(key, $"'{key}' is {NumberText.Shown(word)}; one of {string.Join(", ", words)} is needed"
+                + NearestName.Question(word, words));
     }
 
     /// <summary>A number; null if the key is not there.</summary>
@@ -134,5 +135,5 @@ public sealed class CameraSection
         At(entry, $"'{entry.Key}' takes a value; nothing can stand below it");
 
     private BadInputException At(ConfigEntry entry, string why) =>
-        new($"{_fileName}, line {entry.Line}, column {entry.Column}: {why}.");
+        new($"{_fileName}, line {entry.Line}, column {entry.Column}: {why}{(why.EndsWith('?') ? string.Empty : ".")}");
 }

@@ -56,8 +56,9 @@ internal sealed class BatchColumns
                 throw Wrong(lineNumber, name.Length == 0
                     ? $"column {index + 1} has no name. Name or remove it."
                     : name.Contains(';') ? "columns and values are apart by commas, not by semicolons. Save the file with commas."
-                    : $"column {index + 1}: {NumberText.Shown(name)} is no column. "
-                        + $"The nearest one is '{NearestName.To(name, Known)}'; there are {string.Join(", ", Known)}.");
+                    : $"column {index + 1}: {NumberText.Shown(name)} is no column"
+                        + $"{(NearestName.Question(name, Known) is { Length: > 0 } question ? question : ".")} "
+                        + $"There are {string.Join(", ", Known)}.");
             }
 
             if (!_columns.TryAdd(name, index))

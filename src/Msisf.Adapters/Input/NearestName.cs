@@ -31,7 +31,7 @@ public static class NearestName
     /// </summary>
     /// <param name="word">The misspelt word.</param>
     /// <param name="names">The possible names, at least one.</param>
-    public static string To(string word, IEnumerable<string> names)
+    private static string To(string word, IEnumerable<string> names)
     {
         string start = Folded(word[..Math.Min(word.Length, LongestWord)]);
         return names.MinBy(name => Distance(start, Folded(name)))!;

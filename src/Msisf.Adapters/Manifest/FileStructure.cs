@@ -26,6 +26,7 @@ public sealed class FileStructure(string metaFileDtd)
 
     private static string? ImageProblem(string path)
     {
+        string named = $"{Path.GetFileName(path)}: ";
         try
         {
             using FileStream stream = File.OpenRead(path);
@@ -34,7 +35,8 @@ public sealed class FileStructure(string metaFileDtd)
         }
         catch (BadInputException exception)
         {
-            return exception.Message;
+            // Who asks names the file already.
+            return exception.Message.StartsWith(named, StringComparison.Ordinal) ? exception.Message[named.Length..] : exception.Message;
         }
     }
 

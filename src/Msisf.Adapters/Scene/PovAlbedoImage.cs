@@ -4,7 +4,7 @@ using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Adapters.Scene;
 
-/// <summary>A level of a map of the Moon's reflectance as a 16-bit image for POV-Ray's image_map.</summary>
+/// <summary>A level of a map of the Moon's reflectance as a 16-bit image for POV-Ray's image_map, with a row more over each pole.</summary>
 public static class PovAlbedoImage
 {
     /// <summary>Radiance factor that the image's white has with the Sun in the zenith, by Lambert's law.</summary>
@@ -27,16 +27,32 @@ public static class PovAlbedoImage
         AlbedoMapLevel wanted = map.Levels[level];
         double white = map.Offset + (map.Step * ushort.MaxValue);
         ReadOnlySpan<ushort> codes = wanted.Codes.Span;
-        ushort[] greys = new ushort[codes.Length];
-        for (int i = 0; i < greys.Length; i++)
+        ushort[] greys = new ushort[codes.Length + (2 * wanted.Width)];
+        for (int i = 0; i < codes.Length; i++)
         {
             double grey = (map.Offset + (map.Step * codes[i])) / white;
-            greys[i] = codes[i] != 0 && grey >= 0.0
+            greys[wanted.Width + i] = codes[i] != 0 && grey >= 0.0
                 ? (ushort)Math.Min((grey * ushort.MaxValue) + 0.5, ushort.MaxValue)
                 : throw new BadInputException(
                     $"{name}: has places without a reflectance, which POV-Ray can't draw. Use --renderer native.");
         }
 
+        FillBeyondPole(greys.AsSpan(wanted.Width, wanted.Width), greys.AsSpan(0, wanted.Width));
+        FillBeyondPole(greys.AsSpan(codes.Length, wanted.Width), greys.AsSpan(codes.Length + wanted.Width));
         PngWriter.Write(stream, greys, wanted.Width, GreyTransfer.Linear);
+    }
+
+    /// <summary>
+    /// Beyond a pole lies the other side of its own row; POV-Ray would go on with the row at the other pole.
+    /// </summary>
+    private static void FillBeyondPole(ReadOnlySpan<ushort> row, Span<ushort> beyond)
+    {
+        for (int column = 0; column < row.Length; column++)
+        {
+            // With an odd number of columns the other side lies between two of them.
+            int other = row[(column + (row.Length / 2)) % row.Length];
+            int next = row[(column + ((row.Length + 1) / 2)) % row.Length];
+            beyond[column] = (ushort)((other + next + 1) / 2);
+        }
     }
 }

@@ -100,15 +100,17 @@ public static class PovSceneWriter
     }
 
     /// <summary>
-    /// The surface's colour. POV-Ray's spherical mapping has its pole on the y axis and begins on the x axis; exchanging y and z puts
-    /// longitude 0 at the image's left edge.
+    /// The surface's colour. POV-Ray's spherical warp has its pole on the y axis and begins on the x axis; exchanging y and z puts
+    /// longitude 0 at the image's left edge. The image has a row more over each pole, so it is a little higher than the warp's square.
     /// </summary>
     private static void WriteTexture(TextWriter writer, SceneAlbedo? albedo)
     {
         writer.Write("#declare moon = texture\n{\n");
         writer.Write(albedo is null ? EvenGrey : string.Create(
             CultureInfo.InvariantCulture,
-            $"    pigment\n    {{\n        image_map {{ png \"{albedo.ImageName}\" gamma 1.0 map_type 1 interpolate 2 }}\n"
+            $"    pigment\n    {{\n        image_map {{ png \"{albedo.ImageName}\" gamma 1.0 map_type 0 interpolate 2 }}\n"
+                + $"        scale <1, {(albedo.Rows + 2.0) / albedo.Rows:R}, 1>\n        translate <0, {-1.0 / albedo.Rows:R}, 0>\n"
+                + $"        warp {{ spherical }}\n"
                 + $"        matrix <1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0>\n        rotate <0, 0, {albedo.WestDegrees:R}>\n    }}\n"));
         writer.Write(string.Create(
             CultureInfo.InvariantCulture,

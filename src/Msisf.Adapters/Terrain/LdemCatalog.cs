@@ -18,14 +18,16 @@ public static class LdemCatalog
     /// <param name="pixelsPerDegree">The resolution.</param>
     /// <param name="explicitPath">A label, an image, or a folder (--ldem); null to search the folders.</param>
     /// <param name="folders">Where to look otherwise, first choice first; they need not exist.</param>
+    /// <param name="wayToName">How another model is named, for the message.</param>
     /// <exception cref="BadInputException">
     /// There is none (the message says where it looked), its parts don't make up a whole Moon, or the explicit one has another resolution.
     /// </exception>
-    public static LdemSet Find(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders) =>
+    public static LdemSet Find(
+        int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders, string wayToName = "name another one with --ldem") =>
         TryFind(pixelsPerDegree, explicitPath, folders) ?? throw new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
             $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", PlacesOf(explicitPath, folders))}. "
-                + $"{WaysToGet(pixelsPerDegree)}"));
+                + $"{WaysToGet(pixelsPerDegree, wayToName)}"));
 
     /// <summary>Finds a model as <see cref="Find"/> does; null if there is none of that resolution.</summary>
     /// <inheritdoc cref="Find"/>
@@ -93,7 +95,7 @@ public static class LdemCatalog
     private static IReadOnlyList<string> PlacesOf(string? explicitPath, IReadOnlyList<string> folders) =>
         explicitPath is null ? folders : [explicitPath];
 
-    private static string WaysToGet(int pixelsPerDegree)
+    private static string WaysToGet(int pixelsPerDegree, string wayToName)
     {
         string real = PublishedResolutions.Contains(pixelsPerDegree)
             ? string.Create(CultureInfo.InvariantCulture, $"Get NASA's with 'scripts/get-ldem.sh --res {pixelsPerDegree}'")
@@ -103,7 +105,7 @@ public static class LdemCatalog
             : string.Empty;
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"{real}, name another one with --ldem, or make a synthetic one with "
+            $"{real}, {wayToName}, or make a synthetic one with "
                 + $"'msis ldem synthesize --res {pixelsPerDegree}{continued} --seed 1'.");
     }
 

@@ -73,7 +73,8 @@ internal static class ModelPyramid
 
         if (settings.PixelsPerDegree is { } pixelsPerDegree)
         {
-            return LdemCatalog.Find(pixelsPerDegree, path, ElevationModel.Folders(host));
+            return LdemCatalog.Find(
+                pixelsPerDegree, path, ElevationModel.Folders(host), "give the label of another one instead of --res");
         }
 
         return path is not null && !Directory.Exists(path)

@@ -31,7 +31,7 @@ internal sealed class PovAlbedo
         int level = ratio > 1.0 ? Math.Min(Math.ILogB(ratio), map.Levels.Count - 1) : 0;
         string meaning = string.Create(
             CultureInfo.InvariantCulture, $"{_map.Sha256[..16]}-{map.Offset:R}-{map.Step:R}-{level}").Replace('+', 'p');
-        string name = $"albedo-{meaning}.png";
+        string name = $"albedo-poles-{meaning}.png";
         string path = Path.Combine(_folder, name);
         lock (_gate)
         {
@@ -42,6 +42,7 @@ internal sealed class PovAlbedo
             }
         }
 
-        return new SceneAlbedo(name, double.RadiansToDegrees(map.Extent.West), PovAlbedoImage.DiffuseOf(map));
+        return new SceneAlbedo(
+            name, double.RadiansToDegrees(map.Extent.West), map.Levels[level].Height, PovAlbedoImage.DiffuseOf(map));
     }
 }

@@ -50,30 +50,62 @@ internal static class LaneMath
     {
         Vector512<double> y = (Vector512.Create(InverseSqrtBits) - Vector512.ShiftRightLogical(x.AsInt64(), 1)).AsDouble();
 
-        // y (1 - e)^(-1/2) with e = 1 - x y^2, which is below 0.07 at first and below 2e-5 then.
-        Vector512<double> e = Vector512.FusedMultiplyAdd(-(x * y), y, Vector512<double>.One);
-        Vector512<double> series = Vector512.FusedMultiplyAdd(e, Vector512.Create(5.0 / 16.0), Vector512.Create(3.0 / 8.0));
-        series = Vector512.FusedMultiplyAdd(series, e, Vector512.Create(0.5));
+        // y (1 + e)^(-1/2) with e = x y^2 - 1, which is below 0.07 at first and below 2e-5 then.
+        Vector512<double> e = Vector512.FusedMultiplyAdd(x * y, y, Vector512.Create(-1.0));
+        Vector512<double> series = Vector512.FusedMultiplyAdd(e, Vector512.Create(-5.0 / 16.0), Vector512.Create(3.0 / 8.0));
+        series = Vector512.FusedMultiplyAdd(series, e, Vector512.Create(-0.5));
         y = Vector512.FusedMultiplyAdd(y * e, series, y);
-        e = Vector512.FusedMultiplyAdd(-(x * y), y, Vector512<double>.One);
-        series = Vector512.FusedMultiplyAdd(e, Vector512.Create(3.0 / 8.0), Vector512.Create(0.5));
+        e = Vector512.FusedMultiplyAdd(x * y, y, Vector512.Create(-1.0));
+        series = Vector512.FusedMultiplyAdd(e, Vector512.Create(3.0 / 8.0), Vector512.Create(-0.5));
         return Vector512.FusedMultiplyAdd(y * e, series, y);
     }
 
-    /// <summary>ln((1 + a) / a) and ln((1 + b) / b) for a and b from 1e-300 to 1; relative error under 1e-15.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void LogOfOnePlusInverse(
-        Vector512<double> a, Vector512<double> b, out Vector512<double> logA, out Vector512<double> logB)
+    /// <summary>Replaces numbers by <see cref="InverseSqrt(Vector512{double})"/> of them.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be computed with unoptimised vectors
+    public static void InverseSqrt(Span<Vector512<double>> values)
     {
-        Split(a, out Vector512<double> numeratorA, out Vector512<double> mantissaA, out Vector512<double> exponentA);
-        Split(b, out Vector512<double> numeratorB, out Vector512<double> mantissaB, out Vector512<double> exponentB);
+        for (int i = 0; i < values.Length; i++)
+        {
+            values[i] = InverseSqrt(values[i]);
+        }
+    }
+
+    /// <summary>Replaces numbers by <see cref="ExpMinusOne(Vector512{double})"/> of them.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public static void ExpMinusOne(Span<Vector512<double>> values)
+    {
+        for (int i = 0; i < values.Length; i++)
+        {
+            values[i] = ExpMinusOne(values[i]);
+        }
+    }
+
+    /// <summary>
+    /// Writes (1 + a) / a and (1 + b) / b as 2^k (1 + s) / (1 - s), for <see cref="LogOf"/>; a and b from 1e-300 to 1.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void SplitOnePlusInverse(
+        Vector512<double> a, Vector512<double> b, out Vector512<double> exponentA, out Vector512<double> exponentB,
+        out Vector512<double> sA, out Vector512<double> sB)
+    {
+        Split(a, out Vector512<double> numeratorA, out Vector512<double> mantissaA, out exponentA);
+        Split(b, out Vector512<double> numeratorB, out Vector512<double> mantissaB, out exponentB);
 
         // One division for both: ln(n / m) = 2 artanh((n - m) / (n + m)).
         Vector512<double> sumA = numeratorA + mantissaA;
         Vector512<double> sumB = numeratorB + mantissaB;
         Vector512<double> inverse = Vector512<double>.One / (sumA * sumB);
-        logA = LogFrom((numeratorA - mantissaA) * (sumB * inverse), exponentA);
-        logB = LogFrom((numeratorB - mantissaB) * (sumA * inverse), exponentB);
+        sA = (numeratorA - mantissaA) * (sumB * inverse);
+        sB = (numeratorB - mantissaB) * (sumA * inverse);
+    }
+
+    /// <summary>The natural logarithm of what <see cref="SplitOnePlusInverse"/> wrote; relative error under 1e-15.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector512<double> LogOf(Vector512<double> exponent, Vector512<double> s)
+    {
+        Vector512<double> log = s * TwiceArtanhOver(s * s);
+        log = Vector512.FusedMultiplyAdd(exponent, Vector512.Create(Ln2Low), log);
+        return Vector512.FusedMultiplyAdd(exponent, Vector512.Create(Ln2High), log);
     }
 
     /// <summary>arcsin(s) / (s sqrt(1 - s^2)) of x = s^2 from 0 to 1/2; relative error under 1e-14.</summary>
@@ -115,14 +147,6 @@ internal static class LaneMath
         mantissa = (a.AsInt64() + Vector512.ShiftLeft(whole, 52)).AsDouble();
         exponent = (whole | Vector512.Create(WholeNumberBits)).AsDouble()
             - Vector512.Create(BitConverter.Int64BitsToDouble(WholeNumberBits));
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> LogFrom(Vector512<double> s, Vector512<double> exponent)
-    {
-        Vector512<double> log = s * TwiceArtanhOver(s * s);
-        log = Vector512.FusedMultiplyAdd(exponent, Vector512.Create(Ln2Low), log);
-        return Vector512.FusedMultiplyAdd(exponent, Vector512.Create(Ln2High), log);
     }
 
     /// <summary>2 artanh(s) / s of x = s^2 from 0 to 0.0403.</summary>

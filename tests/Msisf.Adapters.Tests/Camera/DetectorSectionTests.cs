@@ -90,7 +90,7 @@ public sealed class DetectorSectionTests : IDisposable
 
     /// <summary>A line in place of the right one of the same key, or one more; the message and the line that it names.</summary>
     [Theory]
-    [InlineData("apertur: 10", 6, "'apertur' is no key of a detector. The nearest one is 'aperture'")]
+    [InlineData("apertur: 10", 6, "'apertur' is no key of a detector: did you mean aperture?")]
     [InlineData("aperture: -1", 6, "'aperture' is -1; a number above 0")]
     [InlineData("aperture: 0", 6, "'aperture' is 0")]
     [InlineData("aperture: wide", 6, "'aperture'")]
@@ -106,7 +106,7 @@ public sealed class DetectorSectionTests : IDisposable
     [InlineData("wavelengths: [400, 500, 450]", 12, "number 3 of 'wavelengths' is 450; wavelengths are above 0 and increase")]
     [InlineData("wavelengths: 400", 12, "'wavelengths' has 1 number")]
     [InlineData("vignetting: some", 12, "one of natural, none is needed")]
-    [InlineData("psf: gauss", 12, "perhaps 'gaussian'")]
+    [InlineData("psf: gausian", 12, "did you mean gaussian?")]
     [InlineData("psf: gaussian", 6, "needs 'psf-sigma'")]
     [InlineData("psf: airy", 6, "needs 'psf-wavelength'")]
     [InlineData("psf: wings", 6, "needs 'wing-exponent'")]
@@ -135,7 +135,7 @@ public sealed class DetectorSectionTests : IDisposable
     [InlineData("seed: -1", 12, "a whole number from 0 on, or none")]
     [InlineData("seed: random", 12, "a whole number from 0 on, or none")]
     [InlineData("fits: maybe", 12, "one of yes, no")]
-    [InlineData("shutter: rollin", 12, "one of global, rolling is needed, perhaps 'rolling'")]
+    [InlineData("shutter: rollin", 12, "one of global, rolling is needed: did you mean rolling?")]
     [InlineData("shutter: rolling", 12, "a rolling shutter needs 'line-time'")]
     [InlineData("line-time: 0.001", 12, "'line-time' has no meaning without 'shutter'")]
     [InlineData("motion-step: 0.1", 12, "'motion-step' has no meaning without 'shutter'")]

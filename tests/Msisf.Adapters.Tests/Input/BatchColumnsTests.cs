@@ -81,7 +81,7 @@ public class BatchColumnsTests
     [Theory]
     [InlineData(
         "time,lat,lon,hight\n",
-        "input/run7.csv, line 1: column 4: 'hight' is no column. The nearest one is 'height'; there are time, ")]
+        "input/run7.csv, line 1: column 4: 'hight' is no column: did you mean height? There are time, ")]
     [InlineData("#\n,time,lat\n", "input/run7.csv, line 2: column 1 has no name.")]
     [InlineData("time,lat,LAT\n", "input/run7.csv, line 1: column 3: 'LAT' stands twice.")]
     [InlineData("time;lat;lon\n", "input/run7.csv, line 1: columns and values are apart by commas, not by semicolons.")]

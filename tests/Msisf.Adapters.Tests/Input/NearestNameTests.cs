@@ -9,10 +9,9 @@ public sealed class NearestNameTests
     [InlineData("fovv", "fov")]
     [InlineData("hight", "height")]
     [InlineData("outputdir", "output-dir")]
-    [InlineData("", "fov")]
     [InlineData("FOV", "fov")]
-    public void To_MisspeltWord_IsFound(string word, string name) =>
-        Assert.Equal(name, NearestName.To(word, ["height", "output-dir", "fov", "width"]));
+    public void Question_MisspeltWord_NamesTheNearest(string word, string name) =>
+        Assert.Equal($": did you mean {name}?", NearestName.Question(word, ["height", "output-dir", "fov", "width"]));
 
     [Theory]
     [InlineData("widht", ": did you mean width?")]

@@ -9,6 +9,9 @@ internal static class Scenes
     /// <summary>The name of the first image from nothing but the model's file.</summary>
     public const string FromNothing = "from-nothing";
 
+    /// <summary>The name of <see cref="Msisf.Benchmarks.Measures.DetectorResult"/>.</summary>
+    public const string Detector = "detector";
+
     private const double Megabyte = 1e6;
 
     /// <summary>Tiles of the thesis's way, where all would take too long: one takes half a second of parsing at 16 px/deg.</summary>
@@ -21,7 +24,7 @@ internal static class Scenes
     private const int FineTiles = 2;
 
     /// <summary>What a quick run measures.</summary>
-    public static IReadOnlyList<string> QuickNames { get; } = ["far-4", Sequence];
+    public static IReadOnlyList<string> QuickNames { get; } = ["far-4", Sequence, Detector];
 
     /// <summary>All, with the targets of the project's plan for the native renderer's times.</summary>
     public static IReadOnlyList<Scene> All { get; } =
@@ -99,7 +102,7 @@ internal static class Scenes
     /// <exception cref="BenchmarkException">There is none; the message has the names.</exception>
     public static Scene Named(string name) => All.FirstOrDefault(scene => scene.Name == name)
         ?? throw new BenchmarkException(
-            $"there is no scene {name}; there are {string.Join(", ", All.Select(scene => scene.Name))}, {FromNothing} and {Sequence}.");
+            $"there is no scene {name}; there are {string.Join(", ", All.Select(scene => scene.Name))}, {FromNothing}, {Sequence} and {Detector}.");
 
     private static Scene Landing(string name, string height, double altitude, IReadOnlyList<Setting> settings) => new()
     {

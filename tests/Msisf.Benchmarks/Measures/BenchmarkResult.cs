@@ -9,10 +9,12 @@ namespace Msisf.Benchmarks.Measures;
 /// <param name="FromNothing">Null if it was not asked for.</param>
 /// <param name="Sequence">Null if it was not asked for.</param>
 /// <param name="Layers">As the sequence, with all layers.</param>
+/// <param name="Detector">Null if it was not asked for.</param>
 internal sealed record BenchmarkResult(
     string Machine,
     IReadOnlyList<SceneResult> Scenes,
     IReadOnlyList<SceneFront> Fronts,
     FromNothingResult? FromNothing,
     SequenceResult? Sequence,
-    SequenceResult? Layers);
+    SequenceResult? Layers,
+    DetectorResult? Detector);

@@ -39,11 +39,18 @@ internal sealed class BenchmarkRun
 
         IReadOnlyList<SceneResult> scenes = NativeFrames();
         (SequenceResult? plain, SequenceResult? layered) = _options.HasSequence ? Sequence() : default;
+        DetectorResult? detector = null;
+        if (_options.HasDetector)
+        {
+            Say("the detector");
+            detector = DetectorResult.Measure(_options.Repeats);
+        }
+
         string machine = string.Create(
             CultureInfo.InvariantCulture,
             $"{Machine.Describe()} Load before and after the run: {loadBefore} and {Machine.Load()}. "
                 + $"The run took {Stopwatch.GetElapsedTime(_start).TotalMinutes:F1} minutes.");
-        return new BenchmarkResult(machine, scenes, fronts, fromNothing, plain, layered);
+        return new BenchmarkResult(machine, scenes, fronts, fromNothing, plain, layered, detector);
     }
 
     private List<SceneFront> Fronts()

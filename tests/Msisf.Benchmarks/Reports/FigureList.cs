@@ -33,6 +33,7 @@ internal static class FigureList
         .. result.Scenes.SelectMany(Of),
         .. result.Sequence is null ? [] : Of(Scenes.Sequence, result.Sequence),
         .. result.Layers is null ? [] : Of("sequence with layers", result.Layers),
+        .. result.Detector is null ? [] : Of(result.Detector),
     ];
 
     private static IEnumerable<Figure> Of(SceneResult result)
@@ -73,6 +74,12 @@ internal static class FigureList
             yield return figure;
         }
     }
+
+    private static IEnumerable<Figure> Of(DetectorResult result) =>
+    [
+        .. result.Spreads.Select(spread => new Figure(Scenes.Detector, "point spread", spread.Name, "s", spread.Seconds)),
+        .. result.Noises.Select(noise => new Figure(Scenes.Detector, "all noise", noise.Name, "s", noise.Seconds)),
+    ];
 
     private static IEnumerable<Figure> OfMemory(string name, string when, MemorySample? memory) => memory is not MemorySample sample ? [] :
     [

@@ -8,7 +8,7 @@ internal static class Verdicts
 {
     public static IEnumerable<Verdict> Of(BenchmarkResult result) =>
         [.. FrontVerdicts.Of(result), .. result.Scenes.SelectMany(
-            scene => Of(scene, result)), .. OfSequence(result.Sequence), .. OfLayers(result.Layers)];
+            scene => Of(scene, result)), .. OfSequence(result.Sequence), .. OfLayers(result.Layers), .. OfDetector(result.Detector)];
 
     private static IEnumerable<Verdict> Of(SceneResult result, BenchmarkResult all)
     {
@@ -72,6 +72,15 @@ internal static class Verdicts
             layers.FramesPerSecond,
             Unit.FramesPerSecond),
     ];
+
+    private static IEnumerable<Verdict> OfDetector(DetectorResult? detector) => detector is null ? [] :
+    [
+        .. detector.Spreads.Select(spread => AtMost($"PSF of 15 x 15 px, {spread.Name}", DetectorTargets.SpreadSeconds, spread.Seconds)),
+        .. detector.Noises.Select(noise => AtMost($"all noise, {noise.Name}", DetectorTargets.NoiseSeconds, noise.Seconds)),
+    ];
+
+    private static Verdict AtMost(string quantity, double limit, Samples seconds) => new(
+        "detector, 1024 x 1024 px", quantity, limit, IsUpperLimit: true, seconds.Median, seconds.Minimum, Unit.Milliseconds);
 
     private static Verdict AtLeast(string about, string quantity, double limit, double measured, Unit unit) =>
         new(about, quantity, limit, IsUpperLimit: false, measured, measured, unit);

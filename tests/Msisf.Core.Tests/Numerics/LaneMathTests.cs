@@ -38,6 +38,20 @@ public class LaneMathTests
         Assert.Equal(-1.0, LaneMath.ExpMinusOne(Vector512.Create(double.NegativeInfinity))[0]);
 
     [Fact]
+    public void InPlace_AnyLength_IsThatOfSingleVectors()
+    {
+        Vector512<double>[] numbers = [.. Enumerable.Range(1, 5).Select(i => Vector512.Create(-0.3 * i))];
+        Vector512<double>[] exponentials = [.. numbers];
+        Vector512<double>[] roots = [.. numbers.Select(x => -x)];
+        LaneMath.ExpMinusOne(exponentials);
+        LaneMath.InverseSqrt(roots.AsSpan(0, 4));
+
+        Assert.Equal(numbers.Select(LaneMath.ExpMinusOne), exponentials);
+        Assert.Equal(numbers.Take(4).Select(x => LaneMath.InverseSqrt(-x)), roots[..4]);
+        Assert.Equal(-numbers[4], roots[4]);
+    }
+
+    [Fact]
     public void InverseSqrt_AnyNumber_IsTheSystems()
     {
         for (double x = 1e-290; x < 1e290; x *= 1.13)
@@ -48,14 +62,16 @@ public class LaneMathTests
     }
 
     [Fact]
-    public void LogOfOnePlusInverse_AnyNumber_IsTheSystems()
+    public void LogOf_SplitOnePlusInverse_IsTheSystems()
     {
         for (double a = 1.0; a > 1e-290; a *= 0.937)
         {
             double b = Math.Min(1.0, 1.7 * a);
-            LaneMath.LogOfOnePlusInverse(Vector512.Create(a), Vector512.Create(b), out Vector512<double> logA, out Vector512<double> logB);
-            Assert.Equal(Math.Log((1.0 + a) / a), logA[0], Math.Log((1.0 + a) / a) * Rounding);
-            Assert.Equal(Math.Log((1.0 + b) / b), logB[0], Math.Log((1.0 + b) / b) * Rounding);
+            LaneMath.SplitOnePlusInverse(
+                Vector512.Create(a), Vector512.Create(b), out Vector512<double> exponentA, out Vector512<double> exponentB,
+                out Vector512<double> sA, out Vector512<double> sB);
+            Assert.Equal(Math.Log((1.0 + a) / a), LaneMath.LogOf(exponentA, sA)[0], Math.Log((1.0 + a) / a) * Rounding);
+            Assert.Equal(Math.Log((1.0 + b) / b), LaneMath.LogOf(exponentB, sB)[0], Math.Log((1.0 + b) / b) * Rounding);
         }
     }
 

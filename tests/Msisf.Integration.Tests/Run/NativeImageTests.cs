@@ -79,6 +79,29 @@ public sealed class NativeImageTests(RenderFixture fixture, ITestOutputHelper ou
         Assert.True(difference.BlackDiffers + difference.GreyDiffers <= EdgePixels * Side * Side, $"{name}: {difference}");
     }
 
+    /// <summary>
+    /// Beside a pole a pixel covers many columns of the map and a part of a row: the rows must not be blurred with the columns, nor those of
+    /// the other pole be met.
+    /// </summary>
+    [RequiresFact(Part.Ldem4, Part.PovRay)]
+    public void Albedo_OverThePole_IsPovRays()
+    {
+        string map = PdsMap.Write(
+            _folder, "WAC_EMP_643NM_TEST", "UNSIGNED_INTEGER", 8, 2,
+            (column, row) => row < 180
+                ? 60 + (5 * Math.Min(row, 20)) + Math.Round(Math.Min(row, 8) * Math.Sin(Math.PI * column / 120.0))
+                : 250,
+            "SCALING_FACTOR = 0.004");
+
+        (PngPixels povRay, PngPixels native) = RenderBoth(
+            Nadir(new Vector3D(1.0, 1.0, 1.84e6)), "--fov", "20", "--ignore-sun", "--albedo-map", map);
+
+        ImageDifference difference = new(povRay, native, SameGrey);
+        output.WriteLine($"{difference}");
+        Assert.True(difference.OffEdge.Count == 0, $"{difference}");
+        Assert.True(difference.BlackDiffers + difference.GreyDiffers <= EdgePixels * Side * Side, $"{difference}");
+    }
+
     private void AssertSameLight(string name, string state, params string[] more)
     {
         (PngPixels povRay, PngPixels native) = RenderBoth(state, more);

@@ -19,12 +19,16 @@ public sealed class VectorWidthTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [RequiresTheory(Part.Ldem4, Part.CFitsio)]
-    [InlineData("DOTNET_EnableAVX512")]
-    [InlineData("DOTNET_EnableAVX2")]
-    public void Run_NarrowerVectors_WritesTheSameBytes(string switchOfTheRuntime)
+    [InlineData("DOTNET_EnableAVX512", false)]
+    [InlineData("DOTNET_EnableAVX2", false)]
+    [InlineData("DOTNET_EnableAVX512", true)]
+    public void Run_NarrowerVectors_WritesTheSameBytes(string switchOfTheRuntime, bool isShadedEarly)
     {
-        byte[][] asTheMachineHas = Render("wide", []);
-        byte[][] narrower = Render("narrow", new() { [switchOfTheRuntime] = "0" });
+        string[] shading = isShadedEarly
+            ? ["--shading", "facet", "--reflectance", "moon", "--albedo-map", Map()]
+            : ["--shading", "smooth", "--reflectance", "hapke"];
+        byte[][] asTheMachineHas = Render("wide", shading, []);
+        byte[][] narrower = Render("narrow", shading, new() { [switchOfTheRuntime] = "0" });
 
         Assert.Equal(["view.fits", "view.png", "view.xml"], Files("narrow").Select(Path.GetFileName));
         Assert.Equal(asTheMachineHas, narrower);
@@ -33,7 +37,11 @@ public sealed class VectorWidthTests : IDisposable
 
     private IEnumerable<string> Files(string folder) => Directory.EnumerateFiles(_folder[folder], "view.*").Order(StringComparer.Ordinal);
 
-    private byte[][] Render(string folder, Dictionary<string, string> environment)
+    /// <summary>A map whose values change from pixel to pixel.</summary>
+    private string Map() => PdsMap.Write(
+        _folder, "WAC_HAPKE_643NM", "PC_REAL", 32, 2, (column, row) => 0.02 + (0.0001 * (((37 * column) + (91 * row)) % 400)));
+
+    private byte[][] Render(string folder, string[] shading, Dictionary<string, string> environment)
     {
         UnitQuaternion attitude = NadirPointing.MoonFromCamera(Position);
         string state = string.Create(
@@ -43,8 +51,7 @@ public sealed class VectorWidthTests : IDisposable
         [
             Path.Combine(AppContext.BaseDirectory, "msis.dll"), "--renderer", "native", "--fixed-state", state, "--width", "150",
             "--height", "120",
-            "--samples", "4", "--shading", "smooth", "--reflectance", "hapke", "--layers", "all", "--surface", "terrain", "--bit-depth",
-            "16",
+            "--samples", "4", .. shading, "--layers", "all", "--surface", "terrain", "--bit-depth", "16",
             "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder], "--output-name", "view", "--batch",
         ];
         ChildRun.Of(Environment.ProcessPath!, arguments, _folder.Path, environment: environment).Succeeded();

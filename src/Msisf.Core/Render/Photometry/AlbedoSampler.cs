@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 
 namespace Msisf.Core.Render.Photometry;
@@ -8,7 +10,15 @@ namespace Msisf.Core.Render.Photometry;
 /// </summary>
 internal sealed class AlbedoSampler
 {
+    private const int MaxPlaces = MapLevelLanes.MaxPlaces;
+
     private readonly MapFootprints _footprints = new();
+    private readonly MapLevelLanes _lanes = new();
+    private readonly double[] _codes = new double[MaxPlaces];
+    private readonly double[] _farCodes = new double[MaxPlaces];
+    private readonly double[] _x = new double[MaxPlaces];
+    private readonly double[] _y = new double[MaxPlaces];
+    private readonly double[] _parts = new double[MaxPlaces];
 
     /// <summary>Scales the radiance factors of a row.</summary>
     /// <param name="points">The pixels, with the law's radiance factors.</param>
@@ -26,30 +36,107 @@ internal sealed class AlbedoSampler
         double offset = map.Offset * perReference;
         double step = map.Step * perReference;
         Span<double> factors = points.Factors.AsSpan(0, points.Count);
-        MapLevelReader fine = default;
-        MapLevelReader coarse = default;
-        int current = -1;
-        for (int i = 0; i < factors.Length; i++)
+        int first = 0;
+        while (first < factors.Length)
         {
-            int level = (int)_footprints.Levels[i];
-            if (level != current)
+            int count = TakePlaces(first, factors.Length, out int places);
+            ReadCodes(map, (int)_footprints.Levels[first], places);
+            AverageCodes(first, count, places);
+            for (int i = 0; i < count; i++)
             {
-                current = level;
-                fine = new MapLevelReader(map, level);
-                coarse = new MapLevelReader(map, Math.Min(level + 1, map.Levels.Count - 1));
+                if (_codes[i] > 0.0)
+                {
+                    double scale = offset + (step * _codes[i]);
+                    factors[first + i] *= factorOfReference is null ? scale / points.ReferenceFactors[first + i] : scale;
+                }
             }
 
-            double part = _footprints.Parts[i];
-            int probes = (int)_footprints.Probes[i];
-            double code = probes == 1
-                ? Mixed(fine, coarse, part, _footprints.X[i], _footprints.Y[i])
-                : MeanAlong(fine, coarse, part, i, probes);
-            if (code > 0.0)
+            first += count;
+        }
+    }
+
+    /// <summary>Takes the places on the map of pixels of one level, as many as there is room for.</summary>
+    /// <returns>How many pixels.</returns>
+    private int TakePlaces(int first, int end, out int places)
+    {
+        ReadOnlySpan<long> levels = _footprints.Levels.AsSpan(first, end - first);
+        ReadOnlySpan<double> probeCounts = _footprints.Probes.AsSpan(first, end - first);
+        places = 0;
+        int pixel = 0;
+        for (; pixel < levels.Length && levels[pixel] == levels[0]; pixel++)
+        {
+            int probes = (int)probeCounts[pixel];
+            if (places + probes > MaxPlaces)
             {
-                double scale = offset + (step * code);
-                factors[i] *= factorOfReference is null ? scale / points.ReferenceFactors[i] : scale;
+                break;
+            }
+
+            int i = first + pixel;
+            double part = _footprints.Parts[i];
+            if (probes == 1)
+            {
+                (_x[places], _y[places], _parts[places++]) = (_footprints.X[i], _footprints.Y[i], part);
+                continue;
+            }
+
+            for (int probe = 0; probe < probes; probe++)
+            {
+                double along = ((probe + 0.5) / probes) - 0.5;
+                _x[places] = _footprints.X[i] + (along * _footprints.AxisX[i]);
+                _y[places] = _footprints.Y[i] + (along * _footprints.AxisY[i]);
+                _parts[places++] = part;
             }
         }
+
+        return pixel;
+    }
+
+    /// <summary>Reads the codes at the places, between a level and the next coarser one.</summary>
+    private void ReadCodes(AlbedoMap map, int level, int places)
+    {
+        AlbedoMapLevel finest = map.Levels[0];
+        int coarser = Math.Min(level + 1, map.Levels.Count - 1);
+        ref double x = ref _x[0];
+        ref double y = ref _y[0];
+        _lanes.Read(map.Levels[level], finest, ref x, ref y, ref _codes[0], places);
+        _lanes.Read(map.Levels[coarser], finest, ref x, ref y, ref _farCodes[0], places);
+        if (!MixLevels(ref _codes[0], ref _farCodes[0], ref _parts[0], places))
+        {
+            return;
+        }
+
+        MapLevelReader near = new(map, level);
+        MapLevelReader far = new(map, coarser);
+        for (int i = 0; i < places; i++)
+        {
+            if (double.IsNaN(_codes[i]))
+            {
+                _codes[i] = Mixed(near, far, _parts[i], _x[i], _y[i]);
+            }
+        }
+    }
+
+    /// <summary>Whether a code became NaN.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    private static bool MixLevels(ref double codes, ref double farCodes, ref double parts, int count)
+    {
+        Vector512<double> sum = Vector512<double>.Zero;
+        nuint last = (nuint)count & ~(nuint)(Vector512<double>.Count - 1);
+        for (nuint i = 0; i < (nuint)count; i += (nuint)Vector512<double>.Count)
+        {
+            Vector512<double> near = Vector512.LoadUnsafe(ref codes, i);
+            Vector512<double> mixed = near + (Vector512.LoadUnsafe(ref parts, i) * (Vector512.LoadUnsafe(ref farCodes, i) - near));
+            mixed.StoreUnsafe(ref codes, i);
+            sum += i < last ? mixed : Vector512<double>.Zero;
+        }
+
+        double all = Vector512.Sum(sum);
+        for (nuint i = last; i < (nuint)count; i++)
+        {
+            all += Unsafe.Add(ref codes, i);
+        }
+
+        return double.IsNaN(all);
     }
 
     private static double Mixed(in MapLevelReader fine, in MapLevelReader coarse, double part, double x, double y)
@@ -64,19 +151,34 @@ internal sealed class AlbedoSampler
         return near == 0.0 || far == 0.0 ? Math.Max(near, far) : near + (part * (far - near));
     }
 
-    private double MeanAlong(in MapLevelReader fine, in MapLevelReader coarse, double part, int i, int probes)
+    /// <summary>Leaves one code for each pixel: the mean of its places that have data, 0 if none has.</summary>
+    private void AverageCodes(int first, int count, int places)
     {
-        double sum = 0.0;
-        int count = 0;
-        for (int probe = 0; probe < probes; probe++)
+        if (places == count)
         {
-            double along = ((probe + 0.5) / probes) - 0.5;
-            double code = Mixed(
-                fine, coarse, part, _footprints.X[i] + (along * _footprints.AxisX[i]), _footprints.Y[i] + (along * _footprints.AxisY[i]));
-            sum += code;
-            count += code > 0.0 ? 1 : 0;
+            return;
         }
 
-        return count == 0 ? 0.0 : sum / count;
+        int place = 0;
+        for (int pixel = 0; pixel < count; pixel++)
+        {
+            int probes = (int)_footprints.Probes[first + pixel];
+            if (probes == 1)
+            {
+                _codes[pixel] = _codes[place++];
+                continue;
+            }
+
+            double sum = 0.0;
+            int counted = 0;
+            foreach (double code in _codes.AsSpan(place, probes))
+            {
+                sum += code;
+                counted += code > 0.0 ? 1 : 0;
+            }
+
+            _codes[pixel] = counted == 0 ? 0.0 : sum / counted;
+            place += probes;
+        }
     }
 }

@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
@@ -7,51 +6,13 @@ namespace Msisf.Core.Render.Photometry;
 
 /// <summary>
 /// Hapke's law for eight points at once, each with its own parameters, or for many with the same. It agrees with
-/// <see cref="HapkeReflectance"/> to 1e-12, and is rearranged so that few divisions and roots are left. It is computed in steps, each for a
-/// block of points: in one step for all, each operation would wait for the one before it.
+/// <see cref="HapkeReflectance"/> to 1e-12, and is rearranged so that few divisions are left. It is computed in short steps, each for a
+/// block of points: in a long step each operation would wait for the one before it, and without AVX-512 the compiler makes calls of them.
 /// </summary>
 internal readonly struct HapkeLanes
 {
-    /// <summary>Added to sines of 0, so that quotients by them are large and not undefined.</summary>
-    private const double TinySine = 1e-100;
-
-    /// <summary>Length of the memory that <see cref="BufferIn"/> needs.</summary>
-    public const int BufferLength = (Quantities * Block * 8) + 8;
-
-    /// <summary>Vectors of a block: with its buffer it stays in the fastest memory.</summary>
-    private const int Block = 8;
-
-    /// <summary>Quantities that are kept from step to step.</summary>
-    private const int Quantities = 12;
-
-    // Places of the quantities in the buffer; a later one takes the place of one that is no longer needed.
-    private const int LowerCosine = 0 * Block;
-    private const int UpperCosine = 1 * Block;
-    private const int LowerSine = 2 * Block;
-    private const int UpperSine = 3 * Block;
-    private const int Azimuth = 4 * Block;
-    private const int AzimuthOverPi = 5 * Block;
-    private const int AzimuthFromBehind = 6 * Block;
-    private const int Hidden = 7 * Block;
-    private const int LowerE1 = 8 * Block; // first the quotient of the cotangents of zenith distance and slope, then E1 - 1
-    private const int UpperE1 = 9 * Block;
-    private const int LowerE2 = 10 * Block;
-    private const int UpperE2 = 11 * Block;
-    private const int Lower = LowerCosine;
-    private const int Upper = UpperCosine;
-    private const int Shadowed = LowerSine;
-
-    private readonly Vector512<double> _scale;
-    private readonly Vector512<double> _w;
-    private readonly Vector512<double> _r0;
-    private readonly Vector512<double> _lobeWidth;
-    private readonly Vector512<double> _backward;
-    private readonly Vector512<double> _forward;
-    private readonly Vector512<double> _surgeAmplitude;
-    private readonly Vector512<double> _surgeWidth;
-    private readonly Vector512<double> _tangent;
-    private readonly Vector512<double> _cotangent;
-    private readonly Vector512<double> _chi;
+    /// <summary>Length of the buffer of <see cref="RadianceFactors"/>.</summary>
+    public const int BufferLength = HapkePlaces.Length;
 
     /// <summary>Takes the parameters of eight points.</summary>
     /// <param name="scale">Factor of the radiance factors.</param>
@@ -69,29 +30,55 @@ internal readonly struct HapkeLanes
         Vector512<double> gamma = Vector512.Sqrt(one - w);
         Vector512<double> lobe = Vector512.Create(0.5) * (one - (b * b));
         Vector512<double> roughness = one + (Vector512.Create(Math.PI) * slopeTangent * slopeTangent);
-        _w = w;
-        _r0 = (one - gamma) / (one + gamma);
-        _lobeWidth = b;
-        _backward = lobe * (one + c);
-        _forward = lobe * (one - c);
-        _surgeAmplitude = surgeAmplitude;
-        _surgeWidth = surgeWidth;
-        _tangent = slopeTangent;
-        _cotangent = one / slopeTangent;
-        _chi = one / Vector512.Sqrt(roughness);
-        _scale = scale * Vector512.Create(0.25) * w * _chi;
+        W = w;
+        R0 = (one - gamma) / (one + gamma);
+        NearestLobe = (one - b) * (one - b);
+        FourLobeWidths = Vector512.Create(4.0) * b;
+        Backward = lobe * (one + c);
+        Forward = lobe * (one - c);
+        SurgeAmplitude = surgeAmplitude;
+        SurgeWidth = surgeWidth;
+        Tangent = slopeTangent;
+        Cotangent = one / slopeTangent;
+        Chi = one / Vector512.Sqrt(roughness);
+        Scale = scale * Vector512.Create(0.25) * w * Chi;
     }
 
-    /// <summary>
-    /// A buffer for the computation, which begins where a line of the cache does, so that no vector lies across two lines.
-    /// </summary>
-    /// <param name="stack">Memory on the stack, which does not move, of <see cref="BufferLength"/>.</param>
-    public static Span<Vector512<double>> BufferIn(Span<double> stack)
-    {
-        long address = Unsafe.ByteOffset(ref Unsafe.NullRef<double>(), ref MemoryMarshal.GetReference(stack));
-        int toNextLine = (int)((-address / sizeof(double)) & (Vector512<double>.Count - 1));
-        return MemoryMarshal.Cast<double, Vector512<double>>(stack[toNextLine..]);
-    }
+    /// <summary>Factor of everything.</summary>
+    public Vector512<double> Scale { get; }
+
+    /// <summary>Single-scattering albedo.</summary>
+    public Vector512<double> W { get; }
+
+    /// <summary>Diffusive reflectance.</summary>
+    public Vector512<double> R0 { get; }
+
+    /// <summary>(1 - b)^2.</summary>
+    public Vector512<double> NearestLobe { get; }
+
+    /// <summary>4 b.</summary>
+    public Vector512<double> FourLobeWidths { get; }
+
+    /// <summary>Factor of the backward lobe.</summary>
+    public Vector512<double> Backward { get; }
+
+    /// <summary>Factor of the forward lobe.</summary>
+    public Vector512<double> Forward { get; }
+
+    /// <summary>B0.</summary>
+    public Vector512<double> SurgeAmplitude { get; }
+
+    /// <summary>h.</summary>
+    public Vector512<double> SurgeWidth { get; }
+
+    /// <summary>Tangent of the mean slope.</summary>
+    public Vector512<double> Tangent { get; }
+
+    /// <summary>Its inverse.</summary>
+    public Vector512<double> Cotangent { get; }
+
+    /// <summary>chi of the mean slope.</summary>
+    public Vector512<double> Chi { get; }
 
     /// <summary>Computes radiance factors; 0 where a cosine is not above 0.</summary>
     /// <param name="law">The parameters.</param>
@@ -99,7 +86,7 @@ internal readonly struct HapkeLanes
     /// <param name="cosEmission">Cosines of the emission angles, up to 1.</param>
     /// <param name="phaseHaversine">sin^2 of half the phase angles, 0 to 1.</param>
     /// <param name="factors">Receives the radiance factors.</param>
-    /// <param name="buffer">From <see cref="BufferIn"/>; its content does not matter.</param>
+    /// <param name="buffer">Of <see cref="BufferLength"/>; its content does not matter.</param>
     public static void RadianceFactors(
         in HapkeLanes law,
         ReadOnlySpan<Vector512<double>> cosIncidence,
@@ -108,188 +95,34 @@ internal readonly struct HapkeLanes
         Span<Vector512<double>> factors,
         Span<Vector512<double>> buffer)
     {
-        for (int start = 0; start < factors.Length; start += Block)
+        ref Vector512<double> places = ref MemoryMarshal.GetReference(buffer[..BufferLength]);
+        for (int start = 0; start < factors.Length; start += HapkePlaces.Block)
         {
-            int count = Math.Min(Block, factors.Length - start);
-            ReadOnlySpan<Vector512<double>> incidence = cosIncidence.Slice(start, count);
-            ReadOnlySpan<Vector512<double>> emission = cosEmission.Slice(start, count);
-            ReadOnlySpan<Vector512<double>> phase = phaseHaversine.Slice(start, count);
-            FindDirections(law, incidence, emission, phase, buffer);
-            FindAzimuths(buffer, count);
-            FindExponentials(buffer, count);
-            FindEffectiveCosines(law, buffer, count);
-            Reflect(law, incidence, emission, phase, buffer, factors.Slice(start, count));
+            int count = Math.Min(HapkePlaces.Block, factors.Length - start);
+            ref Vector512<double> incidence = ref MemoryMarshal.GetReference(cosIncidence.Slice(start, count));
+            ref Vector512<double> emission = ref MemoryMarshal.GetReference(cosEmission.Slice(start, count));
+            ref Vector512<double> phase = ref MemoryMarshal.GetReference(phaseHaversine.Slice(start, count));
+            HapkeRoughLanes.SquareSines(ref places, ref incidence, ref emission, count);
+            HapkeScatteringLanes.SquareLobes(law, ref places, ref phase, count);
+            for (int root = 0; root < HapkePlaces.RootBlocks; root++)
+            {
+                LaneMath.InverseSqrt(buffer.Slice(HapkePlaces.Roots + (root * HapkePlaces.Block), count));
+            }
+
+            HapkeScatteringLanes.FindSingle(law, ref places, ref phase, count);
+            HapkeRoughLanes.FindDirections(law, ref places, ref incidence, ref emission, ref phase, count);
+            HapkeRoughLanes.FindAzimuths(ref places, count);
+            HapkeRoughLanes.FindAngles(ref places, count);
+            for (int exponent = 0; exponent < HapkePlaces.ExponentBlocks; exponent++)
+            {
+                LaneMath.ExpMinusOne(buffer.Slice(HapkePlaces.Exponents + (exponent * HapkePlaces.Block), count));
+            }
+
+            HapkeRoughLanes.FindEffectiveCosines(law, ref places, ref incidence, ref emission, count);
+            HapkeScatteringLanes.SplitCosines(ref places, count);
+            HapkeScatteringLanes.FindAbsorbed(law, ref places, count);
+            HapkeScatteringLanes.Reflect(
+                law, ref places, ref incidence, ref emission, ref MemoryMarshal.GetReference(factors.Slice(start, count)), count);
         }
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
-    private static void FindDirections(
-        in HapkeLanes law,
-        ReadOnlySpan<Vector512<double>> cosIncidence,
-        ReadOnlySpan<Vector512<double>> cosEmission,
-        ReadOnlySpan<Vector512<double>> phaseHaversine,
-        Span<Vector512<double>> buffer)
-    {
-        Vector512<double> zero = Vector512<double>.Zero;
-        Vector512<double> one = Vector512<double>.One;
-        Vector512<double> grazing = Vector512.Create(Tolerances.GrazingCosine);
-        Vector512<double> tiny = Vector512.Create(TinySine);
-        Vector512<double> cotangent = law._cotangent;
-        for (int i = 0; i < cosIncidence.Length; i++)
-        {
-            Vector512<double> sun = Vector512.MaxNative(cosIncidence[i], grazing);
-            Vector512<double> viewer = Vector512.MaxNative(cosEmission[i], grazing);
-            Vector512<double> sunSine = Vector512.Sqrt((one - sun) * (one + sun));
-            Vector512<double> viewerSine = Vector512.Sqrt((one - viewer) * (one + viewer));
-
-            // The azimuth as HapkeRoughness has it, to the last bit, since near 0 and pi it depends on every rounding. A quotient that is
-            // corrected by its own rest is the one that a division gives (P. Markstein, IBM J. Res. Dev. 34 (1990), p. 111).
-            Vector512<double> product = sunSine * viewerSine;
-            Vector512<double> meridian = Vector512.Create(0.5) * (one - (sun * viewer) - product);
-            Vector512<double> part = phaseHaversine[i] - meridian;
-            Vector512<double> sunSafe = Vector512.MaxNative(sunSine, tiny);
-            Vector512<double> viewerSafe = Vector512.MaxNative(viewerSine, tiny);
-            Vector512<double> perProduct = one / (sunSafe * viewerSafe);
-            Vector512<double> quotient = part * perProduct;
-            quotient = Vector512.FusedMultiplyAdd(Vector512.FusedMultiplyAdd(-quotient, product, part), perProduct, quotient);
-            buffer[Azimuth + i] = Vector512.ConditionalSelect(
-                Vector512.GreaterThan(product, zero), Vector512.MinNative(Vector512.MaxNative(quotient, zero), one), zero);
-
-            Vector512<double> perSines = cotangent * perProduct;
-            Vector512<double> lowerCosine = Vector512.MinNative(sun, viewer);
-            Vector512<double> upperCosine = Vector512.MaxNative(sun, viewer);
-            Vector512<double> lowerSine = Vector512.MaxNative(sunSafe, viewerSafe);
-            Vector512<double> upperSine = Vector512.MinNative(sunSafe, viewerSafe);
-            buffer[LowerCosine + i] = lowerCosine;
-            buffer[UpperCosine + i] = upperCosine;
-            buffer[LowerSine + i] = lowerSine;
-            buffer[UpperSine + i] = upperSine;
-            buffer[LowerE1 + i] = lowerCosine * upperSine * perSines;
-            buffer[UpperE1 + i] = upperCosine * lowerSine * perSines;
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private static void FindAzimuths(Span<Vector512<double>> buffer, int count)
-    {
-        Vector512<double> one = Vector512<double>.One;
-        for (int i = 0; i < count; i++)
-        {
-            Vector512<double> azimuth = buffer[Azimuth + i];
-            Vector512<double> rest = one - azimuth;
-            Vector512<double> product = azimuth * rest;
-            Vector512<double> perRoot = LaneMath.InverseSqrt(Vector512.MaxNative(product, Vector512.Create(TinySine * TinySine)));
-            Vector512<double> smallAngle = Vector512.Create(2.0 / Math.PI) * (product * perRoot)
-                * LaneMath.ArcsinOverSineCosine(Vector512.MinNative(azimuth, rest));
-            Vector512<double> isSmall = Vector512.LessThanOrEqual(azimuth, rest);
-            buffer[AzimuthOverPi + i] = Vector512.ConditionalSelect(isSmall, smallAngle, one - smallAngle);
-            buffer[AzimuthFromBehind + i] = Vector512.ConditionalSelect(isSmall, one - smallAngle, smallAngle);
-            buffer[Hidden + i] = LaneMath.ExpMinusOne(Vector512.Create(-2.0) * (azimuth * perRoot));
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private static void FindExponentials(Span<Vector512<double>> buffer, int count)
-    {
-        Vector512<double> perPi = Vector512.Create(-1.0 / Math.PI);
-        for (int i = 0; i < count; i++)
-        {
-            Vector512<double> ratio = buffer[LowerE1 + i];
-            buffer[LowerE1 + i] = LaneMath.ExpMinusOne((perPi + perPi) * ratio);
-            buffer[LowerE2 + i] = LaneMath.ExpMinusOne(perPi * ratio * ratio);
-        }
-
-        for (int i = 0; i < count; i++)
-        {
-            Vector512<double> ratio = buffer[UpperE1 + i];
-            buffer[UpperE1 + i] = LaneMath.ExpMinusOne((perPi + perPi) * ratio);
-            buffer[UpperE2 + i] = LaneMath.ExpMinusOne(perPi * ratio * ratio);
-        }
-    }
-
-    /// <summary>The formulas of <see cref="HapkeRoughness"/>.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private static void FindEffectiveCosines(in HapkeLanes law, Span<Vector512<double>> buffer, int count)
-    {
-        Vector512<double> one = Vector512<double>.One;
-        for (int i = 0; i < count; i++)
-        {
-            Vector512<double> lowerCosine = buffer[LowerCosine + i];
-            Vector512<double> upperCosine = buffer[UpperCosine + i];
-            Vector512<double> azimuth = buffer[Azimuth + i];
-            Vector512<double> rest = one - azimuth;
-            Vector512<double> lowerE1 = buffer[LowerE1 + i];
-            Vector512<double> upperE1 = buffer[UpperE1 + i];
-            Vector512<double> lowerE2 = one + buffer[LowerE2 + i];
-            Vector512<double> upperE2 = one + buffer[UpperE2 + i];
-
-            // Three quotients with one division.
-            Vector512<double> lowerRest = one - lowerE1;
-            Vector512<double> upperRest = one - upperE1;
-            Vector512<double> bothRest = buffer[AzimuthFromBehind + i] - lowerE1 - (buffer[AzimuthOverPi + i] * upperE1);
-            Vector512<double> restProduct = lowerRest * upperRest;
-            Vector512<double> tangentPerAll = law._tangent / (restProduct * bothRest);
-            Vector512<double> lowerSlope = buffer[LowerSine + i] * tangentPerAll;
-            Vector512<double> upperSlope = buffer[UpperSine + i] * tangentPerAll;
-            Vector512<double> lowerEta = law._chi * (lowerCosine + (lowerSlope * (upperRest * bothRest) * lowerE2));
-            Vector512<double> upperEta = law._chi * (upperCosine + (upperSlope * (lowerRest * bothRest) * upperE2));
-            Vector512<double> between = buffer[LowerE2 + i] - buffer[UpperE2 + i];
-            Vector512<double> hidden = buffer[Hidden + i];
-            buffer[Lower + i] = law._chi * (lowerCosine + (lowerSlope * restProduct * ((rest * upperE2) + between)));
-            buffer[Upper + i] = law._chi * (upperCosine + (upperSlope * restProduct * ((rest * lowerE2) - (azimuth * between))));
-            buffer[Shadowed + i] = lowerEta * (((one + hidden) * law._chi * upperCosine) - (upperEta * hidden));
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private static void Reflect(
-        in HapkeLanes law,
-        ReadOnlySpan<Vector512<double>> cosIncidence,
-        ReadOnlySpan<Vector512<double>> cosEmission,
-        ReadOnlySpan<Vector512<double>> phaseHaversine,
-        ReadOnlySpan<Vector512<double>> buffer,
-        Span<Vector512<double>> factors)
-    {
-        Vector512<double> one = Vector512<double>.One;
-        for (int i = 0; i < factors.Length; i++)
-        {
-            Vector512<double> lower = buffer[Lower + i];
-            Vector512<double> upper = buffer[Upper + i];
-            LaneMath.LogOfOnePlusInverse(lower, upper, out Vector512<double> lowerLog, out Vector512<double> upperLog);
-            Vector512<double> absorbed = Absorbed(law, lower, lowerLog) * Absorbed(law, upper, upperLog);
-            Single(law, phaseHaversine[i], out Vector512<double> single, out Vector512<double> perSingle);
-            Vector512<double> sun = Vector512.MaxNative(cosIncidence[i], Vector512.Create(Tolerances.GrazingCosine));
-            Vector512<double> numerator = lower * upper * sun * ((single * absorbed) + (perSingle * (one - absorbed)));
-            Vector512<double> isSeen = Vector512.GreaterThan(
-                Vector512.MinNative(cosIncidence[i], cosEmission[i]), Vector512<double>.Zero);
-            factors[i] = isSeen
-                & (law._scale * numerator / ((lower + upper) * buffer[Shadowed + i] * (perSingle * absorbed)));
-        }
-    }
-
-    /// <summary>Single scattering with its opposition surge, p(g) (1 + B(g)), as a numerator and a denominator.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Single(
-        in HapkeLanes law, Vector512<double> phaseHaversine, out Vector512<double> numerator, out Vector512<double> denominator)
-    {
-        Vector512<double> nearest = (Vector512<double>.One - law._lobeWidth) * (Vector512<double>.One - law._lobeWidth);
-        Vector512<double> fourWidths = Vector512.Create(4.0) * law._lobeWidth;
-        Vector512<double> rest = Vector512.MaxNative(Vector512<double>.One - phaseHaversine, Vector512.Create(TinySine));
-        Vector512<double> backward = LaneMath.InverseSqrt(nearest + (fourWidths * phaseHaversine));
-        Vector512<double> forward = LaneMath.InverseSqrt(nearest + (fourWidths * rest));
-        Vector512<double> lobes = (law._backward * (backward * backward * backward)) + (law._forward * (forward * forward * forward));
-
-        // h / (h + tan(g/2)), both times cos^2(g/2).
-        Vector512<double> product = phaseHaversine * rest;
-        Vector512<double> perRoot = LaneMath.InverseSqrt(Vector512.MaxNative(product, Vector512.Create(TinySine * TinySine)));
-        Vector512<double> width = law._surgeWidth * rest;
-        denominator = width + (product * perRoot);
-        numerator = lobes * (denominator + (law._surgeAmplitude * width));
-    }
-
-    /// <summary>The inverse of the function H(x) of multiple scattering.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> Absorbed(in HapkeLanes law, Vector512<double> x, Vector512<double> logOfOnePlusInverse) =>
-        Vector512<double>.One
-            - (law._w * x * (law._r0 + ((Vector512.Create(0.5) - (law._r0 * x)) * logOfOnePlusInverse)));
 }

@@ -45,7 +45,7 @@ public sealed class HapkeMap
     internal void FindFactors(SunlitPoints points, ReferenceGeometry? reference)
     {
         Span<double> parameters = stackalloc double[Planes * Vector512<double>.Count];
-        Span<Vector512<double>> buffer = HapkeLanes.BufferIn(stackalloc double[HapkeLanes.BufferLength]);
+        Span<Vector512<double>> buffer = stackalloc Vector512<double>[HapkeLanes.BufferLength];
         for (int i = 0; i < points.Count; i += Vector512<double>.Count)
         {
             for (int lane = 0; lane < Vector512<double>.Count; lane++)

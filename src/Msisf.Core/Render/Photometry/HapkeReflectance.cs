@@ -77,7 +77,7 @@ public sealed class HapkeReflectance : IReflectance
     public void RadianceFactors(
         ReadOnlySpan<double> cosIncidence, ReadOnlySpan<double> cosEmission, ReadOnlySpan<double> phaseHaversine, Span<double> factors)
     {
-        Span<Vector512<double>> buffer = HapkeLanes.BufferIn(stackalloc double[HapkeLanes.BufferLength]);
+        Span<Vector512<double>> buffer = stackalloc Vector512<double>[HapkeLanes.BufferLength];
         int whole = cosIncidence.Length - (cosIncidence.Length % Vector512<double>.Count);
         HapkeLanes.RadianceFactors(
             _lanes, Lanes(cosIncidence[..whole]), Lanes(cosEmission[..whole]), Lanes(phaseHaversine[..whole]),

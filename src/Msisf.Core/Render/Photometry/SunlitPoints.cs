@@ -15,6 +15,18 @@ internal sealed class SunlitPoints
     /// <summary>Elements after the last pixel, so that whole vectors can be read and written from any pixel.</summary>
     public const int Padding = 8;
 
+    /// <summary>Vectors for which angles are computed at once.</summary>
+    private const int Block = 8;
+
+    private int[] _ownColumns = [];
+    private double[] _ownX = [];
+    private double[] _ownY = [];
+    private double[] _ownZ = [];
+    private double[] _ownNormalX = [];
+    private double[] _ownNormalY = [];
+    private double[] _ownNormalZ = [];
+    private double[] _ownCosIncidence = [];
+
     /// <summary>Number of pixels.</summary>
     public int Count { get; private set; }
 
@@ -64,14 +76,22 @@ internal sealed class SunlitPoints
     {
         Count = 0;
         int size = width + Padding;
-        if (Columns.Length < size)
+        if (Weights.Length < size)
         {
-            Columns = new int[size];
-            (Weights, X, Y, Z) = (new double[size], new double[size], new double[size], new double[size]);
-            (NormalX, NormalY, NormalZ) = (new double[size], new double[size], new double[size]);
-            (CosIncidence, CosEmission, PhaseHaversine) = (new double[size], new double[size], new double[size]);
+            _ownColumns = new int[size];
+            _ownX = new double[size];
+            _ownY = new double[size];
+            _ownZ = new double[size];
+            (_ownNormalX, _ownNormalY, _ownNormalZ) = (new double[size], new double[size], new double[size]);
+            _ownCosIncidence = new double[size];
+            (Weights, CosEmission, PhaseHaversine) = (new double[size], new double[size], new double[size]);
             (Factors, ReferenceFactors) = (new double[size], new double[size]);
         }
+
+        Columns = _ownColumns;
+        (X, Y, Z) = (_ownX, _ownY, _ownZ);
+        (NormalX, NormalY, NormalZ) = (_ownNormalX, _ownNormalY, _ownNormalZ);
+        CosIncidence = _ownCosIncidence;
     }
 
     /// <summary>Adds a pixel.</summary>
@@ -86,7 +106,7 @@ internal sealed class SunlitPoints
         CosIncidence[i] = cosIncidence;
     }
 
-    /// <summary>Adds pixels that follow each other in a row, each with the weight 1.</summary>
+    /// <summary>Adds pixels that follow each other in a row, without weights.</summary>
     /// <param name="row">The row.</param>
     /// <param name="cosIncidence">Cosines of the incidence angles of all its pixels.</param>
     /// <param name="first">The first pixel, from 0.</param>
@@ -101,44 +121,77 @@ internal sealed class SunlitPoints
         row.NormalY.AsSpan(first, count).CopyTo(NormalY.AsSpan(Count));
         row.NormalZ.AsSpan(first, count).CopyTo(NormalZ.AsSpan(Count));
         cosIncidence.Slice(first, count).CopyTo(CosIncidence.AsSpan(Count));
-        Weights.AsSpan(Count, count).Fill(1.0);
         Count += count;
+    }
+
+    /// <summary>
+    /// Takes all pixels of a row without weights, and without copying them: until <see cref="Clear"/> the row must not be read again.
+    /// </summary>
+    /// <param name="row">The row.</param>
+    /// <param name="cosIncidence">Cosines of the incidence angles of all its pixels, as long as the row's arrays.</param>
+    public void Share(SurfaceRow row, double[] cosIncidence)
+    {
+        Count = row.Count;
+        Columns = row.Columns;
+        (X, Y, Z) = (row.X, row.Y, row.Z);
+        (NormalX, NormalY, NormalZ) = (row.NormalX, row.NormalY, row.NormalZ);
+        CosIncidence = cosIncidence;
     }
 
     /// <summary>Computes emission and phase angles of all pixels.</summary>
     /// <param name="lightMoonMe">Position of the Sun or lamp, m.</param>
     /// <param name="cameraMoonMe">Position of the camera, m.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
     public void FindAngles(Vector3D lightMoonMe, Vector3D cameraMoonMe)
     {
-        Vector512<double> one = Vector512<double>.One;
-        for (int i = 0; i < Count; i += Vector512<double>.Count)
+        Span<Vector512<double>> perLengths = stackalloc Vector512<double>[2 * Block];
+        for (int first = 0; first < Count; first += Block * Vector512<double>.Count)
         {
-            Vector512<double> x = Load(X, i);
-            Vector512<double> y = Load(Y, i);
-            Vector512<double> z = Load(Z, i);
-            Vector512<double> sunX = Vector512.Create(lightMoonMe.X) - x;
-            Vector512<double> sunY = Vector512.Create(lightMoonMe.Y) - y;
-            Vector512<double> sunZ = Vector512.Create(lightMoonMe.Z) - z;
-            Vector512<double> viewX = Vector512.Create(cameraMoonMe.X) - x;
-            Vector512<double> viewY = Vector512.Create(cameraMoonMe.Y) - y;
-            Vector512<double> viewZ = Vector512.Create(cameraMoonMe.Z) - z;
+            int vectors = Math.Min(Block, (Count - first + Vector512<double>.Count - 1) / Vector512<double>.Count);
+            SquareLengths(lightMoonMe, first, perLengths[..vectors]);
+            SquareLengths(cameraMoonMe, first, perLengths.Slice(vectors, vectors));
+            LaneMath.InverseSqrt(perLengths[..(2 * vectors)]);
+            FindAngles(lightMoonMe, cameraMoonMe, first, perLengths[..vectors], perLengths.Slice(vectors, vectors));
+        }
+    }
 
-            // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
-            Vector512<double> sunLength = Vector512.Sqrt((sunX * sunX) + (sunY * sunY) + (sunZ * sunZ));
-            Vector512<double> viewLength = Vector512.Sqrt((viewX * viewX) + (viewY * viewY) + (viewZ * viewZ));
-            Vector512<double> perLengths = one / (sunLength * viewLength);
-            Vector512<double> perSun = viewLength * perLengths;
-            Vector512<double> perView = sunLength * perLengths;
-            Vector512<double> cosEmission = perView
-                * ((Load(NormalX, i) * viewX) + (Load(NormalY, i) * viewY) + (Load(NormalZ, i) * viewZ));
-            Vector512<double> differenceX = (sunX * perSun) - (viewX * perView);
-            Vector512<double> differenceY = (sunY * perSun) - (viewY * perView);
-            Vector512<double> differenceZ = (sunZ * perSun) - (viewZ * perView);
+    /// <summary>Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    private void SquareLengths(Vector3D to, int first, Span<Vector512<double>> squares)
+    {
+        for (int i = 0; i < squares.Length; i++)
+        {
+            int at = first + (i * Vector512<double>.Count);
+            Vector512<double> x = Vector512.Create(to.X) - Load(X, at);
+            Vector512<double> y = Vector512.Create(to.Y) - Load(Y, at);
+            Vector512<double> z = Vector512.Create(to.Z) - Load(Z, at);
+            squares[i] = (x * x) + (y * y) + (z * z);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void FindAngles(
+        Vector3D light, Vector3D camera, int first, ReadOnlySpan<Vector512<double>> perSuns, ReadOnlySpan<Vector512<double>> perViews)
+    {
+        Vector512<double> one = Vector512<double>.One;
+        for (int i = 0; i < perSuns.Length; i++)
+        {
+            int at = first + (i * Vector512<double>.Count);
+            Vector512<double> x = Load(X, at);
+            Vector512<double> y = Load(Y, at);
+            Vector512<double> z = Load(Z, at);
+            Vector512<double> perSun = perSuns[i];
+            Vector512<double> perView = perViews[i];
+            Vector512<double> viewX = (Vector512.Create(camera.X) - x) * perView;
+            Vector512<double> viewY = (Vector512.Create(camera.Y) - y) * perView;
+            Vector512<double> viewZ = (Vector512.Create(camera.Z) - z) * perView;
+            Vector512<double> cosEmission = (Load(NormalX, at) * viewX) + (Load(NormalY, at) * viewY) + (Load(NormalZ, at) * viewZ);
+            Vector512<double> differenceX = ((Vector512.Create(light.X) - x) * perSun) - viewX;
+            Vector512<double> differenceY = ((Vector512.Create(light.Y) - y) * perSun) - viewY;
+            Vector512<double> differenceZ = ((Vector512.Create(light.Z) - z) * perSun) - viewZ;
             Vector512<double> haversine = Vector512.Create(0.25)
                 * ((differenceX * differenceX) + (differenceY * differenceY) + (differenceZ * differenceZ));
-            Vector512.MinNative(cosEmission, one).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(CosEmission), (nuint)i);
-            Vector512.MinNative(haversine, one).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(PhaseHaversine), (nuint)i);
+            Vector512.MinNative(cosEmission, one).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(CosEmission), (nuint)at);
+            Vector512.MinNative(haversine, one).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(PhaseHaversine), (nuint)at);
         }
     }
 

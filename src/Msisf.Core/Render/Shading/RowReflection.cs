@@ -10,6 +10,9 @@ namespace Msisf.Core.Render.Shading;
 /// <summary>Computes the radiance factors of a row's lit pixels. Keeps buffers, so each thread needs its own object.</summary>
 internal sealed class RowReflection(SurfaceModel surface)
 {
+    /// <summary>Most pixels of a row face the light if no more than the row's length over this do not.</summary>
+    private const int MostOver = 8;
+
     private readonly AlbedoSampler _albedo = new();
     private readonly SurfaceRow _row = new();
     private readonly SmoothNormals _normals = new(surface);
@@ -17,13 +20,22 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// <summary>The pixels.</summary>
     public SunlitPoints Points { get; } = new();
 
-    /// <summary>Takes the pixels of a row that face the light, with their facets' normals.</summary>
+    /// <summary>
+    /// Takes the pixels of a row that face the light, with their facets' normals and without weights; if most of them do, all pixels: the
+    /// law is quicker than copying.
+    /// </summary>
     /// <param name="row">The row.</param>
     /// <param name="cosIncidence">Cosines of the incidence angles of its pixels.</param>
     /// <param name="width">Pixels of a whole row.</param>
-    public void TakeFacing(SurfaceRow row, ReadOnlySpan<double> cosIncidence, int width)
+    public void TakeFacing(SurfaceRow row, double[] cosIncidence, int width)
     {
         Points.Clear(width);
+        if (MostFace(cosIncidence.AsSpan(0, row.Count)))
+        {
+            Points.Share(row, cosIncidence);
+            return;
+        }
+
         int end = row.Count;
         for (int i = 0; i < end; i++)
         {
@@ -38,6 +50,17 @@ internal sealed class RowReflection(SurfaceModel surface)
                 Points.AddRun(row, cosIncidence, first, i - first);
             }
         }
+    }
+
+    private static bool MostFace(ReadOnlySpan<double> cosIncidence)
+    {
+        int away = 0;
+        foreach (double cosine in cosIncidence)
+        {
+            away += cosine > 0.0 ? 0 : 1;
+        }
+
+        return away <= cosIncidence.Length / MostOver;
     }
 
     /// <summary>Collects the sunlit pixels of a row, with the normals that shade them.</summary>

@@ -1,4 +1,6 @@
+using System.Buffers.Binary;
 using System.Collections.Concurrent;
+using System.Runtime.Intrinsics;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Photometry;
@@ -11,6 +13,9 @@ namespace Msisf.Core.Render.Shading;
 /// <summary>Computes the radiance factor of each pixel from the surface it shows. Safe for several threads.</summary>
 internal sealed class RowShader
 {
+    /// <summary>Eight pixels that terrain hides from the light, as <see cref="PixelSunlight.Hidden"/> has them.</summary>
+    private const ulong AllHidden = 0x0101_0101_0101_0101;
+
     private readonly SurfaceModel _surface;
     private readonly ConcurrentBag<RowReflection> _idle = [];
     private double[] _reflected = [];
@@ -51,9 +56,16 @@ internal sealed class RowShader
         reflection.FindFactors(visible.View.Camera, light, options);
         SunlitPoints points = reflection.Points;
         Span<double> reflected = _reflected.AsSpan(row * visible.Width, visible.Width);
-        for (int i = 0; i < points.Count; i++)
+        if (points.Count == reflected.Length)
         {
-            reflected[points.Columns[i]] = points.Factors[i];
+            points.Factors.AsSpan(0, reflected.Length).CopyTo(reflected);
+        }
+        else
+        {
+            for (int i = 0; i < points.Count; i++)
+            {
+                reflected[points.Columns[i]] = points.Factors[i];
+            }
         }
 
         _idle.Add(reflection);
@@ -130,7 +142,30 @@ internal sealed class RowShader
         ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(start, factors.Length);
         ReadOnlySpan<byte> hidden = sunlight.Hidden.AsSpan(start, factors.Length);
         ReadOnlySpan<double> reflected = _reflected.AsSpan(start, factors.Length);
-        for (int column = 0; column < factors.Length; column++)
+        int column = 0;
+        for (; column <= factors.Length - Vector512<double>.Count; column += Vector512<double>.Count)
+        {
+            ulong eight = BinaryPrimitives.ReadUInt64LittleEndian(hidden[column..]);
+            if (eight == 0)
+            {
+                Vector512<double> isLit = Vector512.GreaterThan(Vector512.Create(cosines[column..]), Vector512<double>.Zero);
+                Vector512<double> added = isLit & (Vector512.Create(weight) * Vector512.Create(reflected[column..]));
+                (Vector512.Create((ReadOnlySpan<double>)factors[column..]) + added).CopyTo(factors[column..]);
+            }
+            else if (eight != AllHidden)
+            {
+                AddReflected(cosines, hidden, reflected, weight, factors, column, column + Vector512<double>.Count);
+            }
+        }
+
+        AddReflected(cosines, hidden, reflected, weight, factors, column, factors.Length);
+    }
+
+    private static void AddReflected(
+        ReadOnlySpan<double> cosines, ReadOnlySpan<byte> hidden, ReadOnlySpan<double> reflected, double weight, Span<double> factors,
+        int first, int end)
+    {
+        for (int column = first; column < end; column++)
         {
             if (hidden[column] == 0 && cosines[column] > 0.0)
             {
