@@ -24,7 +24,7 @@ internal static class LightValues
 
     public static double? VisibleFraction(PixelTruth pixel, int plane) => pixel.Light.VisibleFraction;
 
-    /// <summary>Angle in degrees, [0, 180]; within 1e-15 rad of Kahan's formula in <see cref="Vector3D"/>, and three times as fast.</summary>
+    /// <summary>Angle in degrees, [0, 180]; within 1e-15 rad of Kahan's formula in <see cref="Vector3D"/>, three times as fast.</summary>
     private static double DegreesBetween(Vector3D u, Vector3D v)
     {
         // Lengths lie between 1e-12 (a camera of the narrowest field) and 1e20, so squares neither overflow nor vanish.

@@ -85,7 +85,8 @@ internal sealed class KilledSet : IDisposable
         while (killed < most && !program.EndsWithin(TimeSpan.FromSeconds(random.Unit() * _seconds / 2)))
         {
             // A POV-Ray that is asked for its version may be killed after it has answered, which nobody has to notice.
-            int[] running = [.. ProcessTable.ChildrenOf(program.Id, PovRay).Where(id => !ProcessTable.ArgumentsOf(id).Contains("--version"))];
+            int[] running =
+                [.. ProcessTable.ChildrenOf(program.Id, PovRay).Where(id => !ProcessTable.ArgumentsOf(id).Contains("--version"))];
             killed += running.Length > 0 && ProcessTable.KillAtWork(running[random.Below(running.Length)]) ? 1 : 0;
         }
 

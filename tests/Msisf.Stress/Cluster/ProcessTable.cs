@@ -44,7 +44,7 @@ internal static class ProcessTable
     public static long? MemoryOf(int id) =>
         Field(id, "VmRSS:") is string kilobytes ? 1024 * long.Parse(kilobytes, CultureInfo.InvariantCulture) : null;
 
-    /// <summary>Ends a process that is at work: it is stopped first, so that one that ends by itself at this moment does not count.</summary>
+    /// <summary>Ends a process that is at work: it is stopped first, so that one that ends by itself just then does not count.</summary>
     /// <returns>Whether it was at work.</returns>
     public static bool KillAtWork(int id)
     {
