@@ -2,7 +2,9 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>The labels of one elevation model of the whole Moon: one label, or those of its parts. Immutable.</summary>
+/// <summary>
+/// The labels of one elevation model: one label or those of the parts of a model of the whole Moon, or the label of a polar map. Immutable.
+/// </summary>
 public sealed class LdemSet
 {
     private LdemSet(LdemLabel[] parts, string productId, ushort[] partOfDegree)
@@ -18,7 +20,7 @@ public sealed class LdemSet
     /// <summary>PRODUCT_ID; of a split product without the part's borders, e.g. "LDEM_512".</summary>
     public string ProductId { get; }
 
-    /// <summary>Samples a degree.</summary>
+    /// <summary>Samples a degree; 0 for a polar map.</summary>
     public int PixelsPerDegree => Parts[0].PixelsPerDegree;
 
     /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
@@ -30,7 +32,7 @@ public sealed class LdemSet
     /// <summary>Where the model is, and of how many files, for messages.</summary>
     public string Description => Parts.Count == 1 ? Location : $"{Location}, {Parts.Count} files";
 
-    /// <summary>Index of the part that holds each square degree: [90 - northern latitude, western longitude], row by row.</summary>
+    /// <summary>Index of the part that holds each square degree: [90 - northern latitude, western longitude], row by row; empty for a polar map.</summary>
     internal ushort[] PartOfDegree { get; }
 
     /// <summary>Takes the labels of one model.</summary>
@@ -48,6 +50,9 @@ public sealed class LdemSet
         ushort[] partOfDegree = LdemSetChecks.Cover(parts);
         return new LdemSet(parts, parts.Length == 1 ? parts[0].ProductId : LdemPartName.Of(parts[0]).Model, partOfDegree);
     }
+
+    /// <summary>Takes the label of a polar map.</summary>
+    public static LdemSet OfMap(LdemLabel label) => new([label], label.ProductId, []);
 
     /// <summary>Path of a file beside the images that is derived from the model, e.g. "LDEM_64.summary".</summary>
     /// <param name="extension">With its dot.</param>

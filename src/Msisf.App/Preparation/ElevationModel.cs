@@ -24,27 +24,46 @@ internal sealed class ElevationModel : IDisposable
     /// </summary>
     private const int FinestSummarisedEachRun = 16;
 
-    private readonly LdemImage _image;
+    private readonly IDisposable _file;
+    private readonly LdemImage? _image;
     private readonly Lazy<ElevationSummary> _summary;
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
     private ElevationModel(LdemImage image, Func<ElevationSummary> summarise, Func<ModelLevels> openLevels)
+        : this(image, image.Set, image)
     {
         _image = image;
         _summary = new Lazy<ElevationSummary>(summarise);
-        _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(image));
         _levels = new Lazy<ModelLevels>(openLevels);
     }
 
-    public IElevationGrid Grid => _image;
+    private ElevationModel(ITerrainGrid grid, LdemSet set, IDisposable file)
+    {
+        Grid = grid;
+        Set = set;
+        _file = file;
+        _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(grid));
+        _summary = new Lazy<ElevationSummary>(() => throw NotWholeMoon());
+        _levels = new Lazy<ModelLevels>(() => throw NotWholeMoon());
+    }
+
+    /// <summary>The samples.</summary>
+    public ITerrainGrid Grid { get; }
+
+    /// <summary>Whether it is a model of the whole Moon, which has levels of detail and patterns.</summary>
+    public bool IsWholeMoon => _image is not null;
+
+    /// <summary>The samples of a model of the whole Moon.</summary>
+    /// <exception cref="UsageException">It is a map of a part.</exception>
+    public IElevationGrid WholeMoon => _image ?? throw NotWholeMoon();
 
     /// <summary>Identifies the model; the fingerprint is the same on every computer.</summary>
-    public LdemFingerprint Fingerprint() => LdemFingerprint.Of(_image.Set);
+    public LdemFingerprint Fingerprint() => LdemFingerprint.Of(Set);
 
     /// <summary>The labels of the model.</summary>
-    public LdemSet Set => _image.Set;
+    public LdemSet Set { get; }
 
     /// <summary>Traces single rays; created on first use.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
@@ -54,16 +73,19 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
-    /// <param name="pixelsPerDegree">The resolution.</param>
+    /// <param name="resolution">The resolution; that of a polar map if the path is one.</param>
     /// <param name="isSparing">Use less memory at the cost of time: POV-Ray needs much memory, and the program waits for it anyway.</param>
     /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
-    public static ElevationModel Open(string? explicitPath, int pixelsPerDegree, bool isSparing, ProgramHost host)
+    public static ElevationModel Open(string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host)
     {
+        if (resolution.PixelsPerDegree is not { } pixelsPerDegree)
+        {
+            return OpenMap(explicitPath!, host);
+        }
+
         LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
             () => LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)))));
-        host.Log.Note(image.Set.IsSynthetic
-            ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
-            : $"Elevation: {image.ProductId} ({image.Set.Description}).");
+        Tell(image.Set, host.Log);
         return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, isSparing, host));
     }
 
@@ -75,6 +97,20 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>Folders in which models are searched if no path is given, in the order of the search.</summary>
     public static string[] Folders(ProgramHost host) =>
         [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
+
+    private static ElevationModel OpenMap(string path, ProgramHost host) => SurfaceOptions.Ldem.Concerned(() =>
+    {
+        LdemLabel label = LdemCatalog.TryReadMap(path)
+            ?? throw new BadInputException($"{path}: was a polar map when the options were read, and is none any more.");
+        LdemMapImage image = LdemMapImage.Open(label);
+        LdemSet set = LdemSet.OfMap(label);
+        Tell(set, host.Log);
+        return new ElevationModel(image, set, image);
+    });
+
+    private static void Tell(LdemSet set, ILog log) => log.Note(set.IsSynthetic
+        ? $"Elevation: {set.ProductId}, a SYNTHETIC model, not the real Moon ({set.Description})."
+        : $"Elevation: {set.ProductId} ({set.Description}).");
 
     private static ElevationSummary Summarise(LdemImage image, ILog log)
     {
@@ -109,7 +145,7 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>The tiles that a frame needs, with reasons; the first call computes the summary of the model.</summary>
     public TileSelection Select(Frame frame) =>
-        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary.Value);
+        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, WholeMoon, _summary.Value);
 
     /// <summary>The surface parts that a frame needs.</summary>
     /// <param name="frame">The frame.</param>
@@ -123,12 +159,15 @@ internal sealed class ElevationModel : IDisposable
 
     private PartSelector NewSelector(double errorPixels) => new(Levels, _summary.Value, errorPixels);
 
-    /// <summary>Distance from the Moon's centre to the terrain in a direction, m.</summary>
-    public double GroundRadius(Vector3D directionMoonMe) => TerrainHeight.RadiusBelow(_image, directionMoonMe);
+    /// <summary>Distance from the Moon's centre to the terrain in a direction, m; around a map that to the reference sphere.</summary>
+    public double GroundRadius(Vector3D directionMoonMe) => TerrainHeight.RadiusBelow(Grid, directionMoonMe);
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>
-        positionMoonMe.Length > _image.RadiusLimits.Max ? 0.0 : -HeightOverTerrain(positionMoonMe);
+        positionMoonMe.Length > GroundLimit ? 0.0 : -HeightOverTerrain(positionMoonMe);
+
+    /// <summary>m: no ground is higher; around a map it is the reference sphere.</summary>
+    private double GroundLimit => IsWholeMoon ? Grid.RadiusLimits.Max : Math.Max(Grid.RadiusLimits.Max, MoonConstants.ReferenceRadius);
 
     /// <summary>Height of a position over the surface of the model below it, m.</summary>
     public double HeightOverTerrain(Vector3D positionMoonMe) =>
@@ -141,6 +180,9 @@ internal sealed class ElevationModel : IDisposable
             _levels.Value.Dispose();
         }
 
-        _image.Dispose();
+        _file.Dispose();
     }
+
+    private UsageException NotWholeMoon() => new(
+        $"{Set.Location}: a polar map has no tiles, patterns and levels of detail. Take a model of the whole Moon for them.");
 }

@@ -44,7 +44,7 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
     /// <param name="host">Output, log, clock and environment of the program.</param>
     public void WarnOfFieldOfView(RenderSettings settings, ProgramHost host)
     {
-        double cell = MoonConstants.ReferenceRadius * double.DegreesToRadians(1.0 / settings.PixelsPerDegree);
+        double cell = settings.Resolution.MetresPerPixel;
         double widest = Frames.Max(PlausibleMistakes.WidthOnGround);
         foreach (string mistake in PlausibleMistakes.FieldOfView(settings.FieldOfViewDegrees, widest, cell))
         {

@@ -106,8 +106,8 @@ internal sealed class FrameFiles
 
     private LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
         _model.Grid.ProductId,
-        rendered.PixelsPerDegree,
-        int.Log2(_model.Grid.PixelsPerDegree / rendered.PixelsPerDegree),
+        rendered.Resolution,
+        _model.Grid.Projection.Resolution.HalvingsTo(rendered.Resolution),
         metadata.RendererName,
         _settings.Albedo.Band);
 
@@ -117,7 +117,7 @@ internal sealed class FrameFiles
         _settings.FieldOfViewDegrees,
         frame.Light.PositionMoonMe,
         new DrawnElevation(
-            _model.Grid.ProductId, _model.Set.IsSynthetic, _model.Grid.PixelsPerDegree, rendered.Drawn.Finest, rendered.Drawn.Coarsest),
+            _model.Grid.ProductId, _model.Set.IsSynthetic, _model.Grid.Projection.Resolution, rendered.Drawn.Finest, rendered.Drawn.Coarsest),
         _model.HeightOverTerrain(frame.Camera.PositionMoonMe),
         _ledger.Plan.Identity.Version,
         _ledger.Plan.ArgumentsOf(frame.Step),
@@ -133,6 +133,6 @@ internal sealed class FrameFiles
         }
 
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        return new PixelSampler(grid, rendered.Truth, rendered.PixelsPerDegree);
+        return new PixelSampler(grid, rendered.Truth, rendered.Resolution.PixelsPerDegree);
     }
 }

@@ -28,7 +28,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
 
     private readonly NativeSettings _settings;
     private readonly NativeRenderOptions _options;
-    private readonly IElevationGrid _model;
+    private readonly ITerrainGrid _model;
     private readonly OpenedAlbedoMap? _map;
     private readonly NativeLevels _levels;
     private readonly GreyTable _grey;
@@ -39,7 +39,7 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
     private int _frames;
 
     public NativeFrameRenderer(
-        NativeSettings settings, IElevationGrid model, SurfaceInputs maps, NativeLevels levels, FrameFiles files, RunTimes times)
+        NativeSettings settings, ITerrainGrid model, SurfaceInputs maps, NativeLevels levels, FrameFiles files, RunTimes times)
     {
         _settings = settings;
         _options = settings.Render with { Albedo = maps.Albedo?.Map, Hapke = maps.Hapke?.Map };
@@ -83,8 +83,8 @@ internal sealed class NativeFrameRenderer : IFrameRenderer
             image,
             "the image",
             WriteScene: null,
-            renderer.PixelsPerDegree,
-            (renderer.PixelsPerDegree, renderer.PixelsPerDegree),
+            renderer.Resolution,
+            (renderer.Resolution, renderer.Resolution),
             _settings.Render.KeepGroundTruth ? truth : null,
             detected);
         FrameOutputs outputs = new(_files.Write(frame, rendered, cancellation), TileCount: 0, PatternsMade: 0);

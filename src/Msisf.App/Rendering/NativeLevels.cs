@@ -10,7 +10,7 @@ namespace Msisf.App.Rendering;
 internal sealed class NativeLevels
 {
     private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();
-    private readonly IElevationGrid _grid;
+    private readonly ITerrainGrid _grid;
     private readonly LodLevels? _levels;
     private readonly DetailRule? _rule;
 
@@ -20,7 +20,7 @@ internal sealed class NativeLevels
     /// <param name="errorPixels">
     /// px: how far coarser levels may shift a point in the image; null to draw from the full model always.
     /// </param>
-    public NativeLevels(IElevationGrid grid, Func<LodLevels> levels, double? errorPixels)
+    public NativeLevels(ITerrainGrid grid, Func<LodLevels> levels, double? errorPixels)
     {
         _grid = grid;
         _levels = errorPixels is null ? null : levels();

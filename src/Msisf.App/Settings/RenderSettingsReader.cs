@@ -32,7 +32,7 @@ internal static class RenderSettingsReader
             GridHorizontal = OutputOptions.GridHorizontal.ReadIfGiven(values) ?? grid,
             GridVertical = OutputOptions.GridVertical.ReadIfGiven(values) ?? grid,
             Surface = surface,
-            PixelsPerDegree = SurfaceOptions.Resolution.Read(values),
+            Resolution = ModelChoice.ResolutionOf(values, renderer),
             Renderer = renderer,
             Native = NativeSettingsReader.Read(
                 values, albedo, DetectorChoice.Of(camera, values), needsTruth: surface == PixelSurface.Terrain),

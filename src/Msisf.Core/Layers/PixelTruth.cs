@@ -11,7 +11,7 @@ internal readonly struct PixelTruth
     private readonly IGroundTruth _frame;
 
     public PixelTruth(
-        IGroundTruth frame, int meshPixelsPerDegree, in Ray ray, in SurfaceHit hit, in PixelIllumination light, ImageBrightness brightness)
+        IGroundTruth frame, int? meshPixelsPerDegree, in Ray ray, in SurfaceHit hit, in PixelIllumination light, ImageBrightness brightness)
     {
         _frame = frame;
         MeshPixelsPerDegree = meshPixelsPerDegree;
@@ -29,8 +29,10 @@ internal readonly struct PixelTruth
     /// <summary>Position of the Sun, or of the lamp that replaces it, m.</summary>
     public Vector3D LightPositionMoonMe => _frame.LightPositionMoonMe;
 
-    /// <summary>px/deg: resolution of the grid whose cells <see cref="SurfaceHit.Facet"/> counts.</summary>
-    public int MeshPixelsPerDegree { get; }
+    /// <summary>
+    /// px/deg: resolution of the grid whose cells <see cref="SurfaceHit.Facet"/> counts; null if it is not one of latitude and longitude.
+    /// </summary>
+    public int? MeshPixelsPerDegree { get; }
 
     /// <summary>From the camera to the point; its length is the unit of the hit's ray parameter.</summary>
     public Vector3D LineOfSightMoonMe { get; }
