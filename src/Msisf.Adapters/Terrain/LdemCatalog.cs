@@ -135,7 +135,7 @@ public static class LdemCatalog
             && !other.CoversWholeMoon
             && ModelOf(other) == ModelOf(label)
             && Path.GetFileName(other.LabelPath) != Path.GetFileName(label.LabelPath));
-        return LdemSet.Join([label, .. siblings]);
+        return LdemSet.Join([label, .. siblings], mayBeBand: true);
     }
 
     /// <summary>The name that the parts of one model share. Parts whose names have no borders count as parts of one model.</summary>

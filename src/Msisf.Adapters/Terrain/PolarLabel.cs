@@ -46,10 +46,12 @@ public static class PolarLabel
             throw map.WrongValue("CENTER_LONGITUDE", map.Required("CENTER_LONGITUDE"), "0, as LOLA's polar maps have it, is needed");
         }
 
-        PolarStereographic projection = new(
-            latitude < 0.0, ScaleOf(map), OffsetOf(map, LineOffset), OffsetOf(map, SampleOffset));
-        CheckResolution(map, projection);
-        return projection;
+        // On another sphere the same directions lie farther apart, in proportion to its radius.
+        double scale = ScaleOf(map);
+        double radius = 1000.0 * map.OptionalNumber("A_AXIS_RADIUS", PdsUnits.Kilometres) ?? MoonConstants.ReferenceRadius;
+        CheckResolution(map, scale, radius);
+        return new PolarStereographic(
+            latitude < 0.0, scale * (MoonConstants.ReferenceRadius / radius), OffsetOf(map, LineOffset), OffsetOf(map, SampleOffset));
     }
 
     /// <summary>Checks that the image has the size that the label says twice, and lies around the pole.</summary>
@@ -94,10 +96,10 @@ public static class PolarLabel
             : throw map.WrongValue(keyword, map.Required(keyword), "the pole's place in the image, px, is needed");
     }
 
-    private static void CheckResolution(PdsObject map, PolarStereographic projection)
+    private static void CheckResolution(PdsObject map, double scale, double radius)
     {
         const string Keyword = "MAP_RESOLUTION";
-        double expected = MoonConstants.ReferenceRadius * Math.PI / 180.0 / projection.MetresPerPixel;
+        double expected = radius * Math.PI / 180.0 / scale;
         if (map.OptionalNumber(Keyword, PdsUnits.PixelsPerDegree) is { } given
             && !(Math.Abs(given - expected) <= ResolutionRounding * expected))
         {

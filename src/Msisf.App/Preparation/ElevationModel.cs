@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Globalization;
 using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
@@ -78,14 +79,31 @@ internal sealed class ElevationModel : IDisposable
     /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
     public static ElevationModel Open(string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host)
     {
+        if (explicitPath is not null && GeoTiffGrid.IsNameOf(explicitPath))
+        {
+            return OpenGeoTiff(explicitPath, host);
+        }
+
         if (resolution.PixelsPerDegree is not { } pixelsPerDegree)
         {
             return OpenMap(explicitPath!, host);
         }
 
-        LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
-            () => LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)))));
-        Tell(image.Set, host.Log);
+        LdemSet set = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
+            () => LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host))));
+        if (!set.IsWholeMoon)
+        {
+            LdemBandImage band = SurfaceOptions.Ldem.Concerned(() => LdemBandImage.Open(set));
+            Tell(set, host.Log);
+            host.Log.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"It covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} degrees; "
+                    + $"beyond them there is no ground."));
+            return new ElevationModel(band, set, band);
+        }
+
+        LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(() => LdemImage.Open(set)));
+        Tell(set, host.Log);
         return new ElevationModel(image, () => Summarise(image, host.Log), () => OpenLevels(image, isSparing, host));
     }
 
@@ -108,9 +126,27 @@ internal sealed class ElevationModel : IDisposable
         return new ElevationModel(image, set, image);
     });
 
-    private static void Tell(LdemSet set, ILog log) => log.Note(set.IsSynthetic
-        ? $"Elevation: {set.ProductId}, a SYNTHETIC model, not the real Moon ({set.Description})."
-        : $"Elevation: {set.ProductId} ({set.Description}).");
+    private static ElevationModel OpenGeoTiff(string path, ProgramHost host) => SurfaceOptions.Ldem.Concerned(() =>
+    {
+        GeoTiffGrid grid = GeoTiffGrid.Open(path, host.Environment("MSISF_GDAL"));
+        LdemSet set = LdemSet.OfMap(grid.ToLabel());
+        Tell(set, host.Log);
+        return new ElevationModel(grid, set, grid);
+    });
+
+    private static void Tell(LdemSet set, ILog log)
+    {
+        log.Note(set.IsSynthetic
+            ? $"Elevation: {set.ProductId}, a SYNTHETIC model, not the real Moon ({set.Description})."
+            : $"Elevation: {set.ProductId} ({set.Description}).");
+        if (set.Parts[0].Offset != MoonConstants.ReferenceRadius)
+        {
+            log.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"Its heights are over a sphere of {set.Parts[0].Offset / 1000.0:R} km; they are turned into heights over "
+                    + $"{MoonConstants.ReferenceRadius / 1000.0:R} km."));
+        }
+    }
 
     private static ElevationSummary Summarise(LdemImage image, ILog log)
     {
@@ -184,5 +220,5 @@ internal sealed class ElevationModel : IDisposable
     }
 
     private UsageException NotWholeMoon() => new(
-        $"{Set.Location}: a polar map has no tiles, patterns and levels of detail. Take a model of the whole Moon for them.");
+        $"{Set.Location}: a map of a part of the Moon has no tiles, patterns and levels of detail. Take a model of the whole Moon for them.");
 }

@@ -15,7 +15,9 @@ internal static class RenderSettingsReader
 {
     /// <summary>Reads and checks all options.</summary>
     /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
-    public static RenderSettings Read(OptionValues values)
+    /// <param name="values">The options.</param>
+    /// <param name="gdalPath">MSISF_GDAL, or null.</param>
+    public static RenderSettings Read(OptionValues values, string? gdalPath = null)
     {
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
@@ -32,7 +34,7 @@ internal static class RenderSettingsReader
             GridHorizontal = OutputOptions.GridHorizontal.ReadIfGiven(values) ?? grid,
             GridVertical = OutputOptions.GridVertical.ReadIfGiven(values) ?? grid,
             Surface = surface,
-            Resolution = ModelChoice.ResolutionOf(values, renderer),
+            Resolution = ModelChoice.ResolutionOf(values, renderer, gdalPath),
             Renderer = renderer,
             Native = NativeSettingsReader.Read(
                 values, albedo, DetectorChoice.Of(camera, values), needsTruth: surface == PixelSurface.Terrain),

@@ -23,6 +23,6 @@ internal readonly record struct CellBlock(int Row, int Column)
     public CellRange Cells(FacetMesh mesh) => new(
         mesh.Cells.FirstLine + (Row * Size),
         Math.Min(mesh.Cells.FirstLine + ((Row + 1) * Size), mesh.Cells.EndLine),
-        Column * Size,
-        Math.Min((Column + 1) * Size, mesh.Cells.EndSample));
+        mesh.Cells.FirstSample + (Column * Size),
+        Math.Min(mesh.Cells.FirstSample + ((Column + 1) * Size), mesh.Cells.EndSample));
 }

@@ -9,7 +9,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// The mesh of a model of the whole Moon in simple cylindrical projection. The vertices are those of the pattern files
+/// The mesh of a model in simple cylindrical projection; lines and samples count in the grid of the whole Moon. The vertices are those of the pattern files
 /// (<see cref="LatticePoint.Nearest"/>): the same products in the same order, none of them fused.
 /// </summary>
 internal sealed class CylinderGeometry : MeshGeometry
@@ -24,7 +24,7 @@ internal sealed class CylinderGeometry : MeshGeometry
     /// <summary>Computes the tables of a mesh.</summary>
     public CylinderGeometry(FacetMesh mesh)
     {
-        int pixelsPerDegree = ((IElevationGrid)mesh.Grid).PixelsPerDegree;
+        int pixelsPerDegree = ((Equirectangular)mesh.Grid.Projection).PixelsPerDegree;
         CellAngle = Math.PI / 180.0 / pixelsPerDegree;
         Sagitta = MeshBounds.SagittaFactor(pixelsPerDegree);
         WidestColumns = WidestDegrees * pixelsPerDegree;

@@ -10,6 +10,7 @@ namespace Msisf.Core.Mesh;
 /// </summary>
 internal sealed class FacetMesh
 {
+    private readonly bool _isRing;
     private readonly Lazy<double> _northPoleRadius;
     private readonly Lazy<double> _southPoleRadius;
 
@@ -20,7 +21,11 @@ internal sealed class FacetMesh
         Lines = grid.Lines;
         Samples = grid.Samples;
         IsClosed = grid is IElevationGrid;
-        Cells = IsClosed ? new CellRange(-1, Lines, 0, Samples) : new CellRange(0, Lines - 1, 0, Samples - 1);
+        GridWindow window = grid.Window;
+        _isRing = grid.Projection is Equirectangular && window.Samples == Samples;
+        Cells = IsClosed
+            ? new CellRange(-1, Lines, 0, Samples)
+            : new CellRange(window.FirstLine, window.EndLine - 1, window.FirstSample, _isRing ? window.EndSample : window.EndSample - 1);
         _northPoleRadius = new Lazy<double>(() => MeanRadius(grid, 0));
         _southPoleRadius = new Lazy<double>(() => MeanRadius(grid, Lines - 1));
     }
@@ -33,6 +38,9 @@ internal sealed class FacetMesh
 
     /// <summary>All cells.</summary>
     public CellRange Cells { get; }
+
+    /// <summary>Number of samples after which the same place comes again; 0 if none does.</summary>
+    public int SamplesOfTurn => Grid.Projection is Equirectangular ? Samples : 0;
 
     /// <summary>Line of the cells of the southern fan; a number that no line has if the mesh has no fans.</summary>
     public int SouthFanLine => IsClosed ? Lines - 1 : int.MaxValue;
@@ -64,13 +72,13 @@ internal sealed class FacetMesh
     /// <param name="radii">Receives the radii.</param>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
-        if (!IsClosed)
+        if (!IsClosed && !_isRing)
         {
             Grid.ReadRadii(line, firstSample, radii);
             return;
         }
 
-        if (line < 0 || line >= Lines)
+        if (IsClosed && (line < 0 || line >= Lines))
         {
             radii.Fill(line < 0 ? NorthPoleRadius : SouthPoleRadius);
             return;
@@ -84,6 +92,11 @@ internal sealed class FacetMesh
             radii[..(radii.Length - most)].CopyTo(radii[most..]); // a closed ring: its first vertices come again
         }
     }
+
+    /// <summary>The samples to the left and to the right of one, or itself where a map ends.</summary>
+    public (int West, int East) NeighboursOf(int sample) => _isRing
+        ? (sample == 0 ? Samples - 1 : sample - 1, sample + 1)
+        : (Math.Max(sample - 1, Cells.FirstSample), Math.Min(sample + 1, Cells.EndSample));
 
     /// <summary>
     /// Radius of the pole vertex, m: the sum of the line's radii from west to east, with one rounding per addition, divided by their

@@ -77,12 +77,14 @@ public static class TerrainHeight
         if (!mesh.IsClosed)
         {
             (double atLine, double atSample) = mesh.Grid.Projection.PixelOf(direction);
-            return atLine >= 0.0 && atLine <= mesh.Lines - 1 && atSample >= 0.0 && atSample <= mesh.Samples - 1
+            CellRange all = mesh.Cells;
+            atSample += atSample < all.FirstSample ? mesh.SamplesOfTurn : 0;
+            return atLine >= all.FirstLine && atLine <= all.EndLine && atSample >= all.FirstSample && atSample <= all.EndSample
                 ? new CellRange(
-                    Math.Max((int)atLine - 1, 0),
-                    Math.Min((int)atLine + 2, mesh.Cells.EndLine),
-                    Math.Max((int)atSample - 1, 0),
-                    Math.Min((int)atSample + 2, mesh.Cells.EndSample))
+                    Math.Max((int)atLine - 1, all.FirstLine),
+                    Math.Min((int)atLine + 2, all.EndLine),
+                    Math.Max((int)atSample - 1, all.FirstSample),
+                    Math.Min((int)atSample + 2, all.EndSample))
                 : null;
         }
 

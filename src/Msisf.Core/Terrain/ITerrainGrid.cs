@@ -11,11 +11,14 @@ public interface ITerrainGrid
     /// <summary>Where the samples lie.</summary>
     MapProjection Projection { get; }
 
-    /// <summary>Number of lines.</summary>
+    /// <summary>Number of lines of the whole grid.</summary>
     int Lines { get; }
 
-    /// <summary>Number of samples of a line.</summary>
+    /// <summary>Number of samples of a line of the whole grid.</summary>
     int Samples { get; }
+
+    /// <summary>The part of the grid that the model has.</summary>
+    GridWindow Window => new(0, Lines, 0, Samples);
 
     /// <summary>
     /// Minimum and maximum radius that samples can have, m, known without reading any. The default is the maximum relief of the Moon.
@@ -24,7 +27,7 @@ public interface ITerrainGrid
         (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief, MoonConstants.ReferenceRadius + MoonConstants.MaxRelief);
 
     /// <summary>Radii of consecutive samples of one line.</summary>
-    /// <param name="line">0 to <see cref="Lines"/> - 1, from the top.</param>
+    /// <param name="line">0 to <see cref="Lines"/> - 1, from the top; within the window.</param>
     /// <param name="firstSample">
     /// 0 to <see cref="Samples"/> - 1; the samples of a model of the whole Moon continue across the prime meridian.
     /// </param>

@@ -115,7 +115,7 @@ internal ref struct RayWalk
         for (; level >= SquareLayout.PatchLevel && size <= SquareLayout.Side(level); level--)
         {
             int shift = SquareLayout.SideShift(level);
-            NodeBounds bounds = _surface.Bounds.Of(level, (cells.FirstLine - _surface.Mesh.Cells.FirstLine) >> shift, cells.FirstSample >> shift);
+            NodeBounds bounds = _surface.Bounds.Of(level, (cells.FirstLine - _surface.Mesh.Cells.FirstLine) >> shift, (cells.FirstSample - _surface.Mesh.Cells.FirstSample) >> shift);
             if (!MayMeet(piece, bounds.Min, bounds.Max))
             {
                 return;

@@ -51,8 +51,8 @@ internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, me
     public override CellRange Cells(int level, int row, int column) => new(
         mesh.Cells.FirstLine + (row << SideShift(level)),
         Math.Min(mesh.Cells.FirstLine + ((row + 1) << SideShift(level)), mesh.Cells.EndLine),
-        column << SideShift(level),
-        Math.Min((column + 1) << SideShift(level), mesh.Cells.EndSample));
+        mesh.Cells.FirstSample + (column << SideShift(level)),
+        Math.Min(mesh.Cells.FirstSample + ((column + 1) << SideShift(level)), mesh.Cells.EndSample));
 
     private static int LevelsFor(int samples)
     {

@@ -109,8 +109,10 @@ internal sealed class SmoothNormals
     private Corner ReadCornerOfMap(int line, int sample)
     {
         FacetMesh mesh = _surface.Mesh;
-        Vector3D eastward = VertexAt(line, Math.Min(sample + 1, mesh.Samples - 1)) - VertexAt(line, Math.Max(sample - 1, 0));
-        Vector3D northward = VertexAt(Math.Max(line - 1, 0), sample) - VertexAt(Math.Min(line + 1, mesh.Lines - 1), sample);
+        (int west, int east) = mesh.NeighboursOf(sample);
+        Vector3D eastward = VertexAt(line, east) - VertexAt(line, west);
+        Vector3D northward =
+            VertexAt(Math.Max(line - 1, mesh.Cells.FirstLine), sample) - VertexAt(Math.Min(line + 1, mesh.Cells.EndLine), sample);
         return new Corner(VertexAt(line, sample), Vector3D.Cross(eastward, northward).Normalized());
     }
 
