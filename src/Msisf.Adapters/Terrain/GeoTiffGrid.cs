@@ -21,6 +21,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     private readonly string _path;
     private readonly GeoTiffPlacement _placement;
     private readonly Func<float, double> _radiusOf;
+    private readonly bool _isRing;
     private readonly int _blockColumns;
     private readonly Lock _gate = new();
     private float[]?[] _blocks;
@@ -43,6 +44,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         (Lines, Samples) = placement.Projection is Equirectangular cylinder
             ? (180 * cylinder.PixelsPerDegree, 360 * cylinder.PixelsPerDegree)
             : (image.Height, image.Width);
+        _isRing = placement.Projection is Equirectangular && placement.Window.Samples == Samples;
     }
 
     /// <inheritdoc/>
@@ -150,9 +152,9 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
 
     private int ColumnOf(int sample)
     {
-        int column = sample - (_placement.RingStart == 0 ? Window.FirstSample : _placement.RingStart);
-        column += column < 0 ? Samples : 0;
-        column -= Window.Samples == Samples && column >= Samples ? Samples : 0;
+        int column = sample - (_isRing ? _placement.RingStart : Window.FirstSample);
+        column += _isRing && column < 0 ? Samples : 0;
+        column -= _isRing && column >= Samples ? Samples : 0;
         ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)column, (uint)_image.Width, nameof(sample));
         return column;
     }
