@@ -101,3 +101,4 @@ render nadir-orientale --kepler-set '{3.2374e6,0,0,4.7974,1.2,5.9188}' --epoch 5
 say
 say 'The images (the numbers to each are in the .xml file beside it):'
 printf '    %s\n' "${images[@]}"
+say 'To look around in the browser: ./msis view'

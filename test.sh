@@ -13,7 +13,7 @@ require_own_folders
 
 # The suites, scripts/suites/NAME.sh; of xunit each project by itself. The longest first, so that none runs alone at the
 # end. A new suite is added here, and what it needs to install_parts below; a new project is found by itself.
-suites=('xunit Msisf.Stress.Tests' 'xunit Msisf.Integration.Tests' 'xunit Msisf.Core.Tests' scripts php style)
+suites=('xunit Msisf.Stress.Tests' php scripts 'xunit Msisf.Integration.Tests' 'xunit Msisf.Core.Tests' python style)
 for project in $(test_projects); do
     [[ " ${suites[*]} " == *" $project "* ]] || suites+=("xunit $project")
 done
@@ -22,8 +22,9 @@ MSISF_RESULTS=$(mktemp)
 export MSISF_RESULTS
 trap 'rm -rf "$MSISF_RESULTS" "$MSISF_RESULTS".*' EXIT
 
-install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
+install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib numpy pytest pip downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
     warn 'going on without them: their tests are skipped'
+install_parts chromium || warn 'going on without it: the tests of the viewer are skipped'
 ensure_dotnet
 
 # Optimized, or the tests take twice as long; the assertions of debug builds stay.
@@ -35,9 +36,9 @@ fi
 scripts/get-ldem.sh --real-only || warn 'going on without the elevation model: its tests are skipped'
 scripts/get-cspice.sh || warn 'going on without CSPICE: its tests are skipped'
 
-# Side by side, one more than there are cores: many tests wait for other programs.
+# Side by side, two more than there are cores: many tests wait for other programs.
 say "Running ${#suites[@]} suites side by side; each shows its output when it has ended."
-printf '%s\n' "${suites[@]}" | xargs -P $(($(getconf _NPROCESSORS_ONLN) + 1)) -I '{}' bash scripts/lib/run-suite.sh '{}' || true
+printf '%s\n' "${suites[@]}" | xargs -P $(($(getconf _NPROCESSORS_ONLN) + 2)) -I '{}' bash scripts/lib/run-suite.sh '{}' || true
 for suite in "${suites[@]}"; do
     cat "$MSISF_RESULTS.$suite" >>"$MSISF_RESULTS" || record failed "$suite" 'it was not started'
 done

@@ -50,10 +50,16 @@ esac
 # Beside publish/, so that the swap is two renames; a run that is cut off leaves the old program as it was.
 fresh=$root/obj/publish-$$
 old=$root/obj/published-before-$$
-trap 'rm -rf "$fresh" "$old"' EXIT
+trap 'rm -rf "$fresh" "$old" "${server:-$fresh}"' EXIT
 # The analysers judge the sources in test.sh's build.
 dotnet publish src/Msisf.Cli -c Release -p:RunAnalyzers=false "${target[@]}" -o "$fresh" -v quiet -nologo ||
     die 'the build failed; the messages above say why. publish/ is as it was.'
+# The server runs on the same libraries, compiled ahead of time once: only what it has beside them is added.
+server=$root/obj/server-$$
+dotnet publish src/Msisf.Server -c Release -p:RunAnalyzers=false -p:PublishReadyToRun=false "${target[@]:0:2}" -o "$server" -v quiet -nologo ||
+    die 'the build of the server failed; the messages above say why. publish/ is as it was.'
+cp -rn "$server/." "$fresh/"
+rm -rf "$server"
 add_mysql_connector "$fresh" ||
     say 'The package MySqlConnector is not to be had here: msis patterns --source mysql is left out (scripts/generate_pattern.php is not).'
 printf '%s\n' "$fingerprint" >"$fresh/sources"

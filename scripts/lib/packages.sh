@@ -12,6 +12,9 @@ part_is_here() {
         gdal) python_package_is_here osgeo ;;
         gdal-library) library_is_here libgdal ;;
         matplotlib) python_package_is_here matplotlib ;;
+        numpy) python_package_is_here numpy ;;
+        pytest) python_package_is_here pytest ;;
+        pip) python_package_is_here pip && python_package_is_here setuptools && python_package_is_here wheel ;;
         icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
         certificates) certificates_are_here ;;
         php) have php && php -r 'exit(PHP_VERSION_ID >= 80200 && extension_loaded("pdo_mysql") ? 0 : 1);' ;;
@@ -63,6 +66,11 @@ package_of() {
         pacman-astropy | pacman-matplotlib) echo "python-$2" ;;
         brew-astropy) echo astropy ;;
         brew-matplotlib) echo python-matplotlib ;;
+        apt-numpy | apt-pytest) echo "python3-$2" ;;
+        apt-pip | dnf-pip) echo python3-pip python3-setuptools python3-wheel ;;
+        dnf-numpy | dnf-pytest) echo "python3-$2" ;;
+        pacman-numpy | pacman-pytest) echo "python-$2" ;;
+        pacman-pip) echo python-pip python-setuptools python-wheel ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
         apt-xmllint) echo libxml2-utils ;;
         apt-php) echo php-cli php-mysql ;;

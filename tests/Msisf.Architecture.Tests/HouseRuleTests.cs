@@ -11,7 +11,7 @@ public sealed partial class HouseRuleTests
 {
     private static readonly Type[] OwnTypes =
     [
-        .. ((string[])["Msisf.Core", "Msisf.Synthesis", "Msisf.Adapters", "Msisf.MySql", "Msisf.App"])
+        .. ((string[])["Msisf.Core", "Msisf.Synthesis", "Msisf.Adapters", "Msisf.MySql", "Msisf.App", "msis-server"])
             .SelectMany(name => Assembly.Load(name).GetTypes())
             .Where(
                 type => type.GetCustomAttribute<CompilerGeneratedAttribute>() is null

@@ -5,7 +5,7 @@ using Xunit;
 
 namespace Msisf.Architecture.Tests;
 
-/// <summary>Cli uses App uses Adapters and MySql use Core, never back; Core is pure; native calls live in one namespace.</summary>
+/// <summary>Cli and Server use App uses Adapters and MySql use Core, never back; Core is pure; native calls live in one namespace.</summary>
 public sealed class LayerTests
 {
     /// <summary>The compiler puts it into every iterator method.</summary>
@@ -13,7 +13,7 @@ public sealed class LayerTests
 
     private static readonly Assembly Core = Assembly.Load("Msisf.Core");
     private static readonly Assembly[] Own = [.. (
-        (string[])["Msisf.Core", "Msisf.Synthesis", "Msisf.Adapters", "Msisf.MySql", "Msisf.App", "msis"]).Select(Assembly.Load)];
+        (string[])["Msisf.Core", "Msisf.Synthesis", "Msisf.Adapters", "Msisf.MySql", "Msisf.App", "msis", "msis-server"]).Select(Assembly.Load)];
 
     /// <summary>Each names all that it may use of ours, and uses it: a reference that nothing needs is not in the assembly.</summary>
     [Theory]
@@ -24,6 +24,20 @@ public sealed class LayerTests
     [InlineData("Msisf.App", "Msisf.Adapters Msisf.Core Msisf.MySql")]
     public void Assemblies_Reference_OnlyLayersBelow(string name, string expected) =>
         Assert.Equal(expected, string.Join(' ', ReferencesOf(Assembly.Load(name)).Where(IsOurs).Order(StringComparer.Ordinal)));
+
+    [Theory]
+    [InlineData("msis")]
+    [InlineData("msis-server")]
+    public void Programs_DoNotReference_EachOther(string name) =>
+        Assert.DoesNotContain(ReferencesOf(Assembly.Load(name)), other => other is "msis" or "msis-server");
+
+    /// <summary>Starting ASP.NET Core would slow down every call of msis.</summary>
+    [Fact]
+    public void AspNetCore_IsUsed_InTheServerOnly() =>
+        Assert.Equal(
+            ["msis-server"],
+            Own.Where(assembly => ReferencesOf(assembly).Any(name => name.StartsWith("Microsoft.AspNetCore", StringComparison.Ordinal)))
+                .Select(assembly => assembly.GetName().Name));
 
     [Fact]
     public void Cli_References_TheApplication() => Assert.Contains("Msisf.App", ReferencesOf(Assembly.Load("msis")));

@@ -20,6 +20,7 @@ internal enum Part
     Parallel,
     Python,
     Numpy,
+    Chromium,
     PolarPieces,
 }
 
@@ -69,6 +70,7 @@ internal static class MissingParts
         Part.PolarPieces => TestParts.PolarPiece("NPB") is not null && TestParts.PolarPiece("NPC") is not null,
         Part.Python => TestParts.Python is not null,
         Part.Numpy => TestParts.PythonPackage("numpy") is not null,
+        Part.Chromium => TestParts.Program("chromium") is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

@@ -44,8 +44,9 @@ public static class CameraFileReader
     /// <param name="content">The bytes.</param>
     /// <param name="path">For messages.</param>
     /// <param name="preset">Name of the preset; null for a file of the user.</param>
+    /// <param name="mayNameFiles">Whether it may name another file, the PSF's kernel.</param>
     /// <exception cref="BadInputException">What is wrong in it, by file, line and column.</exception>
-    public static CameraFile Parse(byte[] content, string path, string? preset = null)
+    public static CameraFile Parse(byte[] content, string path, string? preset = null, bool mayNameFiles = true)
     {
         using MemoryStream stream = new(content);
         CameraSection file = new(path, "a camera", (1, 1), ConfigFileReader.Read(stream, path, hasSections: true), Keys);
@@ -72,7 +73,7 @@ public static class CameraFileReader
         }
 
         CameraFileDetector? detector = DetectorSection.Read(
-            file, new DetectorGeometry(path, width, height, metric?.FocalLength, metric?.Pitch));
+            file, new DetectorGeometry(path, width, height, metric?.FocalLength, metric?.Pitch, mayNameFiles));
         return new CameraFile(
             preset ?? Path.GetFileName(path), Checksum(content, detector), file.Text("description"), model,
             metric?.FocalLength, metric?.Pitch, path, content.Length, preset is not null,

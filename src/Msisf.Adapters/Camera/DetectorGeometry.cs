@@ -6,4 +6,6 @@ namespace Msisf.Adapters.Camera;
 /// <param name="Height">px.</param>
 /// <param name="FocalLength">m; null if the file does not give it in mm.</param>
 /// <param name="PixelPitch">m; null if the file does not give it.</param>
-internal sealed record DetectorGeometry(string Path, int Width, int Height, double? FocalLength, (double X, double Y)? PixelPitch);
+/// <param name="MayNameFiles">Whether the file may name another one, the PSF's kernel.</param>
+internal sealed record DetectorGeometry(
+    string Path, int Width, int Height, double? FocalLength, (double X, double Y)? PixelPitch, bool MayNameFiles = true);

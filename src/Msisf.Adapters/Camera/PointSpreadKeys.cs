@@ -139,6 +139,11 @@ internal sealed class PointSpreadKeys
             return _section.Numbers("psf-kernel", 1, MaxWeights)!;
         }
 
+        if (!_geometry.MayNameFiles)
+        {
+            throw _section.Wrong("psf-kernel", "'psf-kernel' names a file, which is not possible here; the list of its weights is needed");
+        }
+
         string path = Path.Combine(Path.GetDirectoryName(_geometry.Path) ?? string.Empty, _section.Text("psf-kernel")!);
         byte[] content = FileErrors.ToBadInput($"{path}: the PSF kernel can't be read", () => File.ReadAllBytes(path));
         KernelSha256 = Convert.ToHexStringLower(SHA256.HashData(content));

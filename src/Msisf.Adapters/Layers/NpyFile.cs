@@ -6,16 +6,35 @@ using Msisf.Core.Layers;
 namespace Msisf.Adapters.Layers;
 
 /// <summary>The head of an array file of NumPy, format 1.0 (numpy.lib.format).</summary>
-internal static class NpyFile
+public static class NpyFile
 {
     /// <summary>bytes: the data begins at a multiple of it.</summary>
     private const int Alignment = 64;
+
+    /// <summary>bytes: name of the format and its version.</summary>
+    private const int MagicLength = 8;
+
+    /// <summary>Length of the head at the beginning of a file, bytes.</summary>
+    public static int LengthOfHead(ReadOnlySpan<byte> file) => MagicLength + sizeof(ushort) + BinaryPrimitives.ReadUInt16LittleEndian(file[MagicLength..]);
+
+    /// <summary>Writes the head of a grey image; its levels follow by rows, in the machine's byte order.</summary>
+    /// <param name="stream">Receives it.</param>
+    /// <param name="bytesPerPixel">1 or 2.</param>
+    /// <param name="height">px.</param>
+    /// <param name="width">px.</param>
+    public static void WriteImageHead(Stream stream, int bytesPerPixel, int height, int width) =>
+        WriteHead(stream, bytesPerPixel == 1 ? TypeText(LayerType.Unsigned8) : $"{ByteOrder}u2", height, width);
 
     /// <summary>Writes the head; the data follows in C order, in the machine's byte order.</summary>
     /// <param name="stream">Receives it.</param>
     /// <param name="type">Of the numbers.</param>
     /// <param name="shape">Slowest axis first.</param>
-    public static void WriteHead(Stream stream, LayerType type, params ReadOnlySpan<int> shape)
+    public static void WriteHead(Stream stream, LayerType type, params ReadOnlySpan<int> shape) =>
+        WriteHead(stream, TypeText(type), shape);
+
+    private static char ByteOrder => BitConverter.IsLittleEndian ? '<' : '>';
+
+    private static void WriteHead(Stream stream, string type, params ReadOnlySpan<int> shape)
     {
         StringBuilder lengths = new();
         foreach (int length in shape)
@@ -23,27 +42,23 @@ internal static class NpyFile
             lengths.Append(CultureInfo.InvariantCulture, $"{length}, ");
         }
 
-        string dictionary = $"{{'descr': '{TypeText(type)}', 'fortran_order': False, 'shape': ({lengths.ToString().TrimEnd(' ')}), }}";
+        string dictionary = $"{{'descr': '{type}', 'fortran_order': False, 'shape': ({lengths.ToString().TrimEnd(' ')}), }}";
         ReadOnlySpan<byte> magic = [0x93, (byte)'N', (byte)'U', (byte)'M', (byte)'P', (byte)'Y', 1, 0];
-        int prefix = magic.Length + sizeof(ushort);
+        int prefix = MagicLength + sizeof(ushort);
         int total = (prefix + dictionary.Length + 1 + Alignment - 1) / Alignment * Alignment;
         byte[] head = new byte[total];
         magic.CopyTo(head);
-        BinaryPrimitives.WriteUInt16LittleEndian(head.AsSpan(magic.Length), (ushort)(total - prefix));
+        BinaryPrimitives.WriteUInt16LittleEndian(head.AsSpan(MagicLength), (ushort)(total - prefix));
         head.AsSpan(prefix).Fill((byte)' ');
         Encoding.ASCII.GetBytes(dictionary, head.AsSpan(prefix));
         head[^1] = (byte)'\n';
         stream.Write(head);
     }
 
-    private static string TypeText(LayerType type)
+    private static string TypeText(LayerType type) => type switch
     {
-        char order = BitConverter.IsLittleEndian ? '<' : '>';
-        return type switch
-        {
-            LayerType.Real64 => $"{order}f8",
-            LayerType.Unsigned8 => "|u1",
-            _ => $"{order}i4",
-        };
-    }
+        LayerType.Real64 => $"{ByteOrder}f8",
+        LayerType.Unsigned8 => "|u1",
+        _ => $"{ByteOrder}i4",
+    };
 }

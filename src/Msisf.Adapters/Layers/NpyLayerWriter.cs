@@ -34,20 +34,40 @@ public static class NpyLayerWriter
         CancellationToken cancellation = default)
     {
         List<string> paths = [];
+        Write(
+            (name, write) =>
+            {
+                string path = $"{stem}.{name}";
+                files.Write(path, write);
+                paths.Add(path);
+            },
+            frame,
+            provenance,
+            truth,
+            layers,
+            cancellation);
+        return paths;
+    }
+
+    /// <summary>Writes the same to other streams.</summary>
+    /// <param name="put">Receives the name of a file without its stem, "layer.npy" or "layers.json", and what writes it.</param>
+    /// <param name="frame">Goes into the JSON file.</param>
+    /// <param name="provenance">Goes there too.</param>
+    /// <param name="truth">What the pixels show; its camera is the frame's.</param>
+    /// <param name="layers">Which.</param>
+    /// <param name="cancellation">Stops between rows and between layers.</param>
+    /// <exception cref="OperationCanceledException">It was stopped.</exception>
+    public static void Write(
+        Action<string, Action<Stream>> put, FrameMetadata frame, LayerProvenance provenance, IGroundTruth truth, LayerSet layers,
+        CancellationToken cancellation)
+    {
         LayerSampler sampler = new(truth, provenance);
         LayerPasses.Run(
             sampler,
             layers.Layers,
-            (layer, planes) =>
-            {
-                string path = $"{stem}.{layer.Name}.npy";
-                files.Write(path, stream => WriteLayer(stream, sampler, layer, planes));
-                paths.Add(path);
-            },
+            (layer, planes) => put($"{layer.Name}.npy", stream => WriteLayer(stream, sampler, layer, planes)),
             cancellation);
-        files.Write($"{stem}.layers.json", stream => LayersJson.Write(stream, frame, provenance, layers));
-        paths.Add($"{stem}.layers.json");
-        return paths;
+        put("layers.json", stream => LayersJson.Write(stream, frame, provenance, layers));
     }
 
     private static void WriteLayer(Stream stream, LayerSampler sampler, Layer layer, IReadOnlyList<double[]> planes)

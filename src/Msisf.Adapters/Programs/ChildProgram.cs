@@ -29,7 +29,7 @@ public sealed record ChildProgram(string Program, IReadOnlyList<string> Argument
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
     public async Task<ProcessResult> RunAsync(CancellationToken cancellation)
     {
-        using Process process = Start();
+        using Process process = Start(takesOutput: true, takesError: true);
         using CancellationTokenSource limit = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
         limit.CancelAfter(TimeLimit ?? Timeout.InfiniteTimeSpan);
         process.StandardInput.Close();
@@ -51,14 +51,36 @@ public sealed record ChildProgram(string Program, IReadOnlyList<string> Argument
         }
     }
 
-    private Process Start()
+    /// <summary>Starts the program and leaves it running.</summary>
+    /// <exception cref="ExternalPartException">It can't be started.</exception>
+    public void StartBeside() => Start(takesOutput: false, takesError: false).Dispose();
+
+    /// <summary>Runs the program with our own standard output and error.</summary>
+    /// <param name="cancellation">Closes its standard input, upon which the program ends by itself.</param>
+    /// <param name="onLine">Gets the lines of its standard output, which then is not our own.</param>
+    /// <returns>Its exit code.</returns>
+    /// <exception cref="ExternalPartException">It can't be started.</exception>
+    public async Task<int> RunUntilInputEndsAsync(CancellationToken cancellation, Action<string>? onLine = null)
+    {
+        using Process process = Start(takesOutput: onLine is not null, takesError: false);
+        using CancellationTokenRegistration end = cancellation.Register(process.StandardInput.Close);
+        while (onLine is not null && await process.StandardOutput.ReadLineAsync(CancellationToken.None).ConfigureAwait(false) is { } line)
+        {
+            onLine(line);
+        }
+
+        await process.WaitForExitAsync(CancellationToken.None).ConfigureAwait(false);
+        return process.ExitCode;
+    }
+
+    private Process Start(bool takesOutput, bool takesError)
     {
         ProcessStartInfo start = new(Program, Arguments)
         {
             WorkingDirectory = WorkingFolder,
             RedirectStandardInput = true,
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
+            RedirectStandardOutput = takesOutput,
+            RedirectStandardError = takesError,
         };
         foreach ((string name, string value) in Environment)
         {

@@ -52,6 +52,23 @@ public static class LdemCatalog
         return incomplete is null ? null : throw incomplete;
     }
 
+    /// <summary>The models that <see cref="Find"/> finds in folders, one for each resolution, coarse ones first.</summary>
+    /// <param name="explicitPath">A label, an image, or a folder (--ldem); null to search the folders.</param>
+    /// <param name="folders">Where to look otherwise, first choice first; they need not exist.</param>
+    public static IReadOnlyList<LdemSet> All(string? explicitPath, IReadOnlyList<string> folders) =>
+        explicitPath is not null && !Directory.Exists(explicitPath)
+            ? [Read(explicitPath)]
+            :
+            [
+                .. PlacesOf(explicitPath, folders).Where(Directory.Exists)
+                    .SelectMany(folder => LabelsIn(folder, ".LBL"))
+                    .Select(label => label.PixelsPerDegree)
+                    .Distinct()
+                    .Order()
+                    .Select(pixelsPerDegree => FindWhole(pixelsPerDegree, explicitPath, folders))
+                    .OfType<LdemSet>(),
+            ];
+
     /// <summary>A named model.</summary>
     /// <param name="labelOrImage">
     /// Path of the label, or of the image beside it; of a split product that of any part, the others lie beside it.
@@ -71,6 +88,18 @@ public static class LdemCatalog
         LdemLabel label = LdemLabelReader.ReadFile(LabelOf(labelOrImage));
         return label.Polar is null ? label : throw new BadInputException(
             $"{label.LabelPath}: a map of the surroundings of a pole; a SIMPLE CYLINDRICAL model of the whole Moon is needed here.");
+    }
+
+    private static LdemSet? FindWhole(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
+    {
+        try
+        {
+            return TryFind(pixelsPerDegree, explicitPath, folders);
+        }
+        catch (BadInputException)
+        {
+            return null; // its parts don't make up a whole Moon
+        }
     }
 
     private static IReadOnlyList<string> PlacesOf(string? explicitPath, IReadOnlyList<string> folders) =>

@@ -46,6 +46,12 @@ internal static class AlbedoSource
         }
     }
 
+    /// <summary>The maps of reflectance and of Hapke's parameters where maps are searched, those of the first folder first.</summary>
+    public static IEnumerable<string> Maps(ProgramHost host) => Folders(host).Where(Directory.Exists)
+        .SelectMany(folder => Directory.EnumerateFiles(folder).Order(StringComparer.Ordinal))
+        .Where(path => OpenedAlbedoMap.IsKnown(path)
+            || Path.GetFileName(path).StartsWith("WAC_HAPKEPARAM", StringComparison.OrdinalIgnoreCase));
+
     /// <summary>Folders in which maps are searched if no path is given, in the order of the search.</summary>
     private static string[] Folders(ProgramHost host) =>
         [.. ((string[])[Path.Combine("input", "albedo"), host.Installation.AlbedoMaps]).DistinctBy(Path.GetFullPath)];

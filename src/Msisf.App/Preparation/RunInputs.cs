@@ -62,10 +62,12 @@ internal sealed class RunInputs : IDisposable
         .. _model?.GetAwaiter().GetResult() ?? throw new InvalidOperationException("no model yet"),
         .. Kernels.GetAwaiter().GetResult(),
         .. _maps,
-        .. _camera is { } camera
-            ? [new InputFile(InputKind.Camera, Path.GetFileName(camera.Path), camera.Bytes, camera.Sha256)]
-            : (InputFile[])[],
+        .. _camera is { } camera ? [Of(camera)] : (InputFile[])[],
     ];
+
+    /// <summary>A camera file as one of the files.</summary>
+    public static InputFile Of(CameraFile camera) =>
+        new(InputKind.Camera, Path.GetFileName(camera.Path), camera.Bytes, camera.Sha256);
 
     /// <summary>Ends what is still going on; its result is not needed.</summary>
     public void Dispose()

@@ -6,11 +6,9 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Series;
 using Msisf.App.Settings;
-using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
-using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
 
@@ -21,18 +19,16 @@ namespace Msisf.App.Rendering;
 internal sealed class FrameFiles
 {
     private readonly RenderSettings _settings;
-    private readonly ElevationModel _model;
-    private readonly RunInputs _inputs;
+    private readonly FrameDescription _description;
     private readonly InputComparison _comparison;
     private readonly FrameLedger _ledger;
     private readonly RunTimes _times;
 
     public FrameFiles(
-        RenderSettings settings, ElevationModel model, RunInputs inputs, InputComparison comparison, FrameLedger ledger, RunTimes times)
+        RenderSettings settings, FrameDescription description, InputComparison comparison, FrameLedger ledger, RunTimes times)
     {
         _settings = settings;
-        _model = model;
-        _inputs = inputs;
+        _description = description;
         _comparison = comparison;
         _ledger = ledger;
         _times = times;
@@ -46,8 +42,8 @@ internal sealed class FrameFiles
     public IReadOnlyList<string> Write(Frame frame, RenderedFrame rendered, CancellationToken cancellation)
     {
         string stem = Path.Combine(_settings.OutputFolder, frame.Name);
-        FrameMetadata metadata = Describe(frame, rendered);
-        PixelSampler pixels = Sampler(frame, rendered);
+        FrameMetadata metadata = _description.Describe(frame, rendered, _ledger.Plan.ArgumentsOf(frame.Step));
+        PixelSampler pixels = _description.Sampler(frame, rendered);
         _comparison.Compare($"{stem}.xml", metadata.Inputs);
         string? annotated = _settings.Annotate ? $"{stem}.annotated.png" : null;
         List<string> paths = annotated is null ? [$"{stem}.png"] : [$"{stem}.png", annotated];
@@ -65,7 +61,7 @@ internal sealed class FrameFiles
         {
             _times.Measure(Phase.Output, () => files.Write(
                 $"{stem}.dn.fits",
-                stream => DetectorFitsWriter.Write(stream, detected, detector.Settings, metadata, Provenance(metadata, rendered))));
+                stream => DetectorFitsWriter.Write(stream, detected, detector.Settings, metadata, _description.Provenance(metadata, rendered))));
             paths.Add($"{stem}.dn.fits");
         }
 
@@ -94,7 +90,7 @@ internal sealed class FrameFiles
         AtomicFileSet files, string stem, FrameMetadata metadata, RenderedFrame rendered, LayerSet layers, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        LayerProvenance provenance = Provenance(metadata, rendered);
+        LayerProvenance provenance = _description.Provenance(metadata, rendered);
         if (_settings.Native.LayersFormat == LayersFormat.Npy)
         {
             return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, cancellation);
@@ -102,37 +98,5 @@ internal sealed class FrameFiles
 
         files.Write($"{stem}.fits", stream => FitsLayerWriter.Write(stream, metadata, provenance, rendered.Truth, layers, cancellation));
         return [$"{stem}.fits"];
-    }
-
-    private LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
-        _model.Grid.ProductId,
-        rendered.Resolution,
-        _model.Grid.Projection.Resolution.HalvingsTo(rendered.Resolution),
-        metadata.RendererName,
-        _settings.Albedo.Band);
-
-    private FrameMetadata Describe(Frame frame, RenderedFrame rendered) => new(
-        frame.Time,
-        frame.Camera,
-        _settings.FieldOfViewDegrees,
-        frame.Light.PositionMoonMe,
-        new DrawnElevation(
-            _model.Grid.ProductId, _model.Set.IsSynthetic, _model.Grid.Projection.Resolution, rendered.Drawn.Finest, rendered.Drawn.Coarsest),
-        _model.HeightOverTerrain(frame.Camera.PositionMoonMe),
-        _ledger.Plan.Identity.Version,
-        _ledger.Plan.ArgumentsOf(frame.Step),
-        rendered.Renderer,
-        _inputs.All());
-
-    private PixelSampler Sampler(Frame frame, RenderedFrame rendered)
-    {
-        PixelGrid grid = new(frame.Camera.Width, frame.Camera.Height, _settings.GridHorizontal, _settings.GridVertical);
-        if (_settings.Surface == PixelSurface.Sphere)
-        {
-            return new PixelSampler(frame.Camera, grid, ReferenceSphere.Lola, frame.Light.PositionMoonMe);
-        }
-
-        ArgumentNullException.ThrowIfNull(rendered.Truth);
-        return new PixelSampler(grid, rendered.Truth, rendered.Resolution.PixelsPerDegree);
     }
 }

@@ -3,6 +3,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
 
@@ -10,6 +11,7 @@ namespace Msisf.App.Rendering;
 internal sealed class NativeLevels
 {
     private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();
+    private readonly ConcurrentDictionary<int, Lazy<TerrainTracer>> _tracers = new();
     private readonly ITerrainGrid _grid;
     private readonly LodLevels? _levels;
     private readonly DetailRule? _rule;
@@ -28,11 +30,16 @@ internal sealed class NativeLevels
     }
 
     /// <summary>The renderer for a frame.</summary>
-    public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis)
-    {
-        int level = _rule?.LevelOfImage(camera.Footprint, subsamplesPerAxis) ?? 0;
-        return _renderers.GetOrAdd(level, Create).Value;
-    }
+    public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) =>
+        _renderers.GetOrAdd(
+            LevelFor(camera, subsamplesPerAxis), level => new Lazy<NativeRenderer>(() => new NativeRenderer(GridOf(level)))).Value;
 
-    private Lazy<NativeRenderer> Create(int level) => new(() => new NativeRenderer(level == 0 ? _grid : _levels!.Level(level)));
+    /// <summary>Traces single rays through the surface that a frame shows.</summary>
+    public ITerrainTracer TracerFor(PinholeCamera camera, int subsamplesPerAxis) => _tracers.GetOrAdd(
+        LevelFor(camera, subsamplesPerAxis), level => new Lazy<TerrainTracer>(() => new TerrainTracer(GridOf(level)))).Value;
+
+    private int LevelFor(PinholeCamera camera, int subsamplesPerAxis) =>
+        _rule?.LevelOfImage(camera.Footprint, subsamplesPerAxis) ?? 0;
+
+    private ITerrainGrid GridOf(int level) => level == 0 ? _grid : _levels!.Level(level);
 }

@@ -105,7 +105,8 @@ internal sealed class RenderRun
         int atOnce = ResourceCheck.AtOnce(_settings, missing, cores, memory);
         ResourceCheck.Check(_settings, missing, atOnce, memory, new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
         InputComparison comparison = new(_host.Log);
-        FrameFiles files = new(_settings, run.Model, inputs, comparison, ledger, _times);
+        FrameDescription description = new(_settings, run.Model, ledger.Plan.Identity.Version, inputs.All);
+        FrameFiles files = new(_settings, description, comparison, ledger, _times);
         using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native
             ? Native(run.Model, maps, files)
             : PovRay(run.Model, maps.Albedo, files, atOnce);
@@ -164,7 +165,7 @@ internal sealed class RenderRun
     private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files)
     {
         NativeLevels levels = new(model.Grid, () => model.Levels, model.IsWholeMoon ? _settings.LevelOfDetailError : null);
-        return new NativeFrameRenderer(_settings.Native, model.Grid, maps, levels, files, _times);
+        return new NativeFrameRenderer(new NativeDrawing(_settings.Native, model.Grid, maps, levels, _times), files, _times);
     }
 
     private static void CreateFolder(string folder) => OutputOptions.Folder.Concerned(

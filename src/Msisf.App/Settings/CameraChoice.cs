@@ -19,10 +19,12 @@ internal static class CameraChoice
     private const string Extension = ".yaml";
 
     /// <summary>Reads the camera; null if none is given.</summary>
+    /// <param name="values">The options.</param>
+    /// <param name="open">Opens the camera of a name; null for a preset or a file.</param>
     /// <exception cref="MsisfException">
     /// There is no such camera, its file is wrong or not the one that is meant, or the renderer or another option contradicts it.
     /// </exception>
-    public static CameraFile? Read(OptionValues values)
+    public static CameraFile? Read(OptionValues values, Func<string, CameraFile>? open = null)
     {
         if (ImageOptions.Camera.ReadIfGiven(values) is not { } given)
         {
@@ -36,7 +38,8 @@ internal static class CameraChoice
                 .About(wrong, ImageOptions.Camera);
         }
 
-        CameraFile camera = ImageOptions.Camera.Concerned(() => Open(given, Installation.Above(AppContext.BaseDirectory)));
+        CameraFile camera = ImageOptions.Camera.Concerned(
+            () => open is null ? Open(given, Installation.Above(AppContext.BaseDirectory)) : open(given));
         return camera.Model.Distortion is null || RendererOptions.Renderer.Read(values) == RendererKind.Native
             ? camera
             : throw new UsageException(
@@ -48,16 +51,21 @@ internal static class CameraChoice
     public static IReadOnlyList<CameraFile> Presets(Installation installation) =>
         [.. NamesIn(installation).Select(name => CameraFileReader.Read(PathOf(installation, name), name))];
 
+    /// <summary>The preset of a name, in capitals or small letters; null if there is none.</summary>
+    public static CameraFile? Preset(string name, Installation installation) =>
+        NamesIn(installation).FirstOrDefault(preset => preset.Equals(name, StringComparison.OrdinalIgnoreCase)) is { } found
+            ? CameraFileReader.Read(PathOf(installation, found), found)
+            : null;
+
     /// <summary>The camera as the arguments of a frame name it: a file with the beginning of its checksum, a preset by its name.</summary>
     public static string TextOf(CameraFile camera) =>
         camera.IsPreset ? camera.Name : $"{camera.Name}{ChecksumMark}{camera.Sha256[..ShownDigits]}";
 
     private static CameraFile Open(string given, Installation installation)
     {
-        string[] presets = [.. NamesIn(installation)];
-        if (presets.FirstOrDefault(name => name.Equals(given, StringComparison.OrdinalIgnoreCase)) is { } preset)
+        if (Preset(given, installation) is { } preset)
         {
-            return CameraFileReader.Read(PathOf(installation, preset), preset);
+            return preset;
         }
 
         int mark = given.LastIndexOf(ChecksumMark);
@@ -72,7 +80,7 @@ internal static class CameraChoice
             // A path is looked for as every file is; a plain word can only have meant a preset.
             throw Path.GetExtension(path).Length > 0 || path.Contains('/')
                 ? new BadInputException($"--camera {path}: there is no such file.")
-                : new UsageException($"--camera '{path}' is no file and no preset{NearestName.Question(path, presets)} "
+                : new UsageException($"--camera '{path}' is no file and no preset{NearestName.Question(path, [.. NamesIn(installation)])} "
                     + $"('msis cameras' lists the presets)");
         }
 

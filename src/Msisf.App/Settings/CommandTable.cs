@@ -144,6 +144,37 @@ internal static class CommandTable
         MakeGroups = () => [OnlyHelp],
     };
 
+    /// <summary>msis serve.</summary>
+    public static CommandSpec Serve { get; } = new("serve", "Draw images on request over HTTP and WebSocket, for closed loops.")
+    {
+        Details =
+            "Prints the address on which it listens, and runs until it gets a signal. Images are drawn as by msis --renderer native with the "
+                + "same options. docs/server.md says what a request holds.",
+        Examples =
+        [
+            ("On this computer, at any free port:", "msis serve --listen 127.0.0.1:0"),
+            ("For other computers:", "msis serve --listen 0.0.0.0:8810 --token-file token --tls-certificate cert.pem --tls-key key.pem"),
+        ],
+        MakeGroups = () =>
+            [ServeOptions.Group, new OptionGroup("Files", [SurfaceOptions.Ldem, LightOptions.Kernels]), ViewOptions.OfServe, General],
+    };
+
+    /// <summary>msis view.</summary>
+    public static CommandSpec View { get; } = new("view", "Look at the Moon in the browser: fly, move the Sun, read what each pixel shows.")
+    {
+        Details =
+            "Starts msis serve at a free port of this computer and opens its page; prints the address. Runs until it gets a signal. "
+                + "docs/viewer.md shows the page.",
+        MakeArgument = () => ViewOptions.Opened,
+        Examples =
+        [
+            ("Look around:", "msis view"),
+            ("The frames of a finished run, with the names of craters:", "msis view output --catalogues craters.csv"),
+        ],
+        MakeGroups = () =>
+            [ViewOptions.OfView, ServeOptions.Group, new OptionGroup("Files", [SurfaceOptions.Ldem, LightOptions.Kernels]), General],
+    };
+
     /// <summary>msis completion.</summary>
     public static CommandSpec Completion { get; } = new("completion", "Print a script that completes commands, options and values.")
     {
@@ -196,7 +227,7 @@ internal static class CommandTable
                 Options = [.. RunOptions.Group.Options, DryRunOptions.DryRun, DryRunOptions.Format, RunOptions.Help, RunOptions.Version],
             }
         ],
-        Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Cameras, Config, Completion, Man, Help],
+        Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Serve, View, Cameras, Config, Completion, Man, Help],
     };
 
     /// <summary>All commands, each with the words by which it is called, e.g. "ldem pyramid"; none for the render command.</summary>

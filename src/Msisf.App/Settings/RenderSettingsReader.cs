@@ -14,17 +14,18 @@ namespace Msisf.App.Settings;
 internal static class RenderSettingsReader
 {
     /// <summary>Reads and checks all options.</summary>
-    /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
     /// <param name="values">The options.</param>
+    /// <param name="openCamera">Opens the camera of a name; null for a preset or a file.</param>
     /// <param name="gdalPath">MSISF_GDAL, or null.</param>
-    public static RenderSettings Read(OptionValues values, string? gdalPath = null)
+    /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
+    public static RenderSettings Read(OptionValues values, Func<string, CameraFile>? openCamera = null, string? gdalPath = null)
     {
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
         RendererKind renderer = RendererOptions.Renderer.Read(values);
         RendererOptions.Check(values);
         AlbedoSettings albedo = AlbedoOptions.Read(values);
-        CameraFile? camera = CameraChoice.Read(values);
+        CameraFile? camera = CameraChoice.Read(values, openCamera);
         RenderSettings settings = new()
         {
             Camera = camera,

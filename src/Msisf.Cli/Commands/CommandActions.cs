@@ -20,6 +20,8 @@ internal static class CommandActions
         [CommandTable.Merge] = (call, cancellation) => Task.Run(() => MergeCommand.RunAsync(call, cancellation), cancellation),
         [CommandTable.Synthesize] = InBackground(SynthesizeCommand.Run),
         [CommandTable.Pyramid] = InBackground(PyramidCommand.Run),
+        [CommandTable.View] = ViewCommand.RunAsync,
+        [CommandTable.Serve] = ServeCommand.RunAsync,
         [CommandTable.ConfigShow] = Printing(call => Configuration.Show(call.Values.Text(RunOptions.Config), call.Host)),
         [CommandTable.Cameras] = Printing(CamerasCommand.Print),
         [CommandTable.Completion] = Printing(call => call.Host.Results.Write(CompletionScript.For(call.Values.Argument!))),

@@ -14,23 +14,9 @@ internal static class SurfaceValues
     /// <summary>m, along the optical axis: the ray's direction is one image plane distance long on it.</summary>
     public static double? Depth(in PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.Camera.Direction.Length;
 
-    /// <summary>
-    /// m: side of the square that has the area of the pixel's beam across the line of sight. A pixel is a square of side 1 / height
-    /// in the image plane at distance f; seen from the focal point, at an angle a off the axis, it covers (1 / (height f))^2 cos^3 a
-    /// steradians, to first order in its size; and cos a is depth over range.
-    /// </summary>
-    public static double? PixelScale(in PixelTruth pixel, int plane)
-    {
-        PinholeCamera camera = pixel.Camera;
-        if (camera.Model.IsThesis)
-        {
-            double distance = camera.Direction.Length;
-            double cosine = distance / pixel.LineOfSightMoonMe.Length;
-            return pixel.Hit.RayParameter * Math.Sqrt(cosine) / camera.Height;
-        }
-
-        return pixel.Hit.RayParameter * camera.PixelSide(pixel.LineOfSightMoonMe);
-    }
+    /// <summary>m: see <see cref="PixelBeam"/>.</summary>
+    public static double? PixelScale(in PixelTruth pixel, int plane) => PixelBeam.SideAt(
+        pixel.Camera, new Ray(pixel.Camera.PositionMoonMe, pixel.LineOfSightMoonMe), pixel.Hit.RayParameter);
 
     public static double? Position(in PixelTruth pixel, int plane) => Component(pixel.Hit.PointMoonMe, plane);
 

@@ -1,3 +1,4 @@
+using Msisf.App.Host;
 using Msisf.Cli.Output;
 using Xunit;
 

@@ -49,6 +49,8 @@ internal sealed class KilledSet : IDisposable
             done += killed;
         }
 
+        // A POV-Ray without its msis may put its image into a work folder just as a run removes it, which the next run makes good.
+        judge.NoteLeftovers(Processes(folder.Path), what);
         ChildRun last = Msis.Run(folder.Path, Arguments);
         FrameFolder set = new(folder[Output]);
         judge.Judge(set, new FrameFolder(_undisturbedFolder[Output]), last, done * Jobs, what);
@@ -59,7 +61,6 @@ internal sealed class KilledSet : IDisposable
             judge.NoteLeftovers(patterns.Leftovers, what);
         }
 
-        judge.NoteLeftovers(Processes(folder.Path), what);
         return done;
     }
 
@@ -83,8 +84,9 @@ internal sealed class KilledSet : IDisposable
         int killed = 0;
         while (killed < most && !program.EndsWithin(TimeSpan.FromSeconds(random.Unit() * _seconds / 2)))
         {
-            IReadOnlyList<int> running = ProcessTable.ChildrenOf(program.Id, PovRay);
-            killed += running.Count > 0 && ProcessTable.Kill(running[random.Below(running.Count)]) ? 1 : 0;
+            // A POV-Ray that is asked for its version may be killed after it has answered, which nobody has to notice.
+            int[] running = [.. ProcessTable.ChildrenOf(program.Id, PovRay).Where(id => !ProcessTable.ArgumentsOf(id).Contains("--version"))];
+            killed += running.Length > 0 && ProcessTable.KillAtWork(running[random.Below(running.Length)]) ? 1 : 0;
         }
 
         ChildRun run = program.End(Msis.Limit);

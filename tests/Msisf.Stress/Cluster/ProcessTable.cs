@@ -12,6 +12,9 @@ internal static class ProcessTable
 {
     private const string Root = "/proc";
 
+    /// <summary>A process that waits for a disk stops when it has its answer.</summary>
+    private static readonly TimeSpan LongestStop = TimeSpan.FromSeconds(10);
+
     /// <summary>Processes that were started with an entry of their environment, e.g. "NAME=value".</summary>
     public static IReadOnlyList<int> WithEnvironment(string entry) =>
         [.. All().Where(id => Environment(id).Contains(entry, StringComparer.Ordinal))];
@@ -41,6 +44,18 @@ internal static class ProcessTable
     public static long? MemoryOf(int id) =>
         Field(id, "VmRSS:") is string kilobytes ? 1024 * long.Parse(kilobytes, CultureInfo.InvariantCulture) : null;
 
+    /// <summary>Ends a process that is at work: it is stopped first, so that one that ends by itself at this moment does not count.</summary>
+    /// <returns>Whether it was at work.</returns>
+    public static bool KillAtWork(int id)
+    {
+        using (Process stop = Process.Start("kill", ["-STOP", id.ToString(CultureInfo.InvariantCulture)]))
+        {
+            stop.WaitForExit(LongestStop);
+        }
+
+        return IsStopped(id) && Kill(id);
+    }
+
     /// <summary>Ends a process as the system does when memory runs out: SIGKILL, which it can't catch.</summary>
     /// <returns>Whether it was there.</returns>
     public static bool Kill(int id)
@@ -55,6 +70,23 @@ internal static class ProcessTable
         {
             return false;
         }
+    }
+
+    /// <summary>Arguments that a process was started with; empty if it has ended.</summary>
+    public static string[] ArgumentsOf(int id) => Read(id, "cmdline")?.Split('\0') ?? [];
+
+    /// <summary>Whether it has stopped; one that is ending never will.</summary>
+    private static bool IsStopped(int id)
+    {
+        Stopwatch watch = Stopwatch.StartNew();
+        string? state = Field(id, "State:");
+        while (state is "R" or "S" or "D" && watch.Elapsed < LongestStop)
+        {
+            Thread.Sleep(1);
+            state = Field(id, "State:");
+        }
+
+        return state == "T";
     }
 
     private static IEnumerable<int> All() => Directory.EnumerateDirectories(Root)

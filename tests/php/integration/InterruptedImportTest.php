@@ -14,7 +14,7 @@ use Random\Randomizer;
 /** Whatever stops an import, the same command again completes it: nothing is lost, nothing is there twice. */
 final class InterruptedImportTest extends ImportTestCase
 {
-    private const KILLS = 6;
+    private const KILLS = 4;
 
     /** So many with MSISF_LONG_TESTS=1, or until one falls into the middle of an import. */
     private const MOST_KILLS = 20;
@@ -26,11 +26,11 @@ final class InterruptedImportTest extends ImportTestCase
     {
         $random = new Randomizer(new Mt19937(20120222));
         $label = $this->northernProduct();
-        $undisturbed = $this->checksum('row_index < 180', ImportedModels::ldem4());
+        $undisturbed = $this->checksum('row_index < 120', ImportedModels::ldem4());
         $span = self::SPAN;
         $reached = [];
         $kills = TestLength::of(self::KILLS, self::MOST_KILLS);
-        $isInMiddle = static fn (int $rows): bool => $rows > 0 && $rows < 180;
+        $isInMiddle = static fn (int $rows): bool => $rows > 0 && $rows < 120;
         for ($kill = 0; $kill < $kills || ($kill < self::MOST_KILLS && array_filter($reached, $isInMiddle) === []); $kill++) {
             $before = $this->rowsDone();
             $run = $this->start([$label]);
@@ -49,7 +49,7 @@ final class InterruptedImportTest extends ImportTestCase
             $reached[] = $after;
             // Kills that all come too early, or too late, would test one place only, whatever the speed of the machine.
             $span = $after === $before ? (int) (1.3 * $span) : self::SPAN;
-            if ($after === 180) {
+            if ($after === 120) {
                 $this->execute('DROP TABLE ldem_4, ldem_import');
             }
         }
@@ -75,8 +75,8 @@ final class InterruptedImportTest extends ImportTestCase
         self::assertStringContainsString('run this again', $run->errors);
         $again = $this->import([$label]);
         self::assertDone($again);
-        self::assertMatchesRegularExpression('/going on after line (40|80|120|160)\n/', $again->errors);
-        self::assertSame($this->checksum('row_index < 180', ImportedModels::ldem4()), $this->checksum());
+        self::assertMatchesRegularExpression('/going on after line (40|80)\n/', $again->errors);
+        self::assertSame($this->checksum('row_index < 120', ImportedModels::ldem4()), $this->checksum());
     }
 
     public function testImportConnectionKilledByTheAdministratorLosesNothing(): void
@@ -108,7 +108,7 @@ final class InterruptedImportTest extends ImportTestCase
         self::assertStringContainsString('waiting up to 600 s', $second->errors);
         self::assertStringContainsString('is in ldem_4 already', $second->errors);
         self::assertSame($first->output, $second->output);
-        self::assertSame(259200, $this->value('SELECT COUNT(*) FROM ldem_4'));
+        self::assertSame(172800, $this->value('SELECT COUNT(*) FROM ldem_4'));
     }
 
     public function testImportDiskFullSaysSoAndGoesOnLater(): void
@@ -126,19 +126,19 @@ final class InterruptedImportTest extends ImportTestCase
             self::assertStringContainsString('Make room and run this again: it goes on where it stopped.', $run->errors);
             exec('mount -o remount,size=512m ' . escapeshellarg($folder));
             self::assertDone($this->import([$label]));
-            self::assertSame($this->checksum('row_index < 180', ImportedModels::ldem4()), $this->checksum());
+            self::assertSame($this->checksum('row_index < 120', ImportedModels::ldem4()), $this->checksum());
             $this->execute('DROP TABLE ldem_4, ldem_import');
         } finally {
             exec('umount -l ' . escapeshellarg($folder));
         }
     }
 
-    /** The northern quarter of the real model as a product of its own: five transactions. */
+    /** The north of the real model as a product of its own: three transactions. */
     private function northernProduct(): string
     {
-        $samples = (string) file_get_contents(Parts::ldem4Image(), length: 180 * 2880);
+        $samples = (string) file_get_contents(Parts::ldem4Image(), length: 120 * 2880);
 
-        return LabelText::writeProduct($this->folder, 'LDEM_4_45N_90N', [90, 45, 0, 360], $samples);
+        return LabelText::writeProduct($this->folder, 'LDEM_4_60N_90N', [90, 60, 0, 360], $samples);
     }
 
     private function rowsDone(): int

@@ -22,12 +22,12 @@ public sealed class LensSceneTests
     [Theory]
     [MemberData(nameof(Lenses))]
     public void Run_RuggedModel_ShowsWhatRaysMeet(string lens) =>
-        Compare(FunctionGrid.Rugged(16), lens, TestLength.Of(24, 60), TestLength.Of(18, 45), RenderScenes.Names, 0.125, -0.375);
+        Compare(FunctionGrid.Rugged(16), lens, TestLength.Of(16, 60), TestLength.Of(12, 45), RenderScenes.Names, 0.125, -0.375);
 
     [RequiresTheory(Part.Ldem4)]
     [MemberData(nameof(Lenses))]
     public void Run_RealModel_ShowsWhatRaysMeet(string lens) => Compare(
-        MemoryElevationGrid.Ldem4(), lens, TestLength.Of(70, 200), TestLength.Of(52, 150),
+        MemoryElevationGrid.Ldem4(), lens, TestLength.Of(48, 200), TestLength.Of(36, 150),
         ["far", "oblique-20km", "limb", "inside-crater", "half-sky", "wide-angle", "disc-1e9"], 0.0, 0.0);
 
     [Theory]

@@ -1,7 +1,6 @@
-using Msisf.App.Host;
 using Msisf.Core.Errors;
 
-namespace Msisf.Cli.Output;
+namespace Msisf.App.Host;
 
 /// <summary>Writes log lines to standard error, because standard output is for results only. Thread-safe.</summary>
 internal sealed class ConsoleLog(TextWriter error) : ILog

@@ -1,0 +1,134 @@
+"""HTTP to the server: one connection per thread, kept open."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import socket
+import ssl
+import threading
+from email.message import Message
+from email.parser import BytesHeaderParser
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple
+from urllib.parse import urlsplit
+
+from ._errors import RequestError, ServerError
+
+
+class Part(NamedTuple):
+    """A part of an answer with several."""
+
+    name: str
+    headers: Message
+    content: bytes
+
+
+class UnixConnection(http.client.HTTPConnection):
+    """A connection by a Unix socket."""
+
+    def __init__(self, path: str, timeout: float) -> None:
+        super().__init__("localhost", timeout=timeout)
+        self._path = path
+
+    def connect(self) -> None:
+        self.sock = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        self.sock.settimeout(self.timeout)
+        self.sock.connect(self._path)
+
+
+class Http:
+    """Sends requests to a server."""
+
+    def __init__(self, address: str, token: Optional[str], timeout: float, context: Optional[ssl.SSLContext]) -> None:
+        self.address = address
+        self.timeout = timeout
+        self._token = token
+        self._context = context
+        self._local = threading.local()
+        self._open: List[http.client.HTTPConnection] = []
+        self._gate = threading.Lock()
+
+    def headers(self) -> Dict[str, str]:
+        """The headers of every request."""
+        return {"Authorization": f"Bearer {self._token}"} if self._token else {}
+
+    def connection(self) -> http.client.HTTPConnection:
+        """A new connection."""
+        url = urlsplit(self.address)
+        if url.scheme == "http":
+            return http.client.HTTPConnection(url.hostname or "localhost", url.port, timeout=self.timeout)
+        if url.scheme == "https":
+            return http.client.HTTPSConnection(url.hostname or "localhost", url.port, timeout=self.timeout, context=self._context)
+        return UnixConnection(self.address, self.timeout)
+
+    def get(self, path: str) -> Any:
+        """Asks for JSON."""
+        return json.loads(self._send("GET", path, None, "application/json")[1])
+
+    def post(self, path: str, body: Mapping[str, Any], accept: str) -> Tuple[http.client.HTTPMessage, bytes]:
+        """Sends JSON; the answer's headers and content."""
+        return self._send("POST", path, json.dumps(body, allow_nan=False).encode(), accept)
+
+    def close(self) -> None:
+        """Closes the connections of all threads."""
+        with self._gate:
+            for connection in self._open:
+                connection.close()
+            self._open.clear()
+        self._local = threading.local()
+
+    def _send(self, method: str, path: str, body: Optional[bytes], accept: str) -> Tuple[http.client.HTTPMessage, bytes]:
+        headers = {**self.headers(), "Accept": accept}
+        if body is not None:
+            headers["Content-Type"] = "application/json"
+        kept = getattr(self._local, "connection", None)
+        if kept is not None:
+            try:
+                return self._exchange(kept, method, path, body, headers)
+            except (ConnectionError, http.client.BadStatusLine):
+                kept.close()  # the server closes connections that were idle for long
+        connection = self.connection()
+        with self._gate:
+            self._open = [other for other in self._open if other.sock is not None] + [connection]
+        self._local.connection = connection
+        try:
+            return self._exchange(connection, method, path, body, headers)
+        except (OSError, http.client.HTTPException) as error:
+            self._local.connection = None
+            connection.close()
+            raise ServerError(f"{self.address}: no answer of the server: {error}") from error
+
+    @staticmethod
+    def _exchange(
+        connection: http.client.HTTPConnection, method: str, path: str, body: Optional[bytes], headers: Dict[str, str]
+    ) -> Tuple[http.client.HTTPMessage, bytes]:
+        connection.request(method, path, body, headers)
+        answer = connection.getresponse()
+        content = answer.read()
+        if answer.status != 200:
+            raise problem_of(answer.status, content)
+        return answer.headers, content
+
+
+def problem_of(status: int, content: bytes) -> RequestError:
+    """The exception for an answer that tells a problem (RFC 9457)."""
+    try:
+        problem = json.loads(content)
+        return RequestError(problem["detail"], status, problem.get("options", []))
+    except (ValueError, KeyError, TypeError):
+        return RequestError(f"the server answers with status {status}", status)
+
+
+def parts_of(headers: Message, content: bytes) -> Dict[str, Part]:
+    """The parts of a multipart answer by their names; each says its length, so content is never searched."""
+    boundary = b"--" + (headers.get_boundary() or "").encode()
+    parts: Dict[str, Part] = {}
+    place = content.index(boundary) + len(boundary)
+    while content[place : place + 2] == b"\r\n":
+        end = content.index(b"\r\n\r\n", place) + 4
+        head = BytesHeaderParser().parsebytes(content[place + 2 : end])
+        length = int(head["Content-Length"])
+        part = Part(head.get_filename() or "", head, content[end : end + length])
+        parts[part.name] = part
+        place = end + length + 2 + len(boundary)
+    return parts

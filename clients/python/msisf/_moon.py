@@ -1,0 +1,227 @@
+"""The Moon: draws images by a server."""
+
+from __future__ import annotations
+
+import datetime
+import io
+import json
+import ssl
+import threading
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Tuple, Type, Union
+from urllib.parse import urlencode
+
+import numpy as np
+
+from ._camera import AnyCamera, Camera, options_of
+from ._errors import MsisfError
+from ._frame import Frame, View
+from ._http import Http, parts_of
+from ._process import ServerProcess
+from ._stream import Stream
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+#: MJD (days, UTC), ISO 8601 with its zone, or a datetime with its zone.
+Time = Union[float, str, datetime.datetime]
+
+
+class Moon:
+    """The Moon, drawn by a server. A server is started if none is given, and ended by ``close`` or at the end of ``with``.
+
+    Safe for several threads, each of which has a connection of its own.
+
+    Args:
+        address: Of a running server, e.g. "http://127.0.0.1:8810" or the path of its Unix socket; None to start one.
+        token: Of the server's --token-file.
+        model: Elevation model, a name of ``models()``; None for the first.
+        camera: For images that name none.
+        program: Path of msis, to start it; None to look for it.
+        serve: Options of msis serve, e.g. ["--ldem", "models"].
+        timeout: Seconds to wait for an answer.
+        context: Of TLS, for certificates of your own.
+        options: Further options of all images under the names of the command line, "-" as "_": ``samples=4``, ``reflectance="hapke"``.
+    """
+
+    def __init__(
+        self,
+        address: Optional[str] = None,
+        *,
+        token: Optional[str] = None,
+        model: Optional[str] = None,
+        camera: AnyCamera = Camera(),
+        program: Optional[str] = None,
+        serve: Sequence[str] = (),
+        timeout: float = 120.0,
+        context: Optional[ssl.SSLContext] = None,
+        **options: Any,
+    ) -> None:
+        self._process = ServerProcess(program, serve) if address is None else None
+        self._camera = camera
+        self._options = _named(options)
+        if model is not None:
+            self._options["model"] = model
+        self._local = threading.local()
+        self._http = Http(address or (self._process.address if self._process else ""), token, timeout, context)
+
+    @property
+    def address(self) -> str:
+        """Where the server is."""
+        return self._http.address
+
+    @property
+    def last_times(self) -> Dict[str, float]:
+        """ms that the server took for the last image of ``render`` in this thread: "wait", "draw" and "write"."""
+        times: Dict[str, float] = getattr(self._local, "times", {})
+        return times
+
+    def render(
+        self,
+        position: "ArrayLike",
+        orientation_xyz0: Optional["ArrayLike"] = None,
+        time: Time = 55289.0,
+        *,
+        look_at: Union[str, Sequence[float], None] = None,
+        nadir: bool = False,
+        camera: Optional[AnyCamera] = None,
+        layers: Sequence[str] = (),
+        **options: Any,
+    ) -> Frame:
+        """Draws an image.
+
+        Args:
+            position: m, MOON_ME (mean Earth/polar axis) with ``orientation_xyz0``; else (latitude, longitude, height): degrees,
+                degrees east, m over the sphere of 1 737 400 m.
+            orientation_xyz0: Unit quaternion (qx, qy, qz, q0) that turns camera axes (looks along -x, y right, z up) into MOON_ME.
+            time: MJD (days, UTC), ISO 8601 with its zone, or a datetime with its zone.
+            look_at: In place of the quaternion: (latitude, longitude[, height]), "sun", or "horizon:AZIMUTH".
+            nadir: In place of the quaternion: look straight down.
+            camera: A Camera, the name of a preset, or a mapping with the keys of a camera file.
+            layers: Names of ground truth layers, e.g. ["depth", "normal"]; ``models()["layers"]`` has all.
+            options: Further options of the command line, "-" as "_": ``samples=9``, ``sun="disc"``.
+
+        Raises:
+            RequestError: The server refuses the request, and says why.
+            ServerError: The server does not answer.
+        """
+        request = self._request(position, orientation_xyz0, time, look_at, nadir, camera, options)
+        if layers:
+            request.update({"layers": list(layers), "layers-format": "npy"})
+        headers, content = self._http.post("/v1/render", request, "multipart/mixed, application/x-npy, application/json")
+        self._local.times = _times(headers.get("Server-Timing", ""))
+        parts = parts_of(headers, content)
+        arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
+        image = arrays.pop("image")
+        warning = headers.get("X-Msisf-Warning")
+        for_truth = {name: value for name, value in request.items() if name not in ("layers", "layers-format")}
+        return Frame(self, for_truth, image, arrays, json.loads(parts["json"].content), [warning] if warning else [])
+
+    def view(
+        self, position: "ArrayLike", orientation_xyz0: "ArrayLike", time: Time = 55289.0, *, camera: Optional[Camera] = None, **options: Any
+    ) -> View:
+        """A camera without its image: nothing is drawn, but the Moon can be asked what it would see.
+
+        Args:
+            position: m, MOON_ME.
+            orientation_xyz0: Unit quaternion (qx, qy, qz, q0) that turns camera axes (looks along -x, y right, z up) into MOON_ME.
+            time: As for ``render``.
+            camera: A Camera.
+            options: As for ``render``.
+        """
+        pinhole = camera if camera is not None else self._camera
+        if not isinstance(pinhole, Camera):
+            raise MsisfError("a view needs an msisf.Camera; render() takes presets and camera files")
+        request = self._request(position, orientation_xyz0, time, None, False, pinhole, options)
+        focal = 0.5 * pinhole.width / np.tan(np.radians(0.5 * pinhole.fov))
+        K = np.array([[focal, 0.0, 0.5 * (pinhole.width - 1)], [0.0, focal, 0.5 * (pinhole.height - 1)], [0.0, 0.0, 1.0]])
+        turn = np.asarray(orientation_xyz0, dtype=float).ravel()
+        x, y, z, w = turn / np.linalg.norm(turn)
+        moon_from_camera = np.array([
+            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)],
+            [2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)],
+            [2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)],
+        ])  # fmt: skip
+        R = np.array([moon_from_camera[:, 1], -moon_from_camera[:, 2], -moon_from_camera[:, 0]])
+        return View(self, request, K, R, -R @ np.asarray(position, dtype=float).ravel())
+
+    def stream(self, *, camera: Optional[AnyCamera] = None, newest_only: bool = False, **options: Any) -> Stream:
+        """Opens a stream for closed loops: states go in, grey images come out, with less to send and to read than ``render``.
+
+        Args:
+            camera: As for ``render``; the same for all images.
+            newest_only: Leave out states that are older than another one that waits; the default draws all, in their order.
+            options: As for ``render``.
+        """
+        frame = {**self._options, **options_of(camera if camera is not None else self._camera), **_named(options)}
+        return Stream(self._http, frame, newest_only)
+
+    def models(self) -> Dict[str, Any]:
+        """The names that requests may use: models, maps, cameras, laws of reflectance and layers."""
+        answer: Dict[str, Any] = self._http.get("/v1/models")
+        return answer
+
+    def sun(self, time: Time, place: Optional[Tuple[float, float]] = None) -> Dict[str, Any]:
+        """Where the Sun is at a time, and where it stands in the sky of a place (latitude, longitude in degrees)."""
+        query = {"mjd" if isinstance(time, (int, float)) else "utc": _time(time)}
+        if place is not None:
+            query.update({"latitude": repr(float(place[0])), "longitude": repr(float(place[1]))})
+        answer: Dict[str, Any] = self._http.get(f"/v1/sun?{urlencode(query)}")
+        return answer
+
+    def close(self) -> None:
+        """Closes the connections, and ends the server if it was started here."""
+        self._http.close()
+        if self._process is not None:
+            self._process.close()
+            self._process = None
+
+    def __enter__(self) -> "Moon":
+        return self
+
+    def __exit__(
+        self, kind: Optional[Type[BaseException]], error: Optional[BaseException], trace: Optional[TracebackType]
+    ) -> None:
+        self.close()
+
+    def _post(self, path: str, body: Mapping[str, Any]) -> Any:
+        return json.loads(self._http.post(path, body, "application/json")[1])
+
+    def _request(
+        self,
+        position: "ArrayLike",
+        orientation: Optional["ArrayLike"],
+        time: Time,
+        look_at: Union[str, Sequence[float], None],
+        nadir: bool,
+        camera: Optional[AnyCamera],
+        options: Mapping[str, Any],
+    ) -> Dict[str, Any]:
+        if (orientation is not None) + (look_at is not None) + nadir != 1:
+            raise MsisfError("give one of orientation_xyz0, look_at and nadir=True: it says how the camera points")
+        place = [float(number) for number in np.asarray(position, dtype=float).ravel()]
+        request = {**self._options, **options_of(camera if camera is not None else self._camera), **_named(options)}
+        if orientation is not None:
+            turn = [float(number) for number in np.asarray(orientation, dtype=float).ravel()]
+            request["fixed-state"] = [_time(time), *place, *turn]
+        else:
+            request.update({"position": place, "time": _time(time)})
+            request["look-at"] = "nadir" if nadir else look_at if isinstance(look_at, str) else [float(x) for x in look_at or ()]
+        return request
+
+
+def _named(options: Mapping[str, Any]) -> Dict[str, Any]:
+    return {name.replace("_", "-"): value for name, value in options.items()}
+
+
+def _times(text: str) -> Dict[str, float]:
+    pairs = (entry.strip().split(";dur=") for entry in text.split(",") if ";dur=" in entry)
+    return {name: float(value) for name, value in pairs}
+
+
+def _time(time: Time) -> str:
+    if isinstance(time, datetime.datetime):
+        if time.tzinfo is None:
+            raise MsisfError("the time has no zone; give datetime(..., tzinfo=timezone.utc)")
+        return time.isoformat()
+    return time if isinstance(time, str) else repr(float(time))

@@ -1,0 +1,59 @@
+"""The server that the client starts if none is given."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import threading
+from pathlib import Path
+from typing import List, Optional, Sequence
+
+from ._errors import ServerError
+
+
+class ServerProcess:
+    """A running ``msis serve`` at a free port of this computer."""
+
+    def __init__(self, program: Optional[str], options: Sequence[str]) -> None:
+        command: List[str] = [program or find_program(), "serve", "--listen", "127.0.0.1:0", *options]
+        try:
+            self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        except OSError as error:
+            raise ServerError(f"{command[0]}: can't be started: {error}") from error
+        assert self._process.stdout is not None and self._process.stderr is not None
+        self.address = self._process.stdout.readline().strip()
+        if not self.address:
+            text = self._process.stderr.read().strip()
+            self._process.wait()
+            raise ServerError(f"{command[0]} serve ended: {text}")
+        # Nobody reads further messages: a full pipe would hold the server up.
+        self._reader = threading.Thread(target=self._process.stderr.read, daemon=True)
+        self._reader.start()
+
+    def close(self) -> None:
+        """Ends the server, which finishes what it is doing."""
+        if self._process.poll() is None:
+            self._process.terminate()
+            try:
+                self._process.wait(30.0)
+            except subprocess.TimeoutExpired:
+                self._process.kill()
+                self._process.wait()
+        for pipe in (self._process.stdin, self._process.stdout):
+            if pipe is not None:
+                pipe.close()
+
+
+def find_program() -> str:
+    """msis: of MSISF_PROGRAM, on the PATH, or in the tree that this file lies in."""
+    named = os.environ.get("MSISF_PROGRAM")
+    if named:
+        return named
+    found = shutil.which("msis")
+    if found:
+        return found
+    for folder in Path(__file__).resolve().parents:
+        if (folder / "msis").is_file() and (folder / "kernels").is_dir():
+            return str(folder / "msis")
+    raise ServerError("msis is not on the PATH; name it with Moon(program=...) or the variable MSISF_PROGRAM")

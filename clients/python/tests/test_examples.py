@@ -1,0 +1,27 @@
+"""The examples do what they promise."""
+
+import closed_loop
+import data_set
+import numpy as np
+
+
+def test_closed_loop_finds_its_position(moon):
+    errors = closed_loop.run(moon, frames=300)
+
+    assert errors.shape == (300,)
+    # The filter begins 2.2 km off. A pixel is 2.3 km on the ground, and spots are found to a tenth of a pixel.
+    assert np.median(errors[-100:]) < 300.0
+    assert errors[-100:].max() < 1000.0
+
+
+def test_data_set_has_images_with_their_truth(moon, tmp_path):
+    data_set.make(moon, tmp_path, count=3)
+
+    files = sorted(tmp_path.glob("*.npz"))
+    assert [file.name for file in files] == ["00000.npz", "00001.npz", "00002.npz"]
+    with np.load(files[0]) as sample:
+        assert sample["image"].shape == sample["depth"].shape == (256, 256)
+        assert sample["image"].max() > 20
+        # The light falls on what is bright: lit pixels face the Sun.
+        lit = sample["mask"] == 1
+        assert (sample["normal"][lit] @ sample["sun_direction"] > -1e-6).all()

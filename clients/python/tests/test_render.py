@@ -1,0 +1,132 @@
+"""Moon.render against what geometry says, and against msis itself."""
+
+import datetime
+import subprocess
+
+import msisf
+import numpy as np
+import pytest
+from msisf import _process
+
+STATE = {"position": (1.9e6, 0.0, 0.0), "orientation_xyz0": (0.0, 0.0, 0.0, 1.0), "time": 55289.0}
+SMALL = msisf.Camera(64, 48, 40.0)
+
+
+def test_image_is_that_of_msis(moon, tmp_path):
+    subprocess.run(
+        [_process.find_program(), "--fixed-state", "{55289,1.9e6,0,0,0,0,0,1}", "--width", "64", "--height", "48", "--renderer", "native",
+         "--layers", "depth,radiance-factor", "--layers-format", "npy", "--output-dir", str(tmp_path), "--batch"],
+        check=True, capture_output=True,
+    )  # fmt: skip
+
+    frame = moon.render(**STATE, camera=SMALL, layers=["depth", "radiance-factor"])
+
+    assert frame.image.shape == (48, 64) and frame.image.dtype == np.uint8
+    for name in ("depth", "radiance-factor"):
+        (path,) = tmp_path.glob(f"*.{name}.npy")
+        np.testing.assert_array_equal(frame.layers[name], np.load(path))
+    assert frame.image.max() > 50
+
+
+def test_camera_looks_along_minus_x_with_y_to_the_right(moon):
+    frame = moon.render(**STATE, camera=SMALL)
+
+    # The focal length is half the width over the tangent of half the field of view.
+    assert frame.K[0, 0] == pytest.approx(32.0 / np.tan(np.radians(20.0)), rel=1e-12)
+    np.testing.assert_allclose(frame.project([1.7374e6, 0.0, 0.0]), [31.5, 23.5], atol=1e-9)
+    right = frame.project([[1.7374e6, 1e4, 0.0], [1.7374e6, 0.0, 1e4], [2e6, 0.0, 0.0]])
+    assert right[0, 0] > 31.5 and right[0, 1] == pytest.approx(23.5)
+    assert right[1, 1] < 23.5  # z is up
+    assert np.isnan(right[2]).all()  # behind the camera
+
+
+def test_depth_normals_and_sun_fit_together(moon):
+    frame = moon.render(position=(10.0, 20.0, 1e5), time="2010-04-03T00:00:00Z", nadir=True, camera=SMALL, layers=["depth", "position", "normal", "incidence"])
+
+    ahead = frame.layers["position"] @ frame.R.T + frame.t
+    np.testing.assert_allclose(ahead[..., 2], frame.depth, rtol=1e-9)
+    np.testing.assert_allclose(np.linalg.norm(frame.normals, axis=2), 1.0, atol=1e-12)
+    incidence = np.degrees(np.arccos(np.clip(frame.normals @ frame.sun_direction, -1.0, 1.0)))
+    np.testing.assert_allclose(incidence, frame.incidence, atol=1e-3)  # degrees; the Sun is far, but not infinitely
+
+
+def test_locate_and_project_are_inverse(moon):
+    frame = moon.render(position=(10.0, 20.0, 1e5), time=55289.0, look_at=(10.5, 20.5), camera=SMALL)
+    pixels = np.array([[0.0, 0.0], [31.5, 23.5], [12.25, 40.75]])
+
+    points = frame.locate(pixels)
+
+    np.testing.assert_allclose(frame.project([point.position for point in points]), pixels, atol=1e-6)
+    seen = frame.visible([[point.latitude, point.longitude, point.height] for point in points])
+    np.testing.assert_allclose([[one["x"], one["y"]] for one in seen], pixels, atol=1e-6)
+
+
+def test_view_has_the_camera_of_the_drawn_frame(moon):
+    state = {**STATE, "orientation_xyz0": np.array([0.1, -0.2, 0.05, 1.0]) / np.linalg.norm([0.1, -0.2, 0.05, 1.0])}
+    drawn = moon.render(**state, camera=SMALL)
+
+    frame = moon.view(**state, camera=SMALL)
+
+    np.testing.assert_allclose(frame.K, drawn.K, rtol=1e-15)
+    np.testing.assert_allclose(frame.R, drawn.R, atol=1e-15)
+    np.testing.assert_allclose(frame.t, drawn.t, atol=1e-6)
+    assert frame.locate([[10.0, 23.0]])[0].height == drawn.locate([[10.0, 23.0]])[0].height
+
+
+def test_sky_is_no_surface_point(moon):
+    frame = moon.render(position=(0.0, 0.0, 1e5), time=55289.0, look_at="horizon:90", camera=SMALL)
+
+    assert frame.locate([[31.5, 0.0]]) == [None]
+
+
+def test_times_are_the_same(moon):
+    when = datetime.datetime(2010, 4, 3, tzinfo=datetime.timezone.utc)
+    by_mjd, by_text, by_date = (
+        moon.render(position=(0.0, 0.0, 1e5), time=time, nadir=True, camera=SMALL) for time in (55289.0, "2010-04-03T00:00:00Z", when)
+    )
+
+    np.testing.assert_array_equal(by_mjd.image, by_text.image)
+    np.testing.assert_array_equal(by_mjd.image, by_date.image)
+    assert by_date.utc.startswith("2010-04-03T00:00:00")
+
+
+def test_options_go_by_the_names_of_the_command_line(moon):
+    frame = moon.render(**STATE, camera=SMALL, bit_depth=16, reflectance="lambert", samples=4)
+
+    assert frame.image.dtype == np.uint16
+    assert "--samples 4" in frame.meta["GeneralInformation"]["CommandLine"]
+
+
+def test_camera_file_and_preset(moon):
+    own = moon.render(**STATE, camera={"width": 40, "height": 30, "focal-length-px": [50, 51], "principal-point": [19, 16]})
+
+    assert own.K[0, 0] == 50.0 and own.K[1, 1] == 51.0
+    np.testing.assert_allclose(own.K[:2, 2], [18.0, 15.0])  # the file counts from 1
+    assert any(camera["name"] == "clementine-uvvis" for camera in moon.models()["cameras"])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "text"),
+    [
+        ({"camera": msisf.Camera(64, 64, 500.0)}, "--fov is 500"),
+        ({"layers": ["depht"]}, "did you mean depth"),
+        ({"widht": 5}, "did you mean width"),
+        ({"camera": "cassini"}, "which the server does not have"),
+    ],
+)
+def test_wrong_request_says_what_the_server_says(moon, wrong, text):
+    with pytest.raises(msisf.RequestError, match=text) as error:
+        moon.render(**STATE, **wrong)
+    assert error.value.status == 400
+
+
+def test_two_ways_to_point_are_refused(moon):
+    with pytest.raises(msisf.MsisfError, match="orientation_xyz0, look_at and nadir"):
+        moon.render(**STATE, nadir=True)
+    with pytest.raises(msisf.MsisfError, match="has no zone"):
+        moon.render(position=(0, 0, 1e5), time=datetime.datetime(2010, 4, 3), nadir=True)
+
+
+def test_layer_that_was_not_asked_for_is_named(moon):
+    with pytest.raises(AttributeError, match="layers are asked for"):
+        _ = moon.render(**STATE, camera=SMALL).depth

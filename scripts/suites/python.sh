@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Suite: pytest on clients/python, with the program that test.sh built before. Started by test.sh in the repository root.
+set -euo pipefail
+. scripts/lib/common.sh
+. scripts/lib/packages.sh
+. scripts/lib/results.sh
+
+[ -d clients/python ] || exit 0
+for part in numpy pytest; do
+    if ! part_is_here "$part"; then
+        record skipped python "all tests (missing: $part)"
+        exit 0
+    fi
+done
+if [ ! -x publish/msis-server ] || [ -n "${MSISF_BUILD_FAILED:-}" ]; then
+    record skipped python 'all tests (missing: the build)'
+    exit 0
+fi
+if [ ! -e input/ldem/LDEM_4.LBL ]; then
+    record skipped python 'all tests (missing: LDEM_4)'
+    exit 0
+fi
+
+# One thread: more of them only wait for each other on small arrays.
+export MSISF_PROGRAM=$PWD/msis OPENBLAS_NUM_THREADS=1
+report=$PWD/TestResults/python.xml
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+code=0
+mkdir -p "${report%/*}"
+rm -f "$report"
+(cd clients/python && within 900 /usr/bin/python3 -B -m pytest -q -p no:cacheprovider --junit-xml "$report") || code=$?
+record_report python "$report"
+if [ "$code" -ne 0 ] && [ "$(count failed python)" -eq 0 ]; then
+    record failed python "pytest ended with exit code $code"
+fi
+
+# Of a copy: setuptools writes beside the sources. Nothing is fetched.
+if part_is_here pip; then
+    cp -r clients/python "$work/client"
+    check python 'pip install' /usr/bin/python3 -m pip install -q --disable-pip-version-check --root-user-action=ignore \
+        --no-build-isolation --no-deps --no-index --target "$work/site" "$work/client"
+    check python 'import of the installed package' env PYTHONPATH="$work/site" \
+        /usr/bin/python3 -c 'import msisf, pathlib; assert (pathlib.Path(msisf.__file__).parent / "py.typed").exists()'
+else
+    record skipped python 'pip install (missing: pip)'
+fi

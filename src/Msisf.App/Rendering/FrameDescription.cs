@@ -1,0 +1,55 @@
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.Core.Camera;
+using Msisf.Core.Layers;
+using Msisf.Core.Metadata;
+using Msisf.Core.Tracing;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>Says about the frames of a run what their meta files and layers tell beside the image. Thread-safe.</summary>
+/// <param name="settings">The run's settings.</param>
+/// <param name="model">The elevation model.</param>
+/// <param name="version">Version of the program.</param>
+/// <param name="inputs">The files that the frames are made from; may wait for their checksums.</param>
+internal sealed class FrameDescription(
+    RenderSettings settings, ElevationModel model, string version, Func<IReadOnlyList<InputFile>> inputs)
+{
+    /// <summary>What the meta file says of the whole frame.</summary>
+    /// <param name="frame">The frame.</param>
+    /// <param name="rendered">The result of the renderer.</param>
+    /// <param name="arguments">The canonical arguments of the frame.</param>
+    public FrameMetadata Describe(Frame frame, RenderedFrame rendered, string arguments) => new(
+        frame.Time,
+        frame.Camera,
+        settings.FieldOfViewDegrees,
+        frame.Light.PositionMoonMe,
+        new DrawnElevation(
+            model.Grid.ProductId, model.Set.IsSynthetic, model.Grid.Projection.Resolution, rendered.Drawn.Finest, rendered.Drawn.Coarsest),
+        model.HeightOverTerrain(frame.Camera.PositionMoonMe),
+        version,
+        arguments,
+        rendered.Renderer,
+        inputs());
+
+    /// <summary>The pixels that the meta file lists.</summary>
+    public PixelSampler Sampler(Frame frame, RenderedFrame rendered)
+    {
+        PixelGrid grid = new(frame.Camera.Width, frame.Camera.Height, settings.GridHorizontal, settings.GridVertical);
+        if (settings.Surface == PixelSurface.Sphere)
+        {
+            return new PixelSampler(frame.Camera, grid, ReferenceSphere.Lola, frame.Light.PositionMoonMe);
+        }
+
+        ArgumentNullException.ThrowIfNull(rendered.Truth);
+        return new PixelSampler(grid, rendered.Truth, rendered.Resolution.PixelsPerDegree);
+    }
+
+    /// <summary>What the layers' headers say of their origin.</summary>
+    public LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
+        model.Grid.ProductId,
+        rendered.Resolution,
+        model.Grid.Projection.Resolution.HalvingsTo(rendered.Resolution),
+        metadata.RendererName,
+        settings.Albedo.Band);
+}

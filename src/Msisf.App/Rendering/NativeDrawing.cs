@@ -1,0 +1,116 @@
+using Msisf.Adapters.Albedo;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.Core.Camera;
+using Msisf.Core.Detector;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
+using Msisf.Core.Terrain;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>Draws frames of one camera and one set of options with the program's own renderer, in memory. Thread-safe.</summary>
+internal sealed class NativeDrawing
+{
+    /// <summary>
+    /// Number of frames after which the model's memory pages are released. Mapping the pages of the next frames again takes some ms, which
+    /// is little compared with the time of 16 frames.
+    /// </summary>
+    private const int FramesBetweenReleases = 16;
+
+    private readonly NativeRenderOptions _options;
+    private readonly ITerrainGrid _model;
+    private readonly OpenedAlbedoMap? _map;
+    private readonly NativeLevels _levels;
+    private readonly DetectorsOfRun? _detectors;
+    private readonly RunTimes _times;
+    private int _frames;
+
+    public NativeDrawing(NativeSettings settings, ITerrainGrid model, SurfaceInputs maps, NativeLevels levels, RunTimes times)
+    {
+        Settings = settings;
+        Grey = new GreyTable(settings.Grey, settings.BitDepth);
+        _options = settings.Render with { Albedo = maps.Albedo?.Map, Hapke = maps.Hapke?.Map };
+        _model = model;
+        _map = maps.Albedo;
+        _levels = levels;
+        _detectors = settings.Detector is null ? null : new DetectorsOfRun(settings.Detector.Settings);
+        _times = times;
+    }
+
+    /// <summary>The settings of the renderer.</summary>
+    public NativeSettings Settings { get; }
+
+    /// <summary>Turns radiance factors into grey levels.</summary>
+    internal GreyTable Grey { get; }
+
+    /// <summary>Draws a frame.</summary>
+    /// <param name="frame">The frame.</param>
+    /// <param name="threads">Number of threads; the image does not depend on it.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    /// <returns>The image. Dispose it so that later frames can use its memory.</returns>
+    public NativeImage Draw(Frame frame, int threads, CancellationToken cancellation)
+    {
+        CameraDetector? detector = _detectors?.Of(frame.Camera.Model, threads);
+        PinholeCamera window = detector is null or { Margin: 0 }
+            ? frame.Camera
+            : new PinholeCamera(frame.Camera.PositionMoonMe, frame.Camera.MoonFromCamera, detector.WindowModel);
+        NativeRenderer renderer = _levels.For(window, Settings.Render.SubsamplesPerAxis);
+        NativeRenderOptions options = frame.Motion is { IsRest: false } ? _options with { KeepGroundTruth = true } : _options;
+        NativeFrame drawn = Draw(renderer, window, frame, options, threads, cancellation);
+        try
+        {
+            DetectorImage? detected = detector is null ? null : Expose(detector, renderer, frame, drawn, threads, cancellation);
+            return new NativeImage(this, renderer.Resolution, frame, drawn, detector, detected);
+        }
+        catch
+        {
+            drawn.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Counts a frame whose image is done with, and releases the model's memory pages now and then.</summary>
+    internal void Finished()
+    {
+        if (Interlocked.Increment(ref _frames) % FramesBetweenReleases == 0)
+        {
+            _model.ReleasePages(); // an orbit would have the whole model in memory in the end
+            _map?.ReleasePages();
+        }
+    }
+
+    private NativeFrame Draw(
+        NativeRenderer renderer, PinholeCamera camera, Frame frame, NativeRenderOptions options, int threads,
+        CancellationToken cancellation) =>
+        _times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
+
+    /// <summary>Sums up the exposure of a frame and reads it out.</summary>
+    /// <param name="detector">The detector.</param>
+    /// <param name="renderer">Draws the other instants of the exposure.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="middle">It at its own time.</param>
+    /// <param name="threads">Number of threads.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    private DetectorImage Expose(
+        CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, int threads, CancellationToken cancellation)
+    {
+        CameraMotion motion = frame.Motion ?? default;
+        SubExposures exposures = _times.Measure(
+            Phase.Detector, () => detector.SubExposuresOf(middle, motion, threads, cancellation));
+        DetectorImage image = detector.Begin(middle);
+        NativeRenderOptions options = _options with { KeepGroundTruth = false };
+        for (int index = 0; index < exposures.Count; index++)
+        {
+            using NativeFrame? other = index == exposures.Middle
+                ? null
+                : Draw(renderer, motion.Moved(middle.Camera, exposures.TimeOf(index)), frame, options, threads, cancellation);
+            _times.Measure(
+                Phase.Detector, () => detector.Collect(other ?? middle, exposures, index, image, threads, cancellation));
+        }
+
+        _times.Measure(Phase.Detector, () => detector.Read(image, frame.Time, middle.Camera, threads, cancellation));
+        return image;
+    }
+}

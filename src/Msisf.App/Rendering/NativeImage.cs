@@ -1,0 +1,109 @@
+using System.Buffers;
+using System.Runtime.InteropServices;
+using Msisf.Adapters.Render;
+using Msisf.App.Preparation;
+using Msisf.Core.Detector;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>A drawn frame in memory: its grey levels or the numbers of the detector, and its ground truth.</summary>
+internal sealed class NativeImage : IDisposable
+{
+    private readonly NativeDrawing _drawing;
+    private readonly GridResolution _resolution;
+    private readonly NativeFrame _drawn;
+    private readonly CameraDetector? _detector;
+    private readonly IGroundTruth _truth;
+
+    internal NativeImage(
+        NativeDrawing drawing, GridResolution resolution, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
+    {
+        _drawing = drawing;
+        _resolution = resolution;
+        _drawn = drawn;
+        _detector = detector;
+        Detected = detected;
+        _truth = detected is null ? drawn : new DetectedFrame(frame.Camera, drawn, detector!.Margin, detected);
+    }
+
+    /// <summary>What the camera's detector read out; null without a detector.</summary>
+    public DetectorImage? Detected { get; }
+
+    /// <summary>Bytes of a pixel in <see cref="CopyLevels"/>: 1 or 2.</summary>
+    public int BytesPerPixel => Detected is null ? _drawing.Settings.BitDepth / 8 : sizeof(ushort);
+
+    /// <summary>Width of the image, px.</summary>
+    public int Width => _truth.Camera.Width;
+
+    /// <summary>Height of the image, px.</summary>
+    public int Height => _truth.Camera.Height;
+
+    /// <summary>Writes the image as PNG.</summary>
+    public void WritePng(Stream png)
+    {
+        if (Detected is { } detected)
+        {
+            PngWriter.WriteNumbers(png, detected.Numbers, detected.Width, _drawing.Settings.Detector!.Settings.ConverterBits);
+            return;
+        }
+
+        int length = Width * Height * BytesPerPixel;
+        byte[] memory = ArrayPool<byte>.Shared.Rent(length);
+        Span<byte> levels = memory.AsSpan(0, length);
+        CopyLevels(levels);
+        if (BytesPerPixel == 1)
+        {
+            PngWriter.Write(png, levels, Width, _drawing.Settings.Grey.Transfer);
+        }
+        else
+        {
+            PngWriter.Write(png, MemoryMarshal.Cast<byte, ushort>(levels), Width, _drawing.Settings.Grey.Transfer);
+        }
+
+        ArrayPool<byte>.Shared.Return(memory);
+    }
+
+    /// <summary>Copies the grey levels, or the numbers of the detector, by rows from the top, in the byte order of this computer.</summary>
+    /// <param name="levels">Receives them; <see cref="BytesPerPixel"/> for each pixel.</param>
+    public void CopyLevels(Span<byte> levels)
+    {
+        if (Detected is { } detected)
+        {
+            MemoryMarshal.AsBytes<ushort>(detected.Numbers).CopyTo(levels);
+        }
+        else if (BytesPerPixel == 1)
+        {
+            _drawing.Grey.Convert(_drawn.RadianceFactors, levels);
+        }
+        else
+        {
+            _drawing.Grey.Convert(_drawn.RadianceFactors, MemoryMarshal.Cast<byte, ushort>(levels));
+        }
+    }
+
+    /// <summary>The frame as its files are written from it.</summary>
+    /// <param name="image">The image as PNG.</param>
+    public RenderedFrame ToRendered(Stream image) => new(
+        RendererKind.Native,
+        image,
+        "the image",
+        WriteScene: null,
+        _resolution,
+        (_resolution, _resolution),
+        _drawing.Settings.Render.KeepGroundTruth ? _truth : null,
+        Detected);
+
+    /// <summary>Returns the memory to the renderer for later frames.</summary>
+    public void Dispose()
+    {
+        _drawn.Dispose();
+        if (Detected is { } detected)
+        {
+            _detector!.GiveBack(detected);
+        }
+
+        _drawing.Finished();
+    }
+}

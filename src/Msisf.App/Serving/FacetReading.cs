@@ -1,0 +1,7 @@
+namespace Msisf.App.Serving;
+
+/// <summary>A facet of the surface (docs/pattern-format.md).</summary>
+/// <param name="Line">Line of its cell, 0 for the northernmost; -1 is the fan around the north pole.</param>
+/// <param name="Sample">Sample of its cell, from 0.</param>
+/// <param name="Half">Which of the two facets of the cell.</param>
+internal sealed record FacetReading(int Line, int Sample, int Half);

@@ -1,0 +1,114 @@
+using System.Globalization;
+using Msisf.App.Preparation;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
+
+namespace Msisf.App.Serving;
+
+/// <summary>Follows single rays of a frame on the surface that it shows. The Sun is a point. Thread-safe.</summary>
+/// <param name="frame">The frame.</param>
+/// <param name="tracer">Traces rays on the surface.</param>
+internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer)
+{
+    /// <summary>m: how far before a point of the surface a ray towards it may end; rounding on the way from the camera is less.</summary>
+    private const double SamePoint = 1e-3;
+
+    /// <summary>1: from there on straight down to the surface; above the highest point of the Moon.</summary>
+    private const double RadiiOutside = 1.01;
+
+    /// <summary>m: some times the distance of the Sun.</summary>
+    private const double MaxHeight = 1e12;
+
+    /// <summary>Half a pixel: the image begins at 0.5, since 1 is the middle of the first pixel.</summary>
+    private const double HalfPixel = 0.5;
+
+    private readonly PinholeCamera _camera = frame.Camera;
+    private readonly Vector3D _light = frame.Light.PositionMoonMe;
+
+    /// <summary>What a point of the image shows; null if it does not show the Moon.</summary>
+    /// <param name="x">Pixels from 1, to the right; need not be whole.</param>
+    /// <param name="y">Pixels from 1, down.</param>
+    /// <exception cref="BadInputException">The point lies outside the image.</exception>
+    public SurfaceReading? At(double x, double y)
+    {
+        RequireInside(_camera, x, y);
+        Ray ray = _camera.RayThrough(x, y);
+        if (!tracer.TryTrace(ray, out SurfaceHit hit))
+        {
+            return null;
+        }
+
+        bool isDark = frame.Light.IsSun && tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light);
+        return SurfaceReading.Of(_camera, ray, hit, PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, frame.Light), _light);
+    }
+
+    /// <summary>Where a place is seen.</summary>
+    /// <param name="latitudeDegrees">Degrees.</param>
+    /// <param name="longitudeDegrees">Degrees, east.</param>
+    /// <param name="height">m over the reference radius; null for the surface itself.</param>
+    /// <exception cref="BadInputException">A number is out of its range.</exception>
+    public PixelReading Of(double latitudeDegrees, double longitudeDegrees, double? height)
+    {
+        if (Math.Abs(height ?? 0.0) > MaxHeight)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture, $"the height {height} m of a point is beyond {MaxHeight} m. Give metres over the sphere."));
+        }
+
+        Vector3D point = new SurfacePlace(latitudeDegrees, longitudeDegrees, height ?? 0.0, isOverTerrain: false)
+            .ToPositionMoonMe(_ => MoonConstants.ReferenceRadius);
+        bool isLit;
+        if (height is null)
+        {
+            SurfaceHit ground = Ground(point);
+            point = ground.PointMoonMe;
+            isLit = !frame.Light.IsSun || !tracer.IsHidden(point, ground.Facet, _light);
+        }
+        else
+        {
+            isLit = !frame.Light.IsSun || !tracer.TryTrace(new Ray(point, _light - point), out _);
+        }
+
+        Vector3D way = point - _camera.PositionMoonMe;
+        if (!_camera.TryProject(way, out RenderingPoint seen))
+        {
+            return new PixelReading(null, null, Visible: false, "outside the image", isLit);
+        }
+
+        string? hiddenBy = !IsInside(_camera, seen.X, seen.Y) ? "outside the image"
+            : !IsHidden(point, way) ? null
+            : Vector3D.Dot(point, way) > 0.0 ? "limb" : "terrain";
+        return new PixelReading(seen.X, seen.Y, hiddenBy is null, hiddenBy, isLit);
+    }
+
+    /// <summary>Refuses points outside the image.</summary>
+    /// <exception cref="BadInputException">The point lies outside.</exception>
+    public static void RequireInside(PinholeCamera camera, double x, double y)
+    {
+        if (!IsInside(camera, x, y))
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"the pixel ({x}, {y}) lies outside the image of {camera.Width} x {camera.Height} px, whose first pixel is (1, 1)."));
+        }
+    }
+
+    private static bool IsInside(PinholeCamera camera, double x, double y) =>
+        x > HalfPixel && x < camera.Width + HalfPixel && y > HalfPixel && y < camera.Height + HalfPixel;
+
+    private SurfaceHit Ground(Vector3D point)
+    {
+        Vector3D direction = point.Normalized();
+        return tracer.TryTrace(new Ray(RadiiOutside * MoonConstants.ReferenceRadius * direction, -1.0 * direction), out SurfaceHit hit)
+            ? hit
+            : throw new InvalidOperationException("The closed surface has no point on a radius.");
+    }
+
+    private bool IsHidden(Vector3D point, Vector3D way) =>
+        tracer.TryTrace(new Ray(_camera.PositionMoonMe, way), out SurfaceHit hit)
+        && hit.RayParameter * way.Length < way.Length - SamePoint;
+}

@@ -1,0 +1,167 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Json;
+using Msisf.Adapters.Camera;
+using Msisf.Adapters.Input;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Render;
+
+namespace Msisf.App.Serving;
+
+/// <summary>
+/// Reads a frame's options from JSON: keys are the names of the command line without dashes, values what would be typed there, lists as
+/// arrays and flags as true or false. Beside them there are "model", and "camera" may be an object with the keys of a camera file.
+/// </summary>
+internal sealed class JsonOptions
+{
+    private const string ModelKey = "model";
+
+    /// <summary>Name of a camera that the request itself describes.</summary>
+    private const string InlineCamera = "camera";
+
+    private static readonly Dictionary<string, OptionSpec> Allowed = OptionsOfFrame().ToDictionary(
+        option => option.Key, StringComparer.Ordinal);
+
+    private static readonly string[] Ways =
+        [CameraOptions.FixedState.Key, CameraOptions.KeplerSet.Key, CameraOptions.StateVectors.Key, PointingOptions.Position.Key];
+
+    private readonly ServedNames _names;
+    private readonly Dictionary<string, OptionValue> _values = new(StringComparer.Ordinal);
+    private ServedModel? _model;
+    private CameraFile? _camera;
+
+    private JsonOptions(ServedNames names, ServeSettings settings)
+    {
+        _names = names;
+        _values[RendererOptions.Renderer.Name] = new OptionValue([RendererOptions.Renderer.WordOf(RendererKind.Native)]);
+        Put(SurfaceOptions.Ldem, settings.Ldem);
+        Put(LightOptions.Kernels, settings.Kernels);
+    }
+
+    /// <summary>The options that a request may have, in the order of the help text.</summary>
+    public static IEnumerable<OptionSpec> OptionsOfFrame() =>
+    [
+        .. CameraOptions.Group.Options.Except(
+            [CameraOptions.BatchFile, CameraOptions.Times, CameraOptions.TimeInterval]),
+        .. ImageOptions.Group.Options,
+        .. LightOptions.Group.Options.Except([LightOptions.Kernels]),
+        .. SurfaceOptions.Group.Options.Except([SurfaceOptions.Ldem]),
+        .. AlbedoOptions.Group.Options,
+        OutputOptions.Surface, OutputOptions.Grid, OutputOptions.GridHorizontal, OutputOptions.GridVertical,
+        RendererOptions.Renderer,
+        .. NativeOptions.Group.Options,
+    ];
+
+    /// <summary>Reads the options.</summary>
+    /// <param name="given">The members of the object with the options.</param>
+    /// <param name="changes">Options that replace those; null for none.</param>
+    /// <param name="needsPlace">Whether the options must say where the camera is.</param>
+    /// <param name="names">The files that may be named.</param>
+    /// <param name="settings">The server's settings.</param>
+    /// <exception cref="MsisfException">An option is unknown, not allowed, or wrong.</exception>
+    public static RequestedFrame Read(
+        IReadOnlyDictionary<string, JsonElement> given, IReadOnlyDictionary<string, JsonElement>? changes, bool needsPlace,
+        ServedNames names, ServeSettings settings)
+    {
+        JsonOptions options = new(names, settings);
+        IReadOnlyDictionary<string, JsonElement> replaced = changes ?? new Dictionary<string, JsonElement>();
+        foreach ((string key, JsonElement value) in given.Where(pair => !IsReplaced(pair.Key, replaced)).Concat(replaced))
+        {
+            options.Add(key, value);
+        }
+
+        return options.Finish(needsPlace);
+    }
+
+    /// <summary>Whether changes leave an option out: those that say where the camera is replace all of them.</summary>
+    private static bool IsReplaced(string key, IReadOnlyDictionary<string, JsonElement> changes) =>
+        changes.ContainsKey(key)
+        || (IsPlace(key) && changes.Keys.Any(other => Ways.Contains(other)));
+
+    private static bool IsPlace(string key) => CameraOptions.Group.Options.Any(option => option.Key == key);
+
+    private RequestedFrame Finish(bool needsPlace)
+    {
+        OptionValues values = new(_values);
+        int pixelsPerDegree = SurfaceOptions.Resolution.Read(values);
+        if (_model is { } named && values.IsGiven(SurfaceOptions.Resolution) && named.PixelsPerDegree != pixelsPerDegree)
+        {
+            throw new UsageException(
+                $"'{ModelKey}' {named.Name} has {named.PixelsPerDegree} px/deg, but {SurfaceOptions.Resolution.Name} is {pixelsPerDegree}. "
+                    + "Leave one out.").About(SurfaceOptions.Resolution);
+        }
+
+        ServedModel model = _model ?? (values.IsGiven(SurfaceOptions.Resolution) ? _names.Model(pixelsPerDegree) : _names.Models[0]);
+        Put(SurfaceOptions.Resolution, model.PixelsPerDegree.ToString(CultureInfo.InvariantCulture));
+        values = new OptionValues(_values);
+        return new RequestedFrame(
+            model,
+            needsPlace ? CameraSettingsReader.Read(values) : CameraSettingsReader.ReadIfGiven(values, CameraOptions.BatchFile),
+            RenderSettingsReader.Read(values, name => _camera ?? _names.Camera(name)));
+    }
+
+    private void Add(string key, JsonElement value)
+    {
+        if (key == ModelKey)
+        {
+            _model = _names.Model(JsonText.Of(value, $"'{ModelKey}'"));
+        }
+        else if (key == ImageOptions.Camera.Key && value.ValueKind == JsonValueKind.Object)
+        {
+            _camera = ImageOptions.Camera.Concerned(() => CameraFileReader.Parse(
+                Encoding.UTF8.GetBytes(value.GetRawText()), InlineCamera, mayNameFiles: false));
+            Put(ImageOptions.Camera, InlineCamera);
+        }
+        else
+        {
+            Add(OptionOf(key), value);
+        }
+    }
+
+    private void Add(OptionSpec option, JsonElement value)
+    {
+        string? text = option switch
+        {
+            FlagSpec => value.ValueKind switch
+            {
+                JsonValueKind.True => string.Empty,
+                JsonValueKind.False => null,
+                _ => throw new UsageException($"{option.Name} is {JsonText.Shown(value)}; true or false is needed.").About(option),
+            },
+            NumberListSpec when value.ValueKind == JsonValueKind.Array => $"{{{JsonText.Joined(value, ",", option.Name)}}}",
+            _ when value.ValueKind == JsonValueKind.Array => JsonText.Joined(value, option.ListSeparator ?? ",", option.Name),
+            _ => JsonText.Of(value, option.Name),
+        };
+        Put(option, option == AlbedoOptions.Map || option == NativeOptions.HapkeMap ? _names.Map(option.Key, text!) : text);
+        if (option == RendererOptions.Renderer && RendererOptions.Renderer.Read(new OptionValues(_values)) != RendererKind.Native)
+        {
+            throw new UsageException($"{option.Name} {text}: the server draws with the native renderer only. Leave it out.").About(option);
+        }
+    }
+
+    private void Put(OptionSpec option, string? text)
+    {
+        if (text is not null)
+        {
+            _values[option.Name] = new OptionValue(text.Length == 0 && option is FlagSpec ? [] : [text]);
+        }
+    }
+
+    private static OptionSpec OptionOf(string key)
+    {
+        if (Allowed.TryGetValue(key, out OptionSpec? option))
+        {
+            return option;
+        }
+
+        if (CommandTable.OptionsOfRun.Any(other => other.Key == key))
+        {
+            throw new UsageException($"'{key}' can't stand in a request: it names a file, or belongs to a run of many images. Leave it out.");
+        }
+
+        string question = NearestName.Question(key, [.. Allowed.Keys, ModelKey]);
+        throw new UsageException($"{NumberText.Shown(key)} is no option{(question.Length > 0 ? question : ".")}");
+    }
+}

@@ -1,0 +1,92 @@
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Rendering;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Metadata;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Serving;
+
+/// <summary>A camera with its options over an elevation model, ready to draw one frame after another. Thread-safe.</summary>
+internal sealed class RenderSession : IDisposable
+{
+    private readonly ServedModel _model;
+    private readonly SharedCache<SurfaceInputs>.Lease _maps;
+    private readonly NativeDrawing _drawing;
+    private readonly NativeLevels _levels;
+    private readonly ServedEphemeris _ephemeris;
+    private readonly ProgramHost _host;
+
+    public RenderSession(
+        RequestedFrame requested, SharedCache<SurfaceInputs>.Lease maps, ServedEphemeris ephemeris, ProgramHost host)
+    {
+        Settings = requested.Settings;
+        _model = requested.Model;
+        _maps = maps;
+        _ephemeris = ephemeris;
+        _host = host;
+        _levels = _model.LevelsFor(Settings.LevelOfDetailError);
+        _drawing = new NativeDrawing(Settings.Native, _model.Opened.Grid, maps.Value, _levels, host.Times);
+        Description = new FrameDescription(Settings, _model.Opened, host.Version, Inputs);
+    }
+
+    /// <summary>The options.</summary>
+    public RenderSettings Settings { get; }
+
+    /// <summary>What the meta files tell beside the image.</summary>
+    public FrameDescription Description { get; }
+
+    /// <summary>The elevation model.</summary>
+    public ElevationModel Model => _model.Opened;
+
+    /// <summary>Reads where the camera is, and sets up the frame.</summary>
+    /// <exception cref="MsisfException">There is no such frame.</exception>
+    public PreparedFrame Prepare(CameraSettings place, CancellationToken cancellation)
+    {
+        RunGeometry geometry = new(() => Model, () => Engine, Settings.Aberration);
+        StateReader reader = new(() => Engine, geometry, _host)
+        {
+            CameraWithShutter = Settings.Shutter is null ? null : Settings.Camera!.Name,
+        };
+        SpacecraftState state = reader.Read(place, cancellation)[0];
+        Frame[] frames = FrameSetup.Of([state], ["frame"], Settings, () => Engine, cancellation);
+        GroundCheck.Refuse(frames, Model, Settings.ShutterSpan, cancellation);
+        return new PreparedFrame(state, frames[0]);
+    }
+
+    /// <summary>Draws a frame.</summary>
+    /// <param name="frame">The frame.</param>
+    /// <param name="threads">Number of threads; the image does not depend on it.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    public NativeImage Draw(PreparedFrame frame, int threads, CancellationToken cancellation) =>
+        _drawing.Draw(frame.Frame, threads, cancellation);
+
+    /// <summary>Follows single rays of a frame on the surface that it shows; the Sun is a point, the normals are those of facets.</summary>
+    public FrameTruth TruthOf(PreparedFrame frame) =>
+        new(frame.Frame, _levels.TracerFor(frame.Frame.Camera, Settings.Native.Render.SubsamplesPerAxis));
+
+    /// <summary>What the meta file says of a frame.</summary>
+    public FrameMetadata Describe(PreparedFrame frame, RenderedFrame rendered) =>
+        Description.Describe(frame.Frame, rendered, ArgumentsOf(frame));
+
+    /// <summary>Gives the maps back.</summary>
+    public void Dispose() => _maps.Dispose();
+
+    private IEphemeris Engine => _ephemeris.Of(Settings).Engine();
+
+    private string ArgumentsOf(PreparedFrame frame) => FrameArguments.Of(
+        frame.State,
+        FrameArguments.OfSettings(
+            Settings,
+            Settings.IgnoreSun ? null : _ephemeris.Of(Settings).Opened?.Choice,
+            _maps.Value.Files.FirstOrDefault(file => file.Kind == InputKind.AlbedoMap)));
+
+    private IReadOnlyList<InputFile> Inputs() =>
+    [
+        .. _ephemeris.InputsOf(_model, Settings),
+        .. _maps.Value.Files,
+        .. Settings.Camera is { } camera ? [RunInputs.Of(camera)] : (InputFile[])[],
+    ];
+}

@@ -1,0 +1,39 @@
+using Msisf.App.Host;
+
+namespace Msisf.App.Serving;
+
+/// <summary>Collects the warnings of each request for its answer; all other messages go to the log of the server. Thread-safe.</summary>
+/// <param name="server">The log of the server.</param>
+internal sealed class RequestLog(ILog server) : ILog
+{
+    private readonly AsyncLocal<List<string>?> _warnings = new();
+
+    /// <summary>Collects the warnings of the current request from now on.</summary>
+    /// <returns>Receives them.</returns>
+    public IReadOnlyList<string> Collect() => _warnings.Value = [];
+
+    /// <inheritdoc/>
+    public void Note(string text) => server.Note(text);
+
+    /// <inheritdoc/>
+    public void Warning(string text)
+    {
+        if (_warnings.Value is { } collected)
+        {
+            lock (collected)
+            {
+                collected.Add(text);
+            }
+        }
+        else
+        {
+            server.Warning(text);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Error(string text) => server.Error(text);
+
+    /// <inheritdoc/>
+    public void Raw(string line) => server.Raw(line);
+}

@@ -1,0 +1,101 @@
+using Msisf.Adapters.Input;
+using Msisf.Adapters.Manifest;
+using Msisf.Adapters.Metadata;
+using Msisf.App.Host;
+using Msisf.App.Series;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Serving;
+
+/// <summary>The finished frames of an output folder. Read again when the folder's manifest has changed. Thread-safe.</summary>
+/// <param name="folder">The folder.</param>
+/// <param name="names">Maps that the server has; a frame's map of another name is left out of its options.</param>
+/// <param name="log">Receives warnings.</param>
+internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
+{
+    private static readonly (string Kind, string Ending)[] Kinds = [("image", ".png"), ("annotated", ".annotated.png"), ("meta", ".xml")];
+
+    private static readonly HashSet<string> Known =
+        [.. JsonOptions.OptionsOfFrame().Except([
+            RendererOptions.Renderer, NativeOptions.Layers, OutputOptions.Grid, OutputOptions.GridHorizontal, OutputOptions.GridVertical,
+        ]).Select(option => option.Key)];
+
+    private readonly Lock _gate = new();
+    private (DateTime Written, long Length) _version;
+    private IReadOnlyList<ServedFrame> _frames = [];
+
+    /// <summary>The frames by their numbers; those without a meta file that says where the camera is are left out.</summary>
+    /// <exception cref="MsisfException">The folder has no manifest.</exception>
+    public IReadOnlyList<ServedFrame> Frames()
+    {
+        lock (_gate)
+        {
+            ManifestFile manifest = SeriesManifest.Find(folder);
+            FileInfo file = new(manifest.FilePath);
+            if (_version != (file.LastWriteTimeUtc, file.Length))
+            {
+                _frames = [.. SeriesManifest.Read(manifest, log).Frames.Values
+                    .OrderBy(frame => frame.Step).ThenBy(frame => frame.Name, StringComparer.Ordinal)
+                    .Select(Read).OfType<ServedFrame>()];
+                _version = (file.LastWriteTimeUtc, file.Length);
+            }
+
+            return _frames;
+        }
+    }
+
+    private ServedFrame? Read(FrameRecord record)
+    {
+        Dictionary<string, string> files = [];
+        foreach ((string kind, string ending) in Kinds)
+        {
+            string name = record.Name + ending;
+            if (record.Files.Any(file => file.Name == name))
+            {
+                files[kind] = Path.Combine(folder, name);
+            }
+        }
+
+        Dictionary<string, string> options = files.TryGetValue("meta", out string? meta) ? Options(MetaFileCommand.Read(meta) ?? []) : [];
+        return options.Remove(CameraOptions.FixedState.Key, out string? state) && StateOf(state) is { } known
+            ? new ServedFrame(record.Step, known, options, files)
+            : null;
+    }
+
+    private static SpacecraftState? StateOf(string text)
+    {
+        List<double> numbers = [];
+        foreach (string word in text.Trim('{', '}').Split(','))
+        {
+            if (!NumberText.TryParse(word, out double number))
+            {
+                return null;
+            }
+
+            numbers.Add(number);
+        }
+
+        return numbers.Count == SpacecraftState.NumberNames.Count ? SpacecraftState.FromNumbers(numbers.ToArray()) : null;
+    }
+
+    /// <summary>The options of a command line that a request may have.</summary>
+    private Dictionary<string, string> Options(IReadOnlyList<string> words)
+    {
+        Dictionary<string, string> options = [];
+        for (int index = 0; index + 1 < words.Count; index++)
+        {
+            string key = words[index].TrimStart('-');
+            bool isMapElsewhere = key == AlbedoOptions.Map.Key && words[index + 1] != AlbedoOptions.NoMap
+                && !names.Maps.Contains(words[index + 1]);
+            if (words[index].StartsWith("--", StringComparison.Ordinal) && Known.Contains(key) && !isMapElsewhere
+                && !words[index + 1].StartsWith("--", StringComparison.Ordinal))
+            {
+                options[key] = words[++index];
+            }
+        }
+
+        return options;
+    }
+}

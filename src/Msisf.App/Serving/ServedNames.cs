@@ -1,0 +1,96 @@
+using Msisf.Adapters.Camera;
+using Msisf.Adapters.Input;
+using Msisf.Adapters.Terrain;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Serving;
+
+/// <summary>
+/// The files that a request may ask for, by name: elevation models, maps and cameras. They are looked for once, so that no path of a
+/// request reaches the file system.
+/// </summary>
+internal sealed class ServedNames : IDisposable
+{
+    private readonly Dictionary<string, string> _maps;
+
+    /// <summary>Looks for the files.</summary>
+    /// <param name="settings">The server's settings.</param>
+    /// <param name="host">Knows the folder of the installation.</param>
+    /// <exception cref="BadInputException">There is no elevation model.</exception>
+    public ServedNames(ServeSettings settings, ProgramHost host)
+    {
+        string[] folders = ElevationModel.Folders(host);
+        Models = [.. SurfaceOptions.Ldem.Concerned(() => LdemCatalog.All(settings.Ldem, folders))
+            .Select(set => new ServedModel(set, settings.Ldem, host))];
+        if (Models.Count == 0)
+        {
+            throw new BadInputException(
+                $"No elevation model in {settings.Ldem ?? string.Join(", ", folders)}. Get one with 'scripts/get-ldem.sh', or name one with "
+                    + $"{SurfaceOptions.Ldem.Name}.");
+        }
+
+        _maps = new Dictionary<string, string>(StringComparer.Ordinal);
+        foreach (string path in AlbedoSource.Maps(host))
+        {
+            _maps.TryAdd(Path.GetFileName(path), path);
+        }
+
+        Cameras = CameraChoice.Presets(host.Installation);
+    }
+
+    /// <summary>The elevation models, coarse ones first.</summary>
+    public IReadOnlyList<ServedModel> Models { get; }
+
+    /// <summary>Names of the maps of the Moon's reflectance and of Hapke's parameters.</summary>
+    public IReadOnlyCollection<string> Maps => _maps.Keys;
+
+    /// <summary>The presets of cameras.</summary>
+    public IReadOnlyList<CameraFile> Cameras { get; }
+
+    /// <summary>The model of a name.</summary>
+    /// <exception cref="UsageException">There is none.</exception>
+    public ServedModel Model(string name) => Models.FirstOrDefault(model => IsSame(model.Name, name))
+        ?? throw Unknown("model", name, Models.Select(model => model.Name));
+
+    /// <summary>The model of a resolution, px/deg.</summary>
+    /// <exception cref="UsageException">There is none.</exception>
+    public ServedModel Model(int pixelsPerDegree) => Models.FirstOrDefault(model => model.PixelsPerDegree == pixelsPerDegree)
+        ?? throw new UsageException(
+            $"{SurfaceOptions.Resolution.Name} is {pixelsPerDegree}; the server has "
+                + $"{string.Join(", ", Models.Select(model => model.PixelsPerDegree))} (/v1/models).").About(SurfaceOptions.Resolution);
+
+    /// <summary>The path of a map.</summary>
+    /// <param name="option">Key of the option, for the message.</param>
+    /// <param name="name">Name of the map; "none" is kept.</param>
+    /// <exception cref="UsageException">There is none.</exception>
+    public string Map(string option, string name) => name == AlbedoOptions.NoMap ? name
+        : _maps.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _maps.Keys);
+
+    /// <summary>The preset of a name.</summary>
+    /// <exception cref="UsageException">There is none.</exception>
+    public CameraFile Camera(string name) => Cameras.FirstOrDefault(camera => IsSame(camera.Name, name))
+        ?? throw Unknown("camera", name, Cameras.Select(camera => camera.Name));
+
+    /// <summary>Closes the models.</summary>
+    public void Dispose()
+    {
+        foreach (ServedModel model in Models)
+        {
+            model.Dispose();
+        }
+    }
+
+    private static bool IsSame(string one, string other) => one.Equals(other, StringComparison.OrdinalIgnoreCase);
+
+    private static UsageException Unknown(string what, string name, IEnumerable<string> names)
+    {
+        string question = NearestName.Question(name, [.. names]);
+        return new UsageException(
+            $"'{what}' is {NumberText.Shown(name)}, which the server does not have{(question.Length > 0 ? question : ".")} "
+                + "GET /v1/models lists all names.");
+    }
+}

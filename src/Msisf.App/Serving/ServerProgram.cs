@@ -1,0 +1,37 @@
+using Msisf.Adapters.Programs;
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Serving;
+
+/// <summary>Starts the program of the server, which msis itself does not contain: starting ASP.NET Core would slow down every call.</summary>
+internal static class ServerProgram
+{
+    private const string Name = "msis-server";
+    private const string Variable = "MSISF_SERVER";
+
+    /// <summary>Runs the server until it ends, or is cancelled.</summary>
+    /// <param name="values">The options of msis serve.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Ends the server; it finishes what it is doing.</param>
+    /// <param name="onAddress">Gets the address on which it listens; without it the server prints the address itself.</param>
+    /// <returns>The server's exit code.</returns>
+    /// <exception cref="MsisfException">An option is wrong, or the program is not there.</exception>
+    public static Task<int> RunAsync(
+        OptionValues values, ProgramHost host, CancellationToken cancellation, Action<string>? onAddress = null)
+    {
+        ServeOptions.Read(values); // what is wrong is said by msis, before anything is started
+        ChildProgram program = new(Find(host), ServeArguments.ToWords(values, CommandTable.Serve));
+        return program.RunUntilInputEndsAsync(cancellation, onAddress);
+    }
+
+    private static string Find(ProgramHost host)
+    {
+        string[] names = OperatingSystem.IsWindows() ? [$"{Name}.exe"] : [Name];
+        string folder = host.Environment(Variable) ?? AppContext.BaseDirectory;
+        return SearchPath.Find(folder, names) ?? throw new ExternalPartException(
+            $"{Name} is not in {folder}, where the server's program belongs. Build it with scripts/build.sh, or set {Variable} to its folder.");
+    }
+}

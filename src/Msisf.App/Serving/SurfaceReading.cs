@@ -1,0 +1,65 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
+
+namespace Msisf.App.Serving;
+
+/// <summary>What a point of an image shows: degrees and m, MOON_ME.</summary>
+/// <param name="Latitude">Degrees.</param>
+/// <param name="Longitude">Degrees, east.</param>
+/// <param name="Height">m over the reference radius.</param>
+/// <param name="Position">m.</param>
+/// <param name="Distance">m from the camera.</param>
+/// <param name="Incidence">Degrees from the normal to the light.</param>
+/// <param name="Emission">Degrees from the normal to the camera.</param>
+/// <param name="Phase">Degrees from the light to the camera.</param>
+/// <param name="IlluminationDirection">Degrees counter-clockwise from straight down in the image; null where it is undefined.</param>
+/// <param name="Lit">lit, penumbra, shadow or night.</param>
+/// <param name="LitFraction">Part of the Sun that is seen from there, 0 to 1.</param>
+/// <param name="PixelScale">m: width of a pixel across the line of sight.</param>
+/// <param name="Slope">Degrees between the normal and the radius.</param>
+/// <param name="Facet">Facet of the surface.</param>
+internal sealed record SurfaceReading(
+    double Latitude, double Longitude, double Height, double[] Position, double Distance, double Incidence, double Emission, double Phase,
+    double? IlluminationDirection, string Lit, double LitFraction, double PixelScale, double Slope, FacetReading Facet)
+{
+    /// <summary>Reads what a ray of the camera meets.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="ray">Its ray.</param>
+    /// <param name="hit">Where the ray meets the surface.</param>
+    /// <param name="light">How the point is lit.</param>
+    /// <param name="lightMoonMe">The Sun, or the lamp at the camera, m.</param>
+    public static SurfaceReading Of(PinholeCamera camera, Ray ray, SurfaceHit hit, PixelIllumination light, Vector3D lightMoonMe)
+    {
+        Vector3D point = hit.PointMoonMe;
+        SelenographicPoint place = SelenographicPoint.Below(point);
+        PhotometricAngles angles = PhotometricAngles.At(point, hit.NormalMoonMe, camera.PositionMoonMe, lightMoonMe);
+        double? direction = Core.Metadata.IlluminationDirection.At(camera, ray.Direction, point, lightMoonMe);
+        return new SurfaceReading(
+            double.RadiansToDegrees(place.Latitude),
+            double.RadiansToDegrees(place.Longitude),
+            point.Length - MoonConstants.ReferenceRadius,
+            [point.X, point.Y, point.Z],
+            hit.RayParameter * ray.Direction.Length,
+            double.RadiansToDegrees(angles.Incidence),
+            double.RadiansToDegrees(angles.Emission),
+            double.RadiansToDegrees(angles.Phase),
+            direction is { } angle ? double.RadiansToDegrees(angle) : null,
+            WordOf(light.State),
+            light.VisibleFraction,
+            PixelBeam.SideAt(camera, ray, hit.RayParameter),
+            double.RadiansToDegrees(Vector3D.AngleBetween(hit.NormalMoonMe, point)),
+            new FacetReading(hit.Facet.Line, hit.Facet.Sample, (int)hit.Facet.Half));
+    }
+
+    private static string WordOf(IlluminationState state) => state switch
+    {
+        IlluminationState.Lit => "lit",
+        IlluminationState.Penumbra => "penumbra",
+        IlluminationState.Shadow => "shadow",
+        _ => "night",
+    };
+}

@@ -1,0 +1,120 @@
+using Msisf.App.Serving;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of msis serve.</summary>
+internal static class ServeOptions
+{
+    /// <summary>Port if none is given.</summary>
+    public const int DefaultPort = 8810;
+
+    private const int DefaultMaxPixels = 4096 * 4096;
+    private const int DefaultQueue = 64;
+    private const int DefaultTimeLimit = 60;
+    private const int MaxTimeLimit = 86400;
+    private const int MaxQueue = 10_000;
+
+    /// <summary>Where the server listens.</summary>
+    public static TextSpec Listen { get; } = new(
+        "--listen", "ADDRESS:PORT|PATH",
+        "Where to listen: an address and a port (0 for any free one), or the path of a Unix socket, which holds a /")
+    {
+        Default = $"127.0.0.1:{DefaultPort}",
+    };
+
+    /// <summary>File with the token that clients send.</summary>
+    public static PathSpec TokenFile { get; } = new(
+        "--token-file", PathKind.File,
+        "File whose first line clients send as 'Authorization: Bearer', or as password; needed for any address that is not loopback");
+
+    /// <summary>Certificate of TLS.</summary>
+    public static PathSpec Certificate { get; } = new("--tls-certificate", PathKind.File, "Certificate for TLS, PEM");
+
+    /// <summary>Key of the certificate.</summary>
+    public static PathSpec CertificateKey { get; } = new("--tls-key", PathKind.File, "Key of the certificate, PEM");
+
+    /// <summary>Further names of the server.</summary>
+    public static TextSpec Hosts { get; } = new(
+        "--allow-host", "LIST", "Names under which clients may ask for the server, beside localhost and addresses; separated by commas")
+    {
+        Separator = ",",
+    };
+
+    /// <summary>Largest image.</summary>
+    public static WholeNumberSpec MaxPixels { get; } = new("--max-pixels", "PX", 1, int.MaxValue, "Pixels of the largest image")
+    {
+        Default = DefaultMaxPixels,
+    };
+
+    /// <summary>Requests that wait.</summary>
+    public static WholeNumberSpec Queue { get; } = new("--queue", "N", 1, MaxQueue, "Requests that may wait while others are drawn")
+    {
+        Default = DefaultQueue,
+    };
+
+    /// <summary>Longest time of a request.</summary>
+    public static WholeNumberSpec TimeLimit { get; } = new(
+        "--time-limit", "SECONDS", 1, MaxTimeLimit, "How long a request may take, waiting included")
+    {
+        Default = DefaultTimeLimit,
+    };
+
+    /// <summary>The options of this class as a group of the help text.</summary>
+    public static OptionGroup Group { get; } = new(
+        "Server", [Listen, TokenFile, Certificate, CertificateKey, Hosts, MaxPixels, Queue, TimeLimit]);
+
+    /// <summary>Reads and checks all options.</summary>
+    /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
+    public static ServeSettings Read(OptionValues values)
+    {
+        ListenAddress address = Listen.Named(() => ListenAddress.Parse(Listen.Read(values)));
+        string? token = TokenFile.ReadIfGiven(values);
+        if (!address.IsLocal && token is null)
+        {
+            throw new UsageException(
+                $"{Listen.Name} {address} can be reached from other computers. Add {TokenFile.Name}, or listen on 127.0.0.1.")
+                .About(Listen, TokenFile);
+        }
+
+        string? certificate = Certificate.ReadIfGiven(values);
+        string? key = CertificateKey.ReadIfGiven(values);
+        if (certificate is null != key is null)
+        {
+            throw new UsageException($"{Certificate.Name} and {CertificateKey.Name} belong together. Give both, or none.")
+                .About(Certificate, CertificateKey);
+        }
+
+        if (certificate is not null && address.SocketPath is not null)
+        {
+            throw new UsageException($"{Certificate.Name} has no meaning with a Unix socket. Leave it out.").About(Certificate, Listen);
+        }
+
+        return new ServeSettings(
+            address,
+            token is null ? null : TokenFile.Concerned(() => ReadToken(token)),
+            certificate is null ? null : (certificate, key!),
+            Hosts.ReadIfGiven(values)?.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries) ?? [],
+            MaxPixels.Read(values),
+            Queue.Read(values),
+            TimeSpan.FromSeconds(TimeLimit.Read(values)),
+            SurfaceOptions.Ldem.ReadIfGiven(values),
+            LightOptions.Kernels.ReadIfGiven(values))
+        {
+            Folders = NamedPaths.Read(ViewOptions.Folders, values),
+            Catalogues = NamedPaths.Read(ViewOptions.Catalogues, values),
+        };
+    }
+
+    private static string ReadToken(string path) => FileErrors.ToBadInput($"--token-file {path}: can't be read", () =>
+    {
+        const int shortest = 16;
+        string token = File.ReadLines(path).FirstOrDefault()?.Trim() ?? string.Empty;
+        return token.Length >= shortest && token.All(letter => letter is > ' ' and <= '~' and not ':')
+            ? token
+            : throw new BadInputException(
+                $"--token-file {path}: the first line is no token; at least {shortest} letters, digits or signs without blanks and colons "
+                    + "are needed, e.g. from 'openssl rand -hex 16'.");
+    });
+}

@@ -1,0 +1,34 @@
+using System.Collections.Concurrent;
+using Microsoft.AspNetCore.Http;
+using Msisf.Adapters.Catalogues;
+
+namespace Msisf.Server;
+
+/// <summary>GET /v1/catalogues/NAME: the craters of a catalogue of <c>--catalogues</c>, the largest first; each file is read once.</summary>
+/// <param name="paths">The files by their names.</param>
+internal sealed class CataloguesEndpoint(IReadOnlyDictionary<string, string> paths)
+{
+    private readonly ConcurrentDictionary<string, Lazy<IReadOnlyList<CatalogueCrater>>> _read = new(StringComparer.Ordinal);
+
+    /// <summary>Answers a request.</summary>
+    public Task AnswerAsync(HttpContext context)
+    {
+        string name = (string)context.Request.RouteValues["name"]!;
+        if (!paths.TryGetValue(name, out string? path))
+        {
+            throw new RefusedException(
+                StatusCodes.Status404NotFound, $"'{name}' is no catalogue of this server; GET /v1/models lists them, and --catalogues names them.");
+        }
+
+        IReadOnlyList<CatalogueCrater> craters = _read.GetOrAdd(
+            name, _ => new Lazy<IReadOnlyList<CatalogueCrater>>(() => CraterCatalogueReader.Read(path))).Value;
+        return JsonBody.SendAsync(context.Response, new
+        {
+            Name = name,
+            Craters = craters.Select(crater => new
+            {
+                crater.Name, Latitude = crater.LatitudeDegrees, Longitude = crater.LongitudeDegrees, crater.Diameter,
+            }),
+        });
+    }
+}

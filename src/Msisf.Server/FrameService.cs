@@ -1,0 +1,114 @@
+using System.Diagnostics;
+using System.Globalization;
+using System.Text.Json;
+using Microsoft.AspNetCore.Http;
+using Msisf.App.Host;
+using Msisf.App.Serving;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+
+namespace Msisf.Server;
+
+/// <summary>Reads the frames of requests and does their work in the queue. Thread-safe.</summary>
+internal sealed class FrameService : IDisposable
+{
+    private readonly RequestLog _log;
+    private readonly RenderQueue _queue;
+
+    /// <summary>Looks for the models and maps, and opens none.</summary>
+    /// <param name="settings">The server's settings.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <exception cref="BadInputException">There is no elevation model.</exception>
+    public FrameService(ServeSettings settings, ProgramHost host)
+    {
+        Settings = settings;
+        _log = (RequestLog)host.Log;
+        Names = new ServedNames(settings, host);
+        Sessions = new RenderSessions(host);
+        _queue = new RenderQueue(Environment.ProcessorCount, settings.Queue, settings.TimeLimit);
+        Metrics = new ServerMetrics(_queue, Sessions, host.Clock);
+        Answers = new FrameAnswers(new StreamPool());
+    }
+
+    /// <summary>The server's settings.</summary>
+    public ServeSettings Settings { get; }
+
+    /// <summary>The files that requests may name.</summary>
+    public ServedNames Names { get; }
+
+    /// <summary>The warm sessions.</summary>
+    public RenderSessions Sessions { get; }
+
+    /// <summary>Counts of what the server did.</summary>
+    public ServerMetrics Metrics { get; }
+
+    /// <summary>Draws frames and writes their answers.</summary>
+    public FrameAnswers Answers { get; }
+
+    /// <summary>Reads the options of a frame.</summary>
+    /// <param name="json">The options.</param>
+    /// <param name="changes">Options that replace those; null for none.</param>
+    /// <param name="needsPlace">Whether the options must say where the camera is.</param>
+    /// <exception cref="MsisfException">They are wrong, or the image is too large.</exception>
+    public RequestedFrame Read(
+        JsonElement json, IReadOnlyDictionary<string, JsonElement>? changes = null, bool needsPlace = true)
+    {
+        RequestedFrame requested = JsonOptions.Read(JsonText.Members(json), changes, needsPlace, Names, Settings);
+        long pixels = (long)requested.Settings.Width * requested.Settings.Height;
+        return pixels <= Settings.MaxPixels
+            ? requested
+            : throw new RefusedException(
+                StatusCodes.Status413PayloadTooLarge,
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"an image of {requested.Settings.Width} x {requested.Settings.Height} px is larger than the server's --max-pixels of "
+                        + $"{Settings.MaxPixels} px. Use a smaller --width and --height."));
+    }
+
+    /// <summary>Collects the warnings of a request for its answer.</summary>
+    public IReadOnlyList<string> CollectWarnings() => _log.Collect();
+
+    /// <summary>Does the work of a request when it is its turn.</summary>
+    /// <param name="requested">The frame.</param>
+    /// <param name="work">Receives the session and the number of threads.</param>
+    /// <param name="client">Stops the work when the client goes away.</param>
+    public Task<T> RunAsync<T>(RequestedFrame requested, Func<RenderSession, int, CancellationToken, T> work, CancellationToken client) =>
+        _queue.RunAsync(
+            (threads, end) =>
+            {
+                using SharedCache<RenderSession>.Lease session = Sessions.Rent(requested);
+                return work(session.Value, threads, end);
+            },
+            client);
+
+    /// <summary>Draws a frame when it is its turn.</summary>
+    /// <param name="requested">The frame.</param>
+    /// <param name="place">Where the camera is.</param>
+    /// <param name="form">Form of the answer.</param>
+    /// <param name="client">Stops the work when the client goes away.</param>
+    public async Task<Answer> DrawAsync(
+        RequestedFrame requested, CameraSettings place, AnswerForm form, CancellationToken client)
+    {
+        long start = Stopwatch.GetTimestamp();
+        Answer answer = await RunAsync(
+            requested,
+            (session, threads, end) =>
+            {
+                double waited = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
+                Answer drawn = Answers.Draw(session, session.Prepare(place, end), form, threads, end);
+                drawn.Times.Insert(0, ("wait", waited));
+                return drawn;
+            },
+            client).ConfigureAwait(false);
+        Metrics.FrameDrawn(Stopwatch.GetElapsedTime(start));
+        return answer;
+    }
+
+    /// <summary>Closes the models and sessions.</summary>
+    public void Dispose()
+    {
+        Sessions.Dispose();
+        Names.Dispose();
+        _queue.Dispose();
+    }
+}

@@ -1,0 +1,210 @@
+using System.Runtime.InteropServices;
+using System.Security.Cryptography.X509Certificates;
+using Microsoft.AspNetCore.Builder;
+using Microsoft.AspNetCore.Hosting;
+using Microsoft.AspNetCore.Hosting.Server;
+using Microsoft.AspNetCore.Hosting.Server.Features;
+using Microsoft.AspNetCore.Http;
+using Microsoft.AspNetCore.Http.Features;
+using Microsoft.AspNetCore.Server.Kestrel.Core;
+using Microsoft.AspNetCore.Routing;
+using Microsoft.Extensions.DependencyInjection;
+using Microsoft.Extensions.FileProviders;
+using Microsoft.Extensions.Hosting;
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.Server;
+
+/// <summary>The server: listens, and leads each request to what answers it.</summary>
+internal sealed class HttpServer : IAsyncDisposable
+{
+    private const int MaxConnections = 256;
+
+    private static readonly TimeSpan HeadersTimeout = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan KeepAlive = TimeSpan.FromMinutes(5);
+
+    /// <summary>s: beside the longest request, for sending its answer.</summary>
+    private static readonly TimeSpan TimeToSend = TimeSpan.FromSeconds(10);
+
+    private readonly WebApplication _web;
+    private readonly FrameService _frames;
+    private readonly ServeSettings _settings;
+
+    private HttpServer(WebApplication web, FrameService frames, ServeSettings settings) =>
+        (_web, _frames, _settings) = (web, frames, settings);
+
+    /// <summary>Where clients find the server: a URL, or the path of its Unix socket.</summary>
+    public string Address => _settings.Listen.SocketPath
+        ?? _web.Services.GetRequiredService<IServer>().Features.GetRequiredFeature<IServerAddressesFeature>().Addresses.First();
+
+    /// <summary>The paths that the server answers, each with its method: "GET /healthz".</summary>
+    internal IEnumerable<string> Routes => _web.Services.GetRequiredService<EndpointDataSource>().Endpoints.OfType<RouteEndpoint>().Select(
+        route => $"{route.Metadata.GetRequiredMetadata<HttpMethodMetadata>().HttpMethods[0]} {route.RoutePattern.RawText}");
+
+    /// <summary>Starts a server.</summary>
+    /// <param name="settings">Its settings.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <exception cref="MsisfException">There is no elevation model, or the address can't be listened on.</exception>
+    public static async Task<HttpServer> StartAsync(ServeSettings settings, ProgramHost host)
+    {
+        FrameService frames = new(settings, host);
+        WebApplicationBuilder builder = WebApplication.CreateEmptyBuilder(
+            new WebApplicationOptions { ContentRootPath = AppContext.BaseDirectory });
+        builder.WebHost.UseKestrel(options => Configure(options, settings));
+        builder.Services.AddRouting();
+        builder.Services.Configure<HostOptions>(options => options.ShutdownTimeout = settings.TimeLimit + TimeToSend);
+        WebApplication web = builder.Build();
+        HttpServer server = new(web, frames, settings);
+        server.AddRoutes(host);
+        try
+        {
+            await web.StartAsync().ConfigureAwait(false);
+        }
+        catch (Exception exception) when (exception.IsFileError())
+        {
+            await server.DisposeAsync().ConfigureAwait(false);
+            throw new ExternalPartException(
+                $"--listen {settings.Listen}: can't be listened on: {exception.Message} Choose another one.", exception);
+        }
+
+        RestrictSocket(settings);
+        host.Log.Note($"Listening on {server.Address}. The end of standard input or a signal ends it.");
+        return server;
+    }
+
+    /// <summary>Serves until the input ends, or the program gets a signal; requests that are running are finished.</summary>
+    /// <param name="input">Its end ends the server.</param>
+    public async Task RunAsync(TextReader input)
+    {
+        TaskCompletionSource end = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        using PosixSignalRegistration term = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
+        using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
+        using PosixSignalRegistration hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Stop);
+        Thread reading = new(() =>
+        {
+            while (input.Read() >= 0)
+            {
+            }
+
+            end.TrySetResult();
+        })
+        {
+            IsBackground = true,
+        };
+        reading.Start();
+        await end.Task.ConfigureAwait(false);
+        await _web.StopAsync().ConfigureAwait(false);
+
+        void Stop(PosixSignalContext context)
+        {
+            context.Cancel = true;
+            end.TrySetResult();
+        }
+    }
+
+    /// <summary>Ends the server.</summary>
+    public async ValueTask DisposeAsync()
+    {
+        await _web.DisposeAsync().ConfigureAwait(false);
+        _frames.Dispose();
+        if (_settings.Listen.SocketPath is { } path)
+        {
+            File.Delete(path);
+        }
+    }
+
+    private static void Configure(KestrelServerOptions options, ServeSettings settings)
+    {
+        options.AddServerHeader = false;
+        options.Limits.MaxRequestBodySize = JsonBody.LargestRequest;
+        options.Limits.MaxConcurrentConnections = MaxConnections;
+        options.Limits.MaxConcurrentUpgradedConnections = MaxConnections;
+        options.Limits.RequestHeadersTimeout = HeadersTimeout;
+        options.Limits.KeepAliveTimeout = KeepAlive;
+        if (settings.Listen.SocketPath is { } path)
+        {
+            options.ListenUnixSocket(path);
+            return;
+        }
+
+        options.Listen(settings.Listen.EndPoint!, listen =>
+        {
+            if (settings.Certificate is (string certificate, string key))
+            {
+                listen.UseHttps(ReadCertificate(certificate, key));
+            }
+        });
+    }
+
+    private static X509Certificate2 ReadCertificate(string certificate, string key)
+    {
+        try
+        {
+            return X509Certificate2.CreateFromPemFile(certificate, key);
+        }
+        catch (Exception exception) when (exception.IsFileError() || exception is System.Security.Cryptography.CryptographicException)
+        {
+            throw new BadInputException(
+                $"--tls-certificate {certificate}: it and its key {key} can't be read as PEM: {exception.Message}", exception)
+                .About(ServeOptions.Certificate, ServeOptions.CertificateKey);
+        }
+    }
+
+    /// <summary>The socket is for the user who started the server.</summary>
+    private static void RestrictSocket(ServeSettings settings)
+    {
+        if (settings.Listen.SocketPath is { } path && !OperatingSystem.IsWindows())
+        {
+            File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserWrite);
+        }
+    }
+
+    private void AddRoutes(ProgramHost host)
+    {
+        RequestGuard guard = new(_settings);
+        _web.Use((context, next) => RequestErrors.HandleAsync(context, next, guard, _frames.Metrics, host.Log));
+        _web.UseWebSockets(new WebSocketOptions { KeepAliveInterval = TimeSpan.FromSeconds(30) });
+        AddFiles();
+        _web.UseRouting();
+        _web.MapGet(RequestGuard.HealthPath, context => context.Response.WriteAsync("ok\n"));
+        _web.MapGet("/metrics", context =>
+        {
+            context.Response.ContentType = ServerMetrics.ContentType;
+            return context.Response.WriteAsync(_frames.Metrics.Text());
+        });
+        byte[] description = OpenApiDocument.Write(host.Version);
+        _web.MapGet("/openapi.json", context =>
+        {
+            context.Response.ContentType = AnswerForm.Json;
+            return context.Response.Body.WriteAsync(description).AsTask();
+        });
+        _web.MapGet("/v1/models", new ModelsEndpoint(_frames).AnswerAsync);
+        _web.MapGet("/v1/catalogues/{name}", new CataloguesEndpoint(_settings.Catalogues).AnswerAsync);
+        FoldersEndpoint folders = new(_frames, host);
+        _web.MapGet("/v1/folders", folders.ListAsync);
+        _web.MapGet("/v1/folders/{name}", folders.ListFramesAsync);
+        _web.MapGet("/v1/folders/{name}/frames/{number}/{kind}", folders.SendFileAsync);
+        _web.MapGet("/v1/sun", new SunEndpoint(_frames).AnswerAsync);
+        _web.MapPost("/v1/pixels", new PixelsEndpoint(_frames).AnswerAsync);
+        _web.MapPost("/v1/points", new PointsEndpoint(_frames).AnswerAsync);
+        _web.MapPost("/v1/render", new RenderEndpoint(_frames).AnswerAsync);
+        _web.MapGet("/v1/stream", new StreamEndpoint(_frames, _web.Lifetime.ApplicationStopping).AnswerAsync);
+    }
+
+    /// <summary>The viewer.</summary>
+    private void AddFiles()
+    {
+        string folder = Path.Combine(AppContext.BaseDirectory, "wwwroot");
+        if (!Directory.Exists(folder))
+        {
+            return;
+        }
+
+        PhysicalFileProvider files = new(folder);
+        _web.UseDefaultFiles(new DefaultFilesOptions { FileProvider = files });
+        _web.UseStaticFiles(new StaticFileOptions { FileProvider = files });
+    }
+}

@@ -1,0 +1,39 @@
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using Microsoft.AspNetCore.Http;
+
+namespace Msisf.Server;
+
+/// <summary>Reads the JSON of requests, and writes that of answers.</summary>
+internal static class JsonBody
+{
+    /// <summary>bytes: a request with some thousand points.</summary>
+    public const int LargestRequest = 1 << 20;
+
+    /// <summary>Apostrophes stay as they are: no answer is part of a page.</summary>
+    public static JsonWriterOptions Writing { get; } = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    private static readonly JsonSerializerOptions Names = new()
+    {
+        Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
+        PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower,
+        DictionaryKeyPolicy = JsonNamingPolicy.SnakeCaseLower,
+    };
+
+    /// <summary>Reads the body of a request.</summary>
+    /// <exception cref="RefusedException">It is said to be something else.</exception>
+    /// <exception cref="JsonException">It is no JSON.</exception>
+    public static Task<JsonDocument> ReadAsync(HttpRequest request) => request.HasJsonContentType()
+        ? JsonDocument.ParseAsync(request.Body, cancellationToken: request.HttpContext.RequestAborted)
+        : throw new RefusedException(
+            StatusCodes.Status415UnsupportedMediaType, $"Content-Type is '{request.ContentType}'; {AnswerForm.Json} is needed.");
+
+    /// <summary>Sends an object as JSON, its properties in small letters with underscores.</summary>
+    public static async Task SendAsync<T>(HttpResponse response, T value)
+    {
+        byte[] bytes = JsonSerializer.SerializeToUtf8Bytes(value, Names);
+        response.ContentType = AnswerForm.Json;
+        response.ContentLength = bytes.Length;
+        await response.Body.WriteAsync(bytes).ConfigureAwait(false);
+    }
+}

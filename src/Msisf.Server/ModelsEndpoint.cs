@@ -1,0 +1,27 @@
+using Microsoft.AspNetCore.Http;
+using Msisf.App.Settings;
+
+namespace Msisf.Server;
+
+/// <summary>GET /v1/models: the names that requests may use.</summary>
+/// <param name="frames">Knows them.</param>
+internal sealed class ModelsEndpoint(FrameService frames)
+{
+    /// <summary>Answers a request.</summary>
+    public Task AnswerAsync(HttpContext context) => JsonBody.SendAsync(context.Response, new
+    {
+        Models = frames.Names.Models.Select(model => new { model.Name, model.PixelsPerDegree, Synthetic = model.IsSynthetic }),
+        AlbedoMaps = frames.Names.Maps.Where(name => !IsHapke(name)),
+        HapkeMaps = frames.Names.Maps.Where(IsHapke),
+        Cameras = frames.Names.Cameras.Select(camera => new
+        {
+            camera.Name, camera.Model.Width, camera.Model.Height, FieldOfView = camera.FieldOfViewDegrees, camera.Description,
+        }),
+        Catalogues = frames.Settings.Catalogues.Keys.Select(name => new { Name = name }),
+        Reflectances = NativeOptions.Reflectance.Words,
+        Layers = NativeOptions.Layers.Words,
+        frames.Settings.MaxPixels,
+    });
+
+    private static bool IsHapke(string name) => name.StartsWith("WAC_HAPKEPARAM", StringComparison.OrdinalIgnoreCase);
+}

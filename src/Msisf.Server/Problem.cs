@@ -1,0 +1,64 @@
+using System.Text.Json;
+using Microsoft.AspNetCore.Http;
+using Microsoft.AspNetCore.WebUtilities;
+using Msisf.Core.Errors;
+
+namespace Msisf.Server;
+
+/// <summary>What went wrong with a request, as RFC 9457 has it: the words are those of the command line.</summary>
+/// <param name="Status">HTTP status.</param>
+/// <param name="Detail">What is wrong, where, and what to do.</param>
+/// <param name="Options">Options that it is about, e.g. "--fov".</param>
+internal sealed record Problem(int Status, string Detail, IReadOnlyList<string> Options)
+{
+    /// <summary>The content type of problems.</summary>
+    public const string ContentType = "application/problem+json";
+
+    /// <summary>The problem of an exception; null if it is a bug of the server.</summary>
+    public static Problem? Of(Exception exception) => exception switch
+    {
+        RefusedException refused => new Problem(refused.Status, refused.Message, []),
+        SpiceException spice => new Problem(StatusCodes.Status422UnprocessableEntity, spice.Message, spice.Options),
+        ExternalPartException part => new Problem(StatusCodes.Status503ServiceUnavailable, part.Message, part.Options),
+        MsisfException wrong => new Problem(StatusCodes.Status400BadRequest, wrong.Message, wrong.Options),
+        JsonException json => new Problem(StatusCodes.Status400BadRequest, $"the request is no JSON: {json.Message}", []),
+        BadHttpRequestException bad => new Problem(bad.StatusCode, bad.Message, []),
+        _ => null,
+    };
+
+    /// <summary>Writes the answer.</summary>
+    public async Task WriteAsync(HttpResponse response)
+    {
+        response.StatusCode = Status;
+        response.ContentType = ContentType;
+        if (Status == StatusCodes.Status429TooManyRequests)
+        {
+            response.Headers.RetryAfter = "1";
+        }
+
+        await response.Body.WriteAsync(ToJson()).ConfigureAwait(false);
+    }
+
+    private byte[] ToJson()
+    {
+        using MemoryStream stream = new();
+        using (Utf8JsonWriter json = new(stream, JsonBody.Writing))
+        {
+            json.WriteStartObject();
+            json.WriteString("type", "about:blank");
+            json.WriteString("title", ReasonPhrases.GetReasonPhrase(Status));
+            json.WriteNumber("status", Status);
+            json.WriteString("detail", Detail);
+            json.WriteStartArray("options");
+            foreach (string option in Options.Distinct())
+            {
+                json.WriteStringValue(option);
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        return stream.ToArray();
+    }
+}

@@ -1,0 +1,20 @@
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+using Msisf.Server;
+
+// msis serve starts this program and closes its standard input to end it.
+ConsoleLog log = new(Console.Error);
+try
+{
+    ProgramHost host = ServerHost.Create(Console.Out, log, TimeProvider.System, Environment.GetEnvironmentVariable);
+    await using HttpServer server = await HttpServer.StartAsync(ServeOptions.Read(ServeArguments.FromWords(args)), host).ConfigureAwait(false);
+    Console.Out.WriteLine(server.Address);
+    await server.RunAsync(Console.In).ConfigureAwait(false);
+    return 0;
+}
+catch (MsisfException exception)
+{
+    log.Error(exception.Message);
+    return exception.ExitCode;
+}

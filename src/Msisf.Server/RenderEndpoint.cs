@@ -1,0 +1,28 @@
+using System.Text.Json;
+using Microsoft.AspNetCore.Http;
+using Msisf.App.Serving;
+
+namespace Msisf.Server;
+
+/// <summary>POST /v1/render: draws a frame.</summary>
+/// <param name="frames">Does the work.</param>
+internal sealed class RenderEndpoint(FrameService frames)
+{
+    /// <summary>Answers a request.</summary>
+    public async Task AnswerAsync(HttpContext context)
+    {
+        AnswerForm form = AnswerForm.Of(context.Request.Headers.Accept);
+        using JsonDocument json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
+        IReadOnlyList<string> warnings = frames.CollectWarnings();
+        RequestedFrame requested = frames.Read(json.RootElement);
+        FrameAnswers.Check(form, requested.Settings);
+        using Answer answer = await frames.DrawAsync(
+            requested, requested.Place!, form, context.RequestAborted).ConfigureAwait(false);
+        if (warnings.Count > 0)
+        {
+            context.Response.Headers["X-Msisf-Warning"] = HeaderText.Of(string.Join(" ", warnings));
+        }
+
+        await answer.SendAsync(context.Response, form.IsMultipart, context.RequestAborted).ConfigureAwait(false);
+    }
+}

@@ -1,0 +1,162 @@
+// A time line of frames: a finished folder or a batch file of the server, the user's batch file, or a recorded flight.
+
+import { readBatch } from './batch.js';
+import { Flight } from './flight.js';
+import { viewOf } from './geometry.js';
+import { metaRows } from './meta.js';
+import { getBlob, getJson, getText } from './server.js';
+import { calendarOf } from './time.js';
+
+const $ = id => document.getElementById(id);
+const LEAST_TIME = 100; // ms that each frame is shown while playing
+
+export class Frames {
+    #list = [];
+    #index = 0;
+    #isShowing = false;
+    #isPlaying = false;
+
+    constructor(state, picture, stage, onProblem) {
+        Object.assign(this, { state, picture, stage, onProblem });
+        this.flight = new Flight(state, states => this.open(this.#ofStates(states)), onProblem);
+        $('folder').addEventListener('change', event => this.#try(this.#openFolder(event.target.value)));
+        $('batch-file').addEventListener('change', event => event.target.files[0] && this.#try(this.#openFile(event.target.files[0])));
+        $('frame-slider').addEventListener('input', event => this.#try(this.show(event.target.valueAsNumber)));
+        $('frame-first').addEventListener('click', () => this.#try(this.show(0)));
+        $('frame-before').addEventListener('click', () => this.step(-1));
+        $('frame-after').addEventListener('click', () => this.step(1));
+        $('frame-play').addEventListener('click', () => this.togglePlay());
+        $('frames-close').addEventListener('click', () => this.open([]));
+        $('frame-kinds').addEventListener('change', () => this.#try(this.show(this.#index)));
+    }
+
+    /** Offers the server's folders and batch files. */
+    async offer() {
+        const { folders } = await getJson('/v1/folders').catch(() => ({ folders: [] }));
+        $('folder').append(...folders.map(({ name, kind }) => new Option(kind === 'batch' ? `${name} (batch file)` : name, name)));
+    }
+
+    /** Puts frames on the time line and shows the first; none closes it. */
+    open(list) {
+        this.#list = list;
+        this.#stop();
+        $('timeline').hidden = list.length === 0;
+        $('frame-slider').max = Math.max(0, list.length - 1);
+        $('frame-kinds').hidden = !list.some(frame => frame.image);
+        $('meta').replaceChildren();
+        if (list.length > 0) {
+            this.#try(this.show(0));
+        } else {
+            $('folder').value = '';
+            this.picture.draw();
+        }
+    }
+
+    /** Goes frames on or back. */
+    step(count) {
+        if (this.#list.length > 0) {
+            this.#stop();
+            this.#try(this.show(this.#index + count));
+        }
+    }
+
+    togglePlay() {
+        if (this.#isPlaying) {
+            this.#stop();
+        } else if (this.#list.length > 0) {
+            this.#isPlaying = true;
+            this.#showPlaying();
+            this.#try(this.#play());
+        }
+    }
+
+    /** The camera was moved: by a frame, or by hand, which ends playing. */
+    onView() {
+        if (!this.#isShowing) {
+            this.#stop();
+        }
+        this.flight.note();
+    }
+
+    /** Shows a frame: its stored image or annotated image, or draws it anew. */
+    async show(index) {
+        this.#index = Math.min(Math.max(index, 0), this.#list.length - 1);
+        const frame = this.#list[this.#index];
+        const kind = document.querySelector('input[name="frame-kind"]:checked').value;
+        const url = kind === 'drawn' ? null : frame[kind] ?? frame.image;
+        $('frame-slider').value = this.#index;
+        $('frame-label').textContent = `${frame.number} of ${this.#list.at(-1).number}, ${calendarOf(frame.state[0]).replace('T', ' ')} UTC`;
+        $('frame-slider').setAttribute('aria-valuetext', $('frame-label').textContent);
+        const bitmap = url ? await createImageBitmap(await getBlob(url)) : null;
+        if (frame !== this.#list[this.#index]) {
+            return;
+        }
+        const fov = frame.options?.fov ?? this.state.view.fov;
+        this.#isShowing = true;
+        this.state.look({ ...viewOf(frame.state), fov }, bitmap !== null);
+        this.#isShowing = false;
+        if (bitmap) {
+            const size = { width: frame.options?.width ?? bitmap.width, height: frame.options?.height ?? bitmap.height };
+            const whole = { ...this.state.frame(size), ...frame.options, 'fixed-state': frame.state };
+            this.picture.showStored(bitmap, whole, `Stored ${kind === 'annotated' ? 'annotated image' : 'image'} of frame ${frame.number}: `
+                + `${bitmap.width} × ${bitmap.height}.`);
+        }
+        await this.#showMeta(frame);
+    }
+
+    async #play() {
+        for (let index = this.#index; this.#isPlaying; index = this.#index + 1) {
+            const pause = new Promise(resolve => setTimeout(resolve, LEAST_TIME));
+            await this.show(index >= this.#list.length ? 0 : index);
+            await pause;
+        }
+    }
+
+    async #openFolder(name) {
+        this.open(name ? (await getJson(`/v1/folders/${encodeURIComponent(name)}`)).frames : []);
+    }
+
+    async #openFile(file) {
+        try {
+            this.open(this.#ofStates(readBatch(await file.text())));
+        } catch (error) {
+            this.onProblem(`${file.name}, ${error.message}`);
+        }
+    }
+
+    #ofStates(states) {
+        return states.map((state, index) => ({ number: index + 1, state }));
+    }
+
+    async #showMeta(frame) {
+        if (!frame.meta || this.#isPlaying) {
+            return;
+        }
+        const rows = metaRows(await getText(frame.meta));
+        $('meta').replaceChildren(...rows.map(([name, value]) => {
+            const row = document.createElement('div');
+            const [term, description] = [document.createElement('dt'), document.createElement('dd')];
+            term.textContent = name;
+            description.textContent = value;
+            row.append(term, description);
+            return row;
+        }));
+    }
+
+    #stop() {
+        this.#isPlaying = false;
+        this.#showPlaying();
+    }
+
+    #showPlaying() {
+        $('frame-play').setAttribute('aria-pressed', this.#isPlaying);
+        $('frame-play').textContent = this.#isPlaying ? 'Stop' : 'Play';
+    }
+
+    #try(promise) {
+        promise.catch(error => {
+            this.#stop();
+            this.onProblem(error.message);
+        });
+    }
+}

@@ -1,0 +1,249 @@
+// What is drawn over the picture: grid, terminator, craters, the light's arrow, pins, the crosshair.
+
+import { cameraOf, circleAround, focalLength, isOnNearSide, meetSphere, placeOf, pointAt, project, rayThrough, scale,
+    combine, turn, REFERENCE_RADIUS } from './geometry.js';
+import { fixed } from './text.js';
+
+const STEPS = [30, 15, 10, 5, 2, 1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
+const COLOURS = { grid: 'rgba(120, 200, 255, 0.55)', terminator: '#ffb347', crater: '#b6f09c', arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff' };
+
+const between = (from, to, count) => Array.from({ length: count + 1 }, (_, i) => from + (to - from) * i / count);
+
+const multiples = (step, from, to) => {
+    const first = Math.ceil(from / step);
+    return Array.from({ length: Math.max(0, Math.floor(to / step) - first + 1) }, (_, i) => (first + i) * step);
+};
+
+const nearest = (list, value) =>
+    list.reduce((best, item) => (Math.abs(item - value) < Math.abs(best - value) ? item : best), list[0]);
+
+export class Overlay {
+    /** @param canvas covers the picture; @param view and size say what camera the picture is of. */
+    constructor(canvas, view, size) {
+        this.canvas = canvas;
+        this.context = canvas.getContext('2d');
+        this.lens = { ...size, fov: view.fov };
+        this.camera = cameraOf(view);
+        this.unit = canvas.width / size.width;
+        this.text = Math.max(11, Math.round(13 * (window.devicePixelRatio || 1) * parseFloat(getComputedStyle(document.documentElement).fontSize) / 16));
+        this.labels = [];
+        this.context.clearRect(0, 0, canvas.width, canvas.height);
+        this.context.font = `${this.text}px system-ui, sans-serif`;
+        this.context.lineWidth = this.text / 10;
+        this.context.textBaseline = 'middle';
+    }
+
+    /** Where a point of space is on the canvas, or null if the camera does not see its side of the Moon. */
+    at(point) {
+        const pixel = isOnNearSide(this.camera, point) ? project(this.camera, this.lens, point) : null;
+        return pixel && this.of(pixel);
+    }
+
+    /** Where a pixel's middle is on the canvas. */
+    of([x, y]) {
+        return [(x - 0.5) * this.unit, (y - 0.5) * this.unit];
+    }
+
+    line(points, colour, dash = []) {
+        const path = new Path2D();
+        let isDown = false;
+        const limit = 4 * Math.max(this.canvas.width, this.canvas.height);
+        for (const point of points) {
+            const place = this.at(point);
+            if (place && Math.abs(place[0]) < limit && Math.abs(place[1]) < limit) {
+                path[isDown ? 'lineTo' : 'moveTo'](...place);
+                isDown = true;
+            } else {
+                isDown = false;
+            }
+        }
+        this.context.strokeStyle = colour;
+        this.context.setLineDash(dash);
+        this.context.stroke(path);
+        this.context.setLineDash([]);
+    }
+
+    /** Writes a text, if it lies on none that is there and within the picture. Answers whether it does. */
+    label(text, [x, y], colour, align = 'left') {
+        const width = this.context.measureText(text).width;
+        const left = align === 'center' ? x - width / 2 : x;
+        const box = [left, y - this.text / 2, left + width, y + this.text / 2];
+        const isFree = box[0] >= 0 && box[1] >= 0 && box[2] <= this.canvas.width && box[3] <= this.canvas.height
+            && this.labels.every(other => box[0] > other[2] || box[2] < other[0] || box[1] > other[3] || box[3] < other[1]);
+        if (!isFree) {
+            return false;
+        }
+        this.labels.push(box);
+        this.context.textAlign = align;
+        this.context.strokeStyle = 'rgba(0, 0, 0, 0.85)';
+        this.context.lineWidth = this.text / 4;
+        this.context.lineJoin = 'round';
+        this.context.strokeText(text, x, y);
+        this.context.lineWidth = this.text / 10;
+        this.context.fillStyle = colour;
+        this.context.fillText(text, x, y);
+        return true;
+    }
+
+    /** The places that the picture's border and middle show, of the sphere. */
+    #placesSeen() {
+        const { width, height } = this.lens;
+        const places = [];
+        for (let i = 0; i <= 12; i++) {
+            for (let k = 0; k <= 12; k++) {
+                const ray = rayThrough(this.camera, this.lens, [1 + (width - 1) * i / 12, 1 + (height - 1) * k / 12]);
+                const point = meetSphere(this.camera.position, ray);
+                if (point) {
+                    places.push(placeOf(point));
+                }
+            }
+        }
+        return places;
+    }
+
+    /** Degrees between the lines of the grid: about six lines across what is seen. Null without Moon. */
+    gridStep() {
+        const places = this.#placesSeen();
+        if (places.length === 0) {
+            return null;
+        }
+        const latitudes = places.map(place => place.latitude);
+        const span = Math.max(...latitudes) - Math.min(...latitudes);
+        return STEPS.find(step => span / step >= 5) ?? STEPS.at(-1);
+    }
+
+    /** Parallels and meridians of the sphere, where the picture shows it. */
+    drawGrid() {
+        const step = this.gridStep();
+        if (step === null) {
+            return;
+        }
+        const { south, north, west, east, middle } = this.#extent(step);
+        const isPolar = Math.max(-south, north) > 80;
+        const parallels = multiples(step, south, north).filter(latitude => Math.abs(latitude) < 90);
+        const meridians = multiples(isPolar ? Math.max(step, 10) : step, west, east === west + 360 ? east - 1e-9 : east);
+        for (const latitude of parallels) {
+            this.line(between(west, east, 720).map(longitude => pointAt(latitude, longitude)), COLOURS.grid);
+        }
+        for (const longitude of meridians) {
+            this.line(between(south, north, 360).map(latitude => pointAt(latitude, longitude)), COLOURS.grid);
+        }
+        const decimals = Math.max(0, -Math.floor(Math.log10(step)));
+        const [alongLatitude, alongLongitude] = [nearest(parallels, middle.latitude), nearest(meridians, middle.longitude)];
+        for (const longitude of meridians.sort((a, b) => Math.abs(a - middle.longitude) - Math.abs(b - middle.longitude))) {
+            this.#gridLabel(alongLatitude, longitude, `${fixed(turn(longitude), decimals)}° E`);
+        }
+        for (const latitude of parallels) {
+            const letter = latitude < 0 ? ' S' : latitude > 0 ? ' N' : '';
+            this.#gridLabel(latitude, alongLongitude, `${fixed(Math.abs(latitude), decimals)}°${letter}`);
+        }
+    }
+
+    /** The part of the sphere that the grid covers, degrees; longitudes count on from the middle's. */
+    #extent(step) {
+        const places = this.#placesSeen();
+        const middle = places[Math.floor(places.length / 2)];
+        const latitudes = places.map(place => place.latitude);
+        const [south, north] = step >= 15 ? [-90, 90]
+            : [Math.max(Math.min(...latitudes) - step, -90), Math.min(Math.max(...latitudes) + step, 90)];
+        const offsets = places.map(place => turn(place.longitude - middle.longitude + 180) - 180);
+        const [west, east] = step >= 15 || Math.max(-south, north) > 80 ? [-180, 180]
+            : [Math.min(...offsets) - step, Math.max(...offsets) + step];
+        return { south, north, west: middle.longitude + west, east: middle.longitude + east, middle };
+    }
+
+    #gridLabel(latitude, longitude, text) {
+        const place = latitude === undefined || longitude === undefined ? null : this.at(pointAt(latitude, longitude));
+        if (place) {
+            this.label(text, [place[0] + this.text / 4, place[1] - this.text * 0.7], '#bfe3ff');
+        }
+    }
+
+    /** The line on the sphere where the Sun's centre stands on the horizon. */
+    drawTerminator(sunPosition) {
+        this.line(circleAround(sunPosition, 90, 360).map(point => scale(point, REFERENCE_RADIUS)), COLOURS.terminator,
+            [this.text / 2, this.text / 2]);
+    }
+
+    /** Circles and names of the largest craters that are in the picture. */
+    drawCraters(craters, most = 60) {
+        const focal = focalLength(this.lens.width, this.lens.fov) * this.unit;
+        let drawn = 0;
+        for (const { name, latitude, longitude, diameter } of craters) {
+            const centre = pointAt(latitude, longitude);
+            const place = this.at(centre);
+            const distance = Math.hypot(...combine([centre, 1], [this.camera.position, -1]));
+            const size = diameter * focal / distance;
+            const isInside = place && place[0] > 0 && place[1] > 0 && place[0] < this.canvas.width && place[1] < this.canvas.height;
+            if (!isInside || size < 1.5 * this.text || size > 1.5 * this.canvas.width) {
+                continue;
+            }
+            const angle = diameter / 2 / REFERENCE_RADIUS * 180 / Math.PI;
+            if (this.label(name ?? `${fixed(diameter / 1000, diameter < 1e4 ? 1 : 0)} km`, place, COLOURS.crater, 'center')) {
+                this.line(circleAround(centre, angle, 48).map(point => scale(point, REFERENCE_RADIUS)), COLOURS.crater);
+                drawn += 1;
+            }
+            if (drawn === most) {
+                return;
+            }
+        }
+    }
+
+    /** An arrow from a pixel towards the light: an angle from straight down, counter-clockwise. */
+    drawArrow(pixel, angleDegrees) {
+        const [x, y] = this.of(pixel);
+        const angle = angleDegrees * Math.PI / 180;
+        const [dx, dy] = [Math.sin(angle), Math.cos(angle)];
+        const long = 4 * this.text;
+        const [tipX, tipY] = [x + dx * long, y + dy * long];
+        const head = this.text * 0.8;
+        const path = new Path2D();
+        path.moveTo(x, y);
+        path.lineTo(tipX, tipY);
+        for (const side of [1, -1]) {
+            path.moveTo(tipX, tipY);
+            path.lineTo(tipX - head * (dx + side * dy * 0.6), tipY - head * (dy - side * dx * 0.6));
+        }
+        this.#strokeTwice(path, COLOURS.arrow);
+    }
+
+    /** A pin with its letter where a point of the surface is now. */
+    drawPin(point, letter) {
+        const place = this.at(point);
+        if (place) {
+            const path = new Path2D();
+            path.arc(place[0], place[1], this.text / 2, 0, 2 * Math.PI);
+            this.#strokeTwice(path, COLOURS.pin);
+            this.label(letter, [place[0] + this.text * 0.8, place[1] - this.text * 0.6], COLOURS.pin);
+        }
+    }
+
+    /** The line on the sphere between two pins. */
+    drawWay(from, to) {
+        const lift = Array.from({ length: 65 }, (_, i) => combine([from, 1 - i / 64], [to, i / 64]));
+        const radius = i => Math.hypot(...from) * (1 - i / 64) + Math.hypot(...to) * i / 64;
+        this.line(lift.map((point, i) => scale(point, radius(i) / Math.hypot(...point))), COLOURS.pin, [this.text / 3, this.text / 3]);
+    }
+
+    drawCrosshair(pixel) {
+        const [x, y] = this.of(pixel);
+        const path = new Path2D();
+        for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+            path.moveTo(x + dx * this.text * 0.4, y + dy * this.text * 0.4);
+            path.lineTo(x + dx * this.text * 1.4, y + dy * this.text * 1.4);
+        }
+        this.#strokeTwice(path, COLOURS.crosshair);
+    }
+
+    /** In a dark line and in a bright one over it: to be seen on every ground. */
+    #strokeTwice(path, colour) {
+        this.context.lineCap = 'round';
+        for (const [style, width] of [['rgba(0, 0, 0, 0.8)', 3.2], [colour, 1.6]]) {
+            this.context.strokeStyle = style;
+            this.context.lineWidth = width * this.text / 10;
+            this.context.stroke(path);
+        }
+        this.context.lineWidth = this.text / 10;
+    }
+}
+

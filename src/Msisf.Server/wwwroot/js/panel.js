@@ -1,0 +1,112 @@
+// The fields of the camera, the time and the picture: they show the state and change it.
+
+import { calendarOf, mjdOf } from './time.js';
+import { REFERENCE_RADIUS } from './geometry.js';
+
+const $ = id => document.getElementById(id);
+
+/** Fields of the view: how many decimals they show, and in what unit. */
+const NUMBERS = {
+    latitude: { decimals: 6 }, longitude: { decimals: 6 }, altitude: { decimals: 3, unit: 1000 }, fov: { decimals: 4 },
+    heading: { decimals: 3 }, tilt: { decimals: 3 }, roll: { decimals: 3 }, mjd: { decimals: 8 },
+};
+
+const CHOICES = ['model', 'shading', 'sun', 'reflectance'];
+
+export class Panel {
+    #anchor;
+
+    constructor(state) {
+        this.state = state;
+        this.#anchor = state.view.mjd;
+        for (const [name, { unit = 1 }] of Object.entries(NUMBERS)) {
+            $(name).addEventListener('change', event => {
+                const number = event.target.valueAsNumber;
+                if (Number.isFinite(number) && event.target.validity.valid) {
+                    state.look({ [name]: number * unit });
+                    this.#anchorTime(name === 'mjd');
+                }
+            });
+        }
+        $('calendar').addEventListener('change', event => {
+            const mjd = mjdOf(event.target.value);
+            if (mjd !== null) {
+                state.look({ mjd });
+                this.#anchorTime(true);
+            }
+        });
+        $('time-slider').addEventListener('input', event => state.look({ mjd: this.#anchor + event.target.valueAsNumber }));
+        $('time-steps').addEventListener('click', event => event.target.dataset.days && this.stepTime(Number(event.target.dataset.days)));
+        for (const name of CHOICES) {
+            $(name).addEventListener('change', event => state.draw({ [name]: event.target.value }));
+        }
+        $('samples').addEventListener('change', event => state.draw({ samples: Number(event.target.value) }));
+        $('fit').addEventListener('change', event => state.draw({ fit: event.target.checked, ...state.size }));
+        for (const name of ['width', 'height']) {
+            $(name).addEventListener('change', event => event.target.validity.valid && event.target.value
+                && state.draw({ ...state.size, [name]: event.target.valueAsNumber, fit: false }));
+        }
+        $('whole-moon').addEventListener('click', () => this.wholeMoon());
+        $('look-down').addEventListener('click', () => state.look({ tilt: 0, roll: 0 }));
+        $('look-ahead').addEventListener('click', () => state.look({ tilt: Panel.horizon(state.view.altitude), roll: 0 }));
+        $('north-up').addEventListener('click', () => state.look({ heading: 0, roll: 0 }));
+    }
+
+    /** The tilt at which the sphere's horizon is in the middle of the image. */
+    static horizon(altitude) {
+        return altitude > 0 ? Math.atan2(REFERENCE_RADIUS, Math.sqrt(altitude * (2 * REFERENCE_RADIUS + altitude))) * 180 / Math.PI : 90;
+    }
+
+    /** Goes as far away as shows the whole Moon. */
+    wholeMoon() {
+        const { width, height } = this.state.size;
+        const half = Math.tan(this.state.view.fov * Math.PI / 360) * Math.min(1, height / width);
+        const distance = 1.1 * REFERENCE_RADIUS / Math.sin(Math.atan(half));
+        this.state.look({ altitude: distance - REFERENCE_RADIUS, tilt: 0, roll: 0, heading: 0 });
+    }
+
+    stepTime(days) {
+        this.state.look({ mjd: this.state.view.mjd + days });
+        this.#anchorTime(Math.abs(this.state.view.mjd - this.#anchor) > 15);
+    }
+
+    /** Offers the names of a list in a field of choices, the one chosen first or by its value. */
+    static offer(select, options, chosen) {
+        select.append(...options.map(({ value, label }) => new Option(label ?? value, value)));
+        select.value = chosen ?? select.options[0]?.value ?? '';
+    }
+
+    /** Writes the state into the fields; the one that is being typed in is left alone. */
+    show() {
+        const { view, picture, size } = this.state;
+        const write = (id, value) => {
+            const field = $(id);
+            if (document.activeElement !== field || field.matches('select')) {
+                field.value = value;
+            }
+        };
+        for (const [name, { decimals, unit = 1 }] of Object.entries(NUMBERS)) {
+            write(name, Number((view[name] / unit).toFixed(decimals)));
+        }
+        write('calendar', calendarOf(view.mjd));
+        if (Math.abs(view.mjd - this.#anchor) > 15.01) {
+            this.#anchor = view.mjd;
+        }
+        $('time-slider').value = view.mjd - this.#anchor;
+        $('time-slider').setAttribute('aria-valuetext', `${calendarOf(view.mjd).replace('T', ' ')} UTC`);
+        for (const name of CHOICES) {
+            write(name, picture[name] || $(name).options[0]?.value || '');
+        }
+        write('samples', picture.samples);
+        write('width', size.width);
+        write('height', size.height);
+        $('fit').checked = picture.fit;
+    }
+
+    #anchorTime(isNew) {
+        if (isNew) {
+            this.#anchor = this.state.view.mjd;
+            this.show();
+        }
+    }
+}

@@ -1,0 +1,123 @@
+// What is looked at: the view, the picture's settings, and their form in the page's address, so that a reload brings them back.
+
+import { stateOf, turn } from './geometry.js';
+
+/** The Moon's near side, a day after the first quarter of April 2010. */
+const FIRST_VIEW = { mjd: 55308, latitude: 0, longitude: 0, altitude: 3900000, heading: 0, tilt: 0, roll: 0, fov: 40 };
+
+const FIRST_PICTURE = { fit: true, width: 1024, height: 1024, samples: 9, model: '', shading: 'facet', sun: 'point', reflectance: '' };
+
+/** The longer side of the images while the camera moves, px. */
+export const MOVING_SIZE = 512;
+
+/** The largest image that fits the window by itself: 4K. */
+const MOST_PIXELS = 3840 * 2160;
+
+const LIMITS = { latitude: [-90, 90], altitude: [-9000, 1e9], tilt: [0, 180], fov: [0.01, 175], mjd: [15021, 69805] };
+
+export class State {
+    #listeners = [];
+
+    constructor() {
+        this.view = { ...FIRST_VIEW };
+        this.picture = { ...FIRST_PICTURE };
+        this.window = { width: 1024, height: 1024 };
+    }
+
+    /** Calls a function after each change, with whether the picture of it is there already. */
+    onChange(listener) {
+        this.#listeners.push(listener);
+    }
+
+    /** Moves or turns the camera, or the time; a stored picture of the view need not be drawn. */
+    look(changes, isStored = false) {
+        const view = { ...this.view, ...changes };
+        for (const [name, [least, most]] of Object.entries(LIMITS)) {
+            view[name] = Math.min(Math.max(view[name], least), most);
+        }
+        for (const name of ['longitude', 'heading']) {
+            view[name] = turn(view[name]);
+        }
+        view.roll = turn(view.roll + 180) - 180;
+        if (Object.values(view).every(Number.isFinite)) {
+            this.view = view;
+            this.#tell(isStored);
+        }
+    }
+
+    /** Changes how the picture is drawn. */
+    draw(changes) {
+        Object.assign(this.picture, changes);
+        this.#tell(false);
+    }
+
+    /** The room for the picture, in px of the screen. */
+    fitTo(width, height) {
+        if (width !== this.window.width || height !== this.window.height) {
+            this.window = { width, height };
+            this.#tell(false);
+        }
+    }
+
+    /** Width and height of the picture at rest. */
+    get size() {
+        if (!this.picture.fit) {
+            return { width: this.picture.width, height: this.picture.height };
+        }
+        const factor = Math.min(1, Math.sqrt(MOST_PIXELS / (this.window.width * this.window.height)));
+        return { width: Math.max(1, Math.round(this.window.width * factor)), height: Math.max(1, Math.round(this.window.height * factor)) };
+    }
+
+    /** Width and height while the camera moves: of the same shape. */
+    get movingSize() {
+        const { width, height } = this.size;
+        const factor = Math.min(1, MOVING_SIZE / Math.max(width, height));
+        return { width: Math.max(1, Math.round(width * factor)), height: Math.max(1, Math.round(height * factor)) };
+    }
+
+    /** The frame of the view as the server takes it: options under the names of the command line. */
+    frame({ width, height } = this.size, samples = 1) {
+        const { model, shading, sun, reflectance } = this.picture;
+        return {
+            'fixed-state': stateOf(this.view),
+            fov: this.view.fov,
+            width,
+            height,
+            samples,
+            ...(model && { model }),
+            ...(shading !== FIRST_PICTURE.shading && { shading }),
+            ...(sun !== FIRST_PICTURE.sun && { sun }),
+            ...(reflectance && { reflectance }),
+        };
+    }
+
+    /** All of it in the form of a query: only what is not as at first. */
+    toText() {
+        const parameters = new URLSearchParams();
+        for (const [values, first] of [[this.view, FIRST_VIEW], [this.picture, FIRST_PICTURE]]) {
+            for (const [name, value] of Object.entries(values)) {
+                if (value !== first[name]) {
+                    parameters.set(name, value);
+                }
+            }
+        }
+        return parameters.toString();
+    }
+
+    /** Takes over what toText wrote; what is no number stays as it is. */
+    fromText(text) {
+        const parameters = new URLSearchParams(text);
+        const read = first => Object.fromEntries([...parameters]
+            .filter(([name, value]) => name in first && (typeof first[name] !== 'number' || Number.isFinite(Number(value))))
+            .map(([name, value]) => [name, typeof first[name] === 'number' ? Number(value)
+                : typeof first[name] === 'boolean' ? value === 'true' : value]));
+        this.picture = { ...FIRST_PICTURE, ...read(FIRST_PICTURE) };
+        this.look({ ...FIRST_VIEW, ...read(FIRST_VIEW) });
+    }
+
+    #tell(isStored) {
+        for (const listener of this.#listeners) {
+            listener(isStored);
+        }
+    }
+}

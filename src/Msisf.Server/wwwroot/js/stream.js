@@ -1,0 +1,104 @@
+// The images of a moving camera, by WebSocket: one is drawn at a time, and of the states that come meanwhile only the newest.
+
+const MAGIC = 0x4649534d; // "MSIF", little-endian
+const RETRY_AFTER = 1000; // ms
+
+export class ImageStream {
+    /**
+     * @param onImage gets {number, width, height, values} of each image, and the milliseconds that it took.
+     * @param onProblem gets the server's words when a state cannot be drawn, or the connection is lost; null when all is well again.
+     */
+    constructor(onImage, onProblem) {
+        this.onImage = onImage;
+        this.onProblem = onProblem;
+        this.number = 0;
+        this.next = null;
+        this.isDrawing = false;
+        this.isReady = false;
+        this.key = null;
+    }
+
+    /** Asks for the image of a frame; one that is not begun yet is dropped. */
+    show(frame) {
+        this.next = frame;
+        const key = ImageStream.#fixedPart(frame);
+        if (!this.socket || this.key !== key) {
+            this.#open(frame, key);
+        } else {
+            this.#send();
+        }
+    }
+
+    /** Forgets what is not begun yet. */
+    rest() {
+        this.next = null;
+    }
+
+    /** All of a frame but what each state brings: a change of it needs another connection. */
+    static #fixedPart(frame) {
+        return JSON.stringify({ ...frame, 'fixed-state': null, fov: null });
+    }
+
+    #open(frame, key) {
+        this.socket?.close();
+        this.key = key;
+        this.isReady = false;
+        this.isDrawing = false;
+        const socket = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/v1/stream`);
+        socket.binaryType = 'arraybuffer';
+        socket.onopen = () => socket.send(JSON.stringify({ frame, mode: 'newest-only', format: 'u8' }));
+        socket.onmessage = event => this.socket === socket && this.#receive(event.data);
+        socket.onclose = event => this.socket === socket && this.#lost(event);
+        this.socket = socket;
+    }
+
+    #receive(data) {
+        if (typeof data === 'string') {
+            const answer = JSON.parse(data);
+            this.isReady ||= answer.ready === true;
+            const words = answer.error ?? answer.detail;
+            if (words !== undefined) {
+                this.isDrawing = false;
+                this.onProblem(words);
+            }
+        } else {
+            const header = new DataView(data);
+            if (header.getUint32(0, true) !== MAGIC) {
+                return;
+            }
+            this.isDrawing = false;
+            this.onProblem(null);
+            this.onImage({
+                number: header.getUint32(4, true),
+                width: header.getUint32(8, true),
+                height: header.getUint32(12, true),
+                values: new Uint8Array(data, 16),
+            }, performance.now() - this.sentAt);
+        }
+        this.#send();
+    }
+
+    #send() {
+        if (!this.isReady || this.isDrawing || !this.next || this.socket.readyState !== WebSocket.OPEN) {
+            return;
+        }
+        const { 'fixed-state': state, fov } = this.next;
+        this.drawn = this.next;
+        this.next = null;
+        this.isDrawing = true;
+        this.sentAt = performance.now();
+        this.number += 1;
+        this.socket.send(JSON.stringify({ number: this.number, 'fixed-state': state, fov }));
+    }
+
+    #lost(event) {
+        this.socket = null;
+        this.key = null;
+        this.onProblem(event.reason || 'The connection to msis is lost; trying again.');
+        setTimeout(() => {
+            if (!this.socket && this.next) {
+                this.show(this.next);
+            }
+        }, RETRY_AFTER);
+    }
+}

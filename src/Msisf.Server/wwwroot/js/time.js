@@ -1,0 +1,26 @@
+// Modified Julian Dates (UTC, no leap seconds) and the calendar: pure functions.
+
+const MILLISECONDS_A_DAY = 86400000;
+const MJD_OF_1970 = 40587;
+
+/** The MJD of a time of the calendar such as 2010-04-06T20:24:00Z; null where it is none. */
+export function mjdOf(text) {
+    const match = /^(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d)(?::(\d\d(?:\.\d+)?))?Z?$/.exec(text.trim());
+    if (!match) {
+        return null;
+    }
+    const [year, month, day, hour, minute] = match.slice(1, 6).map(Number);
+    const seconds = Number(match[6] ?? 0);
+    const midnight = Date.UTC(year, month - 1, day);
+    const date = new Date(midnight);
+    if (date.getUTCMonth() !== month - 1 || hour > 23 || minute > 59 || seconds >= 60) {
+        return null;
+    }
+    return MJD_OF_1970 + midnight / MILLISECONDS_A_DAY + (hour * 3600 + minute * 60 + seconds) / 86400;
+}
+
+/** The time of the calendar of an MJD, to the nearest second, without its Z: 2010-04-06T20:24:00. */
+export function calendarOf(mjd) {
+    const seconds = Math.round((mjd - MJD_OF_1970) * 86400);
+    return new Date(seconds * 1000).toISOString().slice(0, 19);
+}

@@ -1,0 +1,143 @@
+using System.Net;
+using System.Net.Http.Headers;
+using System.Net.Sockets;
+using System.Net.WebSockets;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Server.Tests;
+
+/// <summary>Pages of other sites, clients without the token, and addresses that others can reach.</summary>
+public sealed class GuardTests(RunningServer server) : IClassFixture<RunningServer>
+{
+    private const string Token = "0123456789abcdef";
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("Host", "moon.example.com")]
+    [InlineData("Host", "localhost.example.com")]
+    [InlineData("Origin", "http://moon.example.com")]
+    [InlineData("Origin", "null")]
+    [InlineData("Origin", "http://127.0.0.1:1")]
+    [InlineData("Sec-Fetch-Site", "cross-site")]
+    public async Task ForeignHostOrOrigin_IsForbidden(string header, string value)
+    {
+        using HttpRequestMessage request = new(HttpMethod.Get, "/v1/models");
+        request.Headers.TryAddWithoutValidation(header, value);
+
+        using HttpResponseMessage answer = await server.Client.SendAsync(request);
+
+        Assert.Equal(HttpStatusCode.Forbidden, answer.StatusCode);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task OwnOrigin_IsAllowed()
+    {
+        using HttpRequestMessage request = new(HttpMethod.Get, "/v1/models");
+        request.Headers.Add("Origin", server.Address);
+
+        using HttpResponseMessage answer = await server.Client.SendAsync(request);
+
+        Assert.Equal(HttpStatusCode.OK, answer.StatusCode);
+        Assert.Contains("frame-ancestors 'none'", answer.Headers.GetValues("Content-Security-Policy").Single(), StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task WebSocketOfAForeignPage_IsForbidden()
+    {
+        using ClientWebSocket socket = new();
+        socket.Options.SetRequestHeader("Origin", "http://moon.example.com");
+
+        await Assert.ThrowsAsync<WebSocketException>(
+            () => socket.ConnectAsync(new Uri($"{server.Address.Replace("http", "ws", StringComparison.Ordinal)}/v1/stream"), default));
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task Token_IsNeeded_AsBearerOrPassword()
+    {
+        using TemporaryFolder folder = new();
+        using RunningServer guarded = await RunningServer.StartAsync((ServeOptions.TokenFile, folder.Write("token", Token + "\n")));
+
+        Assert.Equal(HttpStatusCode.Unauthorized, await StatusAsync(guarded, null));
+        Assert.Equal(HttpStatusCode.Unauthorized, await StatusAsync(guarded, new("Bearer", "0123456789abcdeF")));
+        Assert.Equal(HttpStatusCode.Unauthorized, await StatusAsync(guarded, new("Basic", "%%%")));
+        Assert.Equal(HttpStatusCode.OK, await StatusAsync(guarded, new("Bearer", Token)));
+        Assert.Equal(
+            HttpStatusCode.OK, await StatusAsync(guarded, new("Basic", Convert.ToBase64String(System.Text.Encoding.ASCII.GetBytes($"me:{Token}")))));
+        Assert.Equal(HttpStatusCode.OK, (await guarded.Client.GetAsync("/healthz")).StatusCode);
+        await guarded.DisposeAsync();
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task UnixSocket_Answers_AndIsRemovedAtTheEnd()
+    {
+        string folder = Directory.CreateTempSubdirectory("msis").FullName; // short: a socket's path has 107 bytes at most
+        string path = Path.Combine(folder, "sock");
+        using RunningServer running = await RunningServer.StartAsync((ServeOptions.Listen, path));
+        using SocketsHttpHandler handler = new()
+        {
+            ConnectCallback = async (_, cancellation) =>
+            {
+                Socket socket = new(AddressFamily.Unix, SocketType.Stream, ProtocolType.Unspecified);
+                await socket.ConnectAsync(new UnixDomainSocketEndPoint(path), cancellation);
+                return new NetworkStream(socket, ownsSocket: true);
+            },
+        };
+        using HttpClient client = new(handler);
+
+        Assert.Equal("ok\n", await client.GetStringAsync(new Uri("http://localhost/healthz")));
+        Assert.Equal(UnixFileMode.UserRead | UnixFileMode.UserWrite, File.GetUnixFileMode(path));
+        await running.DisposeAsync();
+        Assert.False(File.Exists(path));
+        Directory.Delete(folder);
+    }
+
+    [Theory]
+    [InlineData("0.0.0.0:8810", "--token-file")]
+    [InlineData("192.168.1.1:80", "--token-file")]
+    [InlineData("[::]:80", "--token-file")]
+    [InlineData("127.0.0.1", "is no address with a port")]
+    [InlineData("example.com:80", "is no address with a port")]
+    [InlineData("127.0.0.1:65536", "is no address with a port")]
+    [InlineData("127.1:80", "is no address with a port")]
+    public void Listen_OnWhatOthersReach_NeedsAToken(string address, string words)
+    {
+        UsageException exception = Assert.Throws<UsageException>(() => ServeOptions.Read(Values((ServeOptions.Listen, address))));
+
+        Assert.Contains(words, exception.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("127.0.0.1:0")]
+    [InlineData("127.5.5.5:80")]
+    [InlineData("[::1]:8810")]
+    [InlineData("localhost:8810")]
+    [InlineData("./msis.sock")]
+    public void Listen_OnLoopbackOrASocket_NeedsNoToken(string address) =>
+        Assert.True(ServeOptions.Read(Values((ServeOptions.Listen, address))).Listen.IsLocal);
+
+    [Fact]
+    public void ShortToken_IsRefused()
+    {
+        using TemporaryFolder folder = new();
+
+        BadInputException exception = Assert.Throws<BadInputException>(
+            () => ServeOptions.Read(Values((ServeOptions.TokenFile, folder.Write("token", "secret\n")))));
+
+        Assert.Contains("is no token", exception.Message, StringComparison.Ordinal);
+        Assert.DoesNotContain("secret", exception.Message, StringComparison.Ordinal);
+    }
+
+    private static async Task<HttpStatusCode> StatusAsync(RunningServer guarded, AuthenticationHeaderValue? authorization)
+    {
+        using HttpRequestMessage request = new(HttpMethod.Get, "/v1/models");
+        request.Headers.Authorization = authorization;
+        using HttpResponseMessage answer = await guarded.Client.SendAsync(request);
+        return answer.StatusCode;
+    }
+
+    private static OptionValues Values(params (OptionSpec Option, string Value)[] options) =>
+        new(options.Select(pair => KeyValuePair.Create(pair.Option.Name, new OptionValue([pair.Value]))));
+}

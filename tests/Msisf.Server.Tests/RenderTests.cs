@@ -1,0 +1,186 @@
+using System.Net;
+using System.Text;
+using System.Text.Json;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Server.Tests;
+
+/// <summary>POST /v1/render gives what msis writes, and says what is wrong in its words.</summary>
+public sealed class RenderTests(RunningServer server) : IClassFixture<RunningServer>
+{
+    private const string Options = """
+        "position": [3, 6, 120000], "time": 55289.25, "off-nadir": [10, 30], "width": 96, "height": 64, "fov": 30, "samples": 4,
+        "reflectance": "hapke", "sun": "disc", "grid": 16, "surface": "terrain", "layers": ["depth", "normal", "mask"]
+        """;
+
+    private static readonly string[] CommandLine =
+    [
+        "--position", "3,6,120000", "--time", "55289.25", "--off-nadir", "10,30", "--width", "96", "--height", "64", "--fov", "30",
+        "--samples", "4", "--reflectance", "hapke", "--sun", "disc", "--grid", "16", "--surface", "terrain",
+        "--layers", "depth,normal,mask", "--renderer", "native", "--batch",
+    ];
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("image/png", "png")]
+    [InlineData("application/xml", "xml")]
+    public async Task Answer_HasTheBytesOf_Msis(string accept, string extension)
+    {
+        using TemporaryFolder folder = new();
+        byte[] expected = FileOfMsis(folder, extension);
+
+        Assert.Equal(expected, await server.RenderAsync(Options, accept));
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task Multipart_HasTheBytesOf_AllFilesOfMsis()
+    {
+        using TemporaryFolder folder = new();
+        byte[] png = FileOfMsis(folder, "png", "--layers-format", "npy");
+
+        string answer = Encoding.Latin1.GetString(
+            await server.RenderAsync($"{Options}, \"layers-format\": \"npy\"", "multipart/mixed"));
+
+        Assert.Contains(Encoding.Latin1.GetString(png), answer, StringComparison.Ordinal);
+        foreach (string name in new[] { "depth.npy", "normal.npy", "mask.npy", "layers.json", "xml" })
+        {
+            string file = Assert.Single(Directory.GetFiles(folder.Path, $"*.{name}"));
+            Assert.Contains(
+                $"filename=\"{name}\"\r\nContent-Length: {new FileInfo(file).Length}\r\n\r\n{Encoding.Latin1.GetString(File.ReadAllBytes(file))}\r\n--",
+                answer,
+                StringComparison.Ordinal);
+        }
+    }
+
+    [RequiresFact(Part.Ldem4, Part.CFitsio)]
+    public async Task Fits_HasTheBytesOf_Msis()
+    {
+        using TemporaryFolder folder = new();
+        byte[] expected = FileOfMsis(folder, "fits");
+
+        Assert.Equal(expected, await server.RenderAsync(Options, "application/fits"));
+    }
+
+    /// <summary>The same levels as in the PNG, which is read back here.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData(8, "u8")]
+    [InlineData(16, "u16")]
+    public async Task Raw_HasTheLevelsOf_ThePng(int bits, string type)
+    {
+        string options = $"{RunningServer.SmallFrame}, \"bit-depth\": {bits}";
+        using HttpResponseMessage answer = await server.PostAsync("/v1/render", $"{{{options}}}", "application/octet-stream");
+        byte[] raw = await answer.Content.ReadAsByteArrayAsync();
+
+        Assert.Equal(type, answer.Headers.GetValues("X-Msisf-Type").Single());
+        Assert.Equal("64", answer.Headers.GetValues("X-Msisf-Width").Single());
+        Assert.Equal(64 * 48 * bits / 8, raw.Length);
+        byte[] npy = await server.RenderAsync(options, "application/x-npy");
+        Assert.Equal(raw, npy[^raw.Length..]);
+        Assert.Contains(bits == 8 ? "'|u1'" : "'<u2'", Encoding.ASCII.GetString(npy, 0, 80), StringComparison.Ordinal);
+        using MemoryStream png = new(await server.RenderAsync(options));
+        PngPixels pixels = PngPixels.Read(png);
+        Assert.Equal(
+            Enumerable.Range(0, 64 * 48).Select(i => pixels[i % 64, i / 64, 0]),
+            Enumerable.Range(0, 64 * 48).Select(i => bits == 8 ? raw[i] : raw[2 * i] + (256 * raw[(2 * i) + 1])));
+        Assert.True(raw.Distinct().Count() > 10, "the image shows nothing");
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task Json_HasTheNumbersOf_TheMetaFile()
+    {
+        JsonElement meta = JsonDocument.Parse(await server.RenderAsync(Options, "application/json")).RootElement;
+
+        JsonElement general = meta.GetProperty("GeneralInformation");
+        Assert.Equal(
+            (1737400.0 + 120000.0) * Math.Sin(double.DegreesToRadians(3.0)),
+            general.GetProperty("CameraPosition").GetProperty("Vector3D").GetProperty("z").GetDouble(),
+            1e-6);
+        Assert.Equal(9, general.GetProperty("Camera").GetProperty("K").GetProperty("value").GetArrayLength());
+        Assert.Equal(
+            96 / 16 * (64 / 16), meta.GetProperty("PixelInformation").GetProperty("Pixel").GetArrayLength());
+    }
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0]}""", "--fixed-state: 7 numbers, 8 expected")]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "widht": 5}""", "'widht' is no option: did you mean width?")]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "fov": 500}""", "--fov is 500; its range is above 0, below 180")]
+    [InlineData("""{"fixed-state": [55289, 1, 0, 0, 0, 0, 0, 1]}""", "the camera is inside the Moon")]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "ldem": "/etc/passwd"}""", "'ldem' can't stand in a request")]
+    [InlineData("""{"batch-file": "/etc/passwd"}""", "'batch-file' can't stand in a request")]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "albedo-map": "/etc/passwd"}""", "which the server does not have")]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "camera": "../../etc/passwd"}""", "which the server does not have")]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "model": "LDEM_5"}""", "did you mean LDEM_4?")]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "res": 5}""", "--res is 5; the server has 4")]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "renderer": "povray"}""", "native renderer only")]
+    [InlineData("""{"fov": 40}""", "nothing says where the camera is")]
+    [InlineData("""[1, 2]""", "JSON object")]
+    [InlineData("""{"fixed-state": [""", "the request is no JSON")]
+    public async Task WrongRequest_IsRefused_InTheWordsOfTheCommandLine(string json, string words)
+    {
+        using HttpResponseMessage answer = await server.PostAsync("/v1/render", json);
+
+        JsonElement problem = await RunningServer.JsonOf(answer);
+        Assert.Equal(HttpStatusCode.BadRequest, answer.StatusCode);
+        Assert.Equal("application/problem+json", answer.Content.Headers.ContentType!.MediaType);
+        Assert.Contains(words, problem.GetProperty("detail").GetString(), StringComparison.Ordinal);
+        Assert.Equal(400, problem.GetProperty("status").GetInt32());
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task InlineCamera_IsTheSame_AsItsFile()
+    {
+        using TemporaryFolder folder = new();
+        string camera = Path.Combine(folder.Path, "own.yaml");
+        File.WriteAllText(camera, "width: 80\nheight: 60\nfocal-length-px: [90, 91]\nprincipal-point: [39, 31]\n");
+        byte[] expected = FileOfRun(
+            folder, "png", ["--fixed-state", "{55289,1.9e6,0,0,0,0,0,1}", "--renderer", "native", "--batch", "--camera", camera]);
+
+        Assert.Equal(expected, await server.RenderAsync("""
+            "fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1],
+            "camera": {"width": 80, "height": 60, "focal-length-px": [90, 91], "principal-point": [39, 31]}
+            """));
+    }
+
+    /// <summary>The path is not even looked at: no such file would be another message.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task InlineCamera_ThatNamesAFile_IsRefused()
+    {
+        using HttpResponseMessage answer = await server.PostAsync("/v1/render", """
+            {"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "camera": {"width": 80, "height": 60, "field-of-view": 40,
+             "detector": {"exposure-time": 0.01, "full-well": 50000, "gain": 10, "bits": 12, "f-number": 4, "psf": "kernel",
+             "psf-kernel": "/etc/passwd", "quantum-efficiency": 0.5, "pixel-pitch": 0.01}}}
+            """);
+
+        Assert.Equal(HttpStatusCode.BadRequest, answer.StatusCode);
+        Assert.DoesNotContain("can't be read", await answer.Content.ReadAsStringAsync(), StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task TimeOutsideTheKernels_IsUnprocessable()
+    {
+        using HttpResponseMessage answer = await server.PostAsync(
+            "/v1/render", """{"fixed-state": [200000, 1.9e6, 0, 0, 0, 0, 0, 1], "width": 8, "height": 8}""");
+
+        Assert.Equal(HttpStatusCode.UnprocessableEntity, answer.StatusCode);
+        Assert.Contains("outside the kernels' cover", await answer.Content.ReadAsStringAsync(), StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task PlausibleMistake_IsAWarning()
+    {
+        using HttpResponseMessage answer = await server.PostAsync(
+            "/v1/render", """{"position": "0,0,1800000", "time": "2010-04-03T00:00:00Z", "width": 8, "height": 8}""");
+
+        Assert.Contains("heights are over the surface", answer.Headers.GetValues("X-Msisf-Warning").Single(), StringComparison.Ordinal);
+    }
+
+    private static byte[] FileOfMsis(TemporaryFolder folder, string extension, params string[] more) =>
+        FileOfRun(folder, extension, [.. CommandLine, .. more]);
+
+    private static byte[] FileOfRun(TemporaryFolder folder, string extension, string[] arguments)
+    {
+        CommandLineRun run = CommandLineRun.Of([.. arguments, "--output-dir", folder.Path, "--ldem", TestParts.Ldem4Label!]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        return File.ReadAllBytes(Assert.Single(Directory.GetFiles(folder.Path, $"*_00001.{extension}")));
+    }
+}

@@ -1,0 +1,162 @@
+using System.Buffers.Binary;
+using System.Net.WebSockets;
+using System.Text;
+using System.Text.Json;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Server.Tests;
+
+/// <summary>GET /v1/stream: states in, images out.</summary>
+public sealed class StreamTests(RunningServer server) : IClassFixture<RunningServer>
+{
+    private static readonly double[] State = [55289, 1.9e6, 0, 0, 0, 0, 0, 1];
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task LockStep_GivesTheImagesOf_Render()
+    {
+        using ClientWebSocket socket = await OpenAsync("""{"frame": {"width": 64, "height": 48}, "mode": "lock-step", "format": "u8"}""");
+        byte[] expected = await server.RenderAsync(RunningServer.SmallFrame, "application/octet-stream");
+
+        for (uint number = 1; number <= 3; number++)
+        {
+            await SendAsync(socket, State);
+            (WebSocketMessageType type, byte[] answer) = await ReceiveAsync(socket);
+
+            Assert.Equal(WebSocketMessageType.Binary, type);
+            Assert.Equal("MSIF", Encoding.ASCII.GetString(answer, 0, 4));
+            Assert.Equal(number, BinaryPrimitives.ReadUInt32LittleEndian(answer.AsSpan(4)));
+            Assert.Equal(64u, BinaryPrimitives.ReadUInt32LittleEndian(answer.AsSpan(8)));
+            Assert.Equal(48u, BinaryPrimitives.ReadUInt32LittleEndian(answer.AsSpan(12)));
+            Assert.Equal(expected, answer[16..]);
+        }
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task Changes_ReplaceOptions_OfTheFirstMessage()
+    {
+        using ClientWebSocket socket = await OpenAsync($"{{\"frame\": {{{RunningServer.SmallFrame}}}, \"format\": \"png\"}}");
+
+        await SendAsync(socket, """{"number": 17, "position": [0, 0, 500000], "time": 55289, "fov": 20}""");
+        (_, byte[] answer) = await ReceiveAsync(socket);
+
+        Assert.Equal(17u, BinaryPrimitives.ReadUInt32LittleEndian(answer.AsSpan(4)));
+        Assert.Equal(
+            await server.RenderAsync("\"position\": [0, 0, 500000], \"time\": 55289, \"fov\": 20, \"width\": 64, \"height\": 48"),
+            answer[16..]);
+    }
+
+    /// <summary>A request that fails leaves the session usable.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("{\"fov\": 500, \"number\": 3}", "--fov is 500", 3u)]
+    [InlineData("{\"number\": -1}", "'number' is the frame's number", 1u)]
+    [InlineData("{", "no JSON", 1u)]
+    [InlineData("{\"fov\": 1, \"fov\": 2}", "given twice", 1u)]
+    public async Task WrongMessage_IsAnswered_AndTheNextOneWorks(string message, string words, uint number)
+    {
+        using ClientWebSocket socket = await OpenAsync($"{{\"frame\": {{{RunningServer.SmallFrame}}}}}");
+
+        await SendAsync(socket, message);
+        (WebSocketMessageType type, byte[] answer) = await ReceiveAsync(socket);
+
+        JsonElement problem = JsonDocument.Parse(answer).RootElement;
+        Assert.Equal(WebSocketMessageType.Text, type);
+        Assert.Contains(words, problem.GetProperty("error").GetString(), StringComparison.Ordinal);
+        Assert.Equal(number, problem.GetProperty("number").GetUInt32());
+        await SendAsync(socket, State);
+        Assert.Equal(WebSocketMessageType.Binary, (await ReceiveAsync(socket)).Type);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task StateOfAnotherLength_IsAnError()
+    {
+        using ClientWebSocket socket = await OpenAsync($"{{\"frame\": {{{RunningServer.SmallFrame}}}}}");
+
+        await SendAsync(socket, State[..7]);
+
+        Assert.Contains("56 bytes; 64 are needed", Encoding.UTF8.GetString((await ReceiveAsync(socket)).Bytes), StringComparison.Ordinal);
+    }
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("{\"frame\": {\"fov\": 500}}", "--fov is 500")]
+    [InlineData("{\"mode\": \"lock-step\"}", "no 'frame'")]
+    [InlineData("{\"frame\": {}, \"mode\": \"slow\"}", "one of lock-step, newest-only")]
+    [InlineData("{\"frames\": {}}", "'frames' is not known here")]
+    public async Task WrongFirstMessage_ClosesTheStream(string message, string words)
+    {
+        using ClientWebSocket socket = await ConnectAsync();
+        await SendAsync(socket, message);
+
+        Assert.Contains(words, Encoding.UTF8.GetString((await ReceiveAsync(socket)).Bytes), StringComparison.Ordinal);
+        Assert.Equal(WebSocketMessageType.Close, (await ReceiveAsync(socket)).Type);
+    }
+
+    /// <summary>Of many states that come while one is drawn, the last is drawn; each answer says which it is.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task NewestOnly_LeavesStatesOut_ButNotTheLast()
+    {
+        using ClientWebSocket socket = await OpenAsync(
+            """{"frame": {"width": 512, "height": 512, "samples": 9}, "mode": "newest-only"}""");
+        for (int i = 1; i <= 50; i++)
+        {
+            await SendAsync(socket, $"{{\"number\": {i}, \"fixed-state\": [55289, 1.9e6, 0, 0, 0, 0, 0, 1]}}");
+        }
+
+        List<uint> numbers = [];
+        while (numbers.LastOrDefault() != 50)
+        {
+            numbers.Add(BinaryPrimitives.ReadUInt32LittleEndian((await ReceiveAsync(socket)).Bytes.AsSpan(4)));
+        }
+
+        Assert.True(numbers.Count < 50, $"{numbers.Count} of 50 were drawn");
+        Assert.Equal(numbers.Order(), numbers);
+    }
+
+    private async Task<ClientWebSocket> OpenAsync(string message)
+    {
+        ClientWebSocket socket = await ConnectAsync();
+        await SendAsync(socket, message);
+        string ready = Encoding.UTF8.GetString((await ReceiveAsync(socket)).Bytes);
+        Assert.StartsWith("{\"ready\":true,\"width\":", ready, StringComparison.Ordinal);
+        return socket;
+    }
+
+    private async Task<ClientWebSocket> ConnectAsync()
+    {
+        ClientWebSocket socket = new();
+        await socket.ConnectAsync(new Uri($"{server.Address.Replace("http", "ws", StringComparison.Ordinal)}/v1/stream"), default);
+        return socket;
+    }
+
+    private static Task SendAsync(ClientWebSocket socket, string json) =>
+        socket.SendAsync(Encoding.UTF8.GetBytes(json), WebSocketMessageType.Text, true, default);
+
+    private static Task SendAsync(ClientWebSocket socket, double[] state)
+    {
+        byte[] bytes = new byte[8 * state.Length];
+        for (int i = 0; i < state.Length; i++)
+        {
+            BinaryPrimitives.WriteDoubleLittleEndian(bytes.AsSpan(8 * i), state[i]);
+        }
+
+        return socket.SendAsync(bytes, WebSocketMessageType.Binary, true, default);
+    }
+
+    private static Task<(WebSocketMessageType Type, byte[] Bytes)> ReceiveAsync(ClientWebSocket socket) =>
+        Within.Seconds(60.0, "an answer of the stream", ReadAsync(socket));
+
+    private static async Task<(WebSocketMessageType Type, byte[] Bytes)> ReadAsync(ClientWebSocket socket)
+    {
+        using MemoryStream message = new();
+        byte[] buffer = new byte[1 << 16];
+        while (true)
+        {
+            WebSocketReceiveResult part = await socket.ReceiveAsync(buffer, default);
+            message.Write(buffer, 0, part.Count);
+            if (part.EndOfMessage)
+            {
+                return (part.MessageType, message.ToArray());
+            }
+        }
+    }
+}

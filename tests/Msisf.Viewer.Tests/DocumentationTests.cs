@@ -1,0 +1,67 @@
+using System.Buffers.Binary;
+using Microsoft.Playwright;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Viewer.Tests;
+
+/// <summary>The screenshots of docs/viewer.md; MSISF_WRITE_DOCS=1 takes them anew.</summary>
+[Collection(Chromium.Collection)]
+public class DocumentationTests(Chromium chromium, ViewerServer server)
+{
+    private static readonly bool IsWriting = Environment.GetEnvironmentVariable("MSISF_WRITE_DOCS") == "1";
+
+    private static readonly string Samples = IsWriting ? "samples=9" : "samples=1";
+
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task Screenshots_OfTheScenesOfThePage_AreThere()
+    {
+        const string overTycho = "latitude=-30&longitude=352&altitude=1100000&tilt=24&heading=180&mjd=55309.2";
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, $"{Samples}&{overTycho}", 1080, 720);
+        await viewer.Page.CheckAsync("#show-grid");
+        await viewer.PointAsync(400, 400);
+        await viewer.Page.Mouse.DownAsync();
+        await viewer.Page.Mouse.UpAsync();
+        await viewer.PointAsync(520, 450);
+        await viewer.Page.Mouse.DownAsync();
+        await viewer.Page.Mouse.UpAsync();
+        await viewer.Page.WaitForFunctionAsync("() => document.getElementById('between').textContent.startsWith('From A to B')");
+        await viewer.PointAsync(330, 480);
+        await TakeAsync(viewer, "viewer.png");
+
+        await viewer.Page.UncheckAsync("#show-grid");
+        await viewer.Page.SelectOptionAsync("#layer-choice", "height");
+        await viewer.Page.Locator("#layer").WaitForAsync();
+        await viewer.PointAsync(330, 480);
+        await TakeAsync(viewer, "viewer-height.png");
+    }
+
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task Screenshot_OfATelephone_IsThere()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, $"{Samples}&altitude=5500000", 360, 720);
+        await viewer.PointAsync(200, 150);
+        await TakeAsync(viewer, "viewer-telephone.png");
+    }
+
+    /// <summary>Takes a screenshot; that of the docs has its size, and the page shows it.</summary>
+    private static async Task TakeAsync(ViewerPage viewer, string name)
+    {
+        await viewer.Page.EvaluateAsync("() => document.getElementById('settings').scrollTo(0, 0)");
+        Assert.True(await viewer.Page.EvaluateAsync<bool>(
+            "() => document.getElementById('reading').scrollWidth <= document.getElementById('reading').clientWidth"));
+        string path = Path.Combine(TestParts.RepositoryRoot, "docs", "images", name);
+        byte[] taken = await viewer.Page.ScreenshotAsync(new PageScreenshotOptions { Animations = ScreenshotAnimations.Disabled });
+        if (IsWriting)
+        {
+            await File.WriteAllBytesAsync(path, taken);
+        }
+
+        Assert.Equal(SizeOf(taken), SizeOf(await File.ReadAllBytesAsync(path)));
+        Assert.Contains(
+            $"images/{name}", await File.ReadAllTextAsync(Path.Combine(TestParts.RepositoryRoot, "docs", "viewer.md")), StringComparison.Ordinal);
+    }
+
+    private static (int Width, int Height) SizeOf(byte[] png) =>
+        (BinaryPrimitives.ReadInt32BigEndian(png.AsSpan(16)), BinaryPrimitives.ReadInt32BigEndian(png.AsSpan(20)));
+}

@@ -1,0 +1,105 @@
+using System.Globalization;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Viewer.Tests;
+
+/// <summary>The time line: finished folders, batch files, flights.</summary>
+[Collection(Chromium.Collection)]
+public class FrameTests(Chromium chromium, ViewerServer server)
+{
+    private const string Small = "samples=1&fit=false&width=96&height=64";
+
+    [RequiresFact(Part.Chromium, Part.Ldem4, Part.Cairo)]
+    public async Task FinishedFolder_StepAnnotateAndDrawAnew_ShowsItsImagesAndMetaFiles()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Small);
+        await viewer.ShowAllAsync();
+        await viewer.Page.SelectOptionAsync("#folder", "run");
+        await StatusAsync(viewer, "Stored image of frame 1: 96 × 64.");
+        string stored = await PixelsAsync(viewer);
+        Assert.Contains("1 of 2, 2010-04-03 00:00:00 UTC", await viewer.Page.TextContentAsync("#frame-label"), StringComparison.Ordinal);
+        Assert.Equal(30.0, await viewer.NumberAsync("fov"));
+
+        await viewer.Page.ClickAsync("#frame-after");
+        await StatusAsync(viewer, "Stored image of frame 2: 96 × 64.");
+        await viewer.Page.WaitForFunctionAsync("() => document.getElementById('meta').textContent.includes('55289.25')");
+        Assert.NotEqual(stored, await PixelsAsync(viewer));
+        string meta = (await viewer.Page.TextContentAsync("#meta"))!;
+        Assert.Contains("--fixed-state '{55289.25,2000000,0,0,0,0,0,1}'", meta, StringComparison.Ordinal);
+        Assert.Contains("x 2000000, y 0, z 0 m", meta, StringComparison.Ordinal);
+
+        await viewer.Page.FocusAsync("#stage");
+        await viewer.Page.Keyboard.PressAsync("PageUp");
+        await StatusAsync(viewer, "Stored image of frame 1: 96 × 64.");
+        await viewer.Page.CheckAsync("input[value=annotated]");
+        await StatusAsync(viewer, "Stored annotated image of frame 1: 96 × 64.");
+        await viewer.MoveAsync(() => viewer.Page.CheckAsync("input[value=drawn]"));
+        Assert.Equal(stored, await PixelsAsync(viewer));
+    }
+
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task OwnBatchFile_PlayedToItsEnd_ShowsEachState()
+    {
+        string batch = Path.Combine(server.Folder, "own.tab");
+        await File.WriteAllTextAsync(batch, "55289 2e6 0 0 0 0 0 1\n55289.1 2.1e6 0 0 0 0 0 1\n55289.2 2.2e6 0 0 0 0 0 1\n");
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Small);
+        await viewer.ShowAllAsync();
+
+        await viewer.MoveAsync(() => viewer.Page.SetInputFilesAsync("#batch-file", batch));
+        Assert.Equal(262.6, await viewer.NumberAsync("altitude"), 1e-3);
+        await viewer.Page.ClickAsync("#frame-play");
+        await viewer.Page.WaitForFunctionAsync("() => document.getElementById('frame-label').textContent.startsWith('3 of 3')");
+        await viewer.MoveAsync(() => viewer.Page.ClickAsync("#frame-play"));
+
+        Assert.Equal("Play", await viewer.Page.TextContentAsync("#frame-play"));
+        await viewer.MoveAsync(() => viewer.Page.Locator("#frame-slider").FillAsync("1"));
+        Assert.Equal(362.6, await viewer.NumberAsync("altitude"), 1e-3);
+    }
+
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task WrongBatchFile_IsRefusedByItsLine()
+    {
+        string batch = Path.Combine(server.Folder, "wrong.tab");
+        await File.WriteAllTextAsync(batch, "55289 2e6 0 0 0 0 0 1\n55289 2e6\n");
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Small);
+        await viewer.ShowAllAsync();
+
+        await viewer.Page.SetInputFilesAsync("#batch-file", batch);
+        await viewer.Page.Locator("#notice").WaitForAsync();
+
+        Assert.StartsWith("wrong.tab, line 2: ", await viewer.Page.TextContentAsync("#notice"), StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task RecordedFlight_SavedAsBatchFileAndVideo_IsWhatMsisDrawsAndABrowserPlays()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, $"{Small}&altitude=500000");
+        await viewer.ShowAllAsync();
+        await viewer.Page.ClickAsync("#record");
+        for (int step = 0; step < 3; step++)
+        {
+            await viewer.MoveAsync(() => viewer.Page.ClickAsync("#time-steps button:last-child"));
+        }
+
+        await viewer.Page.ClickAsync("#record");
+        string flight = Path.Combine(server.Folder, "flight.tab");
+        await File.WriteAllBytesAsync(flight, await viewer.SavedAsync("flight-save"));
+        byte[] video = await viewer.SavedAsync("flight-video");
+
+        CommandLineRun run = CommandLineRun.Of(["--batch-file", flight, "--dry-run", "--format", "csv"]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        string[] lines = run.Output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.Equal(4, lines.Length - 1);
+        Assert.Equal(
+            ["2010-04-22", "2010-04-23", "2010-04-24", "2010-04-25"], lines.Skip(1).Select(line => line.Split(',')[1][..10]));
+        Assert.Equal([0x1A, 0x45, 0xDF, 0xA3], video[..4]); // the head of each WebM file (EBML)
+        Assert.True(video.Length > 1000, $"a video of {video.Length.ToString(CultureInfo.InvariantCulture)} bytes");
+    }
+
+    private static Task StatusAsync(ViewerPage viewer, string text) =>
+        viewer.Page.WaitForFunctionAsync("text => document.getElementById('status').textContent === text", text);
+
+    private static Task<string> PixelsAsync(ViewerPage viewer) =>
+        viewer.Page.EvaluateAsync<string>("document.getElementById('image').toDataURL()");
+}

@@ -1,0 +1,98 @@
+using System.Globalization;
+using Microsoft.Playwright;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Viewer.Tests;
+
+/// <summary>Layers as colours, craters, and two pictures over each other.</summary>
+[Collection(Chromium.Collection)]
+public class LayerTests(Chromium chromium, ViewerServer server)
+{
+    private const string Small = "samples=1&fit=false&width=160&height=120&latitude=-9&longitude=358&altitude=400000&mjd=55307";
+
+    private const string ColourAt = """
+        ([x, y]) => [...document.getElementById('layer').getContext('2d').getImageData(x - 1, y - 1, 1, 1).data]
+        """;
+
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task LayersAsColours_HaveTheColourOfWhatIsRead()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Small);
+        await viewer.PointAsync(100, 40);
+
+        await ChooseAsync(viewer, "mask");
+        int[] expected = await viewer.ReadAsync("Light") switch
+        {
+            "lit" => [253, 231, 37, 255],
+            "shadow" => [59, 82, 139, 255],
+            _ => [68, 1, 84, 255],
+        };
+        Assert.Equal(expected, await viewer.Page.EvaluateAsync<int[]>(ColourAt, new[] { 100, 40 }));
+
+        await ChooseAsync(viewer, "height");
+        string[] ends = [.. await viewer.Page.Locator("#scale div span").AllTextContentsAsync()];
+        double height = Number(await viewer.ReadAsync("Height"));
+        Assert.InRange(height, Metres(ends[0]) - 60.0, Metres(ends[2]) + 60.0);
+        Assert.InRange(Metres(ends[2]) - Metres(ends[0]), 500.0, 15_000.0);
+
+        foreach (string layer in new[] { "slope", "incidence", "depth" })
+        {
+            await ChooseAsync(viewer, layer);
+            Assert.Equal(3, await viewer.Page.Locator("#scale div span").CountAsync());
+        }
+
+        await viewer.Page.SelectOptionAsync("#layer-choice", string.Empty);
+        Assert.True(await viewer.Page.IsHiddenAsync("#scale"));
+    }
+
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task CatalogueOfCraters_DrawsOnThePicture()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Small);
+        string before = await OverlayAsync(viewer);
+
+        await viewer.Page.SelectOptionAsync("#catalogue", "craters.csv");
+        await viewer.Page.WaitForFunctionAsync("before => document.getElementById('overlay').toDataURL() !== before", before);
+        await viewer.Page.SelectOptionAsync("#catalogue", string.Empty);
+        await viewer.Page.WaitForFunctionAsync("before => document.getElementById('overlay').toDataURL() === before", before);
+    }
+
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task OwnPicture_OverTheDrawnOne_IsCutByTheSliderAndBlinks()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Small);
+        string own = Path.Combine(server.Folder, "own.png");
+        await File.WriteAllBytesAsync(own, await viewer.SavedAsync("save-image"));
+        await viewer.Page.SetInputFilesAsync("#compare-file", own);
+        await viewer.Page.Locator("#other").WaitForAsync();
+
+        Assert.Equal(
+            await viewer.Page.EvaluateAsync<string>("document.getElementById('image').toDataURL()"),
+            await viewer.Page.EvaluateAsync<string>("document.getElementById('other').toDataURL()"));
+        await viewer.Page.Locator("#compare-slider").FillAsync("25");
+        Assert.Equal("inset(0px 75% 0px 0px)", await viewer.Page.EvaluateAsync<string>("document.getElementById('other').style.clipPath"));
+        await viewer.Page.FocusAsync("#stage");
+        await viewer.Page.Keyboard.PressAsync("b");
+        await viewer.Page.WaitForFunctionAsync("() => document.getElementById('other').hidden");
+        await viewer.Page.WaitForFunctionAsync("() => !document.getElementById('other').hidden");
+        await viewer.Page.ClickAsync("#compare-clear");
+        Assert.True(await viewer.Page.IsHiddenAsync("#other"));
+        Assert.Equal("false", await viewer.Page.GetAttributeAsync("#blink", "aria-pressed"));
+    }
+
+    private static async Task ChooseAsync(ViewerPage viewer, string layer)
+    {
+        await viewer.Page.SelectOptionAsync("#layer-choice", layer);
+        await viewer.Page.Locator("#layer").WaitForAsync(new LocatorWaitForOptions { State = WaitForSelectorState.Visible });
+    }
+
+    private static Task<string> OverlayAsync(ViewerPage viewer) =>
+        viewer.Page.EvaluateAsync<string>("document.getElementById('overlay').toDataURL()");
+
+    private static double Metres(string text) => Number(text) * (text.EndsWith("km", StringComparison.Ordinal) ? 1000.0 : 1.0);
+
+    private static double Number(string text) => double.Parse(
+        new string([.. text.Replace('−', '-').TakeWhile(letter => letter is '-' or '.' || char.IsAsciiDigit(letter))]),
+        CultureInfo.InvariantCulture);
+}

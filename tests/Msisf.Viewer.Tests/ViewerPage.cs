@@ -1,0 +1,109 @@
+using System.Globalization;
+using Microsoft.Playwright;
+using Xunit;
+
+namespace Msisf.Viewer.Tests;
+
+/// <summary>The viewer in a window. When it is closed, nothing may have been asked of another host, and nothing may have gone wrong.</summary>
+internal sealed class ViewerPage : IAsyncDisposable
+{
+    private readonly IBrowserContext _window;
+    private readonly List<string> _troubles = [];
+
+    private ViewerPage(IBrowserContext window, IPage page) => (_window, Page) = (window, page);
+
+    /// <summary>The page.</summary>
+    public IPage Page { get; }
+
+    /// <summary>Images that came by the stream.</summary>
+    public int Images { get; private set; }
+
+    /// <summary>Messages of the console that belong to the test.</summary>
+    public string? Expected { get; init; }
+
+    /// <summary>Opens the viewer with settings in its address, and waits for the picture at rest.</summary>
+    public static async Task<ViewerPage> OpenAsync(
+        Chromium chromium, ViewerServer server, string settings, int width = 800, int height = 500, string? expected = null)
+    {
+        string address = server.Address;
+        IBrowserContext window = await chromium.WindowAsync(width, height);
+        ViewerPage viewer = new(window, await window.NewPageAsync()) { Expected = expected };
+        viewer.Page.Console += (_, message) => viewer.Note(message.Type is "error" or "warning", $"{message.Type}: {message.Text}");
+        viewer.Page.PageError += (_, error) => viewer.Note(true, error);
+        window.Request += (_, request) => viewer.Note(
+            !request.Url.StartsWith(address, StringComparison.Ordinal) && !request.Url.StartsWith($"blob:{address}", StringComparison.Ordinal),
+            $"request to {request.Url}");
+        viewer.Page.WebSocket += (_, socket) => socket.FrameReceived += (_, frame) => viewer.Images += frame.Binary is null ? 0 : 1;
+        await viewer.Page.GotoAsync($"{address}/#{settings}");
+        await viewer.AtRestAsync();
+        return viewer;
+    }
+
+    /// <summary>Waits until the picture is there in full size with all its samples.</summary>
+    public Task AtRestAsync() => Page.WaitForFunctionAsync(
+        """
+        () => {
+            const samples = document.getElementById('samples').value;
+            return new RegExp(`^At rest:.* ${samples} samples? a pixel`).test(document.getElementById('status').textContent);
+        }
+        """);
+
+    /// <summary>Does something that moves the camera, and waits until the new picture is at rest.</summary>
+    public async Task MoveAsync(Func<Task> move)
+    {
+        await Page.EvaluateAsync("document.getElementById('status').textContent = 'The test moves on.'");
+        await move();
+        await AtRestAsync();
+    }
+
+    /// <summary>Puts the mouse on a pixel of the image and waits for what is read there.</summary>
+    public async Task PointAsync(int x, int y)
+    {
+        LocatorBoundingBoxResult box = (await Page.Locator("#picture").BoundingBoxAsync())!;
+        double scale = box.Width / await NumberAsync("width");
+        await Page.Mouse.MoveAsync((float)(box.X + ((x - 0.5) * scale)), (float)(box.Y + ((y - 0.5) * scale)));
+        await Page.WaitForFunctionAsync(
+            "text => document.querySelector('[data-row=Pixel][data-column=here]').textContent === text",
+            string.Create(CultureInfo.InvariantCulture, $"{x}, {y}"));
+    }
+
+    /// <summary>The text of a reading.</summary>
+    public async Task<string> ReadAsync(string row, string column = "here") =>
+        (await Page.TextContentAsync($"[data-row='{row}'][data-column='{column}']"))!;
+
+    /// <summary>The number in a field.</summary>
+    public async Task<double> NumberAsync(string field) =>
+        double.Parse(await Page.InputValueAsync($"#{field}"), CultureInfo.InvariantCulture);
+
+    /// <summary>The bytes that a button saves.</summary>
+    public async Task<byte[]> SavedAsync(string button)
+    {
+        await ShowAllAsync();
+        IDownload download = await Page.RunAndWaitForDownloadAsync(() => Page.ClickAsync($"#{button}"));
+        return await File.ReadAllBytesAsync((await download.PathAsync())!);
+    }
+
+    /// <summary>Opens all sections of the panel.</summary>
+    public Task ShowAllAsync() => Page.EvaluateAsync("document.querySelectorAll('details').forEach(section => section.open = true)");
+
+    /// <summary>Closes the window; fails if something went wrong.</summary>
+    public async ValueTask DisposeAsync()
+    {
+        await _window.CloseAsync();
+        lock (_troubles)
+        {
+            Assert.Empty(_troubles);
+        }
+    }
+
+    private void Note(bool isTrouble, string text)
+    {
+        if (isTrouble && (Expected is null || !text.Contains(Expected, StringComparison.Ordinal)))
+        {
+            lock (_troubles)
+            {
+                _troubles.Add(text);
+            }
+        }
+    }
+}
