@@ -7,7 +7,8 @@ namespace Msisf.Cli.Tests;
 /// <summary>A polar map from its making to its image, as a user has it.</summary>
 public sealed class PolarMapRunTests : IDisposable
 {
-    private const string View = "--fixed-state {51544.5,0,0,-1.9E6,0,0.7071067811865476,0,0.7071067811865476} --ignore-sun --width 40 --height 40 --fov 20 --batch";
+    private const string View = "--fixed-state {51544.5,0,0,-1.9E6,0,0.7071067811865476,0,0.7071067811865476} --ignore-sun --batch "
+        + "--width 40 --height 40 --fov 20";
 
     private readonly TemporaryFolder _folder = new();
 
@@ -38,7 +39,8 @@ public sealed class PolarMapRunTests : IDisposable
     public void Run_WhatAMapCannot_IsRefused(string options, int exitCode, string message)
     {
         CommandLineRun run = CommandLineRun.Of(
-            [.. View.Split(' '), .. options.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--ldem", Synthesize(), "--output-dir", _folder["out"]]);
+            [.. View.Split(' '), .. options.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--ldem", Synthesize(), "--output-dir",
+                _folder["out"]]);
         Assert.Equal(exitCode, run.ExitCode);
         Assert.Contains(message, run.Error, StringComparison.Ordinal);
     }

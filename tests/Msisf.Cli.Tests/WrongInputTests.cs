@@ -193,7 +193,9 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("ldem synthesize --seed 1 --projection polar-north --map-scale 100 --region 0:1:0:1", 1, "--region is for models of")]
     [InlineData("ldem synthesize --seed 1 --res 4 --map-scale 100", 1, "--map-scale is for polar maps")]
     [InlineData("ldem synthesize --seed 1 --res 4 --latitude 80", 1, "--latitude is for polar maps")]
-    [InlineData("ldem synthesize --seed 1 --projection polar --map-scale 100", 1, "--projection is 'polar'; one of cylindrical, polar-south")]
+    [InlineData(
+        "ldem synthesize --seed 1 --projection polar --map-scale 100", 1,
+        "--projection is 'polar'; one of cylindrical, polar-south")]
     [InlineData("ldem synthesize --seed 1 --projection polar-south --map-scale 30000 --latitude 89.9", 2, "has no samples at 30000 m/px")]
     [InlineData("ldem synthesize --res 4", 1, "--seed")]
     [InlineData("ldem synthesize --res 0 --seed 1", 1, "--res is '0'")]

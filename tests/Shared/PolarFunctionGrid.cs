@@ -3,7 +3,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.TestSupport;
 
 /// <summary>A polar map whose heights a function of line and sample gives.</summary>
-internal sealed class PolarFunctionGrid(PolarStereographic projection, int lines, int samples, Func<int, int, double> heightOf) : ITerrainGrid
+internal sealed class PolarFunctionGrid(PolarStereographic projection, int lines, int samples, Func<int, int, double> heightOf)
+    : ITerrainGrid
 {
     private readonly double[] _radii = [.. Enumerable.Range(0, lines * samples)
         .Select(index => MoonConstants.ReferenceRadius + heightOf(index / samples, index % samples))];

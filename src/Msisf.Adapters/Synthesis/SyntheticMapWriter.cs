@@ -1,6 +1,5 @@
 using Msisf.Core;
 using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Synthesis;
 
 namespace Msisf.Adapters.Synthesis;

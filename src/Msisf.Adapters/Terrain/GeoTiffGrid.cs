@@ -73,7 +73,9 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// <param name="path">The file.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <exception cref="ExternalPartException">GDAL is missing.</exception>
-    /// <exception cref="BadInputException">The file is missing, no image, or not of a part of the Moon in a projection that is read.</exception>
+    /// <exception cref="BadInputException">
+    /// The file is missing, no image, or not of a part of the Moon in a projection that is read.
+    /// </exception>
     public static GeoTiffGrid Open(string path, string? libraryPath)
     {
         if (!File.Exists(path))
@@ -204,6 +206,6 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
 
     private BadInputException Hole(int row, int column) => new(string.Create(
         CultureInfo.InvariantCulture,
-        $"{_path}, line {row + 1}, sample {column + 1}: no data there. Fill the hole, e.g. with gdal_fillnodata.py, or cut the file to what is "
-            + $"whole, with gdal_translate -srcwin."));
+        $"{_path}, line {row + 1}, sample {column + 1}: no data there. Fill the hole, e.g. with gdal_fillnodata.py, or cut the file "
+            + $"to what is whole, with gdal_translate -srcwin."));
 }

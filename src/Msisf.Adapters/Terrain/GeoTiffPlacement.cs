@@ -13,7 +13,7 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
     /// <summary>m: spheres of the Moon lie between these.</summary>
     private static readonly (double Min, double Max) MoonRadii = (1_720_000.0, 1_760_000.0);
 
-    /// <summary>Relative: pixels that differ less in width and height are square, and samples a degree that near to a whole number are.</summary>
+    /// <summary>Relative: pixels whose width and height differ less are square; the same for whole numbers of samples a degree.</summary>
     private const double SameScale = 1e-6;
 
     /// <summary>px: how far the pixels may be from those of the whole Moon's grid.</summary>
@@ -38,8 +38,8 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
         if (proj.Radius is not double radius || radius < MoonRadii.Min || radius > MoonRadii.Max)
         {
             throw new BadInputException(
-                $"{path}: its coordinate system ({proj}) is not one on a sphere of the Moon (R = 1737400 m). Take a lunar model, or correct it "
-                    + $"with gdal_translate -a_srs.");
+                $"{path}: its coordinate system ({proj}) is not one on a sphere of the Moon (R = 1737400 m). Take a lunar model, or "
+                    + $"correct it with gdal_translate -a_srs.");
         }
 
         if (transform is not [double left, > 0.0 and double across, 0.0, double top, 0.0, < 0.0 and double down]
@@ -88,8 +88,8 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{path}: pixels of {scale:R} m, or a map that reaches farther than {MoonConstants.ReferenceRadius / 1000.0:R} km from the pole; "
-                    + $"{PolarLabel.MinScale:R} to {PolarLabel.MaxScale:R} m are read."));
+                $"{path}: pixels of {scale:R} m, or a map that reaches farther than {MoonConstants.ReferenceRadius / 1000.0:R} km from the "
+                    + $"pole; {PolarLabel.MinScale:R} to {PolarLabel.MaxScale:R} m are read."));
         }
 
         return new GeoTiffPlacement(projection, new GridWindow(0, size.Height, 0, size.Width), radius);
@@ -114,8 +114,8 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
             || (!isRing && Math.Round(firstSample) + size.Width > turn) || (isRing && size.Height == 180.0 * resolution))
         {
             throw new BadInputException(
-                $"{path}: cylindrical maps are read if they have a whole number of pixels a degree on the grid of the whole Moon, do not cross "
-                    + $"the prime meridian (or go all around), and are not of the whole Moon, for which msis takes PDS3 models. "
+                $"{path}: cylindrical maps are read if they have a whole number of pixels a degree on the grid of the whole Moon, do not "
+                    + $"cross the prime meridian (or go all around), and are not of the whole Moon, for which msis takes PDS3 models. "
                     + $"Warp it, e.g. with gdalwarp -t_srs '+proj=longlat +R=1737400' -te ... -tr ..., or to a polar stereographic map.");
         }
 

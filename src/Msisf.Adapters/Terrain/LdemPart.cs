@@ -6,8 +6,9 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// One image of an elevation model, of the whole Moon or a part of it, mapped into memory. Lines and samples of a cylindrical model count in
-/// the whole Moon's grid, those of a polar map in the image; those asked for must lie in the part. Safe for several threads, but not while it is disposed.
+/// One image of an elevation model, of the whole Moon or a part of it, mapped into memory. Lines and samples of a cylindrical model count
+/// in the whole Moon's grid, those of a polar map in the image; those asked for must lie in the part. Safe for several threads, but not
+/// while it is disposed.
 /// </summary>
 internal sealed unsafe class LdemPart : IDisposable
 {

@@ -3,8 +3,8 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// The labels of one elevation model: one label or those of the parts of a model of the whole Moon or of a band around it, or the label of a
-/// polar map. Immutable.
+/// The labels of one elevation model: one label or those of the parts of a model of the whole Moon or of a band around it, or the label of
+/// a polar map. Immutable.
 /// </summary>
 public sealed class LdemSet
 {
@@ -37,7 +37,9 @@ public sealed class LdemSet
     /// <summary>Where the model is, and of how many files, for messages.</summary>
     public string Description => Parts.Count == 1 ? Location : $"{Location}, {Parts.Count} files";
 
-    /// <summary>Index of the part that holds each square degree: [90 - northern latitude, western longitude], row by row; empty for a polar map.</summary>
+    /// <summary>
+    /// Index of the part that holds each square degree: [90 - northern latitude, western longitude], row by row; empty for a polar map.
+    /// </summary>
     internal ushort[] PartOfDegree { get; }
 
     /// <summary>Takes the labels of one model.</summary>

@@ -73,7 +73,8 @@ public static class PolarLabel
             throw map.WrongValue(Scale, map.Required(Scale), string.Create(
                 CultureInfo.InvariantCulture,
                 $"with offsets of {projection.LineOffset:R} and {projection.SampleOffset:R} px and {label.Lines} lines of "
-                    + $"{label.LineSamples} samples the map reaches farther than {MoonConstants.ReferenceRadius / 1000.0:R} km from the pole"));
+                    + $"{label.LineSamples} samples the map reaches farther than "
+                    + $"{MoonConstants.ReferenceRadius / 1000.0:R} km from the pole"));
         }
     }
 

@@ -97,8 +97,8 @@ internal sealed class ElevationModel : IDisposable
             Tell(set, host.Log);
             host.Log.Note(string.Create(
                 CultureInfo.InvariantCulture,
-                $"It covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} degrees; "
-                    + $"beyond them there is no ground."));
+                $"It covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} "
+                    + $"degrees; beyond them there is no ground."));
             return new ElevationModel(band, set, band);
         }
 
@@ -220,5 +220,6 @@ internal sealed class ElevationModel : IDisposable
     }
 
     private UsageException NotWholeMoon() => new(
-        $"{Set.Location}: a map of a part of the Moon has no tiles, patterns and levels of detail. Take a model of the whole Moon for them.");
+        $"{Set.Location}: a map of a part of the Moon has no tiles, patterns and levels of detail. "
+            + $"Take a model of the whole Moon for them.");
 }

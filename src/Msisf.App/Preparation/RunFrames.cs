@@ -2,7 +2,6 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Scene;
-using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preparation;
 

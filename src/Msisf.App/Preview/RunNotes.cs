@@ -109,7 +109,8 @@ internal sealed class RunNotes
             string width = _widestCell < LargestTold
                 ? string.Create(CultureInfo.InvariantCulture, $"{_widestCell:F0}")
                 : string.Create(CultureInfo.InvariantCulture, $"more than {LargestTold:F0}");
-            log.Note($"Cells of the model are {width} px wide in the image{step}: a finer model{(_resolution.PixelsPerDegree is null ? string.Empty : " (--res)")} would show more.");
+            string option = _resolution.PixelsPerDegree is null ? string.Empty : " (--res)";
+            log.Note($"Cells of the model are {width} px wide in the image{step}: a finer model{option} would show more.");
         }
 
         if (camera is OrbitSettings orbit && EpochAway(orbit.Epoch) is { } away)

@@ -80,7 +80,8 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
             using Stream image = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);
             void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, parts), _patterns.FileNameOf);
             RenderedFrame rendered = new(
-                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.WholeMoon.PixelsPerDegree, LevelsOf(parts), TruthOf(frame));
+                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.WholeMoon.PixelsPerDegree, LevelsOf(parts),
+                TruthOf(frame));
             return new FrameOutputs(_files.Write(frame, rendered, cancellation), parts.Count, made);
         }
         finally

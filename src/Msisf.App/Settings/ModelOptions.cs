@@ -127,7 +127,8 @@ internal static class ModelOptions
         SyntheticMapSettings? map = ReadMap(values);
         return new SynthesisSettings(
             map is null
-                ? resolution ?? throw new UsageException($"{NewResolution.Name} is required: how many samples a degree?").About(NewResolution)
+                ? resolution
+                    ?? throw new UsageException($"{NewResolution.Name} is required: how many samples a degree?").About(NewResolution)
                 : 0,
             ulong.TryParse(values.Text(Seed), NumberStyles.None, CultureInfo.InvariantCulture, out ulong seed)
                 ? seed

@@ -9,8 +9,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// The mesh of a model in simple cylindrical projection; lines and samples count in the grid of the whole Moon. The vertices are those of the pattern files
-/// (<see cref="LatticePoint.Nearest"/>): the same products in the same order, none of them fused.
+/// The mesh of a model in simple cylindrical projection; lines and samples count in the grid of the whole Moon. The vertices are those of
+/// the pattern files (<see cref="LatticePoint.Nearest"/>): the same products in the same order, none of them fused.
 /// </summary>
 internal sealed class CylinderGeometry : MeshGeometry
 {

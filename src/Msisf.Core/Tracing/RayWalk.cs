@@ -115,7 +115,9 @@ internal ref struct RayWalk
         for (; level >= SquareLayout.PatchLevel && size <= SquareLayout.Side(level); level--)
         {
             int shift = SquareLayout.SideShift(level);
-            NodeBounds bounds = _surface.Bounds.Of(level, (cells.FirstLine - _surface.Mesh.Cells.FirstLine) >> shift, (cells.FirstSample - _surface.Mesh.Cells.FirstSample) >> shift);
+            CellRange all = _surface.Mesh.Cells;
+            NodeBounds bounds = _surface.Bounds.Of(
+                level, (cells.FirstLine - all.FirstLine) >> shift, (cells.FirstSample - all.FirstSample) >> shift);
             if (!MayMeet(piece, bounds.Min, bounds.Max))
             {
                 return;

@@ -11,9 +11,9 @@ namespace Msisf.Core.Tracing;
 /// directions of the ray. It reads only the parts of the model near a ray, when the ray is traced. Safe for several threads.
 /// </summary>
 /// <remarks>
-/// The surface of a whole Moon is closed, so a ray from outside enters the ground before it leaves it. The surface of a map of a part is a
-/// sheet that is seen, and throws shadows, from its upper side only: around it there is nothing. Only facets that face the ray are tested. A ray that
-/// starts on the ground and leaves it therefore need not skip its own facet, and hits need no minimum distance.
+/// The surface of a whole Moon is closed, so a ray from outside enters the ground before it leaves it. The surface of a map of a part is
+/// a sheet that is seen, and throws shadows, from its upper side only: around it there is nothing. Only facets that face the ray are
+/// tested. A ray that starts on the ground and leaves it therefore need not skip its own facet, and hits need no minimum distance.
 /// </remarks>
 public sealed class TerrainTracer : ISurface, ITerrainTracer
 {

@@ -9,7 +9,7 @@ namespace Msisf.Adapters.Tests.Terrain;
 
 public sealed class GeoTiffGridTests : IDisposable
 {
-    /// <summary>Writes a map whose value at (line, sample) is line + sample / 1024; arguments: path, GDAL options, code on the data set.</summary>
+    /// <summary>Writes a map with the value line + sample / 1024; arguments: path, GDAL options, code on the data set.</summary>
     private const string Script = """
         import struct, sys
         from osgeo import gdal, osr

@@ -107,7 +107,8 @@ public sealed class GeoTiffPlacementTests
     [InlineData(1, 480, 0.25, 60.0, 10.0)]
     public void Of_CylindricalMapThatIsNotRead_SaysWhichAre(int width, int height, double pixel, double north, double west) =>
         AssertRefused(
-            width, height, [west, pixel, 0.0, north, 0.0, -pixel], Degrees, width == 1 ? "less than 2 x 2" : "cylindrical maps are read if");
+            width, height, [west, pixel, 0.0, north, 0.0, -pixel], Degrees,
+            width == 1 ? "less than 2 x 2" : "cylindrical maps are read if");
 
     [Fact]
     public void Of_NoTransform_IsRefused() => AssertRefused(200, 200, null, South, "has no place on the map");

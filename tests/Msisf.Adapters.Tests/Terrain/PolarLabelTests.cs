@@ -37,7 +37,9 @@ public sealed class PolarLabelTests : IDisposable
     [InlineData("CENTER_LATITUDE              = -90", "CENTER_LATITUDE = -80", "CENTER_LATITUDE = -80 <deg>; a pole, -90 or 90, is needed")]
     [InlineData("CENTER_LATITUDE              = -90 <deg>", "X = 1", "IMAGE_MAP_PROJECTION has no CENTER_LATITUDE")]
     [InlineData("CENTER_LATITUDE              = -90 <deg>", "CENTER_LATITUDE = -90 <rad>", "the unit <deg> is needed")]
-    [InlineData("CENTER_LONGITUDE             = 0", "CENTER_LONGITUDE = 180", "CENTER_LONGITUDE = 180 <deg>; 0, as LOLA's polar maps have it")]
+    [InlineData(
+        "CENTER_LONGITUDE             = 0", "CENTER_LONGITUDE = 180",
+        "CENTER_LONGITUDE = 180 <deg>; 0, as LOLA's polar maps have it")]
     [InlineData("CENTER_LONGITUDE             = 0 <deg>", "X = 1", "IMAGE_MAP_PROJECTION has no CENTER_LONGITUDE")]
     [InlineData("MAP_SCALE                    = 5000 <m/pix>", "X = 1", "IMAGE_MAP_PROJECTION has no MAP_SCALE")]
     [InlineData("= 5000 <m/pix>", "= 0 <m/pix>", "MAP_SCALE = 0 <m/pix>; 0.5 to 30400 m a pixel are needed")]
@@ -60,13 +62,21 @@ public sealed class PolarLabelTests : IDisposable
     [InlineData("LINE_FIRST_PIXEL             = 1", "LINE_FIRST_PIXEL = 0", "LINE_FIRST_PIXEL = 0; the rest of the label needs 1")]
     [InlineData("SAMPLE_FIRST_PIXEL           = 1", "SAMPLE_FIRST_PIXEL = 2", "SAMPLE_FIRST_PIXEL = 2; the rest of the label needs 1")]
     [InlineData("RECORD_BYTES              = 128", "RECORD_BYTES = 64", "FILE_RECORDS = 60; with RECORD_BYTES = 64 these are 3840 bytes")]
-    [InlineData("A_AXIS_RADIUS                = 1737.4", "A_AXIS_RADIUS = 1738.0", "A_AXIS_RADIUS = 1738.0 <km>; the heights are over a sphere of 1737400 m")]
+    [InlineData(
+        "A_AXIS_RADIUS                = 1737.4", "A_AXIS_RADIUS = 1738.0",
+        "A_AXIS_RADIUS = 1738.0 <km>; the heights are over a sphere of 1737400 m")]
     [InlineData("\"EAST\"", "\"WEST\"", "POSITIVE_LONGITUDE_DIRECTION = WEST; EAST is needed")]
-    [InlineData("MAP_PROJECTION_ROTATION      = 0.0", "MAP_PROJECTION_ROTATION = 45.0", "MAP_PROJECTION_ROTATION = 45.0; the rest of the label needs 0")]
-    [InlineData("MEAN EARTH/POLAR AXIS OF DE421", "PRINCIPAL AXES", "COORDINATE_SYSTEM_NAME = PRINCIPAL AXES; the MEAN EARTH/POLAR AXIS frame")]
+    [InlineData(
+        "MAP_PROJECTION_ROTATION      = 0.0", "MAP_PROJECTION_ROTATION = 45.0",
+        "MAP_PROJECTION_ROTATION = 45.0; the rest of the label needs 0")]
+    [InlineData(
+        "MEAN EARTH/POLAR AXIS OF DE421", "PRINCIPAL AXES",
+        "COORDINATE_SYSTEM_NAME = PRINCIPAL AXES; the MEAN EARTH/POLAR AXIS frame")]
     [InlineData("= MOON", "= MARS", "TARGET_NAME = MARS; an elevation model of the MOON is needed")]
     [InlineData("= 16\n", "= 8\n", "SAMPLE_TYPE = LSB_INTEGER; with SAMPLE_BITS = 8 it is not known")]
-    [InlineData("POLAR STEREOGRAPHIC", "POLAR STEREO", "MAP_PROJECTION_TYPE = POLAR STEREO; SIMPLE CYLINDRICAL or POLAR STEREOGRAPHIC is needed")]
+    [InlineData(
+        "POLAR STEREOGRAPHIC", "POLAR STEREO",
+        "MAP_PROJECTION_TYPE = POLAR STEREO; SIMPLE CYLINDRICAL or POLAR STEREOGRAPHIC is needed")]
     public void Read_WrongValue_IsRefusedInOneLine(string from, string to, string message)
     {
         string text = PolarTestModel.Label.Replace(from, to, StringComparison.Ordinal);

@@ -9,16 +9,32 @@ namespace Msisf.Core.Tests.Mesh;
 
 public sealed class PlaneGeometryTests
 {
-    /// <summary>tests/reference/polar_map.py (mpmath, 60 digits, by latitude and longitude): direction, k, position in steps of 2^-k m.</summary>
+    /// <summary>tests/reference/polar_map.py (mpmath, by latitude and longitude): direction, k, position in steps of 2^-k m.</summary>
     [Theory]
-    [InlineData(true, 20.0, 15199.5, 15199.5, 0, 0, 1738123.5, 0.17233048751679410889, -0.17233048751679410889, -0.9698476200643316213, 7, 38340054L, -38340054L, -215771512L)]
-    [InlineData(true, 20.0, 15199.5, 15199.5, 15199, 15200, 1736000, 5.7557269482182330128e-6, 5.7557269482182330128e-6, -0.9999999999668716073, 7, 1279L, 1279L, -222208000L)]
-    [InlineData(true, 20.0, 15199.5, 15199.5, 30399, 7, 1737400.5, -0.17233168377644353914, -0.17225231789030023806, -0.9698612940767328195, 7, -38324372L, -38306722L, -215684800L)]
-    [InlineData(true, 5.0, 15167.5, 15167.5, 4711, 30335, 1741029.5, 0.030071247800661355817, 0.043619342133269364927, -0.99859555028428401842, 9, 26805724L, 38882591L, -890155168L)]
-    [InlineData(false, 5.0, 15167.5, 15167.5, 4711, 30335, 1741029.5, -0.030071247800661355817, 0.043619342133269364927, 0.99859555028428401842, 9, -26805724L, 38882591L, 890155168L)]
-    [InlineData(false, 100.0, 14399.5, 14399.5, 28799, 28799, 1732111, 0.61691546795296312536, 0.61691546795296312536, 0.48870298832803657628, 7, 136776457L, 136776457L, 108350441L)]
-    [InlineData(true, 1.0, -3000.25, 12000.75, 77, 1, 1737399.875, -0.0017711585637532108798, -0.0069066406614339401268, -0.99997458033297819976, 11, -6302127L, -24575174L, -3558104496L)]
-    [InlineData(false, 80.0, 3799.5, 3799.5, 3799, 3799, 1737400, -0.000023022907787152592574, -0.000023022907787152592574, 0.99999999946994571688, 7, -5120L, -5120L, 222387200L)]
+    [InlineData(
+        true, 20.0, 15199.5, 15199.5, 0, 0, 1738123.5,
+        0.17233048751679410889, -0.17233048751679410889, -0.9698476200643316213, 7, 38340054L, -38340054L, -215771512L)]
+    [InlineData(
+        true, 20.0, 15199.5, 15199.5, 15199, 15200, 1736000,
+        5.7557269482182330128e-6, 5.7557269482182330128e-6, -0.9999999999668716073, 7, 1279L, 1279L, -222208000L)]
+    [InlineData(
+        true, 20.0, 15199.5, 15199.5, 30399, 7, 1737400.5,
+        -0.17233168377644353914, -0.17225231789030023806, -0.9698612940767328195, 7, -38324372L, -38306722L, -215684800L)]
+    [InlineData(
+        true, 5.0, 15167.5, 15167.5, 4711, 30335, 1741029.5,
+        0.030071247800661355817, 0.043619342133269364927, -0.99859555028428401842, 9, 26805724L, 38882591L, -890155168L)]
+    [InlineData(
+        false, 5.0, 15167.5, 15167.5, 4711, 30335, 1741029.5,
+        -0.030071247800661355817, 0.043619342133269364927, 0.99859555028428401842, 9, -26805724L, 38882591L, 890155168L)]
+    [InlineData(
+        false, 100.0, 14399.5, 14399.5, 28799, 28799, 1732111,
+        0.61691546795296312536, 0.61691546795296312536, 0.48870298832803657628, 7, 136776457L, 136776457L, 108350441L)]
+    [InlineData(
+        true, 1.0, -3000.25, 12000.75, 77, 1, 1737399.875,
+        -0.0017711585637532108798, -0.0069066406614339401268, -0.99997458033297819976, 11, -6302127L, -24575174L, -3558104496L)]
+    [InlineData(
+        false, 80.0, 3799.5, 3799.5, 3799, 3799, 1737400,
+        -0.000023022907787152592574, -0.000023022907787152592574, 0.99999999946994571688, 7, -5120L, -5120L, 222387200L)]
     public void Vertex_AnyPlace_IsTheLatticePointOfTheReference(
         bool isSouth, double scale, double lineOffset, double sampleOffset, int line, int sample, double radius,
         double dx, double dy, double dz, int k, long x, long y, long z)
@@ -131,7 +147,8 @@ public sealed class PlaneGeometryTests
 
         // Bounds that say nothing would pass too.
         Assert.InRange(bounds.MaxSlope, 0.0, (2.5 * steepest) + 0.01);
-        double angle = Math.Max(cells.Lines, cells.Samples) * ((PolarStereographic)surface.Grid.Projection).MetresPerPixel / MoonConstants.ReferenceRadius;
+        double scale = ((PolarStereographic)surface.Grid.Projection).MetresPerPixel;
+        double angle = Math.Max(cells.Lines, cells.Samples) * scale / MoonConstants.ReferenceRadius;
         Assert.InRange(cap.SinRadius, 0.0, (0.75 * angle) + 1e-6);
         Assert.InRange(Math.Max(box.HalfY.Length, box.HalfZ.Length), 0.0, (0.75 * angle * MoonConstants.ReferenceRadius) + 1.0);
     }

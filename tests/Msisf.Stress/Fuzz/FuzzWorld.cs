@@ -32,7 +32,9 @@ internal sealed class FuzzWorld : IDisposable
         Synthesize(1, "split", new MoonRegion(-90, 0, 0, 360));
         SplitModel = Synthesize(1, "split", new MoonRegion(0, 90, 0, 360));
         PolarMap = SyntheticMapWriter.Write(
-            new SyntheticMapOptions(true, 10_000.0, 80.0, 1, Path.Combine(_folder.FullName, "polar")), progress: null, CancellationToken.None);
+            new SyntheticMapOptions(true, 10_000.0, 80.0, 1, Path.Combine(_folder.FullName, "polar")),
+            progress: null,
+            CancellationToken.None);
         FlatModel = WriteFlatModel();
         Kernels = WriteKernels();
         Succeed("ldem", "pyramid", FineModel);

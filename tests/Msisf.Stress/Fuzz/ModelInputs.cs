@@ -59,7 +59,8 @@ internal sealed class ModelInputs(FuzzWorld world)
     private static IEnumerable<IReadOnlyList<string>> CallsOfMap(string map)
     {
         yield return [.. FuzzWorld.TinyImage, "--renderer", "native", "--reflectance", "lambert", "--ldem", map, "--ignore-sun",
-            "--fixed-state", "{51544.5,0,0,-1.9E6,0,0.7071067811865476,0,0.7071067811865476}", "--output-dir", Path.Combine(Path.GetDirectoryName(map)!, "out")];
+            "--fixed-state", "{51544.5,0,0,-1.9E6,0,0.7071067811865476,0,0.7071067811865476}", "--output-dir",
+            Path.Combine(Path.GetDirectoryName(map)!, "out")];
     }
 
     private static string[] ListPatterns(string model, int resolution) =>
