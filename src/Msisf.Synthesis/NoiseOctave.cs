@@ -103,6 +103,32 @@ internal sealed class NoiseOctave
         }
     }
 
+    /// <summary>Adds the octave at any directions.</summary>
+    /// <param name="x">x of the directions, MOON_ME; a multiple of <see cref="TileFrame.VectorWidth"/> of them.</param>
+    /// <param name="y">y of the directions.</param>
+    /// <param name="z">z of the directions.</param>
+    /// <param name="mareFraction">0 (highlands) to 1 (mare).</param>
+    /// <param name="heights">m.</param>
+    public void AddTo(
+        ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, ReadOnlySpan<float> mareFraction, Span<float> heights)
+    {
+        for (int i = 0; i < heights.Length; i += TileFrame.VectorWidth)
+        {
+            Vector256<float> noise = GradientNoise.At(
+                Lattice(0, x, y, z, i), Lattice(0, x, y, z, i + 4), Lattice(1, x, y, z, i), Lattice(1, x, y, z, i + 4),
+                Lattice(2, x, y, z, i), Lattice(2, x, y, z, i + 4), _latticeSeed);
+            Vector256<float> amplitude =
+                Vector256.Create(_highlandsAmplitude) + (Vector256.Create(_mariaExtraAmplitude) * Vector256.Create(mareFraction[i..]));
+            (Vector256.Create((ReadOnlySpan<float>)heights[i..]) + (amplitude * noise)).CopyTo(heights[i..]);
+        }
+    }
+
+    private Vector256<double> Lattice(int axis, ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, int first) =>
+        (Vector256.Create(_latticeFromMoon[axis, 0]) * Vector256.Create(x[first..]))
+        + (Vector256.Create(_latticeFromMoon[axis, 1]) * Vector256.Create(y[first..]))
+        + (Vector256.Create(_latticeFromMoon[axis, 2]) * Vector256.Create(z[first..]))
+        + Vector256.Create(_origin[axis]);
+
     // A uniformly random rotation from four numbers in the unit ball (Marsaglia 1972), times the scale from unit sphere to lattice.
     private void Turn(ref SplitMix64 random, double scale)
     {

@@ -27,13 +27,8 @@ internal sealed class PixelMeanKernel
         _weights = new double[3 * samplesPerPixel];
         for (int sample = 0; sample < samplesPerPixel; sample++)
         {
-            double position = (((2.0 * sample) + 1.0) / samplesPerPixel) - 1.0;
-            double nearest = Math.Floor(position + 0.5);
-            double f = position - nearest;
-            _firstCoefficient[sample] = (int)nearest + 1;
-            _weights[3 * sample] = 0.5 * (0.5 - f) * (0.5 - f);
-            _weights[(3 * sample) + 1] = 0.75 - (f * f);
-            _weights[(3 * sample) + 2] = 0.5 * (0.5 + f) * (0.5 + f);
+            (_firstCoefficient[sample], _weights[3 * sample], _weights[(3 * sample) + 1], _weights[(3 * sample) + 2]) =
+                Within((((2.0 * sample) + 1.0) / samplesPerPixel) - 1.0);
         }
     }
 
@@ -65,6 +60,23 @@ internal sealed class PixelMeanKernel
     /// <param name="sample">0 to n - 1 inside the pixel.</param>
     public (int First, double Weight0, double Weight1, double Weight2) At(int pixel, int sample) =>
         ((2 * pixel) + _firstCoefficient[sample], _weights[3 * sample], _weights[(3 * sample) + 1], _weights[(3 * sample) + 2]);
+
+    /// <summary>Index of the first of the three coefficients, and their weights, for a place between the samples.</summary>
+    /// <param name="pixels">Pixels from the left border of the run's first one.</param>
+    public static (int First, double Weight0, double Weight1, double Weight2) At(double pixels)
+    {
+        double pixel = Math.Floor(pixels);
+        (int first, double w0, double w1, double w2) = Within((2.0 * (pixels - pixel)) - 1.0);
+        return ((2 * (int)pixel) + first, w0, w1, w2);
+    }
+
+    /// <param name="position">Half pixels from the pixel's centre, -1 to 1.</param>
+    private static (int First, double Weight0, double Weight1, double Weight2) Within(double position)
+    {
+        double nearest = Math.Floor(position + 0.5);
+        double f = position - nearest;
+        return ((int)nearest + 1, 0.5 * (0.5 - f) * (0.5 - f), 0.75 - (f * f), 0.5 * (0.5 + f) * (0.5 + f));
+    }
 
     // Unknown weights h0..h5 of the splines 0..5 half pixels away. tail: mean, over the neighbouring pixel, of the spline at a pixel's
     // centre; variance: mean of x^2 over a pixel's midpoints. The equations: sums over even and odd splines are 1; parabolas; means 0 two

@@ -51,17 +51,44 @@ public sealed class SyntheticTerrain
         SamplesPerPixel = pixelsPerDegree / model.PixelsPerDegree;
         Kernel = new PixelMeanKernel(SamplesPerPixel);
         Maria = new MareMask(model, cancellation);
-        double spacing = ModelSlopes.Spacing(pixelsPerDegree);
-        double baseSpacing = ModelSlopes.Spacing(model.PixelsPerDegree);
-        Octaves = DetailSpectrum.Octaves(seed, baseSpacing, spacing, ModelSlopes.Of(model, Maria));
-        _craters = new CraterPopulation(
-            seed,
-            Maria,
-            SmallestCraterInSamples * spacing,
-            HasBase ? LargestCraterInBaseSamples * baseSpacing : LargestCraterWithoutBase);
+        (Octaves, _craters) = DetailOf(ModelSlopes.Spacing(pixelsPerDegree), seed, model);
     }
 
-    /// <summary>Samples a degree.</summary>
+    private SyntheticTerrain(ulong seed, IElevationGrid? baseModel, double metresPerPixel, CancellationToken cancellation)
+    {
+        HasBase = baseModel is not null;
+        IElevationGrid model = baseModel ?? new SyntheticShape(seed);
+        Base = new BaseHeights(model);
+        SamplesPerPixel = Math.Clamp(
+            2 * (int)Math.Round(0.5 * ModelSlopes.Spacing(model.PixelsPerDegree) / metresPerPixel), 2, LargestRatio);
+        PixelsPerDegree = SamplesPerPixel * model.PixelsPerDegree;
+        Kernel = new PixelMeanKernel(SamplesPerPixel);
+        Maria = new MareMask(model, cancellation);
+        (Octaves, _craters) = DetailOf(metresPerPixel, seed, model);
+    }
+
+    /// <summary>Prepares the same ground for a map whose samples are not those of a grid of latitude and longitude.</summary>
+    /// <param name="metresPerPixel">m between the map's samples, above 0.</param>
+    /// <param name="seed">Another seed gives another terrain.</param>
+    /// <param name="baseModel">The model to refine; null for an invented shape.</param>
+    /// <param name="cancellation">Stops the reading.</param>
+    public static SyntheticTerrain ForMap(
+        double metresPerPixel, ulong seed, IElevationGrid? baseModel, CancellationToken cancellation = default) =>
+        new(seed, baseModel, metresPerPixel, cancellation);
+
+    private (NoiseOctave[] Octaves, CraterPopulation Craters) DetailOf(double spacing, ulong seed, IElevationGrid model)
+    {
+        double baseSpacing = ModelSlopes.Spacing(model.PixelsPerDegree);
+        return (
+            DetailSpectrum.Octaves(seed, baseSpacing, spacing, ModelSlopes.Of(model, Maria)),
+            new CraterPopulation(
+                seed,
+                Maria,
+                SmallestCraterInSamples * spacing,
+                HasBase ? LargestCraterInBaseSamples * baseSpacing : LargestCraterWithoutBase));
+    }
+
+    /// <summary>Samples a degree; of a map those of the nearest grid that continues the base.</summary>
     public int PixelsPerDegree { get; }
 
     /// <summary>
@@ -90,6 +117,10 @@ public sealed class SyntheticTerrain
 
     /// <summary>The roughness below the base.</summary>
     internal IReadOnlyList<NoiseOctave> Octaves { get; }
+
+    /// <summary>The craters that may reach into a range of latitudes and longitudes.</summary>
+    internal IEnumerable<Crater> CratersNear(double southDegrees, double northDegrees, double westDegrees, double widthDegrees) =>
+        _craters.Near(southDegrees, northDegrees, westDegrees, widthDegrees);
 
     /// <summary>The craters that may reach into a frame.</summary>
     internal IEnumerable<Crater> CratersNear(TileFrame frame) => _craters.Near(

@@ -186,7 +186,17 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("patterns --source mysql --ldem missing.lbl", 1, "--ldem and --source mysql contradict each other")]
     [InlineData("patterns --source mysql --defaults-file missing.cnf", 2, "missing.cnf")]
     [InlineData("patterns --defaults-file missing.cnf", 1, "--source mysql only")]
-    [InlineData("ldem synthesize", 1, "--res")]
+    [InlineData("ldem synthesize", 1, "--seed")]
+    [InlineData("ldem synthesize --seed 1", 1, "--res is required")]
+    [InlineData("ldem synthesize --seed 1 --projection polar-south", 1, "--map-scale is required for a polar map")]
+    [InlineData("ldem synthesize --seed 1 --projection polar-south --map-scale 100 --res 4", 1, "--res is for models of latitude")]
+    [InlineData("ldem synthesize --seed 1 --projection polar-north --map-scale 100 --region 0:1:0:1", 1, "--region is for models of")]
+    [InlineData("ldem synthesize --seed 1 --res 4 --map-scale 100", 1, "--map-scale is for polar maps")]
+    [InlineData("ldem synthesize --seed 1 --res 4 --latitude 80", 1, "--latitude is for polar maps")]
+    [InlineData(
+        "ldem synthesize --seed 1 --projection polar --map-scale 100", 1,
+        "--projection is 'polar'; one of cylindrical, polar-south")]
+    [InlineData("ldem synthesize --seed 1 --projection polar-south --map-scale 30000 --latitude 89.9", 2, "has no samples at 30000 m/px")]
     [InlineData("ldem synthesize --res 4", 1, "--seed")]
     [InlineData("ldem synthesize --res 0 --seed 1", 1, "--res is '0'")]
     [InlineData("ldem synthesize --res 4 --seed x", 1, "--seed is 'x'")]

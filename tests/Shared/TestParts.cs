@@ -17,6 +17,11 @@ internal static class TestParts
         Path.Combine(RepositoryRoot, "lib", "native", "libcspice.so"),
         Path.Combine(RepositoryRoot, "..", "shared", "cspice", "libcspice.so"));
 
+    /// <summary>A real piece of LOLA's 5 m maps of the south pole, float32 GeoTIFF, by the beginning of its name.</summary>
+    public static string? PolarPiece(string name) => Directory.Exists(PolarPieces)
+        ? Directory.EnumerateFiles(PolarPieces, name + "*.tif").Order(StringComparer.Ordinal).FirstOrDefault()
+        : null;
+
     /// <summary>The folder of the kernels that the project ships.</summary>
     public static string Kernels => Path.Combine(RepositoryRoot, "kernels");
 
@@ -33,6 +38,8 @@ internal static class TestParts
             .Split(Path.PathSeparator)
             .Select(folder => Path.Combine(folder, name))
             .ToArray());
+
+    private static string PolarPieces => Path.Combine(RepositoryRoot, "..", "shared", "dem_polar");
 
     private static string? FirstFile(params string?[] candidates) =>
         candidates.FirstOrDefault(candidate => candidate is not null && File.Exists(candidate));

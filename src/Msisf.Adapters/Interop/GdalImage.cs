@@ -68,22 +68,68 @@ internal sealed unsafe class GdalImage : IDisposable
         }
     }
 
+    /// <summary>Unit of the values as the file names it; empty if it names none.</summary>
+    public string Unit => Marshal.PtrToStringUTF8((nint)_gdal.GDALGetRasterUnitType(_band)) ?? string.Empty;
+
+    /// <summary>Factor and offset by which a stored number is a value: 1 and 0 if the file has none.</summary>
+    public (double Factor, double Offset) Scale
+    {
+        get
+        {
+            int isThere = 0;
+            double factor = _gdal.GDALGetRasterScale(_band, &isThere);
+            factor = isThere != 0 ? factor : 1.0;
+            double offset = _gdal.GDALGetRasterOffset(_band, &isThere);
+            return (factor, isThere != 0 ? offset : 0.0);
+        }
+    }
+
+    /// <summary>The map projection as PROJ writes it, e.g. "+proj=stere +lat_0=-90 ..."; null if the file has none.</summary>
+    public string? Projection()
+    {
+        byte* text = _gdal.GDALGetProjectionRef(_image);
+        nint reference = text is null || *text == 0 ? 0 : _gdal.OSRNewSpatialReference(text);
+        if (reference == 0)
+        {
+            return null;
+        }
+
+        byte* words = null;
+        int result = _gdal.OSRExportToProj4(reference, &words);
+        string? projection = result == GdalNative.NoError ? Marshal.PtrToStringUTF8((nint)words) : null;
+        _gdal.VSIFree(words);
+        _gdal.OSRDestroySpatialReference(reference);
+        return projection;
+    }
+
+    /// <summary>Reads a rectangle.</summary>
+    /// <param name="line">Top row, from 0.</param>
+    /// <param name="lines">How many rows.</param>
+    /// <param name="sample">Leftmost pixel, from 0.</param>
+    /// <param name="samples">How many pixels of a row.</param>
+    /// <param name="values">Receives them, row by row.</param>
+    /// <exception cref="BadInputException">The file is damaged.</exception>
+    public void Read(int line, int lines, int sample, int samples, Span<float> values)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(values.Length, lines * samples);
+        fixed (float* start = values)
+        {
+            Require(_gdal.GDALRasterIO(_band, 0, sample, line, samples, lines, start, samples, lines, GdalNative.TypeFloat32, 0, 0));
+        }
+    }
+
     /// <summary>Reads whole rows.</summary>
     /// <param name="first">The first row, from 0.</param>
     /// <param name="count">How many.</param>
     /// <param name="values">Receives them, row by row.</param>
     /// <exception cref="BadInputException">The file is damaged.</exception>
-    public void Read(int first, int count, Span<float> values)
+    public void Read(int first, int count, Span<float> values) => Read(first, count, 0, Width, values);
+
+    private void Require(int result)
     {
-        ArgumentOutOfRangeException.ThrowIfLessThan(values.Length, count * Width);
-        fixed (float* start = values)
+        if (result >= GdalNative.Failure)
         {
-            int result = _gdal.GDALRasterIO(
-                _band, 0, 0, first, Width, count, start, Width, count, GdalNative.TypeFloat32, 0, 0);
-            if (result >= GdalNative.Failure)
-            {
-                throw new BadInputException($"{_path}: GDAL can't read it to its end ({Message(_gdal)}). Get the file again.");
-            }
+            throw new BadInputException($"{_path}: GDAL can't read it to its end ({Message(_gdal)}). Get the file again.");
         }
     }
 

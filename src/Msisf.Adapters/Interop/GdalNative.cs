@@ -17,6 +17,9 @@ internal sealed unsafe class GdalNative
     /// <summary>GDT_Float32.</summary>
     internal const int TypeFloat32 = 6;
 
+    /// <summary>OGRERR_NONE.</summary>
+    internal const int NoError = 0;
+
     /// <summary>CE_Failure; smaller results are successes or warnings.</summary>
     internal const int Failure = 3;
 
@@ -30,6 +33,14 @@ internal sealed unsafe class GdalNative
     internal readonly delegate* unmanaged[Cdecl]<nint, int*, double> GDALGetRasterNoDataValue;
     internal readonly delegate* unmanaged[Cdecl]<nint, double*, int> GDALGetGeoTransform;
     internal readonly delegate* unmanaged[Cdecl]<nint, int, int, int, int, int, void*, int, int, int, int, int, int> GDALRasterIO;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int*, double> GDALGetRasterScale;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int*, double> GDALGetRasterOffset;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte*> GDALGetRasterUnitType;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte*> GDALGetProjectionRef;
+    internal readonly delegate* unmanaged[Cdecl]<byte*, nint> OSRNewSpatialReference;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte**, int> OSRExportToProj4;
+    internal readonly delegate* unmanaged[Cdecl]<nint, void> OSRDestroySpatialReference;
+    internal readonly delegate* unmanaged[Cdecl]<void*, void> VSIFree;
     internal readonly delegate* unmanaged[Cdecl]<byte*> CPLGetLastErrorMsg;
     internal readonly delegate* unmanaged[Cdecl]<nint, nint> CPLSetErrorHandler;
     internal readonly nint CPLQuietErrorHandler;
@@ -51,6 +62,14 @@ internal sealed unsafe class GdalNative
         GDALGetGeoTransform = (delegate* unmanaged[Cdecl]<nint, double*, int>)Find(nameof(GDALGetGeoTransform));
         GDALRasterIO = (delegate* unmanaged[Cdecl]<nint, int, int, int, int, int, void*, int, int, int, int, int, int>)
             Find(nameof(GDALRasterIO));
+        GDALGetRasterScale = (delegate* unmanaged[Cdecl]<nint, int*, double>)Find(nameof(GDALGetRasterScale));
+        GDALGetRasterOffset = (delegate* unmanaged[Cdecl]<nint, int*, double>)Find(nameof(GDALGetRasterOffset));
+        GDALGetRasterUnitType = (delegate* unmanaged[Cdecl]<nint, byte*>)Find(nameof(GDALGetRasterUnitType));
+        GDALGetProjectionRef = (delegate* unmanaged[Cdecl]<nint, byte*>)Find(nameof(GDALGetProjectionRef));
+        OSRNewSpatialReference = (delegate* unmanaged[Cdecl]<byte*, nint>)Find(nameof(OSRNewSpatialReference));
+        OSRExportToProj4 = (delegate* unmanaged[Cdecl]<nint, byte**, int>)Find(nameof(OSRExportToProj4));
+        OSRDestroySpatialReference = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(OSRDestroySpatialReference));
+        VSIFree = (delegate* unmanaged[Cdecl]<void*, void>)Find(nameof(VSIFree));
         CPLGetLastErrorMsg = (delegate* unmanaged[Cdecl]<byte*>)Find(nameof(CPLGetLastErrorMsg));
         CPLSetErrorHandler = (delegate* unmanaged[Cdecl]<nint, nint>)Find(nameof(CPLSetErrorHandler));
         CPLQuietErrorHandler = Find(nameof(CPLQuietErrorHandler));

@@ -48,12 +48,24 @@ internal static class FitsProvenance
         unit.Put("MEANRAD", MoonConstants.MeanRadius, "[m] mean radius, for CAMALT");
         unit.Put("REFRAD", MoonConstants.ReferenceRadius, "[m] reference radius, for HEIGHT");
         unit.Put("ELEVMODL", FitsText.Ascii(provenance.ElevationProduct), "elevation model");
-        unit.Put("ELEVRES", frame.Elevation.PixelsPerDegree, "[px/deg] of the elevation model");
+        PutResolution(unit, "ELEVRES", frame.Elevation.Resolution, "of the elevation model");
         unit.Put("LOD", provenance.LevelOfDetail, "level of detail, 0 is the model itself");
-        unit.Put("MESHRES", provenance.MeshPixelsPerDegree, "[px/deg] of the mesh that CELL counts in");
+        PutResolution(unit, "MESHRES", provenance.MeshResolution, "of the mesh that CELL counts in");
         foreach (string line in Remarks.SelectMany(FitsText.Wrap))
         {
             unit.PutComment(line);
+        }
+    }
+
+    private static void PutResolution(FitsUnit unit, string key, GridResolution resolution, string whose)
+    {
+        if (resolution.PixelsPerDegree is { } pixelsPerDegree)
+        {
+            unit.Put(key, pixelsPerDegree, $"[px/deg] {whose}");
+        }
+        else
+        {
+            unit.Put(key, resolution.MetresPerPixel, $"[m/px] {whose}");
         }
     }
 

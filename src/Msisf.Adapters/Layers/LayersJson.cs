@@ -3,6 +3,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Layers;
 
@@ -33,9 +34,9 @@ internal static class LayersJson
             WriteCamera(json, CameraMatrix.Of(frame.Camera));
             json.WriteString("elevationModel", provenance.ElevationProduct);
             json.WriteBoolean("elevationModelIsSynthetic", frame.Elevation.IsSynthetic);
-            json.WriteNumber("pixelsPerDegree", frame.Elevation.PixelsPerDegree);
+            WriteResolution(json, "pixelsPerDegree", "metresPerPixel", frame.Elevation.Resolution);
             json.WriteNumber("levelOfDetail", provenance.LevelOfDetail);
-            json.WriteNumber("meshPixelsPerDegree", provenance.MeshPixelsPerDegree);
+            WriteResolution(json, "meshPixelsPerDegree", "meshMetresPerPixel", provenance.MeshResolution);
             json.WriteStartArray("layers");
             foreach (Layer layer in layers.Layers)
             {
@@ -80,6 +81,19 @@ internal static class LayersJson
         }
 
         json.WriteEndArray();
+    }
+
+    /// <summary>The resolution by the key of its kind: px/deg of a grid of latitude and longitude, m/px of another.</summary>
+    private static void WriteResolution(Utf8JsonWriter json, string degreeKey, string metreKey, GridResolution resolution)
+    {
+        if (resolution.PixelsPerDegree is { } pixelsPerDegree)
+        {
+            json.WriteNumber(degreeKey, pixelsPerDegree);
+        }
+        else
+        {
+            json.WriteNumber(metreKey, resolution.MetresPerPixel);
+        }
     }
 
     private static void WriteNumbers(Utf8JsonWriter json, string name, params ReadOnlySpan<double> numbers)

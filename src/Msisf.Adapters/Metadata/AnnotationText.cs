@@ -19,16 +19,16 @@ internal static class AnnotationText
             Format($"Sun position:       {Components(frame.SunPositionMoonMe)} m"),
             Format($"Flight altitude:    {frame.FlightAltitude:F0} m ({frame.HeightOverTerrain:F0} m over the terrain)"),
             Format($"Elevation model:    {frame.Elevation.ProductId}{(frame.Elevation.IsSynthetic ? " (SYNTHETIC)" : string.Empty)}"),
-            Format($"Surface resolution: {frame.Elevation.PixelsPerDegree} px/deg{Drawn(frame.Elevation)}"),
+            Format($"Surface resolution: {frame.Elevation.Resolution}{Drawn(frame.Elevation)}"),
             Format($"Field of view:      {frame.FieldOfViewDegrees:R} deg"),
             Format($"MSIS version:       {frame.Version}"),
         ];
     }
 
     /// <summary>The levels of detail, where the model itself is not all that was drawn.</summary>
-    private static string Drawn(DrawnElevation elevation) => elevation.CoarsestDrawn == elevation.PixelsPerDegree ? string.Empty
-        : elevation.CoarsestDrawn == elevation.FinestDrawn ? Format($", drawn at {elevation.FinestDrawn}")
-        : Format($", drawn at {elevation.CoarsestDrawn} to {elevation.FinestDrawn}");
+    private static string Drawn(DrawnElevation elevation) => elevation.CoarsestDrawn == elevation.Resolution ? string.Empty
+        : elevation.CoarsestDrawn == elevation.FinestDrawn ? Format($", drawn at {elevation.FinestDrawn.NumberText}")
+        : Format($", drawn at {elevation.CoarsestDrawn.NumberText} to {elevation.FinestDrawn.NumberText}");
 
     private static string Components(Vector3D v) => Format($"{v.X:F0}, {v.Y:F0}, {v.Z:F0}");
 

@@ -67,7 +67,7 @@ public static class MetadataXmlWriter
                   {Vector3DElement(frame.SunPositionMoonMe)}
                 </SunPosition>
                 <FlightAltitude unit="m">{LongE.ToText(frame.FlightAltitude)}</FlightAltitude>
-                <SurfaceResolution unit="px/deg">{frame.Elevation.PixelsPerDegree}</SurfaceResolution>
+                <SurfaceResolution unit="{frame.Elevation.Resolution.Unit}">{frame.Elevation.Resolution.NumberText}</SurfaceResolution>
                 <FOV unit="deg">{frame.FieldOfViewDegrees:R}</FOV>
                 <MSISVersion>{XmlText.Escape(frame.Version)}</MSISVersion>
                 <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>{SurfaceLine(surface, frame)}

@@ -37,7 +37,8 @@ internal static class OriginXml
     private static string Model(DrawnElevation model) => string.Create(
         CultureInfo.InvariantCulture,
         $"    <ElevationModel product=\"{XmlText.EscapeAttribute(model.ProductId)}\" synthetic=\"{(model.IsSynthetic ? "yes" : "no")}\""
-            + $" drawnFinest=\"{model.FinestDrawn}\" drawnCoarsest=\"{model.CoarsestDrawn}\" unit=\"px/deg\" />");
+            + $" drawnFinest=\"{model.FinestDrawn.NumberText}\" drawnCoarsest=\"{model.CoarsestDrawn.NumberText}\" "
+            + $"unit=\"{model.Resolution.Unit}\" />");
 
     private static IEnumerable<string> Camera(CameraMatrix camera) =>
     [

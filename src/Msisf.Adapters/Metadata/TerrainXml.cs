@@ -36,9 +36,15 @@ internal static class TerrainXml
         text.Append(StateName(terrain.Light.State));
         text.Append("\" visibleFraction=\""u8);
         text.Append(terrain.Light.VisibleFraction);
-        text.Append("\" />\n      <Facet tile=\""u8);
-        text.Append(terrain.Tile.RangeText);
-        text.Append("\" line=\""u8);
+        text.Append("\" />\n      <Facet"u8);
+        if (terrain.Tile is { } tile)
+        {
+            text.Append(" tile=\""u8);
+            text.Append(tile.RangeText);
+            text.Append("\""u8);
+        }
+
+        text.Append(" line=\""u8);
         text.Append(terrain.Facet.Line);
         text.Append("\" sample=\""u8);
         text.Append(terrain.Facet.Sample);

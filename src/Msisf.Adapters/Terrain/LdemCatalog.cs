@@ -35,7 +35,7 @@ public static class LdemCatalog
     {
         if (explicitPath is not null && !Directory.Exists(explicitPath))
         {
-            LdemLabel label = LdemLabelReader.ReadFile(LabelOf(explicitPath));
+            LdemLabel label = ReadCylindrical(explicitPath);
             return label.PixelsPerDegree == pixelsPerDegree ? WithSiblings(label) : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{label.LabelPath}: an elevation model of {label.PixelsPerDegree} px/deg, but {pixelsPerDegree} px/deg are asked for. "
@@ -78,7 +78,19 @@ public static class LdemCatalog
     /// <exception cref="BadInputException">
     /// It is missing, no label of a cylindrical lunar model, or its parts don't make up a whole Moon.
     /// </exception>
-    public static LdemSet Read(string labelOrImage) => WithSiblings(LdemLabelReader.ReadFile(LabelOf(labelOrImage)));
+    public static LdemSet Read(string labelOrImage) => WithSiblings(ReadCylindrical(labelOrImage));
+
+    /// <summary>The label of a named polar map; null if the path is a folder, or another model's or file's.</summary>
+    /// <param name="path">A label, an image, or anything else.</param>
+    public static LdemLabel? TryReadMap(string path) =>
+        File.Exists(path) && TryRead(LabelOf(path)) is { Polar: not null } label ? label : null;
+
+    private static LdemLabel ReadCylindrical(string labelOrImage)
+    {
+        LdemLabel label = LdemLabelReader.ReadFile(LabelOf(labelOrImage));
+        return label.Polar is null ? label : throw new BadInputException(
+            $"{label.LabelPath}: a map of the surroundings of a pole; a SIMPLE CYLINDRICAL model of the whole Moon is needed here.");
+    }
 
     private static LdemSet? FindWhole(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
     {
@@ -114,7 +126,7 @@ public static class LdemCatalog
         string usual = Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"LDEM_{pixelsPerDegree}.LBL"));
         if (FileNames.FindIgnoringCase(usual) is { } label)
         {
-            LdemLabel found = LdemLabelReader.ReadFile(label);
+            LdemLabel found = ReadCylindrical(label);
             return found.PixelsPerDegree == pixelsPerDegree ? WithSiblings(found) : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{label}: by its name a model of {pixelsPerDegree} px/deg, but MAP_RESOLUTION is {found.PixelsPerDegree}. Rename it."));
@@ -154,7 +166,7 @@ public static class LdemCatalog
             && !other.CoversWholeMoon
             && ModelOf(other) == ModelOf(label)
             && Path.GetFileName(other.LabelPath) != Path.GetFileName(label.LabelPath));
-        return LdemSet.Join([label, .. siblings]);
+        return LdemSet.Join([label, .. siblings], mayBeBand: true);
     }
 
     /// <summary>The name that the parts of one model share. Parts whose names have no borders count as parts of one model.</summary>
@@ -166,7 +178,8 @@ public static class LdemCatalog
         Directory.EnumerateFiles(folder, "*" + extension, Labels)
             .Order(StringComparer.Ordinal)
             .Select(TryRead)
-            .OfType<LdemLabel>();
+            .OfType<LdemLabel>()
+            .Where(label => label.Polar is null);
 
     private static LdemLabel? TryRead(string labelPath)
     {

@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
@@ -54,7 +55,14 @@ public sealed class LdemImage : IElevationGrid, IDisposable
     /// <exception cref="BadInputException">
     /// An image is missing (all that miss are named), unreadable, or not as long as its label says.
     /// </exception>
-    public static LdemImage Open(LdemSet set)
+    public static LdemImage Open(LdemSet set) => set.IsWholeMoon ? OpenParts(set) : throw new BadInputException(string.Create(
+        CultureInfo.InvariantCulture,
+        $"{set.Location}: covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} "
+            + $"degrees; a model of the whole Moon is needed here."));
+
+    /// <summary>Opens all images of a model that may be a band; only samples that it has may be asked for.</summary>
+    /// <exception cref="BadInputException">As of <see cref="Open(LdemSet)"/>.</exception>
+    internal static LdemImage OpenParts(LdemSet set)
     {
         RequireImages(set);
         List<LdemPart> parts = [];

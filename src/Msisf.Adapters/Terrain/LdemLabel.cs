@@ -1,9 +1,10 @@
 using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// The values of a cylindrical lunar elevation model's label, checked for consistency. The model may cover a part of the Moon only.
+/// The values of a lunar elevation model's label, checked for consistency. The model may cover a part of the Moon only.
 /// </summary>
 public sealed record LdemLabel
 {
@@ -25,8 +26,11 @@ public sealed record LdemLabel
     /// <summary>PRODUCT_ID, e.g. "LDEM_4": letters, digits, '_', '-' and '.'.</summary>
     public required string ProductId { get; init; }
 
-    /// <summary>MAP_RESOLUTION: samples a degree.</summary>
+    /// <summary>MAP_RESOLUTION of a cylindrical model: samples a degree; 0 for a polar map.</summary>
     public required int PixelsPerDegree { get; init; }
+
+    /// <summary>The projection of a polar map; null for a cylindrical model.</summary>
+    public PolarStereographic? Polar { get; init; }
 
     /// <summary>LINES.</summary>
     public required int Lines { get; init; }
@@ -49,13 +53,13 @@ public sealed record LdemLabel
     /// <summary>MAXIMUM: no sample value is above.</summary>
     public required double Maximum { get; init; }
 
-    /// <summary>MAXIMUM_LATITUDE, degrees: the northern border of line 1.</summary>
+    /// <summary>MAXIMUM_LATITUDE, degrees: of a cylindrical model the northern border of line 1.</summary>
     public required double NorthDegrees { get; init; }
 
     /// <summary>MINIMUM_LATITUDE, degrees.</summary>
     public required double SouthDegrees { get; init; }
 
-    /// <summary>WESTERNMOST_LONGITUDE, degrees: the western border of sample 1.</summary>
+    /// <summary>WESTERNMOST_LONGITUDE, degrees: of a cylindrical model the western border of sample 1.</summary>
     public required double WestDegrees { get; init; }
 
     /// <summary>EASTERNMOST_LONGITUDE, degrees.</summary>
@@ -90,5 +94,5 @@ public sealed record LdemLabel
     public long ImageBytes => LineBytes * Lines;
 
     /// <summary>Whether it covers latitudes -90 to 90 and longitudes 0 to 360 degrees.</summary>
-    public bool CoversWholeMoon => (NorthDegrees, SouthDegrees, WestDegrees, EastDegrees) == (90.0, -90.0, 0.0, 360.0);
+    public bool CoversWholeMoon => Polar is null && (NorthDegrees, SouthDegrees, WestDegrees, EastDegrees) == (90.0, -90.0, 0.0, 360.0);
 }

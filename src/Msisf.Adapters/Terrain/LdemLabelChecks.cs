@@ -6,18 +6,19 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>Checks that a label describes a cylindrical elevation model of the Moon and does not contradict itself.</summary>
+/// <summary>Checks that a label describes an elevation model of the Moon and does not contradict itself.</summary>
 internal static class LdemLabelChecks
 {
-    /// <summary>Checks that the product is of the Moon, in simple cylindrical projection and the ME/PA frame.</summary>
+    /// <summary>Checks that the product is of the Moon, in a projection that can be read and the ME/PA frame.</summary>
     /// <exception cref="BadInputException">It is another product.</exception>
     public static void CheckKind(PdsObject root, PdsObject map)
     {
         CheckText(root, "TARGET_NAME", "MOON", "an elevation model of the MOON is needed");
-        string projection = map.RequiredText("MAP_PROJECTION_TYPE");
-        CheckText(map, "MAP_PROJECTION_TYPE", "SIMPLE CYLINDRICAL", projection.Contains("POLAR", StringComparison.Ordinal)
-            ? "polar products can't be used; take a SIMPLE CYLINDRICAL one (LDEM_4, LDEM_16, LDEM_64)"
-            : "SIMPLE CYLINDRICAL is needed");
+        if (!IsPolar(map))
+        {
+            CheckText(map, "MAP_PROJECTION_TYPE", "SIMPLE CYLINDRICAL", $"SIMPLE CYLINDRICAL or {PolarLabel.ProjectionType} is needed");
+        }
+
         CheckText(map, "POSITIVE_LONGITUDE_DIRECTION", "EAST", "EAST is needed");
         CheckNumber(map, "MAP_PROJECTION_ROTATION", 0.0, []);
         if (!map.RequiredText("COORDINATE_SYSTEM_NAME").Contains("MEAN EARTH", StringComparison.Ordinal))
@@ -26,6 +27,9 @@ internal static class LdemLabelChecks
                 "COORDINATE_SYSTEM_NAME", map.Required("COORDINATE_SYSTEM_NAME"), "the MEAN EARTH/POLAR AXIS frame is needed");
         }
     }
+
+    /// <summary>Whether the map is a polar stereographic one.</summary>
+    public static bool IsPolar(PdsObject map) => map.RequiredText("MAP_PROJECTION_TYPE") == PolarLabel.ProjectionType;
 
     /// <summary>Checks that lines and samples fill the borders at the resolution, and that the projection's offsets agree.</summary>
     /// <exception cref="BadInputException">They don't.</exception>
@@ -112,7 +116,9 @@ internal static class LdemLabelChecks
         }
     }
 
-    private static void CheckText(PdsObject holder, string keyword, string expected, string need)
+    /// <summary>Checks that a text, if the label has it, is the expected one.</summary>
+    /// <exception cref="BadInputException">It is another one.</exception>
+    public static void CheckText(PdsObject holder, string keyword, string expected, string need)
     {
         if (holder.Find(keyword) is { } value && value.ToString() != expected)
         {
@@ -120,7 +126,9 @@ internal static class LdemLabelChecks
         }
     }
 
-    private static void CheckNumber(PdsObject holder, string keyword, double expected, string[] units)
+    /// <summary>Checks that a number, if the label has it, is the expected one.</summary>
+    /// <exception cref="BadInputException">It is another one.</exception>
+    public static void CheckNumber(PdsObject holder, string keyword, double expected, string[] units)
     {
         if (holder.OptionalNumber(keyword, units) is { } number && number != expected)
         {

@@ -5,7 +5,8 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// Reads the PDS3 label of a lunar elevation model (LDEM) in simple cylindrical projection, and checks it against itself.
+/// Reads the PDS3 label of a lunar elevation model (LDEM) in simple cylindrical or polar stereographic projection, and checks it against
+/// itself.
 /// </summary>
 public static class LdemLabelReader
 {
@@ -18,7 +19,7 @@ public static class LdemLabelReader
     /// <summary>Reads a label's file.</summary>
     /// <param name="labelPath">The .LBL file, or an image with its label attached.</param>
     /// <exception cref="BadInputException">
-    /// The label is missing, unreadable, incomplete, contradicts itself, or describes no cylindrical lunar elevation model.
+    /// The label is missing, unreadable, incomplete, contradicts itself, or describes no lunar elevation model.
     /// </exception>
     public static LdemLabel ReadFile(string labelPath) => FileErrors.ToBadInput($"{labelPath}: can't be read", () =>
     {
@@ -56,7 +57,8 @@ public static class LdemLabelReader
             ImageOffset = pointer.Offset,
             FileBytes = (long?)recordBytes * file.OptionalInteger("FILE_RECORDS", 1, int.MaxValue),
             ProductId = ProductIdOf(root),
-            PixelsPerDegree = ResolutionOf(map),
+            PixelsPerDegree = LdemLabelChecks.IsPolar(map) ? 0 : ResolutionOf(map),
+            Polar = LdemLabelChecks.IsPolar(map) ? PolarLabel.ProjectionOf(map) : null,
             Lines = image.RequiredInteger("LINES", 1, LineLimit),
             LineSamples = image.RequiredInteger("LINE_SAMPLES", 1, 2 * LineLimit),
             SampleType = SampleTypeOf(image),
@@ -70,7 +72,15 @@ public static class LdemLabelReader
             EastDegrees = map.RequiredNumber("EASTERNMOST_LONGITUDE", PdsUnits.Degrees),
             CoordinateSystem = map.RequiredText("COORDINATE_SYSTEM_NAME"),
         };
-        LdemLabelChecks.CheckCover(label, image, map);
+        if (label.Polar is null)
+        {
+            LdemLabelChecks.CheckCover(label, image, map);
+        }
+        else
+        {
+            PolarLabel.CheckCover(label, image, map);
+        }
+
         LdemLabelChecks.CheckSamples(label, image, map);
         LdemLabelChecks.CheckRecords(label, file, isDetached: pointer.FileName is not null);
         return label;
@@ -123,5 +133,5 @@ public static class LdemLabelReader
         text.Length <= 40 && text.All(character => char.IsAsciiLetterOrDigit(character) || character is '_' or '-' or '.');
 
     private static BadInputException Missing(string labelPath, string name) =>
-        new($"{labelPath}: no OBJECT = {name}. Give the label of a LDEM product in SIMPLE CYLINDRICAL projection.");
+        new($"{labelPath}: no OBJECT = {name}. Give the label of a LDEM product.");
 }

@@ -6,8 +6,9 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Terrain;
 
 /// <summary>
-/// One image of an elevation model, of the whole Moon or a part of it, mapped into memory. Lines and samples count in the whole Moon's
-/// grid; those asked for must lie in the part. Safe for several threads, but not while it is disposed.
+/// One image of an elevation model, of the whole Moon or a part of it, mapped into memory. Lines and samples of a cylindrical model count
+/// in the whole Moon's grid, those of a polar map in the image; those asked for must lie in the part. Safe for several threads, but not
+/// while it is disposed.
 /// </summary>
 internal sealed unsafe class LdemPart : IDisposable
 {
@@ -22,8 +23,12 @@ internal sealed unsafe class LdemPart : IDisposable
     private LdemPart(LdemLabel label, FileStream stream)
     {
         Label = label;
-        FirstLine = (int)((90.0 - label.NorthDegrees) * label.PixelsPerDegree);
-        FirstSample = (int)(label.WestDegrees * label.PixelsPerDegree);
+        if (label.Polar is null)
+        {
+            FirstLine = (int)((90.0 - label.NorthDegrees) * label.PixelsPerDegree);
+            FirstSample = (int)(label.WestDegrees * label.PixelsPerDegree);
+        }
+
         EndSample = FirstSample + label.LineSamples;
         _codec = SampleCodec.For(label);
         _lineBytes = label.LineBytes;

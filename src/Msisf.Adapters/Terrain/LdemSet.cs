@@ -2,7 +2,10 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>The labels of one elevation model of the whole Moon: one label, or those of its parts. Immutable.</summary>
+/// <summary>
+/// The labels of one elevation model: one label or those of the parts of a model of the whole Moon or of a band around it, or the label of
+/// a polar map. Immutable.
+/// </summary>
 public sealed class LdemSet
 {
     private LdemSet(LdemLabel[] parts, string productId, ushort[] partOfDegree)
@@ -10,15 +13,19 @@ public sealed class LdemSet
         Parts = parts;
         ProductId = productId;
         PartOfDegree = partOfDegree;
+        IsWholeMoon = parts[0].Polar is null && !partOfDegree.Contains(LdemSetChecks.Nothing);
     }
 
     /// <summary>The labels, from the north, then from the west.</summary>
     public IReadOnlyList<LdemLabel> Parts { get; }
 
+    /// <summary>Whether it covers the whole Moon; if not it is a polar map, or a band between two latitudes.</summary>
+    public bool IsWholeMoon { get; }
+
     /// <summary>PRODUCT_ID; of a split product without the part's borders, e.g. "LDEM_512".</summary>
     public string ProductId { get; }
 
-    /// <summary>Samples a degree.</summary>
+    /// <summary>Samples a degree; 0 for a polar map.</summary>
     public int PixelsPerDegree => Parts[0].PixelsPerDegree;
 
     /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
@@ -30,7 +37,9 @@ public sealed class LdemSet
     /// <summary>Where the model is, and of how many files, for messages.</summary>
     public string Description => Parts.Count == 1 ? Location : $"{Location}, {Parts.Count} files";
 
-    /// <summary>Index of the part that holds each square degree: [90 - northern latitude, western longitude], row by row.</summary>
+    /// <summary>
+    /// Index of the part that holds each square degree: [90 - northern latitude, western longitude], row by row; empty for a polar map.
+    /// </summary>
     internal ushort[] PartOfDegree { get; }
 
     /// <summary>Takes the labels of one model.</summary>
@@ -38,16 +47,25 @@ public sealed class LdemSet
     /// <exception cref="BadInputException">
     /// They differ in what must be the same, overlap, or leave a part of the Moon uncovered; the message names the files.
     /// </exception>
-    public static LdemSet Join(IReadOnlyList<LdemLabel> labels)
+    public static LdemSet Join(IReadOnlyList<LdemLabel> labels) => Join(labels, mayBeBand: false);
+
+    /// <summary>Takes the labels of one model.</summary>
+    /// <param name="labels">At least one, in any order.</param>
+    /// <param name="mayBeBand">Whether the model may end at two parallels instead of the poles.</param>
+    /// <exception cref="BadInputException">As of <see cref="Join(IReadOnlyList{LdemLabel})"/>.</exception>
+    public static LdemSet Join(IReadOnlyList<LdemLabel> labels, bool mayBeBand)
     {
         LdemLabel[] parts = [.. labels
             .OrderByDescending(label => label.NorthDegrees)
             .ThenBy(label => label.WestDegrees)
             .ThenBy(label => label.LabelPath, StringComparer.Ordinal)];
         LdemSetChecks.CheckAlike(parts);
-        ushort[] partOfDegree = LdemSetChecks.Cover(parts);
+        ushort[] partOfDegree = LdemSetChecks.Cover(parts, mayBeBand);
         return new LdemSet(parts, parts.Length == 1 ? parts[0].ProductId : LdemPartName.Of(parts[0]).Model, partOfDegree);
     }
+
+    /// <summary>Takes the label of a polar map.</summary>
+    public static LdemSet OfMap(LdemLabel label) => new([label], label.ProductId, []);
 
     /// <summary>Path of a file beside the images that is derived from the model, e.g. "LDEM_64.summary".</summary>
     /// <param name="extension">With its dot.</param>

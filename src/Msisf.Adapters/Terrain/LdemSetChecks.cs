@@ -7,7 +7,8 @@ namespace Msisf.Adapters.Terrain;
 /// <summary>Checks that labels make up one model: of the same kind, without overlap and without gap.</summary>
 internal static class LdemSetChecks
 {
-    private const ushort Nothing = ushort.MaxValue;
+    /// <summary>Stands for a square degree that no part covers.</summary>
+    public const ushort Nothing = ushort.MaxValue;
 
     /// <summary>All parts mean the same by a sample value.</summary>
     /// <exception cref="BadInputException">Two differ.</exception>
@@ -25,8 +26,10 @@ internal static class LdemSetChecks
     }
 
     /// <summary>Index of the part for each square degree, row by row from the north.</summary>
+    /// <param name="parts">The labels.</param>
+    /// <param name="mayBeBand">Whether whole rows may be missing beside the poles.</param>
     /// <exception cref="BadInputException">Borders between degrees, two parts for one place, or none.</exception>
-    public static ushort[] Cover(IReadOnlyList<LdemLabel> parts)
+    public static ushort[] Cover(IReadOnlyList<LdemLabel> parts, bool mayBeBand)
     {
         ushort[] cover = new ushort[180 * 360];
         Array.Fill(cover, Nothing);
@@ -49,7 +52,15 @@ internal static class LdemSetChecks
             }
         }
 
-        return cover.Contains(Nothing) ? throw Incomplete(parts, cover) : cover;
+        return cover.Contains(Nothing) && !(mayBeBand && IsBand(cover)) ? throw Incomplete(parts, cover) : cover;
+    }
+
+    /// <summary>Whether the rows that are there are whole and follow each other.</summary>
+    private static bool IsBand(ushort[] cover)
+    {
+        int first = cover.AsSpan().IndexOfAnyExcept(Nothing);
+        int last = cover.AsSpan().LastIndexOfAnyExcept(Nothing);
+        return first % 360 == 0 && last % 360 == 359 && !cover.AsSpan(first, last + 1 - first).Contains(Nothing);
     }
 
     private static void RequireSame<T>(string what, LdemLabel first, LdemLabel other, Func<LdemLabel, T> of)

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Globalization;
 using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
@@ -26,15 +27,17 @@ internal sealed class ElevationModel : IDisposable
 
     private const string SummaryExtension = ".summary";
 
-    private readonly LdemImage _image;
-    private readonly ILog _log;
-    private readonly Lazy<SummarySource> _source;
+    private readonly IDisposable _file;
+    private readonly LdemImage? _image;
+    private readonly ILog? _log;
+    private readonly Lazy<SummarySource>? _source;
     private readonly Lazy<ElevationSummary> _summary;
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
     private ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
+        : this(image, image.Set, image)
     {
         _image = image;
         _log = log;
@@ -42,17 +45,34 @@ internal sealed class ElevationModel : IDisposable
         _summary = new Lazy<ElevationSummary>(() => image.PixelsPerDegree <= FinestSummarisedEachRun
             ? ElevationSummary.Build(image)
             : ElevationSummaryFile.Open(image.Set.FileBeside(SummaryExtension), _source.Value, image));
-        _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(image));
         _levels = new Lazy<ModelLevels>(openLevels);
     }
 
-    public IElevationGrid Grid => _image;
+    private ElevationModel(ITerrainGrid grid, LdemSet set, IDisposable file)
+    {
+        Grid = grid;
+        Set = set;
+        _file = file;
+        _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(grid));
+        _summary = new Lazy<ElevationSummary>(() => throw NotWholeMoon());
+        _levels = new Lazy<ModelLevels>(() => throw NotWholeMoon());
+    }
+
+    /// <summary>The samples.</summary>
+    public ITerrainGrid Grid { get; }
+
+    /// <summary>Whether it is a model of the whole Moon, which has levels of detail and patterns.</summary>
+    public bool IsWholeMoon => _image is not null;
+
+    /// <summary>The samples of a model of the whole Moon.</summary>
+    /// <exception cref="UsageException">It is a map of a part.</exception>
+    public IElevationGrid WholeMoon => _image ?? throw NotWholeMoon();
 
     /// <summary>Identifies the model; the fingerprint is the same on every computer.</summary>
-    public LdemFingerprint Fingerprint() => LdemFingerprint.Of(_image.Set);
+    public LdemFingerprint Fingerprint() => LdemFingerprint.Of(Set);
 
     /// <summary>The labels of the model.</summary>
-    public LdemSet Set => _image.Set;
+    public LdemSet Set { get; }
 
     /// <summary>Traces single rays; created on first use.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
@@ -62,16 +82,36 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
-    /// <param name="pixelsPerDegree">The resolution.</param>
+    /// <param name="resolution">The resolution; that of a polar map if the path is one.</param>
     /// <param name="isSparing">Use less memory at the cost of time: POV-Ray needs much memory, and the program waits for it anyway.</param>
     /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
-    public static ElevationModel Open(string? explicitPath, int pixelsPerDegree, bool isSparing, ProgramHost host)
+    public static ElevationModel Open(string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host)
     {
-        LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
-            () => LdemImage.Open(LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host)))));
-        host.Log.Note(image.Set.IsSynthetic
-            ? $"Elevation: {image.ProductId}, a SYNTHETIC model, not the real Moon ({image.Set.Description})."
-            : $"Elevation: {image.ProductId} ({image.Set.Description}).");
+        if (explicitPath is not null && GeoTiffGrid.IsNameOf(explicitPath))
+        {
+            return OpenGeoTiff(explicitPath, host);
+        }
+
+        if (resolution.PixelsPerDegree is not { } pixelsPerDegree)
+        {
+            return OpenMap(explicitPath!, host);
+        }
+
+        LdemSet set = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
+            () => LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host))));
+        if (!set.IsWholeMoon)
+        {
+            LdemBandImage band = SurfaceOptions.Ldem.Concerned(() => LdemBandImage.Open(set));
+            Tell(set, host.Log);
+            host.Log.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"It covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} "
+                    + $"degrees; beyond them there is no ground."));
+            return new ElevationModel(band, set, band);
+        }
+
+        LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(() => LdemImage.Open(set)));
+        Tell(set, host.Log);
         return new ElevationModel(image, host.Log, () => OpenLevels(image, isSparing, host));
     }
 
@@ -83,6 +123,38 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>Folders in which models are searched if no path is given, in the order of the search.</summary>
     public static string[] Folders(ProgramHost host) =>
         [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
+
+    private static ElevationModel OpenMap(string path, ProgramHost host) => SurfaceOptions.Ldem.Concerned(() =>
+    {
+        LdemLabel label = LdemCatalog.TryReadMap(path)
+            ?? throw new BadInputException($"{path}: was a polar map when the options were read, and is none any more.");
+        LdemMapImage image = LdemMapImage.Open(label);
+        LdemSet set = LdemSet.OfMap(label);
+        Tell(set, host.Log);
+        return new ElevationModel(image, set, image);
+    });
+
+    private static ElevationModel OpenGeoTiff(string path, ProgramHost host) => SurfaceOptions.Ldem.Concerned(() =>
+    {
+        GeoTiffGrid grid = GeoTiffGrid.Open(path, host.Environment("MSISF_GDAL"));
+        LdemSet set = LdemSet.OfMap(grid.ToLabel());
+        Tell(set, host.Log);
+        return new ElevationModel(grid, set, grid);
+    });
+
+    private static void Tell(LdemSet set, ILog log)
+    {
+        log.Note(set.IsSynthetic
+            ? $"Elevation: {set.ProductId}, a SYNTHETIC model, not the real Moon ({set.Description})."
+            : $"Elevation: {set.ProductId} ({set.Description}).");
+        if (set.Parts[0].Offset != MoonConstants.ReferenceRadius)
+        {
+            log.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"Its heights are over a sphere of {set.Parts[0].Offset / 1000.0:R} km; they are turned into heights over "
+                    + $"{MoonConstants.ReferenceRadius / 1000.0:R} km."));
+        }
+    }
 
     private static ModelLevels OpenLevels(LdemImage image, bool isSparing, ProgramHost host)
     {
@@ -100,7 +172,7 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>The tiles that a frame needs, with reasons; the first call opens the summary of the model.</summary>
     public TileSelection Select(Frame frame) =>
-        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, _image, _summary.Value);
+        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, WholeMoon, _summary.Value);
 
     /// <summary>The surface parts that a frame needs.</summary>
     /// <param name="frame">The frame.</param>
@@ -114,12 +186,15 @@ internal sealed class ElevationModel : IDisposable
 
     private PartSelector NewSelector(double errorPixels) => new(Levels, _summary.Value, errorPixels);
 
-    /// <summary>Distance from the Moon's centre to the terrain in a direction, m.</summary>
-    public double GroundRadius(Vector3D directionMoonMe) => TerrainHeight.RadiusBelow(_image, directionMoonMe);
+    /// <summary>Distance from the Moon's centre to the terrain in a direction, m; around a map that to the reference sphere.</summary>
+    public double GroundRadius(Vector3D directionMoonMe) => TerrainHeight.RadiusBelow(Grid, directionMoonMe);
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
     public double DepthBelowGround(Vector3D positionMoonMe) =>
-        positionMoonMe.Length > _image.RadiusLimits.Max ? 0.0 : -HeightOverTerrain(positionMoonMe);
+        positionMoonMe.Length > GroundLimit ? 0.0 : -HeightOverTerrain(positionMoonMe);
+
+    /// <summary>m: no ground is higher; around a map it is the reference sphere.</summary>
+    private double GroundLimit => IsWholeMoon ? Grid.RadiusLimits.Max : Math.Max(Grid.RadiusLimits.Max, MoonConstants.ReferenceRadius);
 
     /// <summary>Height of a position over the surface of the model below it, m.</summary>
     public double HeightOverTerrain(Vector3D positionMoonMe) =>
@@ -133,15 +208,19 @@ internal sealed class ElevationModel : IDisposable
             _levels.Value.Dispose();
         }
 
-        _image.Dispose();
+        _file.Dispose();
     }
 
     private void StoreSummary()
     {
-        if (_summary.IsValueCreated && _source.IsValueCreated && ElevationSummaryFile.StoreIfWorthwhile(
-            _image.Set.FileBeside(SummaryExtension), _source.Value, _summary.Value) is { } warning)
+        if (_summary.IsValueCreated && _source is { IsValueCreated: true } source && ElevationSummaryFile.StoreIfWorthwhile(
+            Set.FileBeside(SummaryExtension), source.Value, _summary.Value) is { } warning)
         {
-            _log.Warning(warning);
+            _log?.Warning(warning);
         }
     }
+
+    private UsageException NotWholeMoon() => new(
+        $"{Set.Location}: a map of a part of the Moon has no tiles, patterns and levels of detail. "
+            + $"Take a model of the whole Moon for them.");
 }

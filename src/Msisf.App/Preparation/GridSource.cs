@@ -30,7 +30,7 @@ internal sealed class GridSource : IDisposable
         }
 
         ElevationModel model = ElevationModel.Open(settings.Ldem, settings.PixelsPerDegree, isSparing: true, host);
-        return new GridSource(model.Grid, model);
+        return new GridSource(model.WholeMoon, model);
     }
 
     public void Dispose() => _owner.Dispose();

@@ -2,7 +2,6 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Scene;
-using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preparation;
 
@@ -44,7 +43,7 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
     /// <param name="host">Output, log, clock and environment of the program.</param>
     public void WarnOfFieldOfView(RenderSettings settings, ProgramHost host)
     {
-        double cell = MoonConstants.ReferenceRadius * double.DegreesToRadians(1.0 / settings.PixelsPerDegree);
+        double cell = settings.Resolution.MetresPerPixel;
         double widest = Frames.Max(PlausibleMistakes.WidthOnGround);
         foreach (string mistake in PlausibleMistakes.FieldOfView(settings.FieldOfViewDegrees, widest, cell))
         {

@@ -2,6 +2,7 @@ using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 
 namespace Msisf.App.Preparation;
@@ -18,6 +19,11 @@ internal static class SyntheticModel
     public static string Write(SynthesisSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         using LdemImage? continued = settings.BaseModel is { } path ? LdemImage.Open(LdemCatalog.Read(path)) : null;
+        if (settings.Map is { } map)
+        {
+            return WriteMap(map, settings, continued, host, cancellation);
+        }
+
         SyntheticLdemOptions options = new(settings.PixelsPerDegree, settings.Seed, settings.Folder)
         {
             Base = continued,
@@ -29,5 +35,18 @@ internal static class SyntheticModel
         };
         using IRunProgress progress = host.Progress.Start("Synthesis", FractionProgress.Steps, settings.Unattended);
         return SyntheticLdemWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation);
+    }
+
+    private static string WriteMap(
+        SyntheticMapSettings map, SynthesisSettings settings, LdemImage? continued, ProgramHost host, CancellationToken cancellation)
+    {
+        SyntheticMapOptions options = new(map.IsSouth, map.MetresPerPixel, map.LatitudeDegrees, settings.Seed, settings.Folder)
+        {
+            Base = continued,
+            Format = new SyntheticSampleFormat(settings.SampleType ?? LdemSampleType.Float32LittleEndian),
+        };
+        using IRunProgress progress = host.Progress.Start("Synthesis", FractionProgress.Steps, settings.Unattended);
+        return ModelOptions.Latitude.Concerned(
+            () => SyntheticMapWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation));
     }
 }

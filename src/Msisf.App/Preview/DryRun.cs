@@ -29,14 +29,14 @@ internal static class DryRun
         ElevationModel? model = IfThere(onDemand, settings, host);
         GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation);
         run.WarnOfFieldOfView(settings, host);
-        RunNotes notes = new(settings.PixelsPerDegree);
+        RunNotes notes = new(settings.Resolution);
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
         {
             cancellation.ThrowIfCancellationRequested();
             FramePreview view = FramePreview.Of(frame.Camera, frame.Light, model?.Grid);
             notes.Add(frame, view);
             return new PreviewRow(
-                frame.Step, frame.Time, Height(frame.Camera.PositionMoonMe, model), view, view.PixelsPerCell(settings.PixelsPerDegree));
+                frame.Step, frame.Time, Height(frame.Camera.PositionMoonMe, model), view, view.PixelsPerCell(settings.Resolution));
         }).ToArray());
         notes.Write(camera, host.Log);
         return rows;
@@ -44,14 +44,14 @@ internal static class DryRun
 
     private static ElevationModel? IfThere(ModelOnDemand model, RenderSettings settings, ProgramHost host)
     {
-        if (model.IsOpen || settings.Ldem is not null || ElevationModel.IsThere(settings.PixelsPerDegree, host))
+        if (model.IsOpen || settings.Ldem is not null || ElevationModel.IsThere(settings.Resolution.PixelsPerDegree!.Value, host))
         {
             return model.Opened;
         }
 
         host.Log.Note(string.Create(
             CultureInfo.InvariantCulture,
-            $"No elevation model of {settings.PixelsPerDegree} px/deg is there: heights are over the sphere of "
+            $"No elevation model of {settings.Resolution} is there: heights are over the sphere of "
                 + $"{MoonConstants.ReferenceRadius:F0} m. Drawing needs the model."));
         return null;
     }

@@ -32,7 +32,7 @@ internal sealed class RunNotes
     /// <summary>Maximum length of a list of steps; the steps of a frame here and there need more room than a line has.</summary>
     private const int LongestList = 60;
 
-    private readonly int _pixelsPerDegree;
+    private readonly GridResolution _resolution;
     private readonly List<int> _withoutMoon = [];
     private readonly List<int> _unlit = [];
     private int _count;
@@ -41,8 +41,8 @@ internal sealed class RunNotes
     private ModifiedJulianDate _first;
     private ModifiedJulianDate _last;
 
-    /// <param name="pixelsPerDegree">Resolution of the elevation model.</param>
-    public RunNotes(int pixelsPerDegree) => _pixelsPerDegree = pixelsPerDegree;
+    /// <param name="resolution">Resolution of the elevation model.</param>
+    public RunNotes(GridResolution resolution) => _resolution = resolution;
 
     /// <summary>Looks at frames, and writes the notes.</summary>
     /// <param name="camera">Has the epoch of an orbit.</param>
@@ -51,9 +51,9 @@ internal sealed class RunNotes
     /// <param name="log">Receives the notes.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     public static void Write(
-        CameraSettings camera, IReadOnlyList<Frame> frames, IElevationGrid terrain, ILog log, CancellationToken cancellation)
+        CameraSettings camera, IReadOnlyList<Frame> frames, ITerrainGrid terrain, ILog log, CancellationToken cancellation)
     {
-        RunNotes notes = new(terrain.PixelsPerDegree);
+        RunNotes notes = new(terrain.Projection.Resolution);
         foreach (Frame frame in frames)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -78,7 +78,7 @@ internal sealed class RunNotes
             _unlit.Add(frame.Step);
         }
 
-        if (view.PixelsPerCell(_pixelsPerDegree) is { } cell && cell > _widestCell)
+        if (view.PixelsPerCell(_resolution) is { } cell && cell > _widestCell)
         {
             (_widestCell, _widestStep) = (cell, frame.Step);
         }
@@ -109,7 +109,8 @@ internal sealed class RunNotes
             string width = _widestCell < LargestTold
                 ? string.Create(CultureInfo.InvariantCulture, $"{_widestCell:F0}")
                 : string.Create(CultureInfo.InvariantCulture, $"more than {LargestTold:F0}");
-            log.Note($"Cells of the model are {width} px wide in the image{step}: a finer model (--res) would show more.");
+            string option = _resolution.PixelsPerDegree is null ? string.Empty : " (--res)";
+            log.Note($"Cells of the model are {width} px wide in the image{step}: a finer model{option} would show more.");
         }
 
         if (camera is OrbitSettings orbit && EpochAway(orbit.Epoch) is { } away)

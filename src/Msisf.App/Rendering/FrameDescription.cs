@@ -25,7 +25,7 @@ internal sealed class FrameDescription(
         settings.FieldOfViewDegrees,
         frame.Light.PositionMoonMe,
         new DrawnElevation(
-            model.Grid.ProductId, model.Set.IsSynthetic, model.Grid.PixelsPerDegree, rendered.Drawn.Finest, rendered.Drawn.Coarsest),
+            model.Grid.ProductId, model.Set.IsSynthetic, model.Grid.Projection.Resolution, rendered.Drawn.Finest, rendered.Drawn.Coarsest),
         model.HeightOverTerrain(frame.Camera.PositionMoonMe),
         version,
         arguments,
@@ -42,14 +42,14 @@ internal sealed class FrameDescription(
         }
 
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        return new PixelSampler(grid, rendered.Truth, rendered.PixelsPerDegree);
+        return new PixelSampler(grid, rendered.Truth, rendered.Resolution.PixelsPerDegree);
     }
 
     /// <summary>What the layers' headers say of their origin.</summary>
     public LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
         model.Grid.ProductId,
-        rendered.PixelsPerDegree,
-        int.Log2(model.Grid.PixelsPerDegree / rendered.PixelsPerDegree),
+        rendered.Resolution,
+        model.Grid.Projection.Resolution.HalvingsTo(rendered.Resolution),
         metadata.RendererName,
         settings.Albedo.Band);
 }

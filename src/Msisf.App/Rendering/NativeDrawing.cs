@@ -20,14 +20,14 @@ internal sealed class NativeDrawing
     private const int FramesBetweenReleases = 16;
 
     private readonly NativeRenderOptions _options;
-    private readonly IElevationGrid _model;
+    private readonly ITerrainGrid _model;
     private readonly OpenedAlbedoMap? _map;
     private readonly NativeLevels _levels;
     private readonly DetectorsOfRun? _detectors;
     private readonly RunTimes _times;
     private int _frames;
 
-    public NativeDrawing(NativeSettings settings, IElevationGrid model, SurfaceInputs maps, NativeLevels levels, RunTimes times)
+    public NativeDrawing(NativeSettings settings, ITerrainGrid model, SurfaceInputs maps, NativeLevels levels, RunTimes times)
     {
         Settings = settings;
         Grey = new GreyTable(settings.Grey, settings.BitDepth);
@@ -62,7 +62,7 @@ internal sealed class NativeDrawing
         try
         {
             DetectorImage? detected = detector is null ? null : Expose(detector, renderer, frame, drawn, threads, cancellation);
-            return new NativeImage(this, renderer.PixelsPerDegree, frame, drawn, detector, detected);
+            return new NativeImage(this, renderer.Resolution, frame, drawn, detector, detected);
         }
         catch
         {

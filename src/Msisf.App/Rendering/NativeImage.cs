@@ -4,6 +4,7 @@ using Msisf.Adapters.Render;
 using Msisf.App.Preparation;
 using Msisf.Core.Detector;
 using Msisf.Core.Render;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
 
@@ -11,16 +12,16 @@ namespace Msisf.App.Rendering;
 internal sealed class NativeImage : IDisposable
 {
     private readonly NativeDrawing _drawing;
-    private readonly int _pixelsPerDegree;
+    private readonly GridResolution _resolution;
     private readonly NativeFrame _drawn;
     private readonly CameraDetector? _detector;
     private readonly IGroundTruth _truth;
 
     internal NativeImage(
-        NativeDrawing drawing, int pixelsPerDegree, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
+        NativeDrawing drawing, GridResolution resolution, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
     {
         _drawing = drawing;
-        _pixelsPerDegree = pixelsPerDegree;
+        _resolution = resolution;
         _drawn = drawn;
         _detector = detector;
         Detected = detected;
@@ -89,8 +90,8 @@ internal sealed class NativeImage : IDisposable
         image,
         "the image",
         WriteScene: null,
-        _pixelsPerDegree,
-        (_pixelsPerDegree, _pixelsPerDegree),
+        _resolution,
+        (_resolution, _resolution),
         _drawing.Settings.Render.KeepGroundTruth ? _truth : null,
         Detected);
 

@@ -24,7 +24,7 @@ internal static class PatternRun
         using PreparedRun run = PreparedRun.Of(camera, settings, ephemeris, host, cancellation);
         ElevationModel model = run.Model;
         using ScenePatterns patterns = new(
-            new PatternRepository(settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
+            new PatternRepository(settings.PatternRepository), new LevelMeshBuilders(model.WholeMoon, () => model.Levels));
         int made = 0;
         using (IRunProgress progress = host.Progress.Start("Patterns of frames", run.Frames.Count, settings.Unattended))
         {

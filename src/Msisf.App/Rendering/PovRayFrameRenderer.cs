@@ -7,6 +7,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
@@ -90,7 +91,8 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
             using Stream image = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);
             void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, parts), _patterns.FileNameOf);
             RenderedFrame rendered = new(
-                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.Grid.PixelsPerDegree, LevelsOf(parts), TruthOf(frame));
+                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.WholeMoon.PixelsPerDegree, LevelsOf(parts),
+                TruthOf(frame));
             return new FrameOutputs(_files.Write(frame, rendered, cancellation), parts.Count, made);
         }
     }
@@ -137,7 +139,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _settings.Timeout);
 
     private RenderScene SceneOf(Frame frame, IReadOnlyList<SurfacePart> parts) =>
-        new(frame.Camera, frame.Light, _model.Grid.PixelsPerDegree, parts, _albedo?.For(frame.Camera));
+        new(frame.Camera, frame.Light, _model.WholeMoon.PixelsPerDegree, parts, _albedo?.For(frame.Camera));
 
     /// <returns>The whole image as PNG; its bytes do not depend on the number of strips.</returns>
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)
@@ -159,9 +161,9 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     }
 
     /// <summary>px/deg of the finest and the coarsest part; those of the model if the image shows none.</summary>
-    private (int Finest, int Coarsest) LevelsOf(IReadOnlyList<SurfacePart> parts) => (
-        _model.Grid.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Min(),
-        _model.Grid.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Max());
+    private (GridResolution Finest, GridResolution Coarsest) LevelsOf(IReadOnlyList<SurfacePart> parts) => (
+        _model.WholeMoon.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Min(),
+        _model.WholeMoon.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Max());
 
     private TracedFrameTruth? TruthOf(Frame frame) =>
         _settings.Surface == PixelSurface.Terrain ? new TracedFrameTruth(frame.Camera, frame.Light, _model.Tracer) : null;

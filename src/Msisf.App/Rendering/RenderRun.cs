@@ -157,14 +157,14 @@ internal sealed class RenderRun
     {
         PovRayProcess povRay = new(FindPovRay());
         ScenePatterns patterns = new(
-            new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.Grid, () => model.Levels));
+            new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.WholeMoon, () => model.Levels));
         PovAlbedo? albedo = map is null ? null : new PovAlbedo(map, patterns.Folder);
         return new PovRayFrameRenderer(_settings, model, patterns, povRay, albedo, processes, smallProcesses, files, _times);
     }
 
     private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files)
     {
-        NativeLevels levels = new(model.Grid, () => model.Levels, _settings.LevelOfDetailError);
+        NativeLevels levels = new(model.Grid, () => model.Levels, model.IsWholeMoon ? _settings.LevelOfDetailError : null);
         return new NativeFrameRenderer(new NativeDrawing(_settings.Native, model.Grid, maps, levels, _times), files, _times);
     }
 

@@ -1,5 +1,6 @@
 using Msisf.Core.Detector;
 using Msisf.Core.Render;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
 
@@ -8,8 +9,8 @@ namespace Msisf.App.Rendering;
 /// <param name="Image">The image, PNG; can be read again from its start.</param>
 /// <param name="ImageName">Name of the image in messages.</param>
 /// <param name="WriteScene">Writes the scene that was rendered; null if the renderer has none.</param>
-/// <param name="PixelsPerDegree">px/deg of the grid whose cells the ground truth names: the model's, or its level's.</param>
-/// <param name="Drawn">px/deg of the finest and of the coarsest level of detail in the image.</param>
+/// <param name="Resolution">Resolution of the grid whose cells the ground truth names: the model's, or its level's.</param>
+/// <param name="Drawn">Resolution of the finest and of the coarsest level of detail in the image.</param>
 /// <param name="Truth">Ground truth of the pixels; may be null if the meta file's pixels lie on the reference sphere.</param>
 /// <param name="Detected">What the camera's detector read out; null without a detector.</param>
 internal sealed record RenderedFrame(
@@ -17,7 +18,7 @@ internal sealed record RenderedFrame(
     Stream Image,
     string ImageName,
     Action<TextWriter>? WriteScene,
-    int PixelsPerDegree,
-    (int Finest, int Coarsest) Drawn,
+    GridResolution Resolution,
+    (GridResolution Finest, GridResolution Coarsest) Drawn,
     IGroundTruth? Truth,
     DetectorImage? Detected = null);

@@ -49,7 +49,8 @@ internal sealed class ServedModel : IDisposable
 
         return _levels.GetOrAdd(
             errorPixels ?? -1.0,
-            _ => new Lazy<NativeLevels>(() => new NativeLevels(Opened.Grid, () => Opened.Levels, errorPixels))).Value;
+            _ => new Lazy<NativeLevels>(() => new NativeLevels(
+                Opened.Grid, () => Opened.Levels, Opened.IsWholeMoon ? errorPixels : null))).Value;
     }
 
     /// <summary>Closes the model.</summary>

@@ -92,12 +92,15 @@ internal static class CommandTable
     {
         Examples = [(
             "A model with 64 pixels a degree that continues one with 4:",
-            "msis ldem synthesize --res 64 --base input/ldem/LDEM_4.LBL --seed 1")],
+            "msis ldem synthesize --res 64 --base input/ldem/LDEM_4.LBL --seed 1"),
+            (
+            "A map of the south pole, 80 m a pixel, to 80 degrees of latitude:",
+            "msis ldem synthesize --projection polar-south --map-scale 80 --base input/ldem/LDEM_4.LBL --seed 1")],
         MakeGroups = () => [new OptionGroup(
             "The new model",
             [
                 ModelOptions.NewResolution, ModelOptions.Seed, ModelOptions.Base, ModelOptions.Region, ModelOptions.Rest,
-                ModelOptions.SampleType, ModelOptions.NewFolder,
+                ModelOptions.Projection, ModelOptions.MapScale, ModelOptions.Latitude, ModelOptions.SampleType, ModelOptions.NewFolder,
             ]), Progress],
     };
 

@@ -27,7 +27,7 @@ internal static class FrameArguments
             OutputOptions.GridHorizontal.Name, Text(settings.GridHorizontal),
             OutputOptions.GridVertical.Name, Text(settings.GridVertical),
             .. OutputOptions.Surface.Words(settings.Surface),
-            SurfaceOptions.Resolution.Name, Text(settings.PixelsPerDegree),
+            .. settings.Resolution.PixelsPerDegree is { } resolution ? (string[])[SurfaceOptions.Resolution.Name, Text(resolution)] : [],
             .. settings.LevelOfDetailError is double error
                 ? [SurfaceOptions.LevelOfDetailError.Name, NumberSpec.TextOf(error)]
                 : SurfaceOptions.LevelOfDetail.Words(true),

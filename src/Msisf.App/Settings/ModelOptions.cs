@@ -13,9 +13,34 @@ internal static class ModelOptions
     /// <summary>Resolution of a new model, px/deg.</summary>
     public static WholeNumberSpec NewResolution { get; } = SurfaceOptions.Resolution with
     {
-        Help = "Resolution of the new model",
+        Help = "Resolution of the new model; required for one of latitude and longitude",
         Default = null,
-        IsRequired = true,
+    };
+
+    /// <summary>Map projection of a new model.</summary>
+    public static ChoiceSpec<SyntheticProjection> Projection { get; } = new(
+        "--projection",
+        [
+            new Choice("cylindrical", SyntheticProjection.Cylindrical), new Choice("polar-south", SyntheticProjection.PolarSouth),
+            new Choice("polar-north", SyntheticProjection.PolarNorth),
+        ],
+        "A model of latitude and longitude, or a polar stereographic map around a pole, as LOLA's LDEM_80S_20M")
+    {
+        Default = SyntheticProjection.Cylindrical,
+    };
+
+    /// <summary>Scale of a new polar map, m/px.</summary>
+    public static NumberSpec MapScale { get; } = new("--map-scale", "METRES", "Width of a pixel of a polar map; required for one")
+    {
+        Limits = new NumberRange(PolarLabel.MinScale, PolarLabel.MaxScale),
+    };
+
+    /// <summary>Absolute latitude of the middle of the sides of a new polar map, degrees.</summary>
+    public static NumberSpec Latitude { get; } = new(
+        "--latitude", "DEGREES", "Latitude, north or south, to which a polar map reaches in the middle of its sides")
+    {
+        Default = SyntheticMapWriter.LowestLatitudeWithBase,
+        Limits = new NumberRange(SyntheticMapWriter.LowestLatitude, 90.0) { ExcludesMax = true },
     };
 
     /// <summary>Seed of the random terrain.</summary>
@@ -98,8 +123,13 @@ internal static class ModelOptions
             throw new UsageException($"{Rest.Name} says what lies around a {Region.Name}. Give one, or leave it out.").About(Rest);
         }
 
+        int? resolution = NewResolution.ReadIfGiven(values);
+        SyntheticMapSettings? map = ReadMap(values);
         return new SynthesisSettings(
-            NewResolution.Read(values),
+            map is null
+                ? resolution
+                    ?? throw new UsageException($"{NewResolution.Name} is required: how many samples a degree?").About(NewResolution)
+                : 0,
             ulong.TryParse(values.Text(Seed), NumberStyles.None, CultureInfo.InvariantCulture, out ulong seed)
                 ? seed
                 : throw new UsageException(
@@ -109,7 +139,31 @@ internal static class ModelOptions
             Rest.Read(values),
             SampleType.ReadIfGiven(values),
             NewFolder.Read(values),
-            RunOptions.Batch.Read(values));
+            RunOptions.Batch.Read(values))
+        {
+            Map = map,
+        };
+    }
+
+    private static SyntheticMapSettings? ReadMap(OptionValues values)
+    {
+        double? scale = MapScale.ReadIfGiven(values);
+        double latitude = Latitude.Read(values);
+        SyntheticProjection projection = Projection.Read(values);
+        bool isMap = projection != SyntheticProjection.Cylindrical;
+        OptionSpec[] others = isMap ? [NewResolution, Region, Rest] : [MapScale, Latitude];
+        if (others.FirstOrDefault(values.IsGiven) is { } wrong)
+        {
+            throw new UsageException(isMap
+                ? $"{wrong.Name} is for models of latitude and longitude. Leave it out, or {Projection.Name}."
+                : $"{wrong.Name} is for polar maps. Add {Projection.Name} polar-south or polar-north, or leave it out.")
+                .About(wrong, Projection);
+        }
+
+        return !isMap ? null : new SyntheticMapSettings(
+            projection == SyntheticProjection.PolarSouth,
+            scale ?? throw new UsageException($"{MapScale.Name} is required for a polar map: how many m is a pixel wide?").About(MapScale),
+            latitude);
     }
 
     /// <summary>Reads the options of msis ldem pyramid.</summary>

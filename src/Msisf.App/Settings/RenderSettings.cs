@@ -5,6 +5,7 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Settings;
 
@@ -26,7 +27,8 @@ internal sealed record RenderSettings
 
     public required PixelSurface Surface { get; init; }
 
-    public required int PixelsPerDegree { get; init; }
+    /// <summary>Resolution of the elevation model: that of --res, or of the polar map that --ldem names.</summary>
+    public required GridResolution Resolution { get; init; }
 
     public required RendererKind Renderer { get; init; }
 

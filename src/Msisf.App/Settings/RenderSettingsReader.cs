@@ -16,8 +16,9 @@ internal static class RenderSettingsReader
     /// <summary>Reads and checks all options.</summary>
     /// <param name="values">The options.</param>
     /// <param name="openCamera">Opens the camera of a name; null for a preset or a file.</param>
+    /// <param name="gdalPath">MSISF_GDAL, or null.</param>
     /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
-    public static RenderSettings Read(OptionValues values, Func<string, CameraFile>? openCamera = null)
+    public static RenderSettings Read(OptionValues values, Func<string, CameraFile>? openCamera = null, string? gdalPath = null)
     {
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
@@ -34,7 +35,7 @@ internal static class RenderSettingsReader
             GridHorizontal = OutputOptions.GridHorizontal.ReadIfGiven(values) ?? grid,
             GridVertical = OutputOptions.GridVertical.ReadIfGiven(values) ?? grid,
             Surface = surface,
-            PixelsPerDegree = SurfaceOptions.Resolution.Read(values),
+            Resolution = ModelChoice.ResolutionOf(values, renderer, gdalPath),
             Renderer = renderer,
             Native = NativeSettingsReader.Read(
                 values, albedo, DetectorChoice.Of(camera, values), needsTruth: surface == PixelSurface.Terrain),

@@ -5,7 +5,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.App.Settings;
 
 /// <summary>Describes the synthetic elevation model to make.</summary>
-/// <param name="PixelsPerDegree">Resolution of the model, px/deg.</param>
+/// <param name="PixelsPerDegree">Resolution of a model of latitude and longitude, px/deg; 0 for a polar map.</param>
 /// <param name="Seed">Seed of the random terrain.</param>
 /// <param name="BaseModel">Label or image of the model that it continues to smaller scales; null for an invented Moon.</param>
 /// <param name="Region">Part of the Moon that gets the detail.</param>
@@ -21,4 +21,8 @@ internal sealed record SynthesisSettings(
     SyntheticRest Rest,
     LdemSampleType? SampleType,
     string Folder,
-    bool Unattended);
+    bool Unattended)
+{
+    /// <summary>The polar map to make; null for a model of latitude and longitude.</summary>
+    public SyntheticMapSettings? Map { get; init; }
+}

@@ -1,14 +1,15 @@
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Layers;
 
 /// <summary>Facts about a frame that the layers' files hold beyond its metadata.</summary>
 /// <param name="ElevationProduct">Name of the elevation model, e.g. "LDEM_64".</param>
-/// <param name="MeshPixelsPerDegree">
-/// Resolution, px/deg, of the grid whose cells are counted: the model's own, or that of its level of detail.
+/// <param name="MeshResolution">
+/// Resolution of the grid whose cells are counted: the model's own, or that of its level of detail.
 /// </param>
 /// <param name="LevelOfDetail">Level of detail; 0 is the model itself.</param>
 /// <param name="Renderer">Name of the renderer, e.g. "native".</param>
 /// <param name="Band">Band of the radiance.</param>
 public sealed record LayerProvenance(
-    string ElevationProduct, int MeshPixelsPerDegree, int LevelOfDetail, string Renderer, SpectralBand Band);
+    string ElevationProduct, GridResolution MeshResolution, int LevelOfDetail, string Renderer, SpectralBand Band);

@@ -8,7 +8,7 @@ namespace Msisf.Core.Layers;
 public sealed class LayerSampler
 {
     private readonly IGroundTruth _truth;
-    private readonly int _meshPixelsPerDegree;
+    private readonly int? _meshPixelsPerDegree;
     private readonly double? _radianceOfUnitFactor;
 
     /// <summary>Prepares a frame.</summary>
@@ -17,7 +17,7 @@ public sealed class LayerSampler
     public LayerSampler(IGroundTruth truth, LayerProvenance provenance)
     {
         _truth = truth;
-        _meshPixelsPerDegree = provenance.MeshPixelsPerDegree;
+        _meshPixelsPerDegree = provenance.MeshResolution.PixelsPerDegree;
         _radianceOfUnitFactor = truth.LightIsSun
             ? provenance.Band.RadianceOfUnitFactor(truth.LightPositionMoonMe.Length)
             : null;

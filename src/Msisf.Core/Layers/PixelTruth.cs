@@ -19,8 +19,8 @@ internal sealed class PixelTruth
 
     /// <summary>Starts with a frame.</summary>
     /// <param name="frame">The frame.</param>
-    /// <param name="meshPixelsPerDegree">px/deg: resolution of the grid whose cells the facets count.</param>
-    public PixelTruth(IGroundTruth frame, int meshPixelsPerDegree)
+    /// <param name="meshPixelsPerDegree">px/deg: resolution of the grid whose cells the facets count; null if it is not one of latitude and longitude.</param>
+    public PixelTruth(IGroundTruth frame, int? meshPixelsPerDegree)
     {
         Camera = frame.Camera;
         AxisLength = Camera.Direction.Length;
@@ -36,8 +36,10 @@ internal sealed class PixelTruth
     /// <summary>Position of the Sun, or of the lamp that replaces it, m.</summary>
     public Vector3D LightPositionMoonMe { get; }
 
-    /// <summary>px/deg: resolution of the grid whose cells <see cref="SurfaceHit.Facet"/> counts.</summary>
-    public int MeshPixelsPerDegree { get; }
+    /// <summary>
+    /// px/deg: resolution of the grid whose cells <see cref="SurfaceHit.Facet"/> counts; null if it is not one of latitude and longitude.
+    /// </summary>
+    public int? MeshPixelsPerDegree { get; }
 
     /// <summary>From the camera to the point; its length is the unit of the hit's ray parameter.</summary>
     public Vector3D LineOfSightMoonMe { get; private set; }

@@ -30,8 +30,12 @@ internal static class SurfaceValues
 
     public static double? Cell(PixelTruth pixel, int plane) => plane == 0 ? pixel.Hit.Facet.Line : pixel.Hit.Facet.Sample;
 
-    /// <summary><see cref="TileId.Number"/> of the tile that the cell belongs to (docs/pattern-format.md).</summary>
-    public static double? Tile(PixelTruth pixel, int plane) => TileId.Holding(pixel.Hit.Facet, pixel.MeshPixelsPerDegree).Number;
+    /// <summary>
+    /// <see cref="TileId.Number"/> of the tile that the cell belongs to (docs/pattern-format.md); there are none on a polar map.
+    /// </summary>
+    public static double? Tile(PixelTruth pixel, int plane) => pixel.MeshPixelsPerDegree is { } pixelsPerDegree
+        ? TileId.Holding(pixel.Hit.Facet, pixelsPerDegree).Number
+        : null;
 
     private static double Component(Vector3D vector, int plane) => plane switch
     {

@@ -9,7 +9,7 @@ namespace Msisf.Core.Mesh;
 
 /// <summary>
 /// The vertices of one cell block, with one array for each coordinate; one object is loaded for many blocks. The positions are bit for bit
-/// those of <see cref="LatticePoint.Nearest"/>, the scalar reference: the same products in the same order, none of them fused.
+/// those of <see cref="MeshGeometry.Vertex"/>, the scalar reference.
 /// </summary>
 /// <remarks>
 /// Why reading without range checks is safe: a line has up to 33 vertices in <see cref="Stride"/> = 40 elements, so vectors of eight from
@@ -77,36 +77,15 @@ internal sealed class BlockVertices
         Cells = block.Cells(surface.Mesh);
         Lines = Cells.EndLine - Cells.FirstLine + 1;
         Samples = Cells.EndSample - Cells.FirstSample + 1;
+        int whole = (Samples + Vector512<double>.Count - 1) / Vector512<double>.Count * Vector512<double>.Count;
         _radii.AsSpan(Samples).Fill(MoonConstants.ReferenceRadius);
         for (int line = 0; line < Lines; line++)
         {
+            int start = line * Stride;
             surface.Mesh.ReadRadii(Cells.FirstLine + line, Cells.FirstSample, _radii.AsSpan(0, Samples));
-            PlaceLine(surface, surface.Latitude(Cells.FirstLine + line), line * Stride, originMoonMe);
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
-    private void PlaceLine(SurfaceModel surface, SineCosine latitude, int start, Vector3D origin)
-    {
-        Debug.Assert(start + Samples <= X.Length && Samples <= Stride, "A line reaches beyond its block.");
-        Debug.Assert(Cells.FirstSample + Stride <= surface.LongitudeSines.Length, "A line reaches beyond the table of longitudes.");
-        ref double sines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(surface.LongitudeSines), Cells.FirstSample);
-        ref double cosines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(surface.LongitudeCosines), Cells.FirstSample);
-        Vector512<double> stepsPerMetre = Vector512.Create((double)LatticePoint.StepsPerMetre);
-        Vector512<double> metresPerStep = Vector512.Create(1.0 / LatticePoint.StepsPerMetre);
-        Vector512<double> half = Vector512.Create(0.5);
-        Vector512<double> sinLatitude = Vector512.Create(latitude.Sine);
-        Vector512<double> cosLatitude = Vector512.Create(latitude.Cosine);
-        for (int i = 0; i < Samples; i += Vector512<double>.Count)
-        {
-            Vector512<double> steps = stepsPerMetre * Vector512.LoadUnsafe(ref _radii[0], (nuint)i);
-            Vector512<double> equatorial = steps * cosLatitude;
-            Vector512<double> x = Vector512.Floor((equatorial * Vector512.LoadUnsafe(ref cosines, (nuint)i)) + half) * metresPerStep;
-            Vector512<double> y = Vector512.Floor((equatorial * Vector512.LoadUnsafe(ref sines, (nuint)i)) + half) * metresPerStep;
-            Vector512<double> z = Vector512.Floor((steps * sinLatitude) + half) * metresPerStep;
-            (x - Vector512.Create(origin.X)).StoreUnsafe(ref X[0], (nuint)(start + i));
-            (y - Vector512.Create(origin.Y)).StoreUnsafe(ref Y[0], (nuint)(start + i));
-            (z - Vector512.Create(origin.Z)).StoreUnsafe(ref Z[0], (nuint)(start + i));
+            surface.Geometry.PlaceLine(
+                Cells.FirstLine + line, Cells.FirstSample, _radii.AsSpan(0, whole), originMoonMe, X.AsSpan(start, whole),
+                Y.AsSpan(start, whole), Z.AsSpan(start, whole));
         }
     }
 }

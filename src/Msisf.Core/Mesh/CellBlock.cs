@@ -1,28 +1,28 @@
 namespace Msisf.Core.Mesh;
 
 /// <summary>A block of up to 32 x 32 cells, the unit in which the renderer culls, reads and draws the surface.</summary>
-/// <param name="Row">Row of the block from the north; row 0 begins with the northern fan.</param>
-/// <param name="Column">Column of the block from longitude 0 to the east.</param>
+/// <param name="Row">Row of the block from the top; row 0 of a closed mesh begins with the northern fan.</param>
+/// <param name="Column">Column of the block from the left.</param>
 internal readonly record struct CellBlock(int Row, int Column)
 {
-    /// <summary>Number of cells along an edge; blocks at the south pole and at longitude 360 degrees may have fewer.</summary>
+    /// <summary>Number of cells along an edge; those at the lower and right end may have fewer.</summary>
     public const int Size = 32;
 
     /// <summary>Number of rows of blocks of a mesh.</summary>
-    public static int RowsOf(FacetMesh mesh) => ((mesh.Lines + 1) + Size - 1) / Size;
+    public static int RowsOf(FacetMesh mesh) => (mesh.Cells.Lines + Size - 1) / Size;
 
     /// <summary>Number of columns of blocks of a mesh.</summary>
-    public static int ColumnsOf(FacetMesh mesh) => (mesh.Samples + Size - 1) / Size;
+    public static int ColumnsOf(FacetMesh mesh) => (mesh.Cells.Samples + Size - 1) / Size;
 
-    /// <summary>The block that contains a cell.</summary>
+    /// <summary>The block of a closed mesh that contains a cell.</summary>
     /// <param name="line">Line of the cell, -1 to the mesh's lines - 1.</param>
     /// <param name="sample">Sample of the cell, 0 to the mesh's samples - 1.</param>
     public static CellBlock Containing(int line, int sample) => new((line + 1) / Size, sample / Size);
 
     /// <summary>The block's cells.</summary>
     public CellRange Cells(FacetMesh mesh) => new(
-        (Row * Size) - 1,
-        Math.Min((Row + 1) * Size, mesh.Lines + 1) - 1,
-        Column * Size,
-        Math.Min((Column + 1) * Size, mesh.Samples));
+        mesh.Cells.FirstLine + (Row * Size),
+        Math.Min(mesh.Cells.FirstLine + ((Row + 1) * Size), mesh.Cells.EndLine),
+        mesh.Cells.FirstSample + (Column * Size),
+        Math.Min(mesh.Cells.FirstSample + ((Column + 1) * Size), mesh.Cells.EndSample));
 }

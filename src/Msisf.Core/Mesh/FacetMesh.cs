@@ -3,29 +3,49 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// The closed surface that the pattern files draw (docs/pattern-format.md), with a vertex on every sample and one on each pole. Cell (i, j)
-/// joins the samples (i, j) and (i + 1, j + 1) by the facets (NW, SW, SE) and (NW, SE, NE). Line -1 is the north pole and line 180 res the
-/// south pole, so the fans that close the poles are cells too. Safe for several threads.
+/// The surface of a model, with a vertex on every sample. Cell (i, j) joins the samples (i, j) and (i + 1, j + 1) by the facets
+/// (NW, SW, SE) and (NW, SE, NE). The mesh of a whole Moon is the closed surface that the pattern files draw (docs/pattern-format.md), with
+/// a vertex on each pole: line -1 is the north pole and line 180 res the south pole, so the fans that close the poles are cells too. The
+/// mesh of a map of a part of the Moon ends with the map's first and last samples. Safe for several threads.
 /// </summary>
 internal sealed class FacetMesh
 {
+    private readonly bool _isRing;
     private readonly Lazy<double> _northPoleRadius;
     private readonly Lazy<double> _southPoleRadius;
 
     /// <summary>Makes the mesh of a model; nothing of the model is read yet.</summary>
-    public FacetMesh(IElevationGrid grid)
+    public FacetMesh(ITerrainGrid grid)
     {
         Grid = grid;
-        Lines = 180 * grid.PixelsPerDegree;
-        Samples = 360 * grid.PixelsPerDegree;
+        Lines = grid.Lines;
+        Samples = grid.Samples;
+        IsClosed = grid is IElevationGrid;
+        GridWindow window = grid.Window;
+        _isRing = grid.Projection is Equirectangular && window.Samples == Samples;
+        Cells = IsClosed
+            ? new CellRange(-1, Lines, 0, Samples)
+            : new CellRange(window.FirstLine, window.EndLine - 1, window.FirstSample, _isRing ? window.EndSample : window.EndSample - 1);
         _northPoleRadius = new Lazy<double>(() => MeanRadius(grid, 0));
         _southPoleRadius = new Lazy<double>(() => MeanRadius(grid, Lines - 1));
     }
 
     /// <summary>The model.</summary>
-    public IElevationGrid Grid { get; }
+    public ITerrainGrid Grid { get; }
 
-    /// <summary>Number of lines of samples; vertex lines go from -1 to this number.</summary>
+    /// <summary>Whether the mesh goes around the whole Moon, so that no ray enters the ground without meeting a facet.</summary>
+    public bool IsClosed { get; }
+
+    /// <summary>All cells.</summary>
+    public CellRange Cells { get; }
+
+    /// <summary>Number of samples after which the same place comes again; 0 if none does.</summary>
+    public int SamplesOfTurn => Grid.Projection is Equirectangular ? Samples : 0;
+
+    /// <summary>Line of the cells of the southern fan; a number that no line has if the mesh has no fans.</summary>
+    public int SouthFanLine => IsClosed ? Lines - 1 : int.MaxValue;
+
+    /// <summary>Number of lines of samples; vertex lines of a closed mesh go from -1 to this number.</summary>
     public int Lines { get; }
 
     /// <summary>Number of samples per line.</summary>
@@ -45,12 +65,20 @@ internal sealed class FacetMesh
     public static double Longitude(double sample, int samples) => (sample + 0.5) * 2.0 * Math.PI / samples;
 
     /// <summary>Radii of consecutive vertices of a line, m.</summary>
-    /// <param name="line">-1 (north pole) to <see cref="Lines"/> (south pole).</param>
-    /// <param name="firstSample">First sample, any whole number; the samples continue across the prime meridian.</param>
+    /// <param name="line">-1 (north pole) to <see cref="Lines"/> (south pole); of an open mesh a line of samples.</param>
+    /// <param name="firstSample">
+    /// First sample; of a closed mesh any whole number, and the samples continue across the prime meridian.
+    /// </param>
     /// <param name="radii">Receives the radii.</param>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
-        if (line < 0 || line >= Lines)
+        if (!IsClosed && !_isRing)
+        {
+            Grid.ReadRadii(line, firstSample, radii);
+            return;
+        }
+
+        if (IsClosed && (line < 0 || line >= Lines))
         {
             radii.Fill(line < 0 ? NorthPoleRadius : SouthPoleRadius);
             return;
@@ -65,15 +93,20 @@ internal sealed class FacetMesh
         }
     }
 
+    /// <summary>The samples to the left and to the right of one, or itself where a map ends.</summary>
+    public (int West, int East) NeighboursOf(int sample) => _isRing
+        ? (sample == 0 ? Samples - 1 : sample - 1, sample + 1)
+        : (Math.Max(sample - 1, Cells.FirstSample), Math.Min(sample + 1, Cells.EndSample));
+
     /// <summary>
     /// Radius of the pole vertex, m: the sum of the line's radii from west to east, with one rounding per addition, divided by their
     /// number.
     /// </summary>
     /// <param name="grid">The model.</param>
     /// <param name="line">The first or the last line.</param>
-    private static double MeanRadius(IElevationGrid grid, int line)
+    private static double MeanRadius(ITerrainGrid grid, int line)
     {
-        double[] radii = new double[360 * grid.PixelsPerDegree];
+        double[] radii = new double[grid.Samples];
         grid.ReadRadii(line, 0, radii);
         double sum = 0.0;
         foreach (double radius in radii)

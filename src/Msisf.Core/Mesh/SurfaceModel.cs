@@ -5,69 +5,46 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// An elevation model as the surface that is drawn and traced: the mesh of the pattern files with each vertex on their lattice, and tables
-/// of the vertices' directions and of the surface's bounds. The model is read only where it is needed. Safe for several threads.
+/// An elevation model as the surface that is drawn and traced: its mesh with each vertex on a lattice, and the surface's bounds. The model
+/// is read only where it is needed. Safe for several threads.
 /// </summary>
 internal sealed class SurfaceModel
 {
-    private readonly SineCosine[] _latitudes;
-
     /// <summary>Makes the surface of a model; nothing of the model is read yet.</summary>
-    /// <param name="grid">The elevation model of the whole Moon.</param>
-    public SurfaceModel(IElevationGrid grid)
+    /// <param name="grid">The elevation model.</param>
+    public SurfaceModel(ITerrainGrid grid)
     {
         Grid = grid;
         Mesh = new FacetMesh(grid);
-        GridDirections directions = new(grid.PixelsPerDegree);
-        _latitudes = new SineCosine[Mesh.Lines + 2];
-        for (int line = -1; line <= Mesh.Lines; line++)
-        {
-            _latitudes[line + 1] = directions.Latitude(line);
-        }
-
-        // The last cell block is read in whole vectors, which extend beyond the prime meridian.
-        LongitudeSines = new double[Mesh.Samples + BlockVertices.Stride];
-        LongitudeCosines = new double[LongitudeSines.Length];
-        for (int sample = 0; sample < LongitudeSines.Length; sample++)
-        {
-            (LongitudeSines[sample], LongitudeCosines[sample]) = directions.Longitude(sample % Mesh.Samples);
-        }
-
-        Bounds = new BoundsTree(new SquareLayout(Mesh), Mesh);
+        Geometry = MeshGeometry.Of(Mesh);
+        Bounds = new BoundsTree(new SquareLayout(Mesh), Mesh, Geometry);
     }
 
     /// <summary>The model.</summary>
-    public IElevationGrid Grid { get; }
+    public ITerrainGrid Grid { get; }
 
     /// <summary>The mesh of the model's facets.</summary>
     public FacetMesh Mesh { get; }
+
+    /// <summary>Where the mesh's vertices lie.</summary>
+    public MeshGeometry Geometry { get; }
 
     /// <summary>The surface's bounds in the nodes of <see cref="SquareLayout"/>, computed at the first request.</summary>
     public BoundsTree Bounds { get; }
 
     /// <summary>
-    /// Sine of the longitude of each sample, and of <see cref="BlockVertices.Stride"/> more samples beyond the prime meridian.
+    /// m: radius of a sphere into which no ray gets without meeting a facet, for vertices above a radius in m; 0 if the surface is not
+    /// closed.
     /// </summary>
-    public double[] LongitudeSines { get; }
-
-    /// <summary>Cosine of the longitude of each sample; as long as <see cref="LongitudeSines"/>.</summary>
-    public double[] LongitudeCosines { get; }
-
-    /// <summary>Latitude of a vertex line.</summary>
-    /// <param name="line">-1 (north pole) to the mesh's lines (south pole).</param>
-    public SineCosine Latitude(int line) => _latitudes[line + 1];
-
-    /// <summary>Longitude of a sample, from 0 to the mesh's number of samples, which is sample 0 again.</summary>
-    public SineCosine Longitude(int sample) => new(LongitudeSines[sample], LongitudeCosines[sample]);
+    public double SolidRadius(double minRadius) => Mesh.IsClosed ? (minRadius * Geometry.Sagitta) - Tolerances.VertexLattice : 0.0;
 
     /// <summary>Position of a vertex whose radius is known, m, MOON_ME, on the lattice.</summary>
-    /// <param name="line">-1 (north pole) to the mesh's lines (south pole).</param>
-    /// <param name="sample">0 to the mesh's samples, which is 0 again.</param>
+    /// <param name="line">A line of the mesh; -1 (north pole) to the mesh's lines (south pole) of a closed one.</param>
+    /// <param name="sample">A sample; of a closed mesh up to its number of samples, which is 0 again.</param>
     /// <param name="radius">m.</param>
-    public Vector3D Vertex(int line, int sample, double radius) =>
-        LatticePoint.Nearest(radius, Latitude(line), Longitude(sample)).PositionMoonMe;
+    public Vector3D Vertex(int line, int sample, double radius) => Geometry.Vertex(line, sample, radius);
 
-    /// <summary>The corners of a cell; lines count from -1.</summary>
+    /// <summary>The corners of a cell of the mesh.</summary>
     public CellCorners Corners(int line, int sample)
     {
         Span<double> radii = stackalloc double[4];

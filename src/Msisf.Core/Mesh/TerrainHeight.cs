@@ -14,23 +14,25 @@ public static class TerrainHeight
     /// </summary>
     private const double ShortestEdge = 1e-6;
 
-    /// <summary>Distance from the Moon's centre to the facet below (or above) a position.</summary>
+    /// <summary>
+    /// Distance from the Moon's centre to the facet below (or above) a position; outside a map of a part of the Moon that to the reference
+    /// sphere.
+    /// </summary>
     /// <param name="grid">The model.</param>
     /// <param name="positionMoonMe">m, MOON_ME; not the centre.</param>
     /// <returns>m.</returns>
     /// <exception cref="BadInputException">The position is the centre or not finite.</exception>
-    public static double RadiusBelow(IElevationGrid grid, Vector3D positionMoonMe)
+    public static double RadiusBelow(ITerrainGrid grid, Vector3D positionMoonMe)
     {
         Vector3D direction = positionMoonMe.Normalized();
         FacetMesh mesh = new(grid);
-        SelenographicPoint point = SelenographicPoint.Below(direction);
-        int line = (int)Math.Floor(((0.5 - (point.Latitude / Math.PI)) * mesh.Lines) - 0.5);
-        int sample = (int)Math.Floor((point.Longitude / (2.0 * Math.PI) * mesh.Samples) - 0.5);
+        if (CellsAround(mesh, direction) is not { } cells)
+        {
+            return MoonConstants.ReferenceRadius;
+        }
 
-        // Straight edges bulge beyond their parallel, so the facet can belong to one of the neighbouring cells.
         TerrainPatch patch = new(mesh);
-        patch.Load(new CellRange(
-            Math.Clamp(line - 1, -1, mesh.Lines - 1), Math.Clamp(line + 2, 0, mesh.Lines), sample - 1, sample + 2));
+        patch.Load(cells);
         double nearest = double.NegativeInfinity;
         double radius = double.NaN;
         for (int row = 0; row + 1 < patch.Lines; row++)
@@ -53,7 +55,7 @@ public static class TerrainHeight
     /// <param name="grid">The model.</param>
     /// <param name="positionMoonMe">m, MOON_ME.</param>
     /// <exception cref="BadInputException">The position is not above the surface.</exception>
-    public static void RequireAbove(IElevationGrid grid, Vector3D positionMoonMe)
+    public static void RequireAbove(ITerrainGrid grid, Vector3D positionMoonMe)
     {
         double distance = positionMoonMe.Length;
         double surface = distance > 0.0 ? RadiusBelow(grid, positionMoonMe) : double.PositiveInfinity;
@@ -64,6 +66,33 @@ public static class TerrainHeight
                 $"The camera is inside the Moon: {distance:R} m from its centre, "
                     + $"where the surface of {grid.ProductId} is at {surface:R} m. Move it up."));
         }
+    }
+
+    /// <summary>
+    /// The cell of a direction and its neighbours: straight edges bulge beyond their parallel, so the facet can belong to one of them. Null
+    /// outside a map.
+    /// </summary>
+    private static CellRange? CellsAround(FacetMesh mesh, Vector3D direction)
+    {
+        if (!mesh.IsClosed)
+        {
+            (double atLine, double atSample) = mesh.Grid.Projection.PixelOf(direction);
+            CellRange all = mesh.Cells;
+            atSample += atSample < all.FirstSample ? mesh.SamplesOfTurn : 0;
+            return atLine >= all.FirstLine && atLine <= all.EndLine && atSample >= all.FirstSample && atSample <= all.EndSample
+                ? new CellRange(
+                    Math.Max((int)atLine - 1, all.FirstLine),
+                    Math.Min((int)atLine + 2, all.EndLine),
+                    Math.Max((int)atSample - 1, all.FirstSample),
+                    Math.Min((int)atSample + 2, all.EndSample))
+                : null;
+        }
+
+        SelenographicPoint point = SelenographicPoint.Below(direction);
+        int line = (int)Math.Floor(((0.5 - (point.Latitude / Math.PI)) * mesh.Lines) - 0.5);
+        int sample = (int)Math.Floor((point.Longitude / (2.0 * Math.PI) * mesh.Samples) - 0.5);
+        return new CellRange(
+            Math.Clamp(line - 1, -1, mesh.Lines - 1), Math.Clamp(line + 2, 0, mesh.Lines), sample - 1, sample + 2);
     }
 
     /// <summary>

@@ -40,6 +40,12 @@ internal sealed class TerrainPatch
             _longitudes = new (double, double)[Samples];
         }
 
+        if (!_mesh.IsClosed)
+        {
+            LoadMap(cells);
+            return;
+        }
+
         for (int sample = 0; sample < Samples; sample++)
         {
             _longitudes[sample] = Math.SinCos(FacetMesh.Longitude(cells.FirstSample + sample, _mesh.Samples));
@@ -54,6 +60,19 @@ internal sealed class TerrainPatch
                 double across = _radii[sample] * cosLatitude;
                 _positions[(line * Samples) + sample] = new Vector3D(
                     across * _longitudes[sample].Cos, across * _longitudes[sample].Sin, _radii[sample] * sinLatitude);
+            }
+        }
+    }
+
+    private void LoadMap(CellRange cells)
+    {
+        for (int line = 0; line < Lines; line++)
+        {
+            _mesh.ReadRadii(cells.FirstLine + line, cells.FirstSample, _radii.AsSpan(0, Samples));
+            for (int sample = 0; sample < Samples; sample++)
+            {
+                _positions[(line * Samples) + sample] =
+                    _radii[sample] * _mesh.Grid.Projection.DirectionOf(cells.FirstLine + line, cells.FirstSample + sample);
             }
         }
     }

@@ -1,9 +1,12 @@
+using Msisf.Core.Terrain;
+
 namespace Msisf.Core.Metadata;
 
 /// <summary>The elevation model of a frame, and the levels of detail that the frame was drawn at.</summary>
 /// <param name="ProductId">Name of the model, e.g. "LDEM_64".</param>
 /// <param name="IsSynthetic">Whether the model is synthetic, not the real Moon.</param>
-/// <param name="PixelsPerDegree">Resolution of the model, px/deg.</param>
-/// <param name="FinestDrawn">px/deg of the finest level in the image; the model's own where that was drawn.</param>
-/// <param name="CoarsestDrawn">px/deg of the coarsest level in the image; the native renderer draws an image at one level.</param>
-public sealed record DrawnElevation(string ProductId, bool IsSynthetic, int PixelsPerDegree, int FinestDrawn, int CoarsestDrawn);
+/// <param name="Resolution">Resolution of the model.</param>
+/// <param name="FinestDrawn">Resolution of the finest level in the image; the model's own where that was drawn.</param>
+/// <param name="CoarsestDrawn">Resolution of the coarsest level in the image; the native renderer draws an image at one level.</param>
+public sealed record DrawnElevation(
+    string ProductId, bool IsSynthetic, GridResolution Resolution, GridResolution FinestDrawn, GridResolution CoarsestDrawn);

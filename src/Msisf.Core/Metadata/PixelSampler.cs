@@ -28,8 +28,10 @@ public sealed class PixelSampler
     /// <summary>Prepares a frame on the terrain.</summary>
     /// <param name="grid">The grid of pixels in the image of the truth's camera.</param>
     /// <param name="truth">What the pixels show.</param>
-    /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg, at least 1.</param>
-    public PixelSampler(PixelGrid grid, IGroundTruth truth, int pixelsPerDegree)
+    /// <param name="pixelsPerDegree">
+    /// Resolution of the elevation model, px/deg, at least 1; null for one that is not of latitude and longitude.
+    /// </param>
+    public PixelSampler(PixelGrid grid, IGroundTruth truth, int? pixelsPerDegree)
     {
         _view = new TerrainPixels(truth, pixelsPerDegree);
         Grid = grid;

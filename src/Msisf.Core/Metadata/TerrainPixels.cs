@@ -11,14 +11,14 @@ namespace Msisf.Core.Metadata;
 internal sealed class TerrainPixels : IPixelView
 {
     private readonly IGroundTruth _truth;
-    private readonly int _pixelsPerDegree;
+    private readonly int? _pixelsPerDegree;
 
     /// <summary>Prepares a frame.</summary>
     /// <param name="truth">What its pixels show.</param>
-    /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg: names the tiles.</param>
-    public TerrainPixels(IGroundTruth truth, int pixelsPerDegree)
+    /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg: names the tiles; null for a model without tiles.</param>
+    public TerrainPixels(IGroundTruth truth, int? pixelsPerDegree)
     {
-        ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
+        ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree ?? 1, 1, nameof(pixelsPerDegree));
         _truth = truth;
         _pixelsPerDegree = pixelsPerDegree;
     }
@@ -45,7 +45,7 @@ internal sealed class TerrainPixels : IPixelView
             hit.NormalMoonMe,
             PhotometricAngles.At(point, hit.NormalMoonMe, camera.PositionMoonMe, lightPosition),
             light,
-            TileId.Holding(hit.Facet, _pixelsPerDegree),
+            _pixelsPerDegree is { } resolution ? TileId.Holding(hit.Facet, resolution) : null,
             hit.Facet);
         double? direction = IlluminationDirection.At(camera, camera.RayThrough(h, v).Direction, point, lightPosition);
         record = new PixelRecord(h, v, SelenographicPoint.Below(point), direction, terrain);

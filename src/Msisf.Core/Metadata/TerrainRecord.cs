@@ -12,7 +12,7 @@ namespace Msisf.Core.Metadata;
 /// <param name="NormalMoonMe">Outward normal that shades the point, MOON_ME, length 1.</param>
 /// <param name="Angles">Incidence and emission from this normal, phase.</param>
 /// <param name="Light">How the point is lit.</param>
-/// <param name="Tile">The tile that holds the facet.</param>
+/// <param name="Tile">The tile that holds the facet; null on a map that has no tiles.</param>
 /// <param name="Facet">The facet on which the point lies.</param>
 public readonly record struct TerrainRecord(
     double Height,
@@ -21,5 +21,5 @@ public readonly record struct TerrainRecord(
     Vector3D NormalMoonMe,
     PhotometricAngles Angles,
     PixelIllumination Light,
-    TileId Tile,
+    TileId? Tile,
     FacetId Facet);

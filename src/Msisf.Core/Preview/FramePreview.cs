@@ -21,7 +21,7 @@ public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNa
     /// <param name="camera">The camera, which is not below the ground.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="terrain">The model for the ground below a low camera; null to take LOLA's sphere always.</param>
-    public static FramePreview Of(PinholeCamera camera, SceneLight light, IElevationGrid? terrain)
+    public static FramePreview Of(PinholeCamera camera, SceneLight light, ITerrainGrid? terrain)
     {
         Vector3D position = camera.PositionMoonMe;
         double radius = RadiusBelow(position, terrain);
@@ -33,9 +33,8 @@ public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNa
     }
 
     /// <summary>How many pixels a cell of a model is wide in the middle of the image; null if that shows no ground.</summary>
-    /// <param name="pixelsPerDegree">Resolution of the model; the cell is taken from north to south, or at the equator.</param>
-    public double? PixelsPerCell(int pixelsPerDegree) =>
-        MoonConstants.ReferenceRadius * Math.PI / 180.0 / pixelsPerDegree / Boresight?.MetresPerPixel;
+    /// <param name="resolution">Resolution of the model; the cell is taken from north to south, at the equator or at a map's pole.</param>
+    public double? PixelsPerCell(GridResolution resolution) => resolution.MetresPerPixel / Boresight?.MetresPerPixel;
 
     private static BoresightView? InTheMiddle(PinholeCamera camera, SceneLight light, double radius)
     {
@@ -54,7 +53,7 @@ public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNa
     /// <summary>
     /// m: radius of the sphere. A camera lower than the mountains may be below LOLA's sphere, and much nearer to the ground than to it.
     /// </summary>
-    private static double RadiusBelow(Vector3D position, IElevationGrid? terrain) =>
+    private static double RadiusBelow(Vector3D position, ITerrainGrid? terrain) =>
         terrain is not null && position.Length - MoonConstants.ReferenceRadius < MoonConstants.MaxRelief
             ? TerrainHeight.RadiusBelow(terrain, position)
             : MoonConstants.ReferenceRadius;

@@ -16,11 +16,11 @@ public sealed class NativeRenderer
     private readonly ConcurrentBag<FramePass> _idle = [];
 
     /// <summary>Makes a renderer; nothing of the model is read yet.</summary>
-    /// <param name="grid">The elevation model of the whole Moon.</param>
-    public NativeRenderer(IElevationGrid grid) => _surface = new SurfaceModel(grid);
+    /// <param name="grid">The elevation model.</param>
+    public NativeRenderer(ITerrainGrid grid) => _surface = new SurfaceModel(grid);
 
-    /// <summary>Samples per degree of the model that is drawn.</summary>
-    public int PixelsPerDegree => _surface.Grid.PixelsPerDegree;
+    /// <summary>Resolution of the model that is drawn.</summary>
+    public GridResolution Resolution => _surface.Grid.Projection.Resolution;
 
     /// <summary>Draws a frame.</summary>
     /// <param name="camera">The camera, which must be above the terrain.</param>

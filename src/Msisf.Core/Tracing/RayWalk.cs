@@ -49,9 +49,9 @@ internal ref struct RayWalk
         _startSquared = _start.LengthSquared;
         _startRise = Vector3D.Dot(_start, direction);
         _edge = new EdgeFunction(_near.Origin, ray.Direction);
-        _wedge = new CellWedge(surface, _start, direction);
-        _sagitta = MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree);
-        _bottom = _sagitta * (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief - 1.0);
+        _wedge = new CellWedge(surface.Geometry, _start, direction);
+        _sagitta = surface.Geometry.Sagitta;
+        _bottom = surface.Mesh.IsClosed ? _sagitta * (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief - 1.0) : 0.0;
         _parameter = endParameter - _offset;
         _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
     }
@@ -86,7 +86,7 @@ internal ref struct RayWalk
                 piece = piece with { Far = Math.Min(piece.Far, -HalfChord(_bottom, distance)) };
             }
 
-            VisitIfMet(new CellRange(-1, _surface.Mesh.Lines, 0, _surface.Mesh.Samples), piece, level: SquareLayout.GroupLevel);
+            VisitIfMet(_surface.Mesh.Cells, piece, level: SquareLayout.GroupLevel);
         }
     }
 
@@ -115,7 +115,9 @@ internal ref struct RayWalk
         for (; level >= SquareLayout.PatchLevel && size <= SquareLayout.Side(level); level--)
         {
             int shift = SquareLayout.SideShift(level);
-            NodeBounds bounds = _surface.Bounds.Of(level, (cells.FirstLine + 1) >> shift, cells.FirstSample >> shift);
+            CellRange all = _surface.Mesh.Cells;
+            NodeBounds bounds = _surface.Bounds.Of(
+                level, (cells.FirstLine - all.FirstLine) >> shift, (cells.FirstSample - all.FirstSample) >> shift);
             if (!MayMeet(piece, bounds.Min, bounds.Max))
             {
                 return;
@@ -128,10 +130,10 @@ internal ref struct RayWalk
             return;
         }
 
-        bool cutsAlongMeridian = cells.Samples >= cells.Lines || cells.Samples > CellWedge.WidestDegrees * _surface.Grid.PixelsPerDegree;
+        bool cutsAlongMeridian = cells.Samples >= cells.Lines || cells.Samples > _surface.Geometry.WidestColumns;
         (CellRange first, CellRange second) = cutsAlongMeridian ? cells.CutAlongMeridian() : cells.CutAlongParallel();
-        RayPiece firstPiece = cutsAlongMeridian ? _wedge.CutAtMeridians(first, piece) : _wedge.CutAtParallels(first, piece);
-        RayPiece secondPiece = cutsAlongMeridian ? _wedge.CutAtMeridians(second, piece) : _wedge.CutAtParallels(second, piece);
+        RayPiece firstPiece = cutsAlongMeridian ? _wedge.CutAtColumns(first, piece) : _wedge.CutAtLines(first, piece);
+        RayPiece secondPiece = cutsAlongMeridian ? _wedge.CutAtColumns(second, piece) : _wedge.CutAtLines(second, piece);
         if (secondPiece.Near < firstPiece.Near)
         {
             (first, second) = (second, first);
@@ -166,7 +168,7 @@ internal ref struct RayWalk
 
         CellCorners corners = _surface.Corners(line, sample, radii);
         double diagonal = _edge.Of(corners.NorthWest, corners.SouthEast);
-        if (diagonal <= 0.0 && line < _surface.Mesh.Lines - 1)
+        if (diagonal <= 0.0 && line < _surface.Mesh.SouthFanLine)
         {
             TryFacet(new FacetId(line, sample, FacetHalf.SouthWest), corners, -diagonal);
         }

@@ -7,20 +7,21 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Tracing;
 
 /// <summary>
-/// Traces single rays exactly on the facets of the pattern files (docs/pattern-format.md), for all directions of the ray. It reads only the
-/// parts of the model near a ray, when the ray is traced. Safe for several threads.
+/// Traces single rays exactly on the facets of a model, of the whole Moon those of the pattern files (docs/pattern-format.md), for all
+/// directions of the ray. It reads only the parts of the model near a ray, when the ray is traced. Safe for several threads.
 /// </summary>
 /// <remarks>
-/// The surface is closed, so a ray from outside enters the ground before it leaves it. Only facets that face the ray are tested. A ray that
-/// starts on the ground and leaves it therefore need not skip its own facet, and hits need no minimum distance.
+/// The surface of a whole Moon is closed, so a ray from outside enters the ground before it leaves it. The surface of a map of a part is
+/// a sheet that is seen, and throws shadows, from its upper side only: around it there is nothing. Only facets that face the ray are
+/// tested. A ray that starts on the ground and leaves it therefore need not skip its own facet, and hits need no minimum distance.
 /// </remarks>
 public sealed class TerrainTracer : ISurface, ITerrainTracer
 {
     private readonly SurfaceModel _surface;
 
     /// <summary>Makes a tracer; nothing of the model is read yet.</summary>
-    /// <param name="grid">The elevation model of the whole Moon.</param>
-    public TerrainTracer(IElevationGrid grid) => _surface = new SurfaceModel(grid);
+    /// <param name="grid">The elevation model.</param>
+    public TerrainTracer(ITerrainGrid grid) => _surface = new SurfaceModel(grid);
 
     /// <inheritdoc/>
     /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
@@ -84,9 +85,10 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
 
     private void RequireFacet(FacetId facet)
     {
-        ArgumentOutOfRangeException.ThrowIfLessThan(facet.Line, -1, nameof(facet));
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Line, _surface.Mesh.Lines, nameof(facet));
-        ArgumentOutOfRangeException.ThrowIfNegative(facet.Sample, nameof(facet));
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Sample, _surface.Mesh.Samples, nameof(facet));
+        CellRange cells = _surface.Mesh.Cells;
+        ArgumentOutOfRangeException.ThrowIfLessThan(facet.Line, cells.FirstLine, nameof(facet));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Line, cells.EndLine, nameof(facet));
+        ArgumentOutOfRangeException.ThrowIfLessThan(facet.Sample, cells.FirstSample, nameof(facet));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Sample, cells.EndSample, nameof(facet));
     }
 }

@@ -274,7 +274,7 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
     public void RequireSpace_FullDisk_SaysHowMuchIsNeeded()
     {
         ExternalPartException exception = Assert.Throws<ExternalPartException>(
-            () => SyntheticLdemWriter.RequireSpace("output", 530_841_600, 100_000_000));
+            () => SyntheticProductFiles.RequireSpace("output", 530_841_600, 100_000_000));
         Assert.StartsWith("output: the model needs 530.8 MB and the disk has 100.0 MB free.", exception.Message, StringComparison.Ordinal);
     }
 

@@ -115,8 +115,10 @@ public class LdemLabelReaderTests
     [InlineData("^IMAGE                    = \"LDEM_1.IMG\"", "^IMAGE = \"LDEM\0_1.IMG\"", "the plain name")]
     [InlineData("^IMAGE                    = \"LDEM_1.IMG\"", "^IMAGE = (\"LDEM_1.IMG\", 0)", "^IMAGE = 0; a record or byte number from 1")]
     [InlineData("^IMAGE                    = \"LDEM_1.IMG\"", "^IMAGE = (1, 2, 3)", "^IMAGE = (1, 2, 3); a file name")]
-    [InlineData("SIMPLE CYLINDRICAL", "POLAR STEREOGRAPHIC", "MAP_PROJECTION_TYPE = POLAR STEREOGRAPHIC; polar products can't be used")]
-    [InlineData("SIMPLE CYLINDRICAL", "SINUSOIDAL", "MAP_PROJECTION_TYPE = SINUSOIDAL; SIMPLE CYLINDRICAL is needed")]
+    [InlineData(
+        "SIMPLE CYLINDRICAL", "SINUSOIDAL",
+        "MAP_PROJECTION_TYPE = SINUSOIDAL; SIMPLE CYLINDRICAL or POLAR STEREOGRAPHIC is needed")]
+    [InlineData("SIMPLE CYLINDRICAL", "POLAR STEREOGRAPHIC", "CENTER_LATITUDE = 0 <deg>; a pole, -90 or 90, is needed")]
     [InlineData("MAP_RESOLUTION               = 1 <pix/deg>", "", "IMAGE_MAP_PROJECTION has no MAP_RESOLUTION")]
     [InlineData("MAP_RESOLUTION               = 1 <pix/deg>", "MAP_RESOLUTION = 2 <pix/deg>", "LINES = 180;", "2 px/deg) need 360")]
     [InlineData(

@@ -31,6 +31,10 @@ internal sealed class FuzzWorld : IDisposable
         FineModel = Synthesize(4, "fine", MoonRegion.WholeMoon);
         Synthesize(1, "split", new MoonRegion(-90, 0, 0, 360));
         SplitModel = Synthesize(1, "split", new MoonRegion(0, 90, 0, 360));
+        PolarMap = SyntheticMapWriter.Write(
+            new SyntheticMapOptions(true, 10_000.0, 80.0, 1, Path.Combine(_folder.FullName, "polar")),
+            progress: null,
+            CancellationToken.None);
         FlatModel = WriteFlatModel();
         Kernels = WriteKernels();
         Succeed("ldem", "pyramid", FineModel);
@@ -50,6 +54,9 @@ internal sealed class FuzzWorld : IDisposable
 
     /// <summary>Label of the northern half of a model at 1 px/deg, the southern beside it.</summary>
     public string SplitModel { get; }
+
+    /// <summary>Label of a polar map of 10 km a pixel.</summary>
+    public string PolarMap { get; }
 
     /// <summary>Meta-kernel; beside it the small kernels that it names.</summary>
     public string Kernels { get; }

@@ -14,6 +14,7 @@ internal sealed class ModelInputs(FuzzWorld world)
         [
             FuzzInput.Among(world.Model, path => Calls(path, 1)),
             FuzzInput.Among(world.SplitModel, path => Calls(path, 1)),
+            FuzzInput.Among(world.PolarMap, CallsOfMap),
             new FuzzInput("ATTACHED.IMG", _ => Attached(), path => Calls(path, 1)),
         ]);
 
@@ -22,6 +23,7 @@ internal sealed class ModelInputs(FuzzWorld world)
         [
             FuzzInput.Among(Path.ChangeExtension(world.Model, ".IMG"), path => Calls(path, 1)),
             FuzzInput.Among(Path.ChangeExtension(world.SplitModel, ".IMG"), path => Calls(path, 1)),
+            FuzzInput.Among(Path.ChangeExtension(world.PolarMap, ".IMG"), CallsOfMap),
         ]);
 
     public IFuzzTarget Pyramids => new FileTarget(
@@ -52,6 +54,13 @@ internal sealed class ModelInputs(FuzzWorld world)
         yield return [.. FuzzWorld.TinyImage, "--renderer", "native", "--reflectance", "lambert", .. source, "--output-dir", Path.Combine(
             Path.GetDirectoryName(model)!, "out")];
         yield return ListPatterns(model, resolution);
+    }
+
+    private static IEnumerable<IReadOnlyList<string>> CallsOfMap(string map)
+    {
+        yield return [.. FuzzWorld.TinyImage, "--renderer", "native", "--reflectance", "lambert", "--ldem", map, "--ignore-sun",
+            "--fixed-state", "{51544.5,0,0,-1.9E6,0,0.7071067811865476,0,0.7071067811865476}", "--output-dir",
+            Path.Combine(Path.GetDirectoryName(map)!, "out")];
     }
 
     private static string[] ListPatterns(string model, int resolution) =>

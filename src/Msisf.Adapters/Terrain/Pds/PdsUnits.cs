@@ -12,6 +12,13 @@ internal static class PdsUnits
     /// <summary>Places in an image.</summary>
     public static readonly string[] Pixels = ["pix", "pixel", "pixels"];
 
+    /// <summary>Map scales.</summary>
+    public static readonly string[] MetresPerPixel = ["m/pix", "m/pixel", "meter/pix", "meter/pixel", "meters/pix", "meters/pixel"];
+
+    /// <summary>Map scales in km.</summary>
+    public static readonly string[] KilometresPerPixel =
+        ["km/pix", "km/pixel", "kilometer/pix", "kilometer/pixel", "kilometers/pix", "kilometers/pixel"];
+
     /// <summary>Lengths.</summary>
     public static readonly string[] Kilometres = ["km", "kilometer", "kilometers"];
 }

@@ -18,7 +18,10 @@ internal readonly record struct NumberRange(double Min, double Max)
         (ExcludesMin ? number > Min : number >= Min) && (ExcludesMax ? number < Max : number <= Max);
 
     /// <summary>The range as text, e.g. "0 to 100" or "above 0, below 180".</summary>
-    public override string ToString() => string.Create(
-        CultureInfo.InvariantCulture,
-        $"{(ExcludesMin ? $"above {Min:R}, " : $"{Min:R} ")}{(ExcludesMax ? "below" : ExcludesMin ? "up to" : "to")} {Max:R}");
+    public override string ToString()
+    {
+        string min = Min.ToString("R", CultureInfo.InvariantCulture);
+        string max = Max.ToString("R", CultureInfo.InvariantCulture);
+        return $"{(ExcludesMin ? $"above {min}, " : $"{min} ")}{(ExcludesMax ? "below" : ExcludesMin ? "up to" : "to")} {max}";
+    }
 }

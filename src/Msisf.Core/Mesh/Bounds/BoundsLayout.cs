@@ -2,7 +2,7 @@ namespace Msisf.Core.Mesh.Bounds;
 
 /// <summary>
 /// How the cells of a mesh are divided into the nodes of a <see cref="BoundsTree"/>. Level 0 is the finest. The nodes of a level form a
-/// grid with rows from the north and columns from longitude 0 to the east. Each node is a square of nodes of the level below.
+/// grid with rows from the top and columns from the left. Each node is a square of nodes of the level below.
 /// </summary>
 /// <param name="lines">Number of lines of samples of the mesh.</param>
 /// <param name="samples">Number of samples per line.</param>

@@ -17,6 +17,7 @@ internal sealed class BoundsTree
     private readonly NodeReader? _reader;
     private readonly NodeStore[] _stores;
     private readonly NodeGeometry?[] _geometries;
+    private readonly PlaneNodes? _plane;
     private readonly double _sagitta;
     private long _samplesRead;
 
@@ -25,11 +26,13 @@ internal sealed class BoundsTree
     /// <param name="mesh">
     /// The mesh; nothing of it is read yet. Null if the bounds of all nodes of the finest level are set before any are requested.
     /// </param>
-    public BoundsTree(BoundsLayout layout, FacetMesh? mesh)
+    /// <param name="geometry">Geometry of the mesh; null for one of latitude and longitude.</param>
+    public BoundsTree(BoundsLayout layout, FacetMesh? mesh, MeshGeometry? geometry = null)
     {
         Layout = layout;
         _mesh = mesh;
-        _reader = mesh is null ? null : new NodeReader(mesh);
+        _plane = (geometry as PlaneGeometry)?.Nodes;
+        _reader = mesh is null ? null : new NodeReader(mesh, _plane);
         _stores = new NodeStore[layout.Levels];
         _geometries = new NodeGeometry?[layout.Levels];
         for (int level = 0; level < layout.Levels; level++)
@@ -37,7 +40,7 @@ internal sealed class BoundsTree
             _stores[level] = new NodeStore(layout.Rows(level), layout.Columns(level));
         }
 
-        _sagitta = MeshBounds.SagittaFactor(layout.Samples / 360);
+        _sagitta = geometry?.Sagitta ?? MeshBounds.SagittaFactor(layout.Samples / 360);
     }
 
     /// <summary>How the mesh is divided.</summary>
@@ -116,16 +119,18 @@ internal sealed class BoundsTree
     }
 
     /// <summary>The cap that holds the directions of all facets of a node.</summary>
-    public SphericalCap CapOf(int level, int row, int column) => GeometryOf(level).CapOf(row, column);
+    public SphericalCap CapOf(int level, int row, int column) =>
+        _plane is null ? GeometryOf(level).CapOf(row, column) : _plane.CapOf(Layout.Cells(level, row, column));
 
     /// <summary>The box that holds all facets of a node whose vertex radii lie within bounds (m).</summary>
-    public NodeBox BoxOf(int level, int row, int column, double minRadius, double maxRadius) =>
-        GeometryOf(level).BoxOf(row, column, minRadius, maxRadius);
+    public NodeBox BoxOf(int level, int row, int column, double minRadius, double maxRadius) => _plane is null
+        ? GeometryOf(level).BoxOf(row, column, minRadius, maxRadius)
+        : _plane.BoxOf(Layout.Cells(level, row, column), minRadius, maxRadius);
 
     /// <summary>A node with its place and bounds.</summary>
     public TerrainNode Node(int level, int row, int column) => NodeOf(CapOf(level, row, column), Of(level, row, column));
 
-    /// <summary>Joins several neighbouring nodes of one row into one node.</summary>
+    /// <summary>Joins several neighbouring nodes of one row of a mesh of latitude and longitude into one node.</summary>
     /// <param name="level">Their level.</param>
     /// <param name="row">Their row.</param>
     /// <param name="column">Column of the westernmost node.</param>

@@ -3,7 +3,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh.Bounds;
 
-/// <summary>Directions of the facets of a block of cells as seen from the Moon's centre.</summary>
+/// <summary>Directions of the facets of a block of cells of latitude and longitude as seen from the Moon's centre.</summary>
 internal static class MeshBounds
 {
     /// <summary>
@@ -11,6 +11,9 @@ internal static class MeshBounds
     /// vertices, which is at most half the diagonal of a cell (1 percent added).
     /// </summary>
     public static double SagittaFactor(int pixelsPerDegree) => Math.Cos(1.01 * Math.Sqrt(0.5) * Math.PI / 180.0 / pixelsPerDegree);
+
+    /// <summary>The same for cells whose sides are seen at an angle of at most so many rad.</summary>
+    public static double SagittaOf(double cellAngle) => Math.Cos(1.01 * Math.Sqrt(0.5) * cellAngle);
 
     /// <summary>Latitude of the block's middle, rad.</summary>
     public static double CentreLatitude(CellRange cells, int lines) =>

@@ -3,7 +3,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Core.Mesh.Bounds;
 
 /// <summary>
-/// Directions and extents of the nodes of a level as seen from the Moon's centre, independent of their heights. Immutable.
+/// Directions and extents of the nodes of a level of a mesh of latitude and longitude as seen from the Moon's centre, independent of their
+/// heights. Immutable.
 /// </summary>
 internal sealed class NodeGeometry
 {

@@ -21,12 +21,21 @@ internal sealed class NodeReader
     private const int StackSamples = 64;
 
     private readonly FacetMesh _mesh;
-    private readonly (double East, double North)[] _perRadian;
+    private readonly PlaneNodes? _plane;
+    private readonly (double East, double North)[] _perRadian = [];
 
     /// <summary>Takes the model.</summary>
-    public NodeReader(FacetMesh mesh)
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="plane">The geometry of a polar stereographic mesh; null for one of latitude and longitude.</param>
+    public NodeReader(FacetMesh mesh, PlaneNodes? plane)
     {
         _mesh = mesh;
+        _plane = plane;
+        if (plane is not null)
+        {
+            return;
+        }
+
         _perRadian = new (double, double)[mesh.Lines + 2];
         double cellAngle = 2.0 * Math.PI / mesh.Samples;
         for (int line = -1; line <= mesh.Lines; line++)
@@ -94,11 +103,16 @@ internal sealed class NodeReader
     private void AddLine(
         int line, ReadOnlySpan<CellRange> nodes, Span<Extremes> found, ReadOnlySpan<double> north, ReadOnlySpan<double> south)
     {
-        (double perRadianEast, double perRadianNorth) = _perRadian[line + 1];
+        (double perRadianEast, double perRadianNorth) = _plane is null ? _perRadian[line + 1] : default;
         for (int node = 0; node < nodes.Length; node++)
         {
             int start = nodes[node].FirstSample - nodes[0].FirstSample;
             int count = nodes[node].EndSample - nodes[node].FirstSample + 1;
+            if (_plane is not null)
+            {
+                perRadianEast = perRadianNorth = _plane.PerRadian(line, nodes[node].FirstSample, nodes[node].EndSample);
+            }
+
             found[node].Add(north.Slice(start, count), south.Slice(start, count), perRadianEast, perRadianNorth);
         }
     }

@@ -2,7 +2,7 @@ namespace Msisf.Core.Mesh.Bounds;
 
 /// <summary>
 /// Divides a mesh into patches of 8 x 8 cells for single rays, cell blocks of 32 x 32 cells for images, and further levels of 4 x 4 nodes
-/// each, up to some tens of degrees. The northernmost row begins with the northern fan.
+/// each, up to some tens of degrees. The top row of a closed mesh begins with the northern fan.
 /// </summary>
 /// <param name="mesh">The mesh whose cells are divided.</param>
 internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, mesh.Samples)
@@ -32,27 +32,27 @@ internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, me
     /// <inheritdoc/>
     public override int CoarsestReadLevel => CellBlockLevel;
 
-    /// <summary>Number of cells along an edge of a node; nodes at the south pole and at longitude 360 degrees may have fewer.</summary>
+    /// <summary>Number of cells along an edge of a node; those at the lower and right end may have fewer.</summary>
     public static int Side(int level) => 1 << SideShift(level);
 
     /// <summary>Base-2 logarithm of <see cref="Side"/>.</summary>
     public static int SideShift(int level) => 3 + (2 * level);
 
     /// <inheritdoc/>
-    public override int Rows(int level) => (Lines + Side(level)) >> SideShift(level);
+    public override int Rows(int level) => (mesh.Cells.Lines + Side(level) - 1) >> SideShift(level);
 
     /// <inheritdoc/>
-    public override int Columns(int level) => (Samples + Side(level) - 1) >> SideShift(level);
+    public override int Columns(int level) => (mesh.Cells.Samples + Side(level) - 1) >> SideShift(level);
 
     /// <inheritdoc/>
     protected override int ChildrenPerEdge(int level) => Fan;
 
     /// <inheritdoc/>
     public override CellRange Cells(int level, int row, int column) => new(
-        (row << SideShift(level)) - 1,
-        Math.Min((row + 1) << SideShift(level), Lines + 1) - 1,
-        column << SideShift(level),
-        Math.Min((column + 1) << SideShift(level), Samples));
+        mesh.Cells.FirstLine + (row << SideShift(level)),
+        Math.Min(mesh.Cells.FirstLine + ((row + 1) << SideShift(level)), mesh.Cells.EndLine),
+        mesh.Cells.FirstSample + (column << SideShift(level)),
+        Math.Min(mesh.Cells.FirstSample + ((column + 1) << SideShift(level)), mesh.Cells.EndSample));
 
     private static int LevelsFor(int samples)
     {

@@ -82,6 +82,11 @@ internal sealed class SmoothNormals
 
     private Corner ReadCorner(int line, int sample)
     {
+        if (!_surface.Mesh.IsClosed)
+        {
+            return ReadCornerOfMap(line, sample);
+        }
+
         int samples = _surface.Mesh.Samples;
         _surface.Mesh.ReadRadii(line, sample - 1, _radii);
         Vector3D position = _surface.Vertex(line, sample, _radii[1]);
@@ -98,6 +103,17 @@ internal sealed class SmoothNormals
 
         // Next to a pole of a fine model, neighbouring vertices can be at the same point of the vertex lattice.
         return new Corner(position, normal == default ? position.Normalized() : normal.Normalized());
+    }
+
+    /// <summary>A vertex of a map that ends: on its border the vertex itself takes the place of the neighbour that is missing.</summary>
+    private Corner ReadCornerOfMap(int line, int sample)
+    {
+        FacetMesh mesh = _surface.Mesh;
+        (int west, int east) = mesh.NeighboursOf(sample);
+        Vector3D eastward = VertexAt(line, east) - VertexAt(line, west);
+        Vector3D northward =
+            VertexAt(Math.Max(line - 1, mesh.Cells.FirstLine), sample) - VertexAt(Math.Min(line + 1, mesh.Cells.EndLine), sample);
+        return new Corner(VertexAt(line, sample), Vector3D.Cross(eastward, northward).Normalized());
     }
 
     private Vector3D VertexAt(int line, int sample)

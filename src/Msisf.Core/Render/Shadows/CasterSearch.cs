@@ -24,10 +24,10 @@ internal sealed class CasterSearch
         (double min, double max) = surface.Grid.RadiusLimits;
         _modelBounds = new NodeBounds(MathF.BitDecrement((float)min), MathF.BitIncrement((float)max), float.PositiveInfinity);
         _maxRadius = max + Tolerances.VertexLattice;
-        SolidRadius = (min * MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree)) - Tolerances.VertexLattice;
+        SolidRadius = surface.SolidRadius(min);
     }
 
-    /// <summary>Lower bound of the distance of all facets from the Moon's centre, m.</summary>
+    /// <summary>Lower bound of the distance of all facets from the Moon's centre, m; 0 if the surface is not closed.</summary>
     public double SolidRadius { get; }
 
     /// <summary>Number of groups of blocks that bounds could not rule out in the last search.</summary>

@@ -4,7 +4,7 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>The points of light space for which all rays to the Sun pass below the lowest terrain, so that they are in shadow.</summary>
-/// <param name="solidRadius">Lower bound of the distance of all facets from the Moon's centre, m.</param>
+/// <param name="solidRadius">Lower bound of the distance of all facets from the Moon's centre, m; 0 for no zone.</param>
 /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
 internal readonly struct NightZone(double solidRadius, double slope)
 {

@@ -34,15 +34,15 @@ internal sealed class BlockCuller
         _surface = surface;
         (double min, double max) = surface.Grid.RadiusLimits;
         _limits = (min - BoundsRounding, max + BoundsRounding);
-        _sagitta = MeshBounds.SagittaFactor(surface.Grid.PixelsPerDegree);
-        _tilt = Math.PI / 180.0 / surface.Grid.PixelsPerDegree; // up turns by less from a facet's middle to its corners
+        _sagitta = surface.Geometry.Sagitta;
+        _tilt = surface.Geometry.CellAngle; // up turns by less from a facet's middle to its corners
     }
 
     /// <summary>Returns the blocks that may be visible, always in the same order; the list is valid until the next call.</summary>
     public List<VisibleBlock> Find(ImageView view, int threads, CancellationToken cancellation)
     {
         ViewFrustum frustum = view.Frustum();
-        MoonHorizon horizon = new(view.Camera.PositionMoonMe, LowestPoint(_limits.Min));
+        MoonHorizon horizon = new(view.Camera.PositionMoonMe, _surface.SolidRadius(_limits.Min));
         _candidates.Clear();
         int top = _surface.Bounds.Layout.Levels - 1;
         for (int row = 0; row < _surface.Bounds.Layout.Rows(top); row++)

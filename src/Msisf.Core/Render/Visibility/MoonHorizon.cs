@@ -16,7 +16,7 @@ internal sealed class MoonHorizon
     private readonly SineCosine _limb;
 
     /// <param name="positionMoonMe">Camera position, m, MOON_ME.</param>
-    /// <param name="innerRadius">m: minimum radius of the surface.</param>
+    /// <param name="innerRadius">m: minimum radius of the surface; 0 if it is not closed, so that nothing of it hides by itself.</param>
     public MoonHorizon(Vector3D positionMoonMe, double innerRadius)
     {
         _innerRadius = innerRadius;

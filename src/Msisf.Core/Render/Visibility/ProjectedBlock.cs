@@ -85,7 +85,7 @@ internal sealed class ProjectedBlock
     public void Read(SurfaceModel surface, CellBlock block, ImageView view)
     {
         Vertices.Load(surface, block, view.Origin);
-        _lastCellLine = surface.Mesh.Lines - 1;
+        _lastCellLine = surface.Mesh.SouthFanLine;
         _originFromAnchor = view.OriginFromAnchor;
     }
 

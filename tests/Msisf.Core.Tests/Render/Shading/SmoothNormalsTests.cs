@@ -1,6 +1,7 @@
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shading;
+using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
 using Xunit;
@@ -139,7 +140,7 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
         double[] radius = new double[1];
         int at = (sample + surface.Mesh.Samples) % surface.Mesh.Samples;
         surface.Mesh.ReadRadii(line, at, radius);
-        SineCosine longitude = new(surface.LongitudeSines[at], surface.LongitudeCosines[at]);
-        return LatticePoint.Nearest(radius[0], surface.Latitude(line), longitude).PositionMoonMe;
+        SineCosine longitude = new GridDirections(((IElevationGrid)surface.Grid).PixelsPerDegree).Longitude(at);
+        return LatticePoint.Nearest(radius[0], ((CylinderGeometry)surface.Geometry).Latitude(line), longitude).PositionMoonMe;
     }
 }

@@ -1,0 +1,47 @@
+using Msisf.Adapters.Terrain;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
+
+namespace Msisf.App.Settings;
+
+/// <summary>Reads which elevation model <c>--ldem</c> and <c>--res</c> mean.</summary>
+internal static class ModelChoice
+{
+    /// <summary>The resolution of the run's model: a map of a part has its own.</summary>
+    /// <exception cref="UsageException">The options contradict the map that --ldem names.</exception>
+    /// <param name="values">The options.</param>
+    /// <param name="renderer">The renderer, which must be able to draw the model.</param>
+    /// <param name="gdalPath">MSISF_GDAL, or null.</param>
+    public static GridResolution ResolutionOf(OptionValues values, RendererKind renderer, string? gdalPath)
+    {
+        if (SurfaceOptions.Ldem.ReadIfGiven(values) is not { } path || ResolutionOfMap(path, gdalPath) is not { } resolution)
+        {
+            return SurfaceOptions.Resolution.Read(values);
+        }
+
+        if (SurfaceOptions.Resolution.ReadIfGiven(values) is { } given && given != resolution.PixelsPerDegree)
+        {
+            throw new UsageException(
+                $"{SurfaceOptions.Resolution.Name} contradicts --ldem {path}, a map of {resolution}. Leave it out.")
+                .About(SurfaceOptions.Resolution, SurfaceOptions.Ldem);
+        }
+
+        return renderer == RendererKind.Native ? resolution : throw new UsageException(
+            $"--ldem {path} is a map of a part of the Moon, which POV-Ray can't draw: patterns are made of a whole one. "
+                + $"Add --renderer native, or take a model of the whole Moon.")
+            .About(SurfaceOptions.Ldem, RendererOptions.Renderer);
+    }
+
+    private static GridResolution? ResolutionOfMap(string path, string? gdalPath)
+    {
+        if (!GeoTiffGrid.IsNameOf(path))
+        {
+            return LdemCatalog.TryReadMap(path)?.Polar?.Resolution;
+        }
+
+        using GeoTiffGrid grid = SurfaceOptions.Ldem.Concerned(() => GeoTiffGrid.Open(path, gdalPath));
+        return grid.Projection.Resolution;
+    }
+}

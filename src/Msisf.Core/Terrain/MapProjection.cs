@@ -1,0 +1,19 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Terrain;
+
+/// <summary>Where the samples of a regular grid lie on the Moon; line 0 and sample 0 are the centre of the first pixel.</summary>
+public abstract record MapProjection
+{
+    /// <summary>The resolution, as it is given for this kind of map.</summary>
+    public abstract GridResolution Resolution { get; }
+
+    /// <summary>Direction of a place of the grid from the Moon's centre, MOON_ME, length 1.</summary>
+    /// <param name="line">px from the centre of the top line, downwards.</param>
+    /// <param name="sample">px from the centre of the leftmost sample, to the right.</param>
+    public abstract Vector3D DirectionOf(double line, double sample);
+
+    /// <summary>Line and sample of a direction, px from the centre of the first pixel; they may lie outside the grid.</summary>
+    /// <param name="directionMoonMe">MOON_ME, of any length above 0.</param>
+    public abstract (double Line, double Sample) PixelOf(Vector3D directionMoonMe);
+}

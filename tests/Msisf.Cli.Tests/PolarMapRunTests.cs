@@ -1,0 +1,67 @@
+using System.Globalization;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Cli.Tests;
+
+/// <summary>A polar map from its making to its image, as a user has it.</summary>
+public sealed class PolarMapRunTests : IDisposable
+{
+    private const string View = "--fixed-state {51544.5,0,0,-1.9E6,0,0.7071067811865476,0,0.7071067811865476} --ignore-sun --batch "
+        + "--width 40 --height 40 --fov 20";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Run_SyntheticPolarMap_IsDrawn()
+    {
+        string label = Synthesize();
+        Assert.Equal("LDEM_80S_10000M_SYNTHETIC.LBL", Path.GetFileName(label));
+
+        CommandLineRun run = CommandLineRun.Of(
+            [.. View.Split(' '), "--renderer", "native", "--ldem", label, "--surface", "terrain", "--gridH", "13", "--gridV", "13",
+                "--output-dir", _folder["out"], "--output-name", "pole"]);
+
+        Assert.Equal((0, string.Empty), (run.ExitCode, run.ExitCode == 0 ? string.Empty : run.Error));
+        string xml = File.ReadAllText(Path.Combine(_folder["out"], "pole.xml"));
+        Assert.Contains("<SurfaceResolution unit=\"m/px\">10000</SurfaceResolution>", xml, StringComparison.Ordinal);
+        Assert.Contains("drawnFinest=\"10000\" drawnCoarsest=\"10000\" unit=\"m/px\"", xml, StringComparison.Ordinal);
+        Assert.Contains("      <Facet line=\"", xml, StringComparison.Ordinal);
+        Assert.DoesNotContain("--res ", xml, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--renderer native --res 4", 1, "--res contradicts --ldem ")]
+    [InlineData("", 1, "is a map of a part of the Moon, which POV-Ray can't draw")]
+    [InlineData("--list-patterns", 1, "is a map of a part of the Moon, which POV-Ray can't draw")]
+    public void Run_WhatAMapCannot_IsRefused(string options, int exitCode, string message)
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            [.. View.Split(' '), .. options.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--ldem", Synthesize(), "--output-dir",
+                _folder["out"]]);
+        Assert.Equal(exitCode, run.ExitCode);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("patterns --ldem")]
+    [InlineData("ldem pyramid")]
+    [InlineData("ldem synthesize --res 8 --seed 1 --base")]
+    public void Run_CommandsOfWholeMoons_RefuseAMap(string command)
+    {
+        CommandLineRun run = CommandLineRun.Of([.. command.Split(' '), Synthesize()]);
+        Assert.Equal(2, run.ExitCode);
+        Assert.Contains("a SIMPLE CYLINDRICAL model of the whole Moon is needed here", run.Error, StringComparison.Ordinal);
+    }
+
+    private string Synthesize()
+    {
+        CommandLineRun made = CommandLineRun.Of(
+            ["ldem", "synthesize", "--projection", "polar-south", "--map-scale", "10000", "--seed", "1", "--output-dir",
+                _folder["model"], "--batch"]);
+        Assert.True(made.ExitCode == 0, made.Error);
+        return made.Output.Trim();
+    }
+}
