@@ -102,7 +102,8 @@ internal static class Scenes
     /// <exception cref="BenchmarkException">There is none; the message has the names.</exception>
     public static Scene Named(string name) => All.FirstOrDefault(scene => scene.Name == name)
         ?? throw new BenchmarkException(
-            $"there is no scene {name}; there are {string.Join(", ", All.Select(scene => scene.Name))}, {FromNothing}, {Sequence} and {Detector}.");
+            $"there is no scene {name}; there are {string.Join(", ", All.Select(scene => scene.Name))}, {FromNothing}, {Sequence} "
+                + $"and {Detector}.");
 
     private static Scene Landing(string name, string height, double altitude, IReadOnlyList<Setting> settings) => new()
     {

@@ -80,8 +80,8 @@ public sealed class NativeImageTests(RenderFixture fixture, ITestOutputHelper ou
     }
 
     /// <summary>
-    /// Beside a pole a pixel covers many columns of the map and a part of a row: the rows must not be blurred with the columns, nor those of
-    /// the other pole be met.
+    /// Beside a pole a pixel covers many columns of the map and a part of a row: the rows must not be blurred with the columns, nor those
+    /// of the other pole be met.
     /// </summary>
     [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void Albedo_OverThePole_IsPovRays()
