@@ -16,13 +16,13 @@ internal sealed class BenchmarkOptions
         IsQuick = isQuick;
         Names = values["--scenes"].LastOrDefault() is string names
             ? names.Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
-            : isQuick ? Scenes.QuickNames
-            : [.. Scenes.All.Select(scene => scene.Name), Scenes.FromNothing, Scenes.Sequence, Scenes.Detector];
-        Chosen =
-        [
-            .. Names.Where(name => name is not (Scenes.Sequence or Scenes.FromNothing or Scenes.Detector))
-                .Select(Scenes.Named).Select(scene => isQuick ? Quick(scene) : scene),
-        ];
+            : isQuick
+                ? Scenes.QuickNames
+                : [.. Scenes.All.Select(scene => scene.Name), Scenes.FromNothing, Scenes.Sequence, Scenes.Detector];
+        Chosen = [.. Names.Where(
+            name =>
+                name is not (Scenes.Sequence or Scenes.FromNothing or Scenes.Detector))
+            .Select(Scenes.Named).Select(scene => isQuick ? Quick(scene) : scene)];
     }
 
     /// <summary>The repository's folder.</summary>

@@ -130,7 +130,7 @@ public sealed class CameraFileReaderTests
     [InlineData("width: 640\nheight: 480\nfocal-length-px: 20\n", 3, "the field of view must stay below 170 degrees")]
     [InlineData(Plain + "principal-point: 320\n", 5, "'principal-point' has 1 number; 2 are needed")]
     [InlineData(Plain + "principal-point: [320, x]\n", 5, "'x' is not a number")]
-    [InlineData(Plain + "pixel-convention: opncv\n", 5, "'opncv'; one of msis, opencv, colmap, isis, matlab is needed: did you mean opencv")]
+    [InlineData(Plain + "pixel-convention: opncv\n", 5, "one of msis, opencv, colmap, isis, matlab is needed: did you mean opencv?")]
     [InlineData(Plain + "skew: [0]\n", 5, "'skew' takes one value")]
     [InlineData(Plain + "distortion: opencv\n", 5, "'distortion' is a section")]
     [InlineData(Plain + "distortion:\n  k1: 0.1\n", 5, "a distortion needs 'model'")]

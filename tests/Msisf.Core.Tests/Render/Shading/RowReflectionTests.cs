@@ -13,7 +13,7 @@ using Xunit;
 
 namespace Msisf.Core.Tests.Render.Shading;
 
-/// <summary>Pixels are shaded early, as their rows are read for the shadows, or late, when the shadows are known: the same bits.</summary>
+/// <summary>Pixels are shaded early, as their rows are read for the shadows, or late, when the shadows are known.</summary>
 public sealed class RowReflectionTests
 {
     private const int Side = 60;
