@@ -40,7 +40,7 @@ public static class FitsLayerWriter
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Write(
         Stream stream, FrameMetadata frame, LayerProvenance provenance, IGroundTruth truth, LayerSet layers,
-        LayerPrecision precision = LayerPrecision.Double, LayerCompression compression = LayerCompression.None,
+        LayerPrecision precision = LayerPrecision.Real64, LayerCompression compression = LayerCompression.None,
         CancellationToken cancellation = default)
     {
         using (FitsUnit primary = FitsUnit.Primary())

@@ -32,7 +32,7 @@ public static class NpyLayerWriter
         LayerProvenance provenance,
         IGroundTruth truth,
         LayerSet layers,
-        LayerPrecision precision = LayerPrecision.Double,
+        LayerPrecision precision = LayerPrecision.Real64,
         CancellationToken cancellation = default)
     {
         List<string> paths = [];

@@ -133,7 +133,7 @@ internal static class FrameArguments
     ];
 
     /// <summary>An option that is newer than the manifest: frames made before it are those of its default.</summary>
-    private static IEnumerable<string> UnlessDefault<T>(ChoiceSpec<T> option, T value)
+    private static string[] UnlessDefault<T>(ChoiceSpec<T> option, T value)
         where T : struct =>
         value.Equals(option.Default) ? [] : option.Words(value);
 

@@ -107,10 +107,10 @@ internal static class NativeOptions
 
     /// <summary>Precision of the layers' real numbers.</summary>
     public static ChoiceSpec<LayerPrecision> LayersPrecision { get; } = new(
-        "--layers-precision", [new Choice("double", LayerPrecision.Double), new Choice("single", LayerPrecision.Single)],
+        "--layers-precision", [new Choice("double", LayerPrecision.Real64), new Choice("single", LayerPrecision.Real32)],
         "Precision of the layers' real numbers; with single, latitude, longitude and position stay double")
     {
-        Default = LayerPrecision.Double,
+        Default = LayerPrecision.Real64,
     };
 
     /// <summary>Compression of the layers in FITS.</summary>

@@ -41,7 +41,7 @@ public sealed class Layer
 
     /// <summary>How the values are stored in a precision.</summary>
     public LayerType StoredType(LayerPrecision precision) =>
-        Type == LayerType.Real64 && precision == LayerPrecision.Single && !KeepsDouble ? LayerType.Real32 : Type;
+        Type == LayerType.Real64 && precision == LayerPrecision.Real32 && !KeepsDouble ? LayerType.Real32 : Type;
 
     /// <summary>Whether only a camera with a detector has it.</summary>
     public bool NeedsDetector { get; init; }

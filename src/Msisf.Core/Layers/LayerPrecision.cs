@@ -4,8 +4,8 @@ namespace Msisf.Core.Layers;
 public enum LayerPrecision
 {
     /// <summary>Doubles everywhere.</summary>
-    Double,
+    Real64,
 
     /// <summary>Single precision, except in layers that place a point on the Moon (<see cref="Layer.KeepsDouble"/>).</summary>
-    Single,
+    Real32,
 }

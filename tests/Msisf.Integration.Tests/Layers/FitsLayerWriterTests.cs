@@ -15,9 +15,9 @@ public sealed class FitsLayerWriterTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [RequiresTheory(Part.CFitsio, Part.Fitsverify)]
-    [InlineData("all", LayerPrecision.Double, LayerCompression.None)]
-    [InlineData("mask", LayerPrecision.Double, LayerCompression.None)]
-    [InlineData("all", LayerPrecision.Single, LayerCompression.Gzip)]
+    [InlineData("all", LayerPrecision.Real64, LayerCompression.None)]
+    [InlineData("mask", LayerPrecision.Real64, LayerCompression.None)]
+    [InlineData("all", LayerPrecision.Real32, LayerCompression.Gzip)]
     public void Write_Layers_PassFitsverifyWithoutAWarning(string layers, LayerPrecision precision, LayerCompression compression)
     {
         string path = _folder.Write("frame.fits", LayerFrame.Fits(layers, precision, compression));
@@ -41,10 +41,10 @@ public sealed class FitsLayerWriterTests : IDisposable
     }
 
     [RequiresTheory(Part.CFitsio, Part.Astropy)]
-    [InlineData(LayerPrecision.Double, LayerCompression.None)]
-    [InlineData(LayerPrecision.Double, LayerCompression.Gzip)]
-    [InlineData(LayerPrecision.Single, LayerCompression.None)]
-    [InlineData(LayerPrecision.Single, LayerCompression.Gzip)]
+    [InlineData(LayerPrecision.Real64, LayerCompression.None)]
+    [InlineData(LayerPrecision.Real64, LayerCompression.Gzip)]
+    [InlineData(LayerPrecision.Real32, LayerCompression.None)]
+    [InlineData(LayerPrecision.Real32, LayerCompression.Gzip)]
     public void Write_AllLayers_AstropyReadsThemToTheBit(LayerPrecision precision, LayerCompression compression) =>
         AssertReadToTheBit("astropy", precision, compression);
 
@@ -60,7 +60,7 @@ public sealed class FitsLayerWriterTests : IDisposable
     }
 
     [RequiresFact(Part.CFitsio, Part.Astropy, Part.Gdal)]
-    public void Write_AllLayers_GdalReadsThemToTheBit() => AssertReadToTheBit("gdal", LayerPrecision.Double, LayerCompression.None);
+    public void Write_AllLayers_GdalReadsThemToTheBit() => AssertReadToTheBit("gdal", LayerPrecision.Real64, LayerCompression.None);
 
     [RequiresFact(Part.CFitsio, Part.Astropy)]
     public void Write_CompressedHeaders_AreThoseOfTheImages()
@@ -107,12 +107,12 @@ public sealed class FitsLayerWriterTests : IDisposable
     [RequiresFact(Part.CFitsio)]
     public void Write_AfterFilesOfOtherSizes_SameBytes()
     {
-        byte[] first = LayerFrame.Fits("all", LayerPrecision.Single);
+        byte[] first = LayerFrame.Fits("all", LayerPrecision.Real32);
         for (int file = 0; file < 20; file++)
         {
             LayerFrame.Fits(file % 2 == 0 ? "all" : "mask,normal");
 
-            Assert.Equal(first, LayerFrame.Fits("all", LayerPrecision.Single));
+            Assert.Equal(first, LayerFrame.Fits("all", LayerPrecision.Real32));
         }
     }
 
@@ -161,7 +161,7 @@ public sealed class FitsLayerWriterTests : IDisposable
 
         Assert.All(LayerSet.WithoutDetector.Layers, layer =>
         {
-            bool isSingle = precision == LayerPrecision.Single && !alwaysDouble.Contains(layer.Name);
+            bool isSingle = precision == LayerPrecision.Real32 && !alwaysDouble.Contains(layer.Name);
             byte[] expected = LayerFrame.ExpectedBytes(layer, isSingle);
             byte[] read = File.ReadAllBytes(_folder[$"{layer.ExtensionName}.bin"]);
             if (compression == LayerCompression.None || layer.Type != LayerType.Real64)

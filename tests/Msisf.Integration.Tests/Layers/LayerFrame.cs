@@ -28,7 +28,7 @@ internal static class LayerFrame
     public static SphereTruth Truth { get; } = new(Metadata.Camera, Metadata.SunPositionMoonMe, 16);
 
     public static byte[] Fits(
-        string layers = "all", LayerPrecision precision = LayerPrecision.Double, LayerCompression compression = LayerCompression.None)
+        string layers = "all", LayerPrecision precision = LayerPrecision.Real64, LayerCompression compression = LayerCompression.None)
     {
         using MemoryStream stream = new();
         FitsLayerWriter.Write(

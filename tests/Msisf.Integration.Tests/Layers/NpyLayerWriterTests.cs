@@ -13,15 +13,15 @@ public sealed class NpyLayerWriterTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [RequiresTheory(Part.Astropy)]
-    [InlineData("depth", LayerPrecision.Double, "(67, 101)", "float64")]
-    [InlineData("mask", LayerPrecision.Double, "(67, 101)", "uint8")]
-    [InlineData("tile", LayerPrecision.Double, "(67, 101)", "int32")]
-    [InlineData("normal", LayerPrecision.Double, "(67, 101, 3)", "float64")]
-    [InlineData("cell", LayerPrecision.Double, "(67, 101, 2)", "int32")]
-    [InlineData("depth", LayerPrecision.Single, "(67, 101)", "float32")]
-    [InlineData("latitude", LayerPrecision.Single, "(67, 101)", "float64")]
-    [InlineData("normal", LayerPrecision.Single, "(67, 101, 3)", "float32")]
-    [InlineData("cell", LayerPrecision.Single, "(67, 101, 2)", "int32")]
+    [InlineData("depth", LayerPrecision.Real64, "(67, 101)", "float64")]
+    [InlineData("mask", LayerPrecision.Real64, "(67, 101)", "uint8")]
+    [InlineData("tile", LayerPrecision.Real64, "(67, 101)", "int32")]
+    [InlineData("normal", LayerPrecision.Real64, "(67, 101, 3)", "float64")]
+    [InlineData("cell", LayerPrecision.Real64, "(67, 101, 2)", "int32")]
+    [InlineData("depth", LayerPrecision.Real32, "(67, 101)", "float32")]
+    [InlineData("latitude", LayerPrecision.Real32, "(67, 101)", "float64")]
+    [InlineData("normal", LayerPrecision.Real32, "(67, 101, 3)", "float32")]
+    [InlineData("cell", LayerPrecision.Real32, "(67, 101, 2)", "int32")]
     public void Write_Layer_NumpyReadsItToTheBit(string name, LayerPrecision precision, string shape, string type)
     {
         Layer layer = Assert.Single(LayerSet.Parse(name).Layers);
