@@ -20,7 +20,7 @@ internal static class NativeOptions
     public static TextSpec Samples { get; } = new(
         "--samples", "N|auto[:ERROR]",
         "Samples a pixel: a square number on a regular grid, 1, 4, 9, 16, ... 256; or auto, where brightness differs, for an rms error of "
-            + $"ERROR levels of 255 (default of ERROR: {NumberSpec.TextOf(AdaptiveSampling.DefaultError)})")
+            + $"ERROR levels of 255 ({NumberSpec.TextOf(AdaptiveSampling.DefaultError)} unless given)")
     {
         Default = "1",
         Words = [SamplesReader.Auto],

@@ -19,7 +19,9 @@ internal sealed class PixelTruth
 
     /// <summary>Starts with a frame.</summary>
     /// <param name="frame">The frame.</param>
-    /// <param name="meshPixelsPerDegree">px/deg: resolution of the grid whose cells the facets count; null if it is not one of latitude and longitude.</param>
+    /// <param name="meshPixelsPerDegree">
+    /// px/deg: resolution of the grid whose cells the facets count; null if it is not one of latitude and longitude.
+    /// </param>
     public PixelTruth(IGroundTruth frame, int? meshPixelsPerDegree)
     {
         Camera = frame.Camera;

@@ -14,7 +14,7 @@ public sealed class MapLevelLanesTests
     [InlineData(5)]
     public void Read_AnyPlaces_GivesTheBitsOfSinglePlaces(int level)
     {
-        AlbedoMap map = SyntheticMaps.Of(256, (column, row) => (column / 40) + (row / 40) == 3 
+        AlbedoMap map = SyntheticMaps.Of(256, (column, row) => (column / 40) + (row / 40) == 3
             ? 0
             : 1 + (((79 * column) + (131 * row)) % 60000));
         Random random = new(Seed);
