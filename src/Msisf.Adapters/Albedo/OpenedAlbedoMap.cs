@@ -12,7 +12,6 @@ public sealed class OpenedAlbedoMap : IDisposable
 
     private OpenedAlbedoMap(string path, PdsMapFiles? tiles, AlbedoMap map, MapLevelsFile levels)
     {
-        FilePath = path;
         Map = map;
         _levels = levels;
         Sha256 = Convert.ToHexStringLower(levels.Header.SourceHash);
@@ -30,9 +29,6 @@ public sealed class OpenedAlbedoMap : IDisposable
         ];
         Notes = tiles?.Notes ?? [];
     }
-
-    /// <summary>The path that was given: the map's file, one of its tiles, or their folder.</summary>
-    public string FilePath { get; }
 
     /// <summary>The map's name, for messages.</summary>
     public string Name { get; }

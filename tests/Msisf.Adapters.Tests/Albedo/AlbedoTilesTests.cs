@@ -111,7 +111,8 @@ public sealed class AlbedoTilesTests : IDisposable
     public void Open_WrongTiles_AreNamed()
     {
         string[] tiles = PdsMapTiles.WriteEight(_folder, Map, Real, 1, 60, Value);
-        Assert.Contains("no map at 566 nm is in this folder, only WAC_EMP_643NM_064P", Refused(_folder.Path, 566), StringComparison.Ordinal);
+        Assert.Contains(
+            "no map at 566 nm is in this folder, only WAC_EMP_643NM_064P", Refused(_folder.Path, 566), StringComparison.Ordinal);
 
         AssertRefused(() => File.Delete(tiles[2]), "WAC_EMP_643NM_064P no tile shows latitude 0 to 60, longitude 180 to 270", tiles[0]);
         AssertRefused(
