@@ -40,17 +40,17 @@ internal sealed unsafe class MapLevelsFile : IDisposable
     public IReadOnlyList<AlbedoMapLevel> Levels { get; }
 
     /// <summary>Opens the levels of a map, which are made if the cache folder has none that fit.</summary>
-    /// <param name="path">The map's file.</param>
+    /// <param name="files">The map's files.</param>
     /// <param name="cacheFolder">The user's cache folder of this program; null for a file that is deleted at the end.</param>
     /// <param name="openSource">Opens the map.</param>
     /// <exception cref="BadInputException">The map can't be read.</exception>
     /// <exception cref="ExternalPartException">The levels can't be written, or a library for the map is missing.</exception>
-    public static MapLevelsFile Open(string path, string? cacheFolder, Func<MapSource> openSource)
+    public static MapLevelsFile Open(MapFiles files, string? cacheFolder, Func<MapSource> openSource)
     {
         if (cacheFolder is not null)
         {
-            string cached = Path.Combine(cacheFolder, "albedo", NameOf(path));
-            if (TryOpen(cached, path) is { } there)
+            string cached = Path.Combine(cacheFolder, "albedo", NameOf(files.Place));
+            if (TryOpen(cached, files) is { } there)
             {
                 return there;
             }
@@ -58,13 +58,13 @@ internal sealed unsafe class MapLevelsFile : IDisposable
             if (TryMakeFolder(Path.GetDirectoryName(cached)!))
             {
                 using MapSource source = openSource();
-                AtomicFile.Write(cached, stream => MapLevelsWriter.Write(path, source, stream), flushToDisk: false);
-                return TryOpen(cached, path)
-                    ?? throw new ExternalPartException($"{cached}: the levels of {path} were written, but can't be read again.");
+                AtomicFile.Write(cached, stream => MapLevelsWriter.Write(files, source, stream), flushToDisk: false);
+                return TryOpen(cached, files)
+                    ?? throw new ExternalPartException($"{cached}: the levels of {files.Place} were written, but can't be read again.");
             }
         }
 
-        return OpenTemporary(path, openSource);
+        return OpenTemporary(files, openSource);
     }
 
     /// <summary>Releases the pages that were read; they are mapped again when they are read again.</summary>
@@ -81,17 +81,17 @@ internal sealed unsafe class MapLevelsFile : IDisposable
         }
     }
 
-    private static MapLevelsFile OpenTemporary(string path, Func<MapSource> openSource)
+    private static MapLevelsFile OpenTemporary(MapFiles files, Func<MapSource> openSource)
     {
         string temporary = Path.Combine(Path.GetTempPath(), $"msisf-{Guid.NewGuid():N}.levels");
-        return FileErrors.ToExternalPart($"{temporary}: the levels of {path} can't be written", () =>
+        return FileErrors.ToExternalPart($"{temporary}: the levels of {files.Place} can't be written", () =>
         {
             FileStream stream = new(
                 temporary, FileMode.CreateNew, FileAccess.ReadWrite, FileShare.None, bufferSize: 65536, FileOptions.DeleteOnClose);
             try
             {
                 using MapSource source = openSource();
-                MapLevelsHeader header = MapLevelsWriter.Write(path, source, stream);
+                MapLevelsHeader header = MapLevelsWriter.Write(files, source, stream);
                 stream.Flush();
                 return new MapLevelsFile(header, stream);
             }
@@ -104,7 +104,7 @@ internal sealed unsafe class MapLevelsFile : IDisposable
     }
 
     /// <summary>The levels in a file if they are complete and of the map as it is now.</summary>
-    private static MapLevelsFile? TryOpen(string cached, string path)
+    private static MapLevelsFile? TryOpen(string cached, MapFiles files)
     {
         if (!File.Exists(cached))
         {
@@ -117,7 +117,7 @@ internal sealed unsafe class MapLevelsFile : IDisposable
             byte[] head = new byte[MapLevelsHeader.Bytes];
             int length = stream.ReadAtLeast(head, head.Length, throwOnEndOfStream: false);
             if (MapLevelsHeader.TryRead(head.AsSpan(0, length)) is { } header && header.FileBytes == stream.Length
-                && (header.SourceBytes, header.SourceWritten) == MapLevelsHeader.SourceOf(path))
+                && (header.SourceBytes, header.SourceWritten) == files.State())
             {
                 return new MapLevelsFile(header, stream);
             }
@@ -147,6 +147,6 @@ internal sealed unsafe class MapLevelsFile : IDisposable
         }
     }
 
-    /// <summary>A name that the map of a path has for itself.</summary>
-    private static string NameOf(string path) => $"{Path.GetFileNameWithoutExtension(path)}-{PathKey.Of(path)}.levels";
+    /// <summary>A name that the map of a place has for itself.</summary>
+    private static string NameOf(string place) => $"{Path.GetFileNameWithoutExtension(place)}-{PathKey.Of(place)}.levels";
 }

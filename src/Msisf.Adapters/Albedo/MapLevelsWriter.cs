@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using System.Security.Cryptography;
 using Msisf.Core.Errors;
 using Msisf.Core.Render.Photometry;
 
@@ -35,28 +34,27 @@ internal sealed class MapLevelsWriter
     }
 
     /// <summary>Writes the levels.</summary>
-    /// <param name="path">The map's file, for its checksum.</param>
+    /// <param name="files">The map's files, for their checksums.</param>
     /// <param name="source">The map.</param>
     /// <param name="stream">An empty file.</param>
     /// <exception cref="BadInputException">The map is damaged, without any data, or too large.</exception>
-    public static MapLevelsHeader Write(string path, MapSource source, Stream stream)
+    public static MapLevelsHeader Write(MapFiles files, MapSource source, Stream stream)
     {
         if ((long)source.Width * source.Height > int.MaxValue)
         {
             throw new BadInputException(
-                $"{path}: {source.Width} x {source.Height} pixels; maps of up to {int.MaxValue} pixels are read. Give a coarser one.");
+                $"{files.Place}: {source.Width} x {source.Height} pixels; maps of up to {int.MaxValue} pixels are read. "
+                    + $"Give a coarser one.");
         }
 
-        (long bytes, long written) = MapLevelsHeader.SourceOf(path);
-        byte[] hash = FileErrors.ToBadInput($"{path}: can't be read", () =>
-        {
-            using FileStream file = File.OpenRead(path);
-            return SHA256.HashData(file);
-        });
-        (double offset, double step) = source.IsBytes ? (-1.0 / CodesPerByteStep, 1.0 / CodesPerByteStep) : CodesOfReals(path, source);
-        MapLevelsHeader header = new(bytes, written, hash, source.Width, source.Height, offset, step, source.Extent);
+        (long bytes, long written) = files.State();
+        byte[][] hashes = files.Hashes();
+        (double offset, double step) = source.IsBytes
+            ? (-1.0 / CodesPerByteStep, 1.0 / CodesPerByteStep)
+            : CodesOfReals(files.Place, source);
+        MapLevelsHeader header = new(bytes, written, hashes, source.Width, source.Height, offset, step, source.Extent);
         stream.SetLength(header.FileBytes);
-        MapExtent extent = source.Extent ?? new MapExtent(0.0, Math.PI / 2.0, 2.0 * Math.PI, Math.PI);
+        MapExtent extent = source.Extent ?? MapExtent.WholeMoon;
         MapLevelsWriter writer = new(stream, header, extent);
         ForEachRow(source, (row, values) => writer.WriteRow(0, row, values));
         stream.Position = 0;

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Adapters.Albedo;
@@ -9,21 +10,41 @@ public sealed class OpenedAlbedoMap : IDisposable
 {
     private readonly MapLevelsFile _levels;
 
-    private OpenedAlbedoMap(string path, AlbedoMap map, MapLevelsFile levels)
+    private OpenedAlbedoMap(string path, PdsMapFiles? tiles, AlbedoMap map, MapLevelsFile levels)
     {
-        FilePath = path;
         Map = map;
         _levels = levels;
         Sha256 = Convert.ToHexStringLower(levels.Header.SourceHash);
+        string[] names = tiles is { Files.Paths: var paths } && (paths.Count > 1 || Directory.Exists(path))
+            ? [.. paths.Select(tile => Path.GetFileName(tile))]
+            : [Path.GetFileName(path)];
+        Name = names.Length > 1 ? tiles!.Name : names[0];
+        Files =
+        [
+            .. names.Zip(levels.Header.FileHashes, (name, hash) => (name, hash)).Select((file, i) => new InputFile(
+                InputKind.AlbedoMap,
+                file.name,
+                names.Length == 1 ? levels.Header.SourceBytes : new FileInfo(tiles!.Files.Paths[i]).Length,
+                Convert.ToHexStringLower(file.hash))),
+        ];
+        Notes = tiles?.Notes ?? [];
     }
 
-    /// <summary>The map's file.</summary>
-    public string FilePath { get; }
+    /// <summary>The map's name, for messages.</summary>
+    public string Name { get; }
 
-    /// <summary>Length of the file.</summary>
-    public long FileBytes => _levels.Header.SourceBytes;
+    /// <summary>The map's file; of several tiles each, from the north, then from the west.</summary>
+    public IReadOnlyList<InputFile> Files { get; }
 
-    /// <summary>SHA-256 of the file: 64 hexadecimal digits.</summary>
+    /// <summary>The map as one input: its file; of several tiles the first one, with the length and the checksum of all.</summary>
+    public InputFile Whole => Files[0] with { Bytes = _levels.Header.SourceBytes, Sha256 = Sha256 };
+
+    /// <summary>What the user should know of the map: tiles that are left out, or a resolution that is too fine.</summary>
+    public IReadOnlyList<string> Notes { get; }
+
+    /// <summary>
+    /// SHA-256 of the file: 64 hexadecimal digits. Of several tiles it is that of the tiles' SHA-256, written one after the other.
+    /// </summary>
     public string Sha256 { get; }
 
     /// <summary>The map.</summary>
@@ -44,7 +65,7 @@ public sealed class OpenedAlbedoMap : IDisposable
     }
 
     /// <summary>Opens a map. The first time its levels are made and kept in the cache folder.</summary>
-    /// <param name="path">A PDS3 image or its label, or any image that GDAL reads.</param>
+    /// <param name="path">A PDS3 image or its label, one of several tiles or their folder, or any image that GDAL reads.</param>
     /// <param name="given">Properties that the user gives; they count before those that are known.</param>
     /// <param name="bandNanometres">The band that is wanted, nm.</param>
     /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
@@ -53,13 +74,13 @@ public sealed class OpenedAlbedoMap : IDisposable
     /// <exception cref="ExternalPartException">GDAL is needed and missing, or the file system refuses.</exception>
     public static OpenedAlbedoMap Open(string path, MapProperties given, int bandNanometres, string? cacheFolder, string? gdalPath)
     {
-        if (!File.Exists(path))
+        if (!File.Exists(path) && !Directory.Exists(path))
         {
             throw new BadInputException($"{path}: there is no such file. Give a map, or none.");
         }
 
-        PdsMapLabel? label = PdsMapLabel.TryRead(path);
-        MapProperties known = label is not null ? KnownMaps.Of(label)
+        PdsMapFiles? tiles = PdsMapFiles.TryFind(path, bandNanometres);
+        MapProperties known = tiles is not null ? KnownMaps.Of(tiles.Label)
             : KnownMaps.IsColourMap(path) && given.Scale is null ? KnownMaps.ColourMap(path, bandNanometres)
             : KnownMaps.IsColourMap(path) ? KnownMaps.ColourMap(path, 643) with { BandNanometres = null }
             : new MapProperties { Offset = 0.0 };
@@ -71,12 +92,11 @@ public sealed class OpenedAlbedoMap : IDisposable
                 $"{path}: a map at {band:R} nm, but --band is {bandNanometres}. Give --band {band:R} or another map."));
         }
 
-        string file = label?.ImagePath ?? path;
         MapLevelsFile levels = MapLevelsFile.Open(
-            file, cacheFolder, () => label is not null ? new PdsMapSource(label) : new GdalMapSource(path, gdalPath));
+            tiles?.Files ?? new MapFiles(path, [path]), cacheFolder, () => tiles?.OpenSource() ?? new GdalMapSource(path, gdalPath));
         try
         {
-            return new OpenedAlbedoMap(path, Describe(path, levels, properties), levels);
+            return new OpenedAlbedoMap(path, tiles, Describe(path, levels, properties), levels);
         }
         catch
         {

@@ -1,6 +1,4 @@
 using System.Globalization;
-using System.Text;
-using System.Text.RegularExpressions;
 using Msisf.Adapters.Terrain;
 using Msisf.Adapters.Terrain.Pds;
 using Msisf.Core.Errors;
@@ -9,10 +7,8 @@ using Msisf.Core.Render.Photometry;
 namespace Msisf.Adapters.Albedo;
 
 /// <summary>What a PDS3 label, attached or detached, says of an equirectangular map.</summary>
-internal sealed partial record PdsMapLabel
+internal sealed record PdsMapLabel
 {
-    private const int LongestLabel = 65536;
-
     public required string LabelPath { get; init; }
 
     public required string ImagePath { get; init; }
@@ -26,6 +22,9 @@ internal sealed partial record PdsMapLabel
     public required int Lines { get; init; }
 
     public required int LineSamples { get; init; }
+
+    /// <summary>SAMPLE_TYPE, e.g. "PC_REAL".</summary>
+    public required string SampleType { get; init; }
 
     /// <summary>8 or 16 for whole numbers, 32 for real ones.</summary>
     public required int SampleBits { get; init; }
@@ -41,34 +40,37 @@ internal sealed partial record PdsMapLabel
     /// <summary>The value of samples without data; null if the label has none.</summary>
     public required double? MissingConstant { get; init; }
 
-    public required MapExtent Extent { get; init; }
+    /// <summary>UNIT of the values; empty if the label has none.</summary>
+    public required string Unit { get; init; }
+
+    public required double PixelsPerDegree { get; init; }
+
+    /// <summary>East longitude of the left edge, degrees.</summary>
+    public required double WestDegrees { get; init; }
+
+    /// <summary>Latitude of the upper edge, degrees.</summary>
+    public required double NorthDegrees { get; init; }
+
+    /// <summary>What the map shows.</summary>
+    public MapExtent Extent => new(
+        double.DegreesToRadians(WestDegrees),
+        double.DegreesToRadians(NorthDegrees),
+        double.DegreesToRadians(LineSamples / PixelsPerDegree),
+        double.DegreesToRadians(Lines / PixelsPerDegree));
 
     /// <summary>The band in the product's name, nm; null if it has none.</summary>
-    public int? BandNanometres => BandInName().Match(Product) is { Success: true } match
-        ? int.Parse(match.Groups[1].ValueSpan, CultureInfo.InvariantCulture)
-        : null;
+    public required int? BandNanometres { get; init; }
 
     /// <summary>Reads the label of a map; null if the file and the .LBL beside it are no PDS3 labels.</summary>
     /// <param name="path">The label, or the image.</param>
     /// <exception cref="BadInputException">A PDS3 label of something else than an equirectangular map.</exception>
-    public static PdsMapLabel? TryRead(string path)
-    {
-        bool isImage = Path.GetExtension(path).Equals(".IMG", StringComparison.OrdinalIgnoreCase);
-        string labelPath = isImage ? FileNames.FindIgnoringCase(Path.ChangeExtension(path, ".LBL")) ?? path : path;
-        string text = FileErrors.ToBadInput($"{labelPath}: can't be read", () =>
-        {
-            using FileStream stream = File.OpenRead(labelPath);
-            byte[] bytes = new byte[Math.Min(LongestLabel, stream.Length)];
-            stream.ReadExactly(bytes);
-            return Encoding.Latin1.GetString(bytes);
-        });
-        return text.StartsWith("PDS_VERSION_ID", StringComparison.Ordinal)
-            ? Read(PdsLabelParser.Parse(text, labelPath), labelPath)
-            : null;
-    }
+    public static PdsMapLabel? TryRead(string path) => PdsMapHead.TryRead(path) is { } head ? Read(head) : null;
 
-    private static PdsMapLabel Read(PdsObject label, string labelPath)
+    /// <summary>Reads the label of a map.</summary>
+    /// <exception cref="BadInputException">A PDS3 label of something else than an equirectangular map.</exception>
+    public static PdsMapLabel Read(PdsMapHead head)
     {
+        (string labelPath, PdsObject label) = head;
         PdsObject image = label.FindObject("IMAGE") ?? throw Missing(labelPath, "IMAGE");
         PdsObject projection = label.FindObject("IMAGE_MAP_PROJECTION") ?? throw Missing(labelPath, "IMAGE_MAP_PROJECTION");
         LdemImagePointer pointer = LdemImagePointer.Read(label, label.OptionalInteger("RECORD_BYTES", 1, int.MaxValue));
@@ -84,16 +86,19 @@ internal sealed partial record PdsMapLabel
                 "SAMPLE_BITS", image.Required("SAMPLE_BITS"), "whole numbers of 8 or 16 bits, or real ones of 32, are read");
         }
 
+        (double perDegree, double west, double north) = PlaceOf(image, projection);
         return new PdsMapLabel
         {
             LabelPath = labelPath,
             ImagePath = FileNames.FindIgnoringCase(imagePath)
                 ?? throw new BadInputException(
                     $"{imagePath}: missing; {labelPath} says that the map is there. Put the file beside its label."),
-            Product = label.Find("PRODUCT_ID")?.Text ?? string.Empty,
+            Product = head.Product,
+            BandNanometres = head.BandNanometres,
             ImageOffset = pointer.Offset,
             Lines = image.RequiredInteger("LINES", 1, int.MaxValue),
             LineSamples = image.RequiredInteger("LINE_SAMPLES", 1, int.MaxValue),
+            SampleType = type,
             SampleBits = bits,
             IsSigned = !type.Contains("UNSIGNED", StringComparison.Ordinal),
             IsMostSignificantFirst = !(type.StartsWith("LSB", StringComparison.Ordinal) || type.StartsWith("PC", StringComparison.Ordinal)
@@ -101,12 +106,15 @@ internal sealed partial record PdsMapLabel
             ScalingFactor = image.OptionalNumber("SCALING_FACTOR") ?? 1.0,
             Offset = image.OptionalNumber("OFFSET") ?? 0.0,
             MissingConstant = Constant(image, "MISSING_CONSTANT"),
-            Extent = ExtentOf(image, projection),
+            Unit = image.Find("UNIT")?.Text ?? string.Empty,
+            PixelsPerDegree = perDegree,
+            WestDegrees = west,
+            NorthDegrees = north,
         };
     }
 
-    /// <summary>The extent, from the resolution, the western and the northern edge.</summary>
-    private static MapExtent ExtentOf(PdsObject image, PdsObject projection)
+    /// <summary>The resolution, the western and the northern edge.</summary>
+    private static (double PerDegree, double West, double North) PlaceOf(PdsObject image, PdsObject projection)
     {
         string kind = projection.RequiredText("MAP_PROJECTION_TYPE").Replace('_', ' ').ToUpperInvariant();
         if (kind is not ("EQUIRECTANGULAR" or "SIMPLE CYLINDRICAL")
@@ -129,8 +137,7 @@ internal sealed partial record PdsMapLabel
                 "MAP_RESOLUTION", projection.Required("MAP_RESOLUTION"), "lines and samples of this size don't fit on the Moon");
         }
 
-        return new MapExtent(
-            double.DegreesToRadians(west), double.DegreesToRadians(north), double.DegreesToRadians(width), double.DegreesToRadians(height));
+        return (perDegree, west, north);
     }
 
     /// <summary>A number of the label; null if it is missing or written as bits, as the special values of real numbers are.</summary>
@@ -141,7 +148,4 @@ internal sealed partial record PdsMapLabel
 
     private static BadInputException Missing(string path, string what) =>
         new($"{path}: a PDS3 label without {what}. Give the label of an equirectangular map.");
-
-    [GeneratedRegex(@"_(\d{3})NM")]
-    private static partial Regex BandInName();
 }

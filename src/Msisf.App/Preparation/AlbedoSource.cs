@@ -56,10 +56,10 @@ internal static class AlbedoSource
     private static string[] Folders(ProgramHost host) =>
         [.. ((string[])[Path.Combine("input", "albedo"), host.Installation.AlbedoMaps]).DistinctBy(Path.GetFullPath)];
 
-    /// <summary>The path of a given map; a plain name is also looked for where maps are installed.</summary>
-    private static string Find(string given, ProgramHost host) => File.Exists(given) || Path.GetFileName(given) != given
+    /// <summary>The path of a given map or folder; a plain name is also looked for where maps are installed.</summary>
+    private static string Find(string given, ProgramHost host) => Path.Exists(given) || Path.GetFileName(given) != given
         ? given
-        : Folders(host).Select(folder => Path.Combine(folder, given)).FirstOrDefault(File.Exists) ?? given;
+        : Folders(host).Select(folder => Path.Combine(folder, given)).FirstOrDefault(Path.Exists) ?? given;
 
     /// <summary>The largest file that is a known map; null if there is none.</summary>
     private static string? Installed(ProgramHost host) => Folders(host).Where(Directory.Exists)
@@ -82,7 +82,12 @@ internal static class AlbedoSource
                 .About(AlbedoOptions.Checksum);
         }
 
-        host.Log.Note($"Albedo: {Path.GetFileName(path)}, {map.Map.Levels[0].Width} x {map.Map.Levels[0].Height} px.");
+        foreach (string note in map.Notes)
+        {
+            host.Log.Note($"Albedo: {note}");
+        }
+
+        host.Log.Note($"Albedo: {map.Name}, {map.Map.Levels[0].Width} x {map.Map.Levels[0].Height} px.");
         return map;
     }
 }

@@ -24,12 +24,7 @@ internal sealed record SurfaceInputs(OpenedAlbedoMap? Albedo, HapkeMapFile? Hapk
             ? NativeOptions.HapkeMap.Concerned(() => HapkeMapFile.Read(path))
             : null;
         OpenedAlbedoMap? albedo = AlbedoSource.Open(settings, host);
-        List<InputFile> files = [];
-        if (albedo is not null)
-        {
-            files.Add(new InputFile(InputKind.AlbedoMap, Path.GetFileName(albedo.FilePath), albedo.FileBytes, albedo.Sha256));
-        }
-
+        List<InputFile> files = [.. albedo?.Files ?? []];
         if (hapke is not null)
         {
             files.Add(new InputFile(InputKind.HapkeMap, Path.GetFileName(settings.Native.HapkeMap!), hapke.FileBytes, hapke.Sha256));

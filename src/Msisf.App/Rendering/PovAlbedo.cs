@@ -38,7 +38,7 @@ internal sealed class PovAlbedo
             if (!File.Exists(path))
             {
                 FileErrors.ToExternalPart($"{_folder}: the folder can't be made", () => Directory.CreateDirectory(_folder));
-                AtomicFile.Write(path, stream => PovAlbedoImage.Write(stream, Path.GetFileName(_map.FilePath), map, level));
+                AtomicFile.Write(path, stream => PovAlbedoImage.Write(stream, _map.Name, map, level));
             }
         }
 

@@ -65,7 +65,7 @@ internal sealed class RenderRun
             run.Names,
             RunIdentity.Of(
                 _host.Version,
-                FrameArguments.OfSettings(_settings, sun?.Choice, maps.Files.FirstOrDefault(file => file.Kind == InputKind.AlbedoMap)),
+                FrameArguments.OfSettings(_settings, sun?.Choice, maps.Albedo?.Whole),
                 run.Model.Fingerprint(),
                 sun?.Engine.EngineName,
                 kernels,

@@ -81,7 +81,7 @@ internal sealed class RenderSession : IDisposable
         FrameArguments.OfSettings(
             Settings,
             Settings.IgnoreSun ? null : _ephemeris.Of(Settings).Opened?.Choice,
-            _maps.Value.Files.FirstOrDefault(file => file.Kind == InputKind.AlbedoMap)));
+            _maps.Value.Albedo?.Whole));
 
     private IReadOnlyList<InputFile> Inputs() =>
     [

@@ -13,8 +13,9 @@ internal static partial class AlbedoOptions
 
     /// <summary>The map.</summary>
     public static PathSpec Map { get; } = new(
-        "--albedo-map", PathKind.File,
-        "Map of the Moon's reflectance: a PDS3 image (WAC_EMP, WAC_HAPKE, ...), or an image that GDAL reads; none for no map")
+        "--albedo-map", PathKind.Any,
+        "Map of the Moon's reflectance: a PDS3 image (WAC_EMP, WAC_HAPKE, ...; of several tiles one, or their folder), or an image that "
+            + "GDAL reads; none for no map")
     {
         DefaultNote = "the one in ./input/albedo, then in the installation, with --reflectance moon; else none",
     };
@@ -28,7 +29,8 @@ internal static partial class AlbedoOptions
     };
 
     /// <summary>Checksum of the map.</summary>
-    public static TextSpec Checksum { get; } = new("--albedo-map-checksum", "HEX", "SHA-256 that the map's file must have")
+    public static TextSpec Checksum { get; } = new(
+        "--albedo-map-checksum", "HEX", "SHA-256 that the map's file must have (of several tiles that of all: docs/photometry.md)")
     {
         Form = (HexDigits(), "64 hexadecimal digits are needed"),
     };

@@ -102,6 +102,26 @@ public sealed class NativeImageTests(RenderFixture fixture, ITestOutputHelper ou
         Assert.True(difference.BlackDiffers + difference.GreyDiffers <= EdgePixels * Side * Side, $"{difference}");
     }
 
+    /// <summary>Over the place where four of eight tiles meet.</summary>
+    [RequiresFact(Part.Ldem4, Part.PovRay)]
+    public void Albedo_MapInTiles_HasTheImagesOfOneFile()
+    {
+        static double Value(int column, int row) => 40 + (((73 * column) + (41 * row)) % 200);
+        string state = Nadir(new Vector3D(1e3, 2.2e6, 1e3));
+        using TemporaryFolder tiles = new();
+        PdsMapTiles.WriteEight(tiles, "WAC_EMP_643NM", ("UNSIGNED_INTEGER", 8), 2, 90, Value, "SCALING_FACTOR = 0.004");
+        string file = PdsMap.Write(_folder, "WAC_EMP_643NM", "UNSIGNED_INTEGER", 8, 2, Value, "SCALING_FACTOR = 0.004");
+        (PngPixels PovRay, PngPixels Native) one = RenderBoth(state, "--fov", "30", "--ignore-sun", "--albedo-map", file);
+
+        (PngPixels PovRay, PngPixels Native) many = RenderBoth(state, "--fov", "30", "--ignore-sun", "--albedo-map", tiles.Path);
+
+        Assert.Equal(one.PovRay.ChannelParts(0), many.PovRay.ChannelParts(0));
+        Assert.Equal(one.Native.ChannelParts(0), many.Native.ChannelParts(0));
+        string meta = File.ReadAllText(_folder["native.xml"]);
+        Assert.All(Directory.GetFiles(tiles.Path), tile => Assert.Contains(
+            $"<Input kind=\"albedo-map\" name=\"{Path.GetFileName(tile)}\"", meta, StringComparison.Ordinal));
+    }
+
     private void AssertSameLight(string name, string state, params string[] more)
     {
         (PngPixels povRay, PngPixels native) = RenderBoth(state, more);

@@ -10,6 +10,9 @@ public readonly record struct MapExtent(double West, double North, double Width,
     /// <summary>rad: labels round their edges to fractions of a pixel; a gap smaller than this is none.</summary>
     private const double Seam = 1e-6;
 
+    /// <summary>All of the Moon, with the prime meridian as left edge.</summary>
+    public static MapExtent WholeMoon => new(0.0, Math.PI / 2.0, 2.0 * Math.PI, Math.PI);
+
     /// <summary>The left and the right edge are the same meridian.</summary>
     public bool IsFullCircle => Width > (2.0 * Math.PI) - Seam;
 
