@@ -1,3 +1,4 @@
+using System.Runtime;
 using Msisf.Adapters.Albedo;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
@@ -19,6 +20,12 @@ internal sealed class NativeDrawing
     /// </summary>
     private const int FramesBetweenReleases = 16;
 
+    /// <summary>
+    /// Part of the memory in use that replaced buffers must have before they are returned to the system: this moves all other buffers,
+    /// some 50 ms, and an orbit with an image of 1024 x 1024 px does it a few times in a turn.
+    /// </summary>
+    private const double WorthCollecting = 0.25;
+
     private readonly NativeRenderOptions _options;
     private readonly ITerrainGrid _model;
     private readonly OpenedAlbedoMap? _map;
@@ -26,6 +33,7 @@ internal sealed class NativeDrawing
     private readonly DetectorsOfRun? _detectors;
     private readonly RunTimes _times;
     private int _frames;
+    private long _collectedBytes;
 
     public NativeDrawing(NativeSettings settings, ITerrainGrid model, SurfaceInputs maps, NativeLevels levels, RunTimes times)
     {
@@ -78,6 +86,19 @@ internal sealed class NativeDrawing
         {
             _model.ReleasePages(); // an orbit would have the whole model in memory in the end
             _map?.ReleasePages();
+            ReturnReplaced();
+        }
+    }
+
+    /// <summary>Returns the memory of buffers to the system that few frames needed: those over a pole, or at the terminator.</summary>
+    private void ReturnReplaced()
+    {
+        long replaced = _levels.ReplacedBytes;
+        if (replaced - Interlocked.Read(ref _collectedBytes) > WorthCollecting * GC.GetTotalMemory(forceFullCollection: false))
+        {
+            Interlocked.Exchange(ref _collectedBytes, replaced);
+            GCSettings.LargeObjectHeapCompactionMode = GCLargeObjectHeapCompactionMode.CompactOnce;
+            GC.Collect(GC.MaxGeneration, GCCollectionMode.Aggressive, blocking: true, compacting: true);
         }
     }
 

@@ -29,6 +29,10 @@ internal sealed class NativeLevels
         _rule = errorPixels is double error ? new DetailRule(_levels!, error) : null;
     }
 
+    /// <summary>Bytes of the buffers that the renderers have replaced so far (<see cref="NativeRenderer.ReplacedBytes"/>).</summary>
+    public long ReplacedBytes =>
+        _renderers.Values.Where(renderer => renderer.IsValueCreated).Sum(renderer => renderer.Value.ReplacedBytes);
+
     /// <summary>The renderer for a frame.</summary>
     public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) =>
         _renderers.GetOrAdd(

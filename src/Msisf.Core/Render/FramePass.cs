@@ -41,6 +41,9 @@ internal sealed class FramePass
     /// <summary>The same numbers as <see cref="RadianceFactors"/>.</summary>
     public ReadOnlyMemory<double> RadianceFactorMemory => _radianceFactors.AsMemory(0, Camera.Width * Camera.Height);
 
+    /// <summary>Bytes of the buffers that have been replaced by smaller or larger ones since the first frame.</summary>
+    public long ReplacedBytes => _visibility.Surface.ReplacedBytes + _light.ReplacedBytes;
+
     /// <summary>Draws a frame.</summary>
     public void Draw(PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
     {

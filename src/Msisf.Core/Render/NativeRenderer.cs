@@ -14,6 +14,7 @@ public sealed class NativeRenderer
 {
     private readonly SurfaceModel _surface;
     private readonly ConcurrentBag<FramePass> _idle = [];
+    private long _replacedBytes;
 
     /// <summary>Makes a renderer; nothing of the model is read yet.</summary>
     /// <param name="grid">The elevation model.</param>
@@ -21,6 +22,12 @@ public sealed class NativeRenderer
 
     /// <summary>Resolution of the model that is drawn.</summary>
     public GridResolution Resolution => _surface.Grid.Projection.Resolution;
+
+    /// <summary>
+    /// Bytes of the buffers that frames have replaced by smaller or larger ones so far; they are free, but no collection may have returned
+    /// them to the system.
+    /// </summary>
+    public long ReplacedBytes => Interlocked.Read(ref _replacedBytes);
 
     /// <summary>Draws a frame.</summary>
     /// <param name="camera">The camera, which must be above the terrain.</param>
@@ -39,7 +46,9 @@ public sealed class NativeRenderer
             pass = new FramePass(_surface);
         }
 
+        long before = pass.ReplacedBytes;
         pass.Draw(camera, light, options, threads, cancellation);
+        Interlocked.Add(ref _replacedBytes, pass.ReplacedBytes - before);
         return new NativeFrame(pass, _idle.Add);
     }
 }

@@ -51,6 +51,23 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     }
 
     [Fact]
+    public void Render_AfterManyFramesThatNeedLittleMemory_IsTheSameToTheBit()
+    {
+        (PinholeCamera big, SceneLight bigSun) = Scene("half-sky", 600, 400); // more receivers than are always kept
+        (PinholeCamera small, SceneLight smallSun) = Scene("limb-backlit", 7, 65);
+        FrameValues expected = FrameValues.Of(_renderer, big, bigSun, Options, threads: 2);
+        long before = _renderer.ReplacedBytes;
+
+        foreach (int _ in Enumerable.Range(0, 40))
+        {
+            _renderer.Render(small, smallSun, Options, threads: 1).Dispose();
+        }
+
+        Assert.NotEqual(before, _renderer.ReplacedBytes);
+        Assert.Equal(expected, FrameValues.Of(_renderer, big, bigSun, Options, threads: 2));
+    }
+
+    [Fact]
     public void Render_WhileOtherFramesAreHeldAndDrawn_IsTheSameToTheBit()
     {
         (

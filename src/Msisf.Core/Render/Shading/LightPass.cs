@@ -25,6 +25,9 @@ internal sealed class LightPass
         _shader = new RowShader(surface);
     }
 
+    /// <summary>Bytes of the arrays of receivers that have been replaced since the first frame.</summary>
+    public long ReplacedBytes => _shadows.ReplacedBytes + _penumbras.ReplacedBytes;
+
     /// <summary>Finds the light on points and, with a weight, adds their brightness.</summary>
     /// <param name="points">The points.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>

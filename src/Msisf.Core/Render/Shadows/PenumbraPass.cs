@@ -23,6 +23,9 @@ internal sealed class PenumbraPass
         _search = new CasterSearch(surface);
     }
 
+    /// <summary>Bytes of the arrays of receivers that have been replaced since the first frame.</summary>
+    public long ReplacedBytes => _receivers.Grid.ReplacedBytes;
+
     /// <summary>Marks the points of the disc that terrain hides from each receiver.</summary>
     /// <param name="receivers">The points whose facet faces a part of the disc (<see cref="SunDisc.MayLight"/>).</param>
     /// <param name="disc">The Sun's disc.</param>

@@ -11,7 +11,8 @@ namespace Msisf.Core.Render.Shadows;
 /// </summary>
 /// <remarks>
 /// This is a counting sort: call <see cref="Lay"/>, <see cref="Count"/> for each row, <see cref="Place"/>, then <see cref="Sort"/> for
-/// each row. The depths are known after <see cref="Place"/>; <see cref="Want"/> then marks the bins that must be sorted.
+/// each row. The depths are known after <see cref="Place"/>; <see cref="Want"/> then marks the bins that must be sorted, and
+/// <see cref="MakeRoom"/> leaves out the others.
 /// </remarks>
 internal sealed class ReceiverGrid
 {
@@ -26,6 +27,7 @@ internal sealed class ReceiverGrid
     private byte[] _isWanted = [];
     private bool _wantsAll;
     private int[] _starts = [];
+    private readonly RecentUse _use = new();
 
     /// <summary>Number of bins along each edge of the grid.</summary>
     public int Size { get; private set; }
@@ -35,7 +37,7 @@ internal sealed class ReceiverGrid
 
     /// <summary>
     /// Coordinate of each receiver in light space, m. The array has room for eight unused values after the last receiver, so that a
-    /// vector can be read from any receiver of a <see cref="Run"/> without range checks.
+    /// vector can be read from any receiver of a <see cref="Run"/> without range checks. Values are set by <see cref="Sort"/>.
     /// </summary>
     public double[] U { get; private set; } = [];
 
@@ -47,6 +49,9 @@ internal sealed class ReceiverGrid
 
     /// <summary>Pixel of each receiver: row of the image times its width plus column.</summary>
     public int[] Pixels { get; private set; } = [];
+
+    /// <summary>Bytes of the arrays that the grid has replaced by smaller or larger ones.</summary>
+    public long ReplacedBytes { get; private set; }
 
     /// <summary>The bins along u, the columns of the grid.</summary>
     public LightAxis AxisU => _u;
@@ -163,13 +168,27 @@ internal sealed class ReceiverGrid
         Array.Clear(_isWanted, 0, Size * Size);
         _starts[Size * Size] = next;
         Length = next;
-        int room = _bins.Length + LaneCount;
-        if (U.Length < room)
+    }
+
+    /// <summary>Makes room for the receivers of the marked bins; gives back memory that the last frames did not need.</summary>
+    public void MakeRoom()
+    {
+        if (!_wantsAll)
         {
-            U = new double[room];
-            V = new double[room];
-            W = new double[room];
-            Pixels = new int[room];
+            LeaveOutUnmarked();
+        }
+
+        int used = _starts[Size * Size] + LaneCount;
+        int length = U.Length;
+        if (used > length)
+        {
+            length = Math.Min(RecentUse.WithReserve(used), _bins.Length + LaneCount);
+            _use.Note(used, ref length);
+            Replace(length);
+        }
+        else if (_use.Note(used, ref length))
+        {
+            Replace(length);
         }
     }
 
@@ -185,7 +204,7 @@ internal sealed class ReceiverGrid
     /// <summary>Marks all bins for sorting.</summary>
     public void WantAll() => _wantsAll = true;
 
-    /// <summary>Puts a row's receivers into their bins if these are marked; array elements of unmarked bins are undefined.</summary>
+    /// <summary>Puts a row's receivers into their bins if these are marked.</summary>
     /// <param name="rows">The receivers.</param>
     /// <param name="row">Row of the image.</param>
     /// <param name="part">The same index as in <see cref="Count"/>.</param>
@@ -240,6 +259,40 @@ internal sealed class ReceiverGrid
         Debug.Assert(row >= 0 && row < Size && firstColumn >= 0 && lastColumn < Size, "A bin lies outside the grid.");
         ref int start = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_starts), row * Size);
         return (Unsafe.Add(ref start, firstColumn), Unsafe.Add(ref start, lastColumn + 1));
+    }
+
+    /// <summary>Gives the bins that are not marked empty ranges.</summary>
+    private void LeaveOutUnmarked()
+    {
+        int next = 0;
+        int first = _starts[0];
+        for (int bin = 0; bin < Size * Size; bin++)
+        {
+            int end = _starts[bin + 1];
+            _starts[bin] = next;
+            if (_isWanted[bin] != 0)
+            {
+                foreach (Part part in _parts)
+                {
+                    part.Counts[bin] -= first - next;
+                }
+
+                next += end - first;
+            }
+
+            first = end;
+        }
+
+        _starts[Size * Size] = next;
+    }
+
+    private void Replace(int length)
+    {
+        ReplacedBytes += U.Length * ((3L * sizeof(double)) + sizeof(int));
+        U = GC.AllocateUninitializedArray<double>(length);
+        V = GC.AllocateUninitializedArray<double>(length);
+        W = GC.AllocateUninitializedArray<double>(length);
+        Pixels = GC.AllocateUninitializedArray<int>(length);
     }
 
     private static int SizeFor(int receivers) => Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MaxBins);

@@ -70,6 +70,7 @@ internal sealed class ReceiverSort
     public void Sort(IReceiverRows receivers, Action<int> hide, int threads, CancellationToken cancellation)
     {
         int parts = Math.Min(threads, MaxParts);
+        Grid.MakeRoom();
         WorkerTeam.Run(threads, parts, (_, part) =>
         {
             for (int row = part; row < receivers.Rows; row += parts)

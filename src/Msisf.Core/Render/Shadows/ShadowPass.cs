@@ -30,6 +30,9 @@ internal sealed class ShadowPass
     /// <summary>Counts of the work for the last frame.</summary>
     public ShadowStatistics Statistics { get; private set; }
 
+    /// <summary>Bytes of the arrays of receivers that have been replaced since the first frame.</summary>
+    public long ReplacedBytes => _receivers.Grid.ReplacedBytes;
+
     /// <summary>Marks the receivers that are in shadow.</summary>
     /// <param name="receivers">The points whose facet faces the Sun.</param>
     /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>

@@ -19,6 +19,7 @@ internal sealed class Band
     /// </summary>
     private const int Padding = 8;
 
+    private readonly RecentUse _use = new();
     private FacetRecord[] _records = new FacetRecord[FirstCapacity];
 
     /// <summary>Number of array elements from one row to the next.</summary>
@@ -59,13 +60,17 @@ internal sealed class Band
     /// <summary>Number of <see cref="Records"/>.</summary>
     public int RecordCount { get; private set; }
 
-    /// <summary>Empties the band for new rows.</summary>
+    /// <summary>Bytes of the buffers of records that the band has replaced.</summary>
+    public long ReplacedBytes { get; private set; }
+
+    /// <summary>Empties the band for new rows; gives back memory for records that the last frames did not need.</summary>
     public void Begin(int width, int firstRow, int rows)
     {
         Width = width;
         FirstRow = firstRow;
         LastRow = firstRow + rows - 1;
         Stride = width + Padding;
+        TrimRecords();
         RecordCount = 0;
         Window = new PixelRange(0, width - 1, firstRow, LastRow);
         SampleColumns = SampleRows = [];
@@ -136,10 +141,21 @@ internal sealed class Band
     {
         if (RecordCount == _records.Length)
         {
+            ReplacedBytes += Unsafe.SizeOf<FacetRecord>() * (long)RecordCount;
             Array.Resize(ref _records, 2 * RecordCount);
         }
 
         _records[RecordCount] = block.Record(index, half);
         return RecordCount++;
+    }
+
+    private void TrimRecords()
+    {
+        int length = _records.Length;
+        if (_use.Note(RecordCount, ref length))
+        {
+            ReplacedBytes += Unsafe.SizeOf<FacetRecord>() * (long)_records.Length;
+            _records = GC.AllocateUninitializedArray<FacetRecord>(length);
+        }
     }
 }

@@ -28,6 +28,9 @@ internal sealed class VisibleSurface : ISurfaceRows
     /// <summary>Counts of the work for the frame.</summary>
     public VisibilityCounts Counts { get; private set; }
 
+    /// <summary>Bytes of the buffers that the bands have replaced since the first frame.</summary>
+    public long ReplacedBytes => _bands.Sum(band => band.ReplacedBytes);
+
     /// <summary>Number of bands of the frame.</summary>
     internal int BandCount { get; private set; }
 
