@@ -15,7 +15,7 @@ code=0
 mkdir -p "${report%/*}"
 rm -f "$report"
 # A run that hangs must end before the machine's own limit ends it without a count.
-within 900 phpunit --configuration tests/php/phpunit.xml --log-junit "$report" || code=$?
+within 1800 phpunit --configuration tests/php/phpunit.xml --log-junit "$report" || code=$?
 record_report php "$report"
 # Warnings and risky tests fail a run too, and are no failure in the report.
 if [ "$code" -ne 0 ] && [ "$(count failed php)" -eq 0 ]; then

@@ -6,7 +6,7 @@ set -euo pipefail
 . scripts/lib/results.sh
 
 reports=$PWD/TestResults
-seconds_a_project=900 # a run that hangs must end before the machine's own limit ends it without a count
+seconds_a_project=1800 # a run that hangs must end before the machine's own limit ends it without a count
 
 # run_project NAME: a host that crashes or hangs leaves a report without its tests, so its exit code counts too.
 run_project() {

@@ -2,6 +2,7 @@ using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.Adapters.Tests.Ephemeris;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
 using Msisf.TestSupport;
 
 namespace Msisf.Stress.Fuzz;
@@ -15,7 +16,7 @@ internal sealed class FuzzWorld : IDisposable
     /// <summary>A state above the ground, looking down; the kernels cover it.</summary>
     public const string State = "{51544.5,1.9E6,0,0,0,0,0,1}";
 
-    /// <summary>px/deg: the minimum at which a model's summary is kept in a file.</summary>
+    /// <summary>px/deg: the minimum at which a model's summary is read from a file.</summary>
     public const int FlatResolution = 17;
 
     private const double Day = 86400.0;
@@ -38,7 +39,7 @@ internal sealed class FuzzWorld : IDisposable
         FlatModel = WriteFlatModel();
         Kernels = WriteKernels();
         Succeed("ldem", "pyramid", FineModel);
-        Succeed([.. TinyImage, "--list-patterns", "--ignore-sun", "--fixed-state", State, "--ldem", FlatModel, "--res", "17"]);
+        WriteSummary(FlatModel);
         OutputFolder = Path.Combine(_folder.FullName, "output");
         Succeed([.. Render, "--times", "{51544.5,51544.51,51544.52}", "--output-dir", OutputFolder]);
     }
@@ -98,6 +99,15 @@ internal sealed class FuzzWorld : IDisposable
         using StreamWriter writer = File.CreateText(label);
         SyntheticLdemLabel.Write(writer, product, new SyntheticLdemOptions(FlatResolution, 1, folder), minimum: 0, maximum: 0);
         return label;
+    }
+
+    /// <summary>The whole summary; the program itself keeps that of large models alone.</summary>
+    private static void WriteSummary(string label)
+    {
+        LdemSet set = LdemCatalog.Find(FlatResolution, label, []);
+        using LdemImage image = LdemImage.Open(set);
+        using FileStream file = File.Create(Path.ChangeExtension(label, ".summary"));
+        ElevationSummaryFile.Write(file, SummarySource.Of(set), ElevationSummary.Build(image));
     }
 
     private string WriteKernels()
