@@ -6,7 +6,7 @@ namespace Msisf.Core.Detector;
 /// <summary>The amplifier and the analogue-to-digital converter: electrons and read noise to digital numbers.</summary>
 internal sealed class Converter
 {
-    private const int Lanes = 4;
+    private const int Lanes = 8;
     private const int PixelsAtOnce = 4 * Lanes;
     private const byte AtHighestNumber = 1;
     private const byte AtFullWell = 2;
@@ -35,6 +35,7 @@ internal sealed class Converter
     /// <param name="offsets">DN: offsets of the columns.</param>
     /// <param name="numbers">Receives the digital numbers.</param>
     /// <param name="saturated">Receives the saturation, see <see cref="DetectorImage.Saturated"/>.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be converted with unoptimised vectors
     public void Convert(
         ReadOnlySpan<double> charge, ReadOnlySpan<double> deviates, ReadOnlySpan<double> offsets, Span<ushort> numbers,
         Span<byte> saturated)
@@ -42,12 +43,12 @@ internal sealed class Converter
         int start = 0;
         for (; start <= charge.Length - PixelsAtOnce; start += PixelsAtOnce)
         {
-            Vector256<double> isSaturated = Vector256<double>.Zero;
-            Vector256<ulong> first = Four(charge, deviates, offsets, start, ref isSaturated);
-            Vector256<ulong> second = Four(charge, deviates, offsets, start + Lanes, ref isSaturated);
-            Vector256<ulong> third = Four(charge, deviates, offsets, start + (2 * Lanes), ref isSaturated);
-            Vector256<ulong> fourth = Four(charge, deviates, offsets, start + (3 * Lanes), ref isSaturated);
-            Vector256.Narrow(Vector256.Narrow(first, second), Vector256.Narrow(third, fourth)).CopyTo(numbers[start..]);
+            Vector512<double> isSaturated = Vector512<double>.Zero;
+            Vector512<ulong> first = Eight(charge, deviates, offsets, start, ref isSaturated);
+            Vector512<ulong> second = Eight(charge, deviates, offsets, start + Lanes, ref isSaturated);
+            Vector512<ulong> third = Eight(charge, deviates, offsets, start + (2 * Lanes), ref isSaturated);
+            Vector512<ulong> fourth = Eight(charge, deviates, offsets, start + (3 * Lanes), ref isSaturated);
+            Vector512.Narrow(Vector512.Narrow(first, second), Vector512.Narrow(third, fourth)).CopyTo(numbers[start..]);
             saturated.Slice(start, PixelsAtOnce).Clear();
             if (isSaturated.ExtractMostSignificantBits() != 0)
             {
@@ -59,20 +60,20 @@ internal sealed class Converter
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector256<ulong> Four(
+    private Vector512<ulong> Eight(
         ReadOnlySpan<double> charge, ReadOnlySpan<double> deviates, ReadOnlySpan<double> offsets, int start,
-        ref Vector256<double> isSaturated)
+        ref Vector512<double> isSaturated)
     {
-        Vector256<double> electrons = Vector256.Create(charge.Slice(start, Lanes));
-        Vector256<double> noise = Vector256.Create(_readNoise) * Vector256.Create(deviates.Slice(start, Lanes));
-        Vector256<double> number = Vector256.Floor(
-            ((electrons + noise) * Vector256.Create(_perElectron)) + Vector256.Create(_bias)
-                + Vector256.Create(offsets.Slice(start, Lanes)));
-        Vector256<double> max = Vector256.Create(_max);
-        isSaturated |= Vector256.GreaterThanOrEqual(number, max)
-            | Vector256.GreaterThanOrEqual(electrons, Vector256.Create(_fullWell));
-        Vector256<double> held = Vector256.Max(Vector256<double>.Zero, Vector256.Min(number, max));
-        return (held + Vector256.Create(WholeNumberShift)).AsUInt64() & Vector256.Create((ulong)ushort.MaxValue);
+        Vector512<double> electrons = Vector512.Create(charge.Slice(start, Lanes));
+        Vector512<double> noise = Vector512.Create(_readNoise) * Vector512.Create(deviates.Slice(start, Lanes));
+        Vector512<double> number = Vector512.Floor(
+            ((electrons + noise) * Vector512.Create(_perElectron)) + Vector512.Create(_bias)
+                + Vector512.Create(offsets.Slice(start, Lanes)));
+        Vector512<double> max = Vector512.Create(_max);
+        isSaturated |= Vector512.GreaterThanOrEqual(number, max)
+            | Vector512.GreaterThanOrEqual(electrons, Vector512.Create(_fullWell));
+        Vector512<double> held = Vector512.MaxNative(Vector512.MinNative(number, max), Vector512<double>.Zero);
+        return (held + Vector512.Create(WholeNumberShift)).AsUInt64() & Vector512.Create((ulong)ushort.MaxValue);
     }
 
     private void ConvertSingly(

@@ -1,4 +1,5 @@
 using System.Buffers;
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Detector.Psf;
@@ -151,6 +152,7 @@ internal sealed class DetectorPass
     }
 
     /// <summary>Adds the electrons to the smear, in proportion to the pixels' responses, and adds the dark electrons.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be collected with unoptimised vectors
     private static void Mean(ReadOnlySpan<double> electrons, ReadOnlySpan<float> response, ReadOnlySpan<float> dark, Span<double> charge)
     {
         int column = 0;
@@ -175,6 +177,7 @@ internal sealed class DetectorPass
         return Vector256.Create(lower, upper);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static bool IsAnyAbove(ReadOnlySpan<double> values, double limit)
     {
         int i = 0;

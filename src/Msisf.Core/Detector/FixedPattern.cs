@@ -85,10 +85,17 @@ internal sealed class FixedPattern
     {
         double variance = Math.Log(1.0 + (_settings.Dark.Nonuniformity * _settings.Dark.Nonuniformity));
         double sigma = Math.Sqrt(variance);
-        for (int i = 0; i < dark.Length; i++)
+        Span<double> exponentials = stackalloc double[NoiseSource.Lanes];
+        for (int start = 0; start < dark.Length; start += NoiseSource.Lanes)
         {
-            double exponent = (sigma * deviates[i]) - (0.5 * variance);
-            dark[i] = (float)(DarkMean * PortableLanes.Exp(Vector256.Create(exponent))[0]);
+            int count = Math.Min(NoiseSource.Lanes, dark.Length - start);
+            deviates.Slice(start, count).CopyTo(exponentials);
+            PortableLanes.Exp((sigma * Vector512.Create<double>(exponentials)) - Vector512.Create(0.5 * variance))
+                .CopyTo(exponentials);
+            for (int lane = 0; lane < count; lane++)
+            {
+                dark[start + lane] = (float)(DarkMean * exponentials[lane]);
+            }
         }
     }
 

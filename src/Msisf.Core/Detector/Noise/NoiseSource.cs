@@ -10,7 +10,7 @@ namespace Msisf.Core.Detector.Noise;
 internal readonly struct NoiseSource
 {
     /// <summary>Number of lanes of a vector.</summary>
-    public const int Lanes = 4;
+    public const int Lanes = 8;
 
     /// <summary>Maximum number of pixels whose deviates are computed in one call: what they need stays in the processor's cache.</summary>
     public const int MaxRun = 512;
@@ -20,6 +20,7 @@ internal readonly struct NoiseSource
 
     private const ulong One = 0x3FF0_0000_0000_0000; // bits of 1.0
     private const double HalfStepBelowOne = 1.0 - (0.5 / (1UL << UniformBits));
+    private const int PixelsOfFour = 8; // that four indices of the generator serve
     private const int PixelsAtOnce = 2 * Lanes;
 
     private readonly ulong _seed;
@@ -53,28 +54,36 @@ internal readonly struct NoiseSource
     /// <summary>One number of each pixel of a part of a row, uniform between 0 and 1, without both ends.</summary>
     /// <param name="kind">What they are for.</param>
     /// <param name="first">Index of the first pixel.</param>
-    /// <param name="uniforms">Receives the numbers, at most <see cref="MaxRun"/>.</param>
+    /// <param name="uniforms">Receives the numbers.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
     public void Fill(NoiseKind kind, uint first, Span<double> uniforms)
     {
         // An index of the generator gives two numbers: pixels 8 k to 8 k + 3 take the first ones of the indices 4 k to 4 k + 3, the next
         // four pixels the second ones.
-        Span<double> buffer = stackalloc double[MaxRun + (2 * PixelsAtOnce)];
-        int before = (int)(first % PixelsAtOnce);
+        int before = (int)(first % PixelsOfFour);
         uint index = (first - (uint)before) / 2;
-        int end = before + uniforms.Length;
-        for (int start = 0; start < end; start += PixelsAtOnce)
+        Span<double> part = stackalloc double[PixelsAtOnce];
+        for (int start = -before; start < uniforms.Length; start += PixelsAtOnce)
         {
-            Vector256<ulong> w0 = Vector256.Create((ulong)index) + Vector256.Create(0UL, 1, 2, 3);
-            Vector256<ulong> w1 = Vector256.Create((ulong)SecondWord(kind));
-            Vector256<ulong> w2 = Vector256.Create(_frame);
-            Vector256<ulong> w3 = Vector256.Create(_frame >> 32);
+            Vector512<ulong> w0 = Vector512.Create((ulong)index) + Vector512.Create(0UL, 1, 2, 3, 4, 5, 6, 7);
+            Vector512<ulong> w1 = Vector512.Create((ulong)SecondWord(kind));
+            Vector512<ulong> w2 = Vector512.Create(_frame);
+            Vector512<ulong> w3 = Vector512.Create(_frame >> 32);
             Philox4x32.Blocks(ref w0, ref w1, ref w2, ref w3, _seed);
-            Uniform(w0, w1).CopyTo(buffer[start..]);
-            Uniform(w2, w3).CopyTo(buffer[(start + Lanes)..]);
+            Vector512<double> firsts = Uniform(w0, w1);
+            Vector512<double> seconds = Uniform(w2, w3);
+            bool isWhole = start >= 0 && uniforms.Length - start >= PixelsAtOnce;
+            Span<double> target = isWhole ? uniforms.Slice(start, PixelsAtOnce) : part;
+            Vector512.Create(firsts.GetLower(), seconds.GetLower()).CopyTo(target);
+            Vector512.Create(firsts.GetUpper(), seconds.GetUpper()).CopyTo(target[Lanes..]);
+            if (!isWhole)
+            {
+                int from = Math.Max(0, -start);
+                part[from..Math.Min(PixelsAtOnce, uniforms.Length - start)].CopyTo(uniforms[(start + from)..]);
+            }
+
             index += Lanes;
         }
-
-        buffer[before..end].CopyTo(uniforms);
     }
 
     /// <summary>The counter's second word.</summary>
@@ -85,10 +94,10 @@ internal readonly struct NoiseSource
         BitConverter.UInt64BitsToDouble(One | ((ulong)upper << 20) | (lower >> 12)) - HalfStepBelowOne;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<double> Uniform(Vector256<ulong> upper, Vector256<ulong> lower)
+    private static Vector512<double> Uniform(Vector512<ulong> upper, Vector512<ulong> lower)
     {
         // Shifts that cut off the upper halves of the lanes, which are undefined, and the lower 12 bits of the second word.
-        Vector256<ulong> bits = ((upper << 32) >>> 12) | ((lower << 32) >>> 44) | Vector256.Create(One);
-        return bits.AsDouble() - Vector256.Create(HalfStepBelowOne);
+        Vector512<ulong> bits = ((upper << 32) >>> 12) | ((lower << 32) >>> 44) | Vector512.Create(One);
+        return bits.AsDouble() - Vector512.Create(HalfStepBelowOne);
     }
 }

@@ -40,7 +40,7 @@ internal static class Philox4x32
         return (c0, c1, c2, c3);
     }
 
-    /// <summary>The random words of four counters at once, which differ in their first word; the same words as of one.</summary>
+    /// <summary>The random words of eight counters at once, which differ in their first word; the same words as of one.</summary>
     /// <param name="words">
     /// First word of each counter, in the lower half of its lane; becomes the first random word. The upper halves are undefined.
     /// </param>
@@ -50,28 +50,28 @@ internal static class Philox4x32
     /// <param name="key">As for one counter.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Blocks(
-        ref Vector256<ulong> words, ref Vector256<ulong> second, ref Vector256<ulong> third, ref Vector256<ulong> fourth, ulong key)
+        ref Vector512<ulong> words, ref Vector512<ulong> second, ref Vector512<ulong> third, ref Vector512<ulong> fourth, ulong key)
     {
-        Vector256<ulong> c0 = words;
-        Vector256<ulong> c1 = second;
-        Vector256<ulong> c2 = third;
-        Vector256<ulong> c3 = fourth;
-        Vector256<ulong> firstMultiplier = Vector256.Create((ulong)FirstMultiplier);
-        Vector256<ulong> secondMultiplier = Vector256.Create((ulong)SecondMultiplier);
+        Vector512<ulong> c0 = words;
+        Vector512<ulong> c1 = second;
+        Vector512<ulong> c2 = third;
+        Vector512<ulong> c3 = fourth;
+        Vector512<ulong> firstMultiplier = Vector512.Create((ulong)FirstMultiplier);
+        Vector512<ulong> secondMultiplier = Vector512.Create((ulong)SecondMultiplier);
 
         // The upper halves of the lanes run over without harm: no lane takes anything from an upper half.
-        Vector256<ulong> k0 = Vector256.Create(key);
-        Vector256<ulong> k1 = Vector256.Create(key >> 32);
+        Vector512<ulong> k0 = Vector512.Create(key);
+        Vector512<ulong> k1 = Vector512.Create(key >> 32);
         for (int round = 0; round < Rounds; round++)
         {
-            Vector256<ulong> left = MultiplyWords(firstMultiplier, c0);
-            Vector256<ulong> right = MultiplyWords(secondMultiplier, c2);
+            Vector512<ulong> left = MultiplyWords(firstMultiplier, c0);
+            Vector512<ulong> right = MultiplyWords(secondMultiplier, c2);
             c0 = (right >>> 32) ^ c1 ^ k0;
             c1 = right;
             c2 = (left >>> 32) ^ c3 ^ k1;
             c3 = left;
-            k0 += Vector256.Create((ulong)FirstKeyStep);
-            k1 += Vector256.Create((ulong)SecondKeyStep);
+            k0 += Vector512.Create((ulong)FirstKeyStep);
+            k1 += Vector512.Create((ulong)SecondKeyStep);
         }
 
         words = c0;
@@ -82,14 +82,21 @@ internal static class Philox4x32
 
     /// <summary>Products of the lower halves of the lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<ulong> MultiplyWords(Vector256<ulong> a, Vector256<ulong> b)
+    private static Vector512<ulong> MultiplyWords(Vector512<ulong> a, Vector512<ulong> b)
     {
-        if (Avx2.IsSupported)
+        if (Avx512F.IsSupported)
         {
-            return Avx2.Multiply(a.AsUInt32(), b.AsUInt32());
+            return Avx512F.Multiply(a.AsUInt32(), b.AsUInt32());
         }
 
-        Vector256<ulong> word = Vector256.Create((ulong)uint.MaxValue);
+        if (Avx2.IsSupported)
+        {
+            return Vector512.Create(
+                Avx2.Multiply(a.GetLower().AsUInt32(), b.GetLower().AsUInt32()),
+                Avx2.Multiply(a.GetUpper().AsUInt32(), b.GetUpper().AsUInt32()));
+        }
+
+        Vector512<ulong> word = Vector512.Create((ulong)uint.MaxValue);
         return (a & word) * (b & word);
     }
 }

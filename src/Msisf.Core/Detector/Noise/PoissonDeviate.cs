@@ -1,3 +1,5 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Detector.Noise;
@@ -28,7 +30,13 @@ internal static class PoissonDeviate
     /// <summary>Above the largest number of events at a mean of 10 that a uniform number of 53 bits can reach, which is 45.</summary>
     private const int MaxCountedUp = 64;
 
+    /// <summary>
+    /// So many events are counted before it is asked whether that was enough: to count on changes nothing. Divides the maximum less one.
+    /// </summary>
+    private const int CountsPerCheck = 3;
+
     private const int Lanes = NoiseSource.Lanes;
+    private const uint AllLanes = (1u << Lanes) - 1;
 
     private static readonly double[] Reciprocals = [0.0, .. Enumerable.Range(1, MaxCountedUp).Select(count => 1.0 / count)];
 
@@ -45,39 +53,48 @@ internal static class PoissonDeviate
     /// <summary>Replaces mean numbers of events by numbers of events.</summary>
     /// <param name="means">Finite, at least 0; at most <see cref="NoiseSource.MaxRun"/>. Become whole numbers.</param>
     /// <param name="uniforms">As many numbers between 0 and 1, without both ends.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
     public static void Replace(Span<double> means, ReadOnlySpan<double> uniforms)
     {
-        Span<double> padded = stackalloc double[NoiseSource.MaxRun + Lanes];
-        Span<double> deviates = stackalloc double[NoiseSource.MaxRun + Lanes];
-        Span<double> u = stackalloc double[NoiseSource.MaxRun + Lanes];
-        Span<int> open = stackalloc int[NoiseSource.MaxRun + Lanes];
-        means.CopyTo(padded);
-        uniforms.CopyTo(u);
-        NormalDeviate.OfProbabilities(uniforms, deviates[..means.Length]);
-        int count = 0;
-        for (int start = 0; start < means.Length; start += Lanes)
+        Span<double> numbers = stackalloc double[NoiseSource.MaxRun + Lanes];
+        NormalDeviate.OfProbabilities(uniforms, numbers[..means.Length]);
+        int start = 0;
+        for (; start <= means.Length - Lanes; start += Lanes)
         {
-            Vector256<double> mean = LaneBuffer.Load(padded, start);
-            Vector256<double> isSmall = Vector256.LessThan(mean, Vector256.Create(MinExpandedMean));
-            uint small = isSmall.ExtractMostSignificantBits();
-            uint unsure = 0;
-            Vector256<double> number = small == 0b1111 ? default : Expanded(mean, LaneBuffer.Load(deviates, start), out unsure);
-            if (small != 0)
-            {
-                Vector256<double> counted = CountedUp(mean & isSmall, LaneBuffer.Load(u, start));
-                number = Vector256.ConditionalSelect(isSmall, counted, number);
-            }
-
-            LaneBuffer.Store(number, means, start);
-            count = LaneBuffer.Append(open, count, start, unsure & ~small);
+            ReplaceDeviates(means.Slice(start, Lanes), uniforms.Slice(start, Lanes), numbers.Slice(start, Lanes));
         }
 
-        foreach (int place in open[..count])
+        if (start < means.Length)
         {
-            if (place < means.Length)
-            {
-                means[place] = Summed(padded[place], u[place], means[place]);
-            }
+            Span<double> lastMeans = stackalloc double[Lanes];
+            Span<double> lastUniforms = stackalloc double[Lanes];
+            means[start..].CopyTo(lastMeans);
+            uniforms[start..].CopyTo(lastUniforms);
+            ReplaceDeviates(lastMeans, lastUniforms, numbers.Slice(start, Lanes));
+        }
+
+        numbers[..means.Length].CopyTo(means);
+    }
+
+    /// <summary>Replaces eight normal deviates by numbers of events.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void ReplaceDeviates(ReadOnlySpan<double> means, ReadOnlySpan<double> uniforms, Span<double> deviates)
+    {
+        Vector512<double> mean = Vector512.Create(means);
+        Vector512<double> isSmall = Vector512.LessThan(mean, Vector512.Create(MinExpandedMean));
+        uint small = (uint)isSmall.ExtractMostSignificantBits();
+        uint unsure = 0;
+        Vector512<double> number = small == AllLanes ? default : Expanded(mean, Vector512.Create<double>(deviates), out unsure);
+        if (small != 0)
+        {
+            number = Vector512.ConditionalSelect(isSmall, CountedUp(mean & isSmall, Vector512.Create(uniforms)), number);
+        }
+
+        number.CopyTo(deviates);
+        for (unsure &= ~small; unsure != 0; unsure &= unsure - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(unsure);
+            deviates[lane] = Summed(means[lane], uniforms[lane], deviates[lane]);
         }
     }
 
@@ -85,42 +102,49 @@ internal static class PoissonDeviate
     /// <param name="mean">At least <see cref="MinExpandedMean"/>; what comes out for smaller means is of no use.</param>
     /// <param name="deviate">Normal deviates of the same probabilities.</param>
     /// <param name="unsure">A bit for each lane in which a whole number lies within the error of the expansion.</param>
-    private static Vector256<double> Expanded(Vector256<double> mean, Vector256<double> deviate, out uint unsure)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Expanded(Vector512<double> mean, Vector512<double> deviate, out uint unsure)
     {
-        Vector256<double> root = Vector256.Sqrt(mean);
-        Vector256<double> inverseRoot = Vector256<double>.One / root;
-        Vector256<double> square = deviate * deviate;
-        Vector256<double> skew = Vector256.Create(1.0 / 3.0) + (square * Vector256.Create(1.0 / 6.0));
-        Vector256<double> flattening = Vector256<double>.One - (deviate * inverseRoot * Vector256.Create(1.0 / 12.0));
-        Vector256<double> inverse = mean + ((root * deviate) + (skew * flattening));
-        Vector256<double> error = Vector256.Create(1.0 / 40.0)
-            + (square * (Vector256.Create(1.0 / 80.0) + (square * Vector256.Create(1.0 / 160.0))));
+        Vector512<double> root = Vector512.Sqrt(mean);
+        Vector512<double> inverseRoot = Vector512<double>.One / root;
+        Vector512<double> square = deviate * deviate;
+        Vector512<double> skew = Vector512.Create(1.0 / 3.0) + (square * Vector512.Create(1.0 / 6.0));
+        Vector512<double> flattening = Vector512<double>.One - (deviate * inverseRoot * Vector512.Create(1.0 / 12.0));
+        Vector512<double> inverse = mean + ((root * deviate) + (skew * flattening));
+        Vector512<double> error = Vector512.Create(1.0 / 40.0)
+            + (square * (Vector512.Create(1.0 / 80.0) + (square * Vector512.Create(1.0 / 160.0))));
         error *= inverseRoot * inverseRoot;
 
-        Vector256<double> number = Vector256.Floor(inverse);
-        Vector256<double> rest = inverse - number;
-        Vector256<double> isFar = Vector256.GreaterThan(square, Vector256.Create(MaxDeviate * MaxDeviate))
-            & Vector256.GreaterThan(square, mean * Vector256.Create(MaxSquareOverMean));
-        Vector256<double> isNear = Vector256.LessThanOrEqual(rest, error)
-            | Vector256.GreaterThanOrEqual(rest, Vector256<double>.One - error);
-        Vector256<double> isSummed = Vector256.LessThanOrEqual(mean, Vector256.Create(MaxSummedMean));
-        unsure = ((isFar | isNear) & isSummed).ExtractMostSignificantBits();
-        return Vector256.Max(number, Vector256<double>.Zero);
+        Vector512<double> number = Vector512.Floor(inverse);
+        Vector512<double> rest = inverse - number;
+        Vector512<double> isFar = Vector512.GreaterThan(square, Vector512.Create(MaxDeviate * MaxDeviate))
+            & Vector512.GreaterThan(square, mean * Vector512.Create(MaxSquareOverMean));
+        Vector512<double> isNear = Vector512.LessThanOrEqual(rest, error)
+            | Vector512.GreaterThanOrEqual(rest, Vector512<double>.One - error);
+        Vector512<double> isSummed = Vector512.LessThanOrEqual(mean, Vector512.Create(MaxSummedMean));
+        unsure = (uint)((isFar | isNear) & isSummed).ExtractMostSignificantBits();
+        return Vector512.MaxNative(number, Vector512<double>.Zero);
     }
 
     /// <summary>The distribution's inverse for small means.</summary>
-    private static Vector256<double> CountedUp(Vector256<double> mean, Vector256<double> u)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> CountedUp(Vector512<double> mean, Vector512<double> u)
     {
-        Vector256<double> probability = PortableLanes.Exp(-mean);
-        Vector256<double> cumulated = probability;
-        Vector256<double> count = Vector256<double>.Zero;
-        Vector256<double> isAbove = Vector256.GreaterThan(u, cumulated);
-        for (int next = 1; next < MaxCountedUp && isAbove.ExtractMostSignificantBits() != 0; next++)
+        Vector512<double> probability = PortableLanes.Exp(-mean);
+        Vector512<double> cumulated = probability;
+        Vector512<double> count = Vector512<double>.Zero;
+        Vector512<double> isAbove = Vector512.GreaterThan(u, cumulated);
+        for (int next = 1; next < MaxCountedUp && isAbove.ExtractMostSignificantBits() != 0; next += CountsPerCheck)
         {
-            count += isAbove & Vector256<double>.One;
-            probability *= mean * Vector256.Create(Reciprocals[next]);
-            cumulated += probability;
-            isAbove = Vector256.GreaterThan(u, cumulated);
+            for (int more = 0; more < CountsPerCheck; more++)
+            {
+                count = Vector512.ConditionalSelect(
+                    Vector512.GreaterThan(u, cumulated), count + Vector512<double>.One, count);
+                probability *= mean * Vector512.Create(Reciprocals[next + more]);
+                cumulated += probability;
+            }
+
+            isAbove = Vector512.GreaterThan(u, cumulated);
         }
 
         return count;

@@ -68,7 +68,7 @@ internal static class PoissonProbability
         return sum;
     }
 
-    private static double Exp(double x) => PortableLanes.Exp(Vector256.Create(x))[0];
+    private static double Exp(double x) => PortableLanes.Exp(Vector512.Create(x))[0];
 
-    private static double Log(double x) => PortableLanes.Log(Vector256.Create(x))[0];
+    private static double Log(double x) => PortableLanes.Log(Vector512.Create(x))[0];
 }

@@ -36,6 +36,7 @@ internal static class KernelConvolution
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be spread with unoptimised vectors
     private static void Wide(ReadOnlySpan<double> source, int width, PointSpreadKernel kernel, int start, Span<double> target)
     {
         Vector256<double> s0 = Vector256<double>.Zero, s1 = s0, s2 = s0, s3 = s0, s4 = s0, s5 = s0, s6 = s0, s7 = s0;
@@ -69,6 +70,7 @@ internal static class KernelConvolution
         s7.CopyTo(target[(7 * Lanes)..]);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static void Narrow(ReadOnlySpan<double> source, int width, PointSpreadKernel kernel, int start, Span<double> target)
     {
         Vector256<double> sum = Vector256<double>.Zero;
@@ -86,6 +88,7 @@ internal static class KernelConvolution
         sum.CopyTo(target);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static double Single(ReadOnlySpan<double> source, int width, PointSpreadKernel kernel, int start)
     {
         double sum = 0.0;

@@ -19,12 +19,12 @@ public sealed class Philox4x32Tests
         ulong key = k0 | ((ulong)k1 << 32);
         Assert.Equal((w0, w1, w2, w3), Philox4x32.Block((c0, c1, c2, c3), key));
 
-        Vector256<ulong> first = Vector256.Create((ulong)c0, c0 ^ 1u, c0 ^ 2u, c0 ^ 3u);
-        (Vector256<ulong> second, Vector256<ulong> third, Vector256<ulong> fourth) =
-            (Vector256.Create((ulong)c1), Vector256.Create((ulong)c2), Vector256.Create((ulong)c3));
+        Vector512<ulong> first = Vector512.Create((ulong)c0, c0 ^ 1u, c0 ^ 2u, c0 ^ 3u, c0 ^ 4u, c0 ^ 5u, c0 ^ 6u, c0 ^ 7u);
+        (Vector512<ulong> second, Vector512<ulong> third, Vector512<ulong> fourth) =
+            (Vector512.Create((ulong)c1), Vector512.Create((ulong)c2), Vector512.Create((ulong)c3));
         Philox4x32.Blocks(ref first, ref second, ref third, ref fourth, key);
         Assert.Equal((w0, w1, w2, w3), ((uint)first[0], (uint)second[0], (uint)third[0], (uint)fourth[0]));
         Assert.Equal(
-            Philox4x32.Block((c0 ^ 3u, c1, c2, c3), key), ((uint)first[3], (uint)second[3], (uint)third[3], (uint)fourth[3]));
+            Philox4x32.Block((c0 ^ 7u, c1, c2, c3), key), ((uint)first[7], (uint)second[7], (uint)third[7], (uint)fourth[7]));
     }
 }
