@@ -179,14 +179,8 @@ internal sealed class ReceiverGrid
         }
 
         int used = _starts[Size * Size] + LaneCount;
-        int length = U.Length;
-        if (used > length)
-        {
-            length = Math.Min(RecentUse.WithReserve(used), _bins.Length + LaneCount);
-            _use.Note(used, ref length);
-            Replace(length);
-        }
-        else if (_use.Note(used, ref length))
+        int length = used > U.Length ? Math.Min(RecentUse.WithReserve(used), _bins.Length + LaneCount) : U.Length;
+        if (_use.Note(used, ref length) || length != U.Length)
         {
             Replace(length);
         }
