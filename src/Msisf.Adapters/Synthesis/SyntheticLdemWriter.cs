@@ -38,6 +38,6 @@ public static class SyntheticLdemWriter
             product.Bytes,
             product.StoredBytes,
             file => new SyntheticLdemImage(terrain, product, options.Threads).Write(file, progress, cancellation),
-            (writer, extremes) => SyntheticLdemLabel.Write(writer, product, options, extremes.Minimum, extremes.Maximum));
+            (writer, extremes) => SyntheticLdemLabel.Of(product, options).Write(writer, extremes.Minimum, extremes.Maximum));
     }
 }
