@@ -4,6 +4,7 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Preparation;
 
@@ -28,7 +29,7 @@ internal static class AlbedoSource
             return null;
         }
 
-        if (Installed(host) is not { } installed)
+        if (Installed(Folders(host), albedo.Band) is not { } installed)
         {
             host.Log.Note(
                 "Albedo: no map in input/albedo (scripts/get-albedo.sh fetches one); the surface reflects alike everywhere.");
@@ -61,14 +62,21 @@ internal static class AlbedoSource
         ? given
         : Folders(host).Select(folder => Path.Combine(folder, given)).FirstOrDefault(Path.Exists) ?? given;
 
-    /// <summary>The largest file that is a known map; null if there is none.</summary>
-    private static string? Installed(ProgramHost host) => Folders(host).Where(Directory.Exists)
-        .Select(folder => Directory.EnumerateFiles(folder)
-            .Where(OpenedAlbedoMap.IsKnown)
-            .OrderByDescending(path => new FileInfo(path).Length)
-            .ThenBy(path => path, StringComparer.Ordinal)
-            .FirstOrDefault())
-        .FirstOrDefault(path => path is not null);
+    /// <summary>
+    /// The largest known map of a band in the first folder that has one; else one of another band, which is then refused; null if there is
+    /// none.
+    /// </summary>
+    internal static string? Installed(IEnumerable<string> folders, SpectralBand band)
+    {
+        string[] known =
+        [
+            .. folders.Where(Directory.Exists).SelectMany(folder => Directory.EnumerateFiles(folder)
+                .Where(path => OpenedAlbedoMap.IsKnown(path))
+                .OrderByDescending(path => new FileInfo(path).Length)
+                .ThenBy(path => path, StringComparer.Ordinal)),
+        ];
+        return known.FirstOrDefault(path => OpenedAlbedoMap.IsKnown(path, band.Nanometres)) ?? known.FirstOrDefault();
+    }
 
     private static OpenedAlbedoMap Open(string path, AlbedoSettings albedo, ProgramHost host)
     {
