@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Adapters.Terrain;
+using Msisf.Core.Ephemeris;
 
 namespace Msisf.Adapters.Synthesis;
 
@@ -20,6 +21,9 @@ internal sealed record SyntheticLabel
 
     /// <summary>Samples of a line.</summary>
     public required int LineSamples { get; init; }
+
+    /// <summary>The body.</summary>
+    public CelestialBody Body { get; init; } = CelestialBody.Moon;
 
     /// <summary>How samples are stored.</summary>
     public required SyntheticSampleFormat Format { get; init; }
@@ -45,7 +49,7 @@ internal sealed record SyntheticLabel
         INSTRUMENT_NAME           = "N/A"
         INSTRUMENT_ID             = "N/A"
         MISSION_PHASE_NAME        = "N/A"
-        TARGET_NAME               = MOON
+        TARGET_NAME               = {{Body.CapitalName}}
         START_TIME                = "N/A"
         STOP_TIME                 = "N/A"
         PRODUCT_CREATION_TIME     = "N/A"
@@ -77,16 +81,16 @@ internal sealed record SyntheticLabel
             SAMPLE_BITS           = {{8 * Format.SampleBytes}}
             UNIT                  = {{Format.Unit}}
             SCALING_FACTOR        = {{Format.ScalingFactor}}
-            OFFSET                = {{Format.Offset}}
+            OFFSET                = {{Format.OffsetOf(Body.MeanRadius)}}
         {{Notes}}  END_OBJECT              = IMAGE
         END_OBJECT                = UNCOMPRESSED_FILE
         OBJECT                    = IMAGE_MAP_PROJECTION
          ^DATA_SET_MAP_PROJECTION     = "{{Map.Catalogue}}"
          MAP_PROJECTION_TYPE          = "{{Map.Projection}}"
          MAP_RESOLUTION               = {{Map.Resolution}} <pix/deg>
-         A_AXIS_RADIUS                = 1737.4 <km>
-         B_AXIS_RADIUS                = 1737.4 <km>
-         C_AXIS_RADIUS                = 1737.4 <km>
+         A_AXIS_RADIUS                = {{Body.MeanRadius / 1000.0:R}} <km>
+         B_AXIS_RADIUS                = {{Body.MeanRadius / 1000.0:R}} <km>
+         C_AXIS_RADIUS                = {{Body.MeanRadius / 1000.0:R}} <km>
          FIRST_STANDARD_PARALLEL      = 'N/A'
          SECOND_STANDARD_PARALLEL     = 'N/A'
          POSITIVE_LONGITUDE_DIRECTION = "EAST"
@@ -107,7 +111,7 @@ internal sealed record SyntheticLabel
          LINE_PROJECTION_OFFSET       = {{Map.LineOffset:0.0}} <pix>
          SAMPLE_PROJECTION_OFFSET     = {{Map.SampleOffset:0.0}} <pix>
          COORDINATE_SYSTEM_TYPE       = "BODY-FIXED ROTATING"
-         COORDINATE_SYSTEM_NAME       = "MEAN EARTH/POLAR AXIS OF DE421"
+         COORDINATE_SYSTEM_NAME       = "{{(Body.IsMoon ? "MEAN EARTH/POLAR AXIS OF DE421" : Body.Frame)}}"
         END_OBJECT                    = IMAGE_MAP_PROJECTION
 
         END

@@ -11,12 +11,13 @@ internal static class SyntheticLdemLabel
     /// <param name="options">How it was made.</param>
     public static SyntheticLabel Of(SyntheticLdemProduct product, SyntheticLdemOptions options)
     {
-        double metresPerPixel = MoonConstants.ReferenceRadius * Math.PI / (180.0 * product.PixelsPerDegree);
+        double metresPerPixel = product.Body.MeanRadius * Math.PI / (180.0 * product.PixelsPerDegree);
         string scale = metresPerPixel.ToString("0.00", CultureInfo.InvariantCulture);
         MoonRegion region = product.Cover;
         return new SyntheticLabel
         {
             ProductId = product.ProductId,
+            Body = product.Body,
             Description = DescriptionOf(product, options, scale),
             Lines = product.Lines,
             LineSamples = product.LineSamples,
@@ -49,14 +50,14 @@ internal static class SyntheticLdemLabel
             : $"{options.Base.ProductId} ({options.Base.PixelsPerDegree.ToString(CultureInfo.InvariantCulture)} pix/deg), "
                 + $"whose pixel means it keeps";
         return string.Create(CultureInfo.InvariantCulture, $"""
-               A shape map (radius) of a Moon at a resolution of {scale} m/pix by
+               A shape map (radius) of {product.BodyInText} at a resolution of {scale} m/pix by
                {scale} m/pix, computed from the seed
                {options.Seed}, continuing
                {source},
                downwards with random craters and roughness that follow the Moon's
                statistics{DetailIn(product)}. The map is in the form of a binary table with one row for
                each 1/{product.PixelsPerDegree} degree of latitude, pixel registered. Map values are
-               relative to a radius of 1737.4 km.
+               relative to a radius of {product.Body.MeanRadius / 1000.0:R} km.
             """);
     }
 

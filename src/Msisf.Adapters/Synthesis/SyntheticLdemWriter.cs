@@ -31,7 +31,10 @@ public static class SyntheticLdemWriter
         }
 
         SyntheticTerrain terrain = new(options.PixelsPerDegree, options.Seed, options.Base, cancellation);
-        SyntheticLdemProduct product = new(options.PixelsPerDegree, options.Region, options.Rest, options.Format);
+        SyntheticLdemProduct product = new(options.PixelsPerDegree, options.Region, options.Rest, options.Format)
+        {
+            Body = options.Body,
+        };
         return SyntheticProductFiles.Write(
             options.OutputFolder,
             product.ProductId,

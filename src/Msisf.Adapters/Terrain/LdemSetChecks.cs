@@ -26,6 +26,7 @@ internal static class LdemSetChecks
             Require("SAMPLE_TYPE", label => label.SampleType);
             Require("SCALING_FACTOR (in m)", label => label.ScalingFactor);
             Require("OFFSET (in m)", label => label.Offset);
+            Require("TARGET_NAME", label => label.Body.CapitalName);
             Require("COORDINATE_SYSTEM_NAME", label => label.CoordinateSystem);
         }
     }

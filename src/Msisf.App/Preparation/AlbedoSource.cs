@@ -24,6 +24,14 @@ internal static class AlbedoSource
         }
 
         bool isMoon = settings.Renderer == RendererKind.Native && settings.Native.ReflectanceText == "moon";
+        if (isMoon && !settings.Body.IsMoon)
+        {
+            host.Log.Note(
+                $"Reflectance: {settings.Body.Name} is drawn with the law of the Moon, the same everywhere; its own is not known here. "
+                    + $"--reflectance takes another law.");
+            return null;
+        }
+
         if (albedo.IsGiven || !isMoon)
         {
             return null;
