@@ -11,6 +11,9 @@ public static class PoleKernel
     /// <summary>The variable that each text kernel with a body's orientation has.</summary>
     public const string PoleItem = "POLE_RA";
 
+    private const string Epoch = "CONSTANTS_JED_EPOCH";
+    private const string ReferenceFrame = "CONSTANTS_REF_FRAME";
+
     /// <summary>Reads a body's orientation.</summary>
     /// <param name="pool">Holds the text kernels.</param>
     /// <param name="body">The body.</param>
@@ -30,7 +33,8 @@ public static class PoleKernel
             Meridian = SeriesOf(pool, body, "PM", "PM"),
             Angles = AnglesOf(pool, body),
         };
-        int terms = new[] { orientation.RightAscension, orientation.Declination, orientation.Meridian }.Max(series => series.Amplitudes.Count);
+        PoleSeries[] all = [orientation.RightAscension, orientation.Declination, orientation.Meridian];
+        int terms = all.Max(series => series.Amplitudes.Count);
         return terms <= orientation.Angles.Count ? orientation : throw new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
             $"{pool.Existing(Name(body.NaifNumber, PoleItem)).Source}: {body.Name} has {terms} periodic terms, but its system has only "
@@ -73,11 +77,10 @@ public static class PoleKernel
     /// <summary>Kernels may count from another epoch, or in another frame than J2000; those in use do not.</summary>
     private static void RefuseOthers(KernelPool pool, CelestialBody body)
     {
+        int system = body.NaifNumber / 100;
         string[] others =
         [
-            .. from number in new[] { body.NaifNumber, body.NaifNumber / 100 }
-               from item in new[] { "CONSTANTS_JED_EPOCH", "CONSTANTS_REF_FRAME" }
-               select Name(number, item),
+            Name(body.NaifNumber, Epoch), Name(body.NaifNumber, ReferenceFrame), Name(system, Epoch), Name(system, ReferenceFrame),
         ];
         if (others.FirstOrDefault(name => pool.Find(name) is not null) is { } found)
         {

@@ -35,7 +35,8 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
         Ask((kernels, at) => _cspice.SunPosition(kernels, _body, at, aberration), time);
 
     /// <inheritdoc/>
-    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Ask((kernels, at) => _cspice.FrameFromJ2000(kernels, _body, at), time);
+    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) =>
+        Ask((kernels, at) => _cspice.FrameFromJ2000(kernels, _body, at), time);
 
     /// <summary>Unloads the kernels.</summary>
     public void Dispose() => _kernels.Dispose();

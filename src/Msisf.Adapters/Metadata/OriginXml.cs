@@ -20,7 +20,11 @@ internal static class OriginXml
 
     /// <summary>The lines, without the last LF.</summary>
     public static string Lines(FrameMetadata frame) =>
-        string.Join('\n', [.. Body(frame.Globe), Model(frame.Elevation), .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input)]);
+        string.Join(
+            '\n',
+            [
+                .. Body(frame.Globe), Model(frame.Elevation), .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input),
+            ]);
 
     /// <summary>The word by which an Input element names its kind.</summary>
     public static string WordOf(InputKind kind) => kind switch

@@ -25,7 +25,8 @@ public sealed record SyntheticLdemProduct(int PixelsPerDegree, MoonRegion Region
     {
         get
         {
-            string whole = string.Create(CultureInfo.InvariantCulture, $"{(Body.IsMoon ? "L" : $"{Body.CapitalName}_")}DEM_{PixelsPerDegree}_{LdemLabel.SyntheticMark}");
+            string kind = Body.IsMoon ? "LDEM" : $"{Body.CapitalName}_DEM";
+            string whole = string.Create(CultureInfo.InvariantCulture, $"{kind}_{PixelsPerDegree}_{LdemLabel.SyntheticMark}");
             return Region == MoonRegion.WholeMoon ? whole : $"{whole}_{LdemPartName.BordersOf(Region)}";
         }
     }

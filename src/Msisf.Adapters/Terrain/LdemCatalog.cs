@@ -85,15 +85,19 @@ public static class LdemCatalog
     /// </exception>
     public static LdemSet Read(string labelOrImage) => WithSiblings(ReadCylindrical(labelOrImage, CelestialBody.Moon));
 
+    /// <summary>A named model of any body.</summary>
+    /// <inheritdoc cref="Read"/>
+    public static LdemSet ReadOfAnyBody(string labelOrImage) => WithSiblings(ReadCylindrical(labelOrImage, body: null));
+
     /// <summary>The label of a named polar map; null if the path is a folder, or another model's or file's.</summary>
     /// <param name="path">A label, an image, or anything else.</param>
     public static LdemLabel? TryReadMap(string path) =>
         File.Exists(path) && TryRead(LabelOf(path)) is { Polar: not null } label ? label : null;
 
-    private static LdemLabel ReadCylindrical(string labelOrImage, CelestialBody body)
+    private static LdemLabel ReadCylindrical(string labelOrImage, CelestialBody? body)
     {
         LdemLabel label = LdemLabelReader.ReadFile(LabelOf(labelOrImage));
-        if (label.Body != body)
+        if (body is not null && label.Body != body)
         {
             throw new BadInputException(
                 $"{label.LabelPath}: a model of {label.Body.NameInText}, but one of {body.NameInText} is needed here. --body says of which "

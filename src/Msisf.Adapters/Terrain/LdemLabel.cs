@@ -88,7 +88,7 @@ public sealed record LdemLabel
         }
     }
 
-    /// <summary>m: the sphere over which heights count: for the Moon LOLA's, whatever OFFSET is; of another body that of its label.</summary>
+    /// <summary>m: radius of the sphere of the heights: LOLA's for the Moon, whatever OFFSET is, else that of the label.</summary>
     public double ReferenceRadius => Body.IsMoon ? MoonConstants.ReferenceRadius : Offset;
 
     /// <summary>Bytes of a sample.</summary>

@@ -38,7 +38,9 @@ internal static class LdemLabelChecks
     public static CelestialBody BodyOf(PdsObject root) => root.Find("TARGET_NAME") is not { } target
         ? CelestialBody.Moon
         : CelestialBody.Find(target.ToString()) ?? throw root.WrongValue(
-            "TARGET_NAME", target, $"an elevation model of {string.Join(", ", CelestialBody.All.Select(body => body.CapitalName))} is needed");
+            "TARGET_NAME",
+            target,
+            $"an elevation model of {string.Join(", ", CelestialBody.All.Select(body => body.CapitalName))} is needed");
 
     /// <summary>Whether the map is a polar stereographic one.</summary>
     public static bool IsPolar(PdsObject map) => map.RequiredText("MAP_PROJECTION_TYPE") == PolarLabel.ProjectionType;

@@ -51,7 +51,8 @@ internal static class GroundCheck
         {
             string rest = count > NamedSteps ? $" and {count - NamedSteps} more" : string.Empty;
             throw new BadInputException(
-                $"the camera is inside {(body ?? CelestialBody.Moon).NameInText}: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.{unit}");
+                $"the camera is inside {(body ?? CelestialBody.Moon).NameInText}: {string.Join(", ", buried)}{rest}. "
+                    + $"Choose positions above the terrain.{unit}");
         }
 
         // A way may lead through the centre, above which there is no place of the model.

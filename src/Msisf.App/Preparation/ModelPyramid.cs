@@ -78,7 +78,7 @@ internal static class ModelPyramid
         }
 
         return path is not null && !Directory.Exists(path)
-            ? LdemCatalog.Read(path)
+            ? LdemCatalog.ReadOfAnyBody(path)
             : throw new UsageException("pyramid needs a model: give its label, or --res to say which one of a folder.");
     }
 }

@@ -94,7 +94,8 @@ internal sealed class StateReader
 
     private SpacecraftState[] AtPlace(PlaceSettings settings, CancellationToken cancellation)
     {
-        Vector3D position = PointingOptions.Position.Concerned(() => settings.Place.ToPositionMoonMe(_scene.GroundRadius, _scene.ReferenceRadius));
+        Vector3D position = PointingOptions.Position.Concerned(
+            () => settings.Place.ToPositionMoonMe(_scene.GroundRadius, _scene.ReferenceRadius));
         if (settings.Pointing.IsTargetHidden(position, _scene))
         {
             _host.Log.Warning($"{PointingOptions.LookAt.Name}: the place {PointingText.Hidden}");

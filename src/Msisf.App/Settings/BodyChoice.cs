@@ -34,13 +34,16 @@ internal static class BodyChoice
 
         if (resolution.PixelsPerDegree is null)
         {
-            throw Refused(body, "needs a model of latitude and longitude; maps of a part are read of the Moon only.", SurfaceOptions.Ldem);
+            throw Refused(body, "needs a model of latitude and longitude: other maps are read of the Moon only.", SurfaceOptions.Ldem);
         }
 
         OptionSpec[] orbits = [CameraOptions.KeplerSet, CameraOptions.StateVectors];
         if (orbits.FirstOrDefault(values.IsGiven) is { } orbit)
         {
-            throw Refused(body, $"can't be combined with {orbit.Name}: orbits are computed with the Moon's gravity. Give positions.", orbit);
+            throw Refused(
+                body,
+                $"can't be combined with {orbit.Name}: orbits are computed with the Moon's gravity. Give positions.",
+                orbit);
         }
 
         OptionSpec[] maps = [AlbedoOptions.Map, NativeOptions.HapkeMap];

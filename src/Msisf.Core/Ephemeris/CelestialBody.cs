@@ -9,7 +9,8 @@ public sealed record CelestialBody
     /// <summary>The Moon in its mean-Earth/polar-axis frame.</summary>
     public static CelestialBody Moon { get; } = new("Moon", 301, Terrain.MoonConstants.ReferenceRadius);
 
-    /// <summary>The Moon, and the bodies with a solid and nearly spherical surface. Mean radii: Archinal et al. (2018), tables 4 and 5.</summary>
+    /// <summary>The Moon, and other bodies that are nearly spheres.</summary>
+    /// <remarks>Mean radii: B. A. Archinal et al., Celest. Mech. Dyn. Astr. 130 (2018) 22, tables 4 and 5.</remarks>
     public static IReadOnlyList<CelestialBody> All { get; } =
     [
         Moon,

@@ -39,7 +39,8 @@ public sealed record KernelCover(TdbScale Scale, TdbCover Times)
     public string Describe() => Times.Intervals.Count == 0
         ? string.Create(
             CultureInfo.InvariantCulture,
-            $"no time at all, because they do not have all of Sun (10), {Body.Name} ({Body.NaifNumber}) and the orientation of {Body.Frame}")
+            $"no time at all, because they do not have all of Sun (10), {Body.Name} ({Body.NaifNumber}) and the orientation of "
+                + $"{Body.Frame}")
         : string.Join(" and ", Times.Intervals.Select(interval =>
             $"{Text(Math.Ceiling(Scale.ToUtcSeconds(interval.Start)))} to {Text(Math.Floor(Scale.ToUtcSeconds(interval.End)))}"));
 

@@ -12,7 +12,7 @@ public sealed record DrawnGlobe(CelestialBody Body, double ReferenceRadius)
     /// <summary>The Moon on LOLA's sphere.</summary>
     public static DrawnGlobe Moon { get; } = new(CelestialBody.Moon, MoonConstants.ReferenceRadius);
 
-    /// <summary>m: the sphere over which the camera's altitude is counted: of the Moon the thesis's mean radius, else the reference.</summary>
+    /// <summary>m: radius over which the camera's altitude counts: for the Moon the thesis's mean radius, else the reference.</summary>
     public double AltitudeRadius => Body.IsMoon ? MoonConstants.MeanRadius : ReferenceRadius;
 
     /// <summary>A text that describes something of the Moon, for this body: with its name, frame and sphere.</summary>

@@ -31,7 +31,7 @@ public sealed record FrameMetadata(
     /// <summary>The body that the frame shows; positions and directions are in its frame.</summary>
     public DrawnGlobe Globe { get; init; } = DrawnGlobe.Moon;
 
-    /// <summary>Height of the camera over the Moon's mean radius, m (thesis section 9.2), or over another body's reference sphere.</summary>
+    /// <summary>m: height of the camera over the Moon's mean radius (thesis section 9.2), or over another body's sphere.</summary>
     public double FlightAltitude => Camera.PositionMoonMe.Length - Globe.AltitudeRadius;
 
     /// <summary>Name of the renderer, as the command line and the files have it.</summary>

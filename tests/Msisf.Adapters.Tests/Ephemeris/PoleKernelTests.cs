@@ -29,7 +29,8 @@ public sealed class PoleKernelTests
     [InlineData("", "No text kernel gives the orientation of Mars (BODY499_POLE_RA and others), from which IAU_MARS is made.")]
     [InlineData("BODY499_POLE_RA = ( 1 )", "No text kernel assigns BODY499_POLE_DEC")]
     [InlineData("BODY499_POLE_RA = 'x'\nBODY499_POLE_DEC = 1\nBODY499_PM = 1", ": POLE_RA of a body's orientation must be numbers")]
-    [InlineData(Pole + "BODY499_NUT_PREC_RA = ( 1 2 )\nBODY4_NUT_PREC_ANGLES = ( 1 2 )", "Mars has 2 periodic terms, but its system has only 1")]
+    [InlineData(
+        Pole + "BODY499_NUT_PREC_RA = ( 1 2 )\nBODY4_NUT_PREC_ANGLES = ( 1 2 )", "Mars has 2 periodic terms, but its system has only 1")]
     [InlineData(Pole + "BODY4_NUT_PREC_ANGLES = ( 1 2 3 )", "BODY4_NUT_PREC_ANGLES has 3 numbers; a multiple of 2 is needed")]
     [InlineData(Pole + "BODY499_CONSTANTS_JED_EPOCH = 2433282.5", "BODY499_CONSTANTS_JED_EPOCH is not known to the built-in reader")]
     public void Read_WrongKernel_SaysWhat(string data, string message) => Assert.Contains(

@@ -11,7 +11,7 @@ public sealed class AlbedoSourceTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    /// <summary>The colour map of SVS 4720 has 415, 566, 643 and 689 nm; it is larger here, and the maps of one band are in two folders.</summary>
+    /// <summary>The colour map of SVS 4720 has 415, 566, 643 and 689 nm; the maps of one band are in two folders.</summary>
     [Theory]
     [InlineData(415, "WAC_EMP_415NM.IMG")]
     [InlineData(643, "moon_nasa_svs4720.jpg")]

@@ -8,7 +8,7 @@ public sealed class PoleOrientationTests
 {
     private const double Day = 86_400.0;
 
-    /// <summary>The pole is at right ascension alpha and declination delta, the prime meridian W from the node at alpha + 90 degrees.</summary>
+    /// <summary>The pole is at right ascension alpha and declination delta, the prime meridian at W from the node.</summary>
     [Theory]
     [InlineData(0.0, 90.0, 0.0)]
     [InlineData(281.0, 61.4, 0.0)]

@@ -26,7 +26,10 @@ public sealed class OtherBodyRunTests : IDisposable
     {
         string model = Model();
         Succeed(
-            [.. View, "--ldem", model, "--position", "20,300,400000", "--time", "2020-11-23T06:00:00Z", "--fov", "40", "--output-dir", _folder["a"]]);
+            [
+                .. View, "--ldem", model, "--position", "20,300,400000", "--time", "2020-11-23T06:00:00Z", "--fov", "40", "--output-dir",
+                _folder["a"],
+            ]);
 
         string path = Path.Combine(_folder["a"], "MoonSurfIllumSim_step_00001");
         XElement general = XDocument.Load($"{path}.xml").Root!.Element("GeneralInformation")!;

@@ -104,7 +104,7 @@ internal sealed class FootprintLanes
         for (int i = 0; i < count; i++)
         {
             ref Vector512<double> at = ref Unsafe.Add(ref places, i);
-            Sight sight = new(eye, Unsafe.Add(ref xs, i), Unsafe.Add(ref ys, i), Unsafe.Add(ref zs, i));
+            SightLanes sight = new(eye, Unsafe.Add(ref xs, i), Unsafe.Add(ref ys, i), Unsafe.Add(ref zs, i));
             Unsafe.Add(ref at, PerAxis) = sight.AxisSquared;
             Unsafe.Add(ref at, PerRadius) = sight.AxisSquared + (sight.Z * sight.Z);
             Unsafe.Add(ref at, PerRange) = sight.RangeSquared;
@@ -123,7 +123,7 @@ internal sealed class FootprintLanes
         for (int i = 0; i < count; i++)
         {
             ref Vector512<double> at = ref Unsafe.Add(ref places, i);
-            Sight sight = new(eye, Unsafe.Add(ref xs, i), Unsafe.Add(ref ys, i), Unsafe.Add(ref zs, i));
+            SightLanes sight = new(eye, Unsafe.Add(ref xs, i), Unsafe.Add(ref ys, i), Unsafe.Add(ref zs, i));
             Vector512<double> perAxis = Unsafe.Add(ref at, PerAxis);
             Vector512<double> perRadius = Unsafe.Add(ref at, PerRadius);
             Unsafe.Add(ref at, CosLongitude) = sight.X * perAxis;
@@ -269,40 +269,5 @@ internal sealed class FootprintLanes
             Unsafe.Add(ref parts, i) = ((width.AsInt64() & Vector512.Create(Digits)) | one.AsInt64()).AsDouble() - one;
             Unsafe.Add(ref levels, i) = Vector512.ShiftRightLogical(width.AsInt64(), 52) - Vector512.Create(1023L);
         }
-    }
-
-    /// <summary>Eight points, and the lines from them to the viewer, m.</summary>
-    private readonly struct Sight
-    {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Sight(Vector3D eye, Vector512<double> x, Vector512<double> y, Vector512<double> z)
-        {
-            X = x;
-            Y = y;
-            Z = z;
-            ToEyeX = Vector512.Create(eye.X) - x;
-            ToEyeY = Vector512.Create(eye.Y) - y;
-            ToEyeZ = Vector512.Create(eye.Z) - z;
-            AxisSquared = Vector512.MaxNative((x * x) + (y * y), Vector512<double>.One);
-            RangeSquared = (ToEyeX * ToEyeX) + (ToEyeY * ToEyeY) + (ToEyeZ * ToEyeZ);
-        }
-
-        public Vector512<double> X { get; }
-
-        public Vector512<double> Y { get; }
-
-        public Vector512<double> Z { get; }
-
-        public Vector512<double> ToEyeX { get; }
-
-        public Vector512<double> ToEyeY { get; }
-
-        public Vector512<double> ToEyeZ { get; }
-
-        /// <summary>Square of the distance from the polar axis; 1 m from the axis is on it.</summary>
-        public Vector512<double> AxisSquared { get; }
-
-        /// <summary>Square of the distance from the viewer.</summary>
-        public Vector512<double> RangeSquared { get; }
     }
 }
