@@ -16,7 +16,7 @@ namespace Msisf.Integration.Tests.Run;
 /// </summary>
 public sealed class ImageTests : IClassFixture<RenderFixture>, IDisposable
 {
-    private const int Side = 128;
+    private const int Side = 96;
     private const double FieldOfViewDegrees = 40.0;
 
     /// <summary>1: POV-Ray's surface is some metres off at most (docs/pattern-format.md), so few pixels at borders differ.</summary>
@@ -34,8 +34,7 @@ public sealed class ImageTests : IClassFixture<RenderFixture>, IDisposable
     [InlineData("south pole", 0.0, 0.0, -1.9e6)]
     [InlineData("prime meridian", 1.9e6, 0.0, 0.0)]
     [InlineData("prime meridian, 50 km up, south", 1.37e6, -1e2, -1.15e6)]
-    [InlineData("whole disc over the seam", 6e6, -1e5, 1e6)]
-    [InlineData("whole disc over the south pole", 1e4, 1e4, -6e6)]
+    [InlineData("whole disc over the south pole and the seam", 4e6, -1e5, -4.4e6)]
     public void Render_LitFromTheCamera_HasNoHoleAndTheRightSilhouette(string name, double x, double y, double z)
     {
         Vector3D position = new(x, y, z);
@@ -70,7 +69,7 @@ public sealed class ImageTests : IClassFixture<RenderFixture>, IDisposable
                 + $"{moonFromCamera.X:R},{moonFromCamera.Y:R},{moonFromCamera.Z:R},{moonFromCamera.W:R}}}");
         CommandLineRun run = CommandLineRun.Of(
         [
-            "--fixed-state", state, "--width", "128", "--height", "128", "--output-name", "view",
+            "--fixed-state", state, "--width", "96", "--height", "96", "--output-name", "view",
             "--lod", "off", "--pov-options", "Antialias=Off", .. more, .. _fixture.Common(_folder.Path),
         ]);
         Assert.True(run.ExitCode == 0, run.Error);

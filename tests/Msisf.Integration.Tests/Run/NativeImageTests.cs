@@ -14,7 +14,7 @@ namespace Msisf.Integration.Tests.Run;
 /// </summary>
 public sealed class NativeImageTests(RenderFixture fixture, ITestOutputHelper output) : IClassFixture<RenderFixture>, IDisposable
 {
-    private const int Side = 384;
+    private const int Side = 256;
 
     /// <summary>1: part of the pixels that may lie at the other side of an edge.</summary>
     private const double EdgePixels = 0.001;
