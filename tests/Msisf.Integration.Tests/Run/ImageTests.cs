@@ -14,18 +14,15 @@ namespace Msisf.Integration.Tests.Run;
 /// Rendered images of the real Moon against a ray for each pixel through each facet: no hole at a pole or the prime meridian,
 /// the silhouette and the border of light within one pixel.
 /// </summary>
-public sealed class ImageTests : IClassFixture<RenderFixture>, IDisposable
+public sealed class ImageTests : IDisposable
 {
-    private const int Side = 96;
+    private const int Side = 128;
     private const double FieldOfViewDegrees = 40.0;
 
     /// <summary>1: POV-Ray's surface is some metres off at most (docs/pattern-format.md), so few pixels at borders differ.</summary>
     private const double BorderPixels = 0.005;
 
-    private readonly RenderFixture _fixture;
     private readonly TemporaryFolder _folder = new();
-
-    public ImageTests(RenderFixture fixture) => _fixture = fixture;
 
     public void Dispose() => _folder.Dispose();
 
@@ -69,8 +66,8 @@ public sealed class ImageTests : IClassFixture<RenderFixture>, IDisposable
                 + $"{moonFromCamera.X:R},{moonFromCamera.Y:R},{moonFromCamera.Z:R},{moonFromCamera.W:R}}}");
         CommandLineRun run = CommandLineRun.Of(
         [
-            "--fixed-state", state, "--width", "96", "--height", "96", "--output-name", "view",
-            "--lod", "off", "--pov-options", "Antialias=Off", .. more, .. _fixture.Common(_folder.Path),
+            "--fixed-state", state, "--width", "128", "--height", "128", "--output-name", "view",
+            "--lod", "off", "--pov-options", "Antialias=Off", .. more, .. RealMoon.Arguments(_folder.Path),
         ]);
         Assert.True(run.ExitCode == 0, run.Error);
         return PngPixels.Read(_folder["view.png"]);

@@ -4,7 +4,7 @@ using Xunit;
 namespace Msisf.Integration.Tests.Run;
 
 /// <summary>Images of POV-Ray from parts of tiles, beside those from whole patterns.</summary>
-public sealed class PartImageTests(RenderFixture fixture) : IClassFixture<RenderFixture>, IDisposable
+public sealed class PartImageTests : IDisposable
 {
     /// <summary>Half of the Moon, 64 px a radius; the terminator runs through it.</summary>
     private static readonly string[] Disc = [.. From("{8.66e6,5e6,0,0,0,100}"), "--fov", "22", "--width", "160", "--height", "160"];
@@ -76,7 +76,7 @@ public sealed class PartImageTests(RenderFixture fixture) : IClassFixture<Render
 
     private CommandLineRun Render(string[] view, string name, params string[] more)
     {
-        string[] common = fixture.Common(_folder.Path);
+        string[] common = RealMoon.Arguments(_folder.Path);
         string[] rest = more.Contains("--pattern-repos") ? [.. common.Where((_, index) => index is not (2 or 3))] : common;
         CommandLineRun run = CommandLineRun.Of([.. view, "--output-name", name, .. more, .. rest]);
         Assert.True(run.ExitCode == 0, run.Error);

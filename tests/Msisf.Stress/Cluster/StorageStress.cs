@@ -78,7 +78,7 @@ public sealed class StorageStress : IStressTest
 
             for (int i = 0; i < times; i++)
             {
-                (double least, double most) = i % 2 == 0 ? (50, 250) : (250, 700);
+                (int least, int most) = i % 2 == 0 ? (50, 250) : (250, 700);
                 tried.Add((FullDisk, Kilobytes(random, least, most)));
             }
 

@@ -22,7 +22,8 @@ public sealed class LensSceneTests
     [Theory]
     [MemberData(nameof(Lenses))]
     public void Run_RuggedModel_ShowsWhatRaysMeet(string lens) =>
-        Compare(FunctionGrid.Rugged(16), lens, TestLength.Of(16, 60), TestLength.Of(12, 45), Share(lens, RenderScenes.Names), 0.125, -0.375);
+        Compare(
+            FunctionGrid.Rugged(16), lens, TestLength.Of(16, 60), TestLength.Of(12, 45), Share(lens, RenderScenes.Names), 0.125, -0.375);
 
     [RequiresTheory(Part.Ldem4)]
     [MemberData(nameof(Lenses))]

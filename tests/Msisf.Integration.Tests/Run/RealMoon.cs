@@ -2,8 +2,8 @@ using Msisf.TestSupport;
 
 namespace Msisf.Integration.Tests.Run;
 
-/// <summary>One pattern repository for all tests of this project, so that patterns are made once.</summary>
-public sealed class RenderFixture
+/// <summary>The real model, with one pattern repository for all tests of this project, so that patterns are made once.</summary>
+internal static class RealMoon
 {
     private static readonly Lazy<TemporaryFolder> Shared = new(() =>
     {
@@ -13,10 +13,10 @@ public sealed class RenderFixture
     });
 
     /// <summary>The repository of patterns.</summary>
-    public string Repository => Shared.Value["patterns"];
+    public static string Repository => Shared.Value["patterns"];
 
     /// <summary>The arguments that every run of these tests has: the real model, this repository, an output folder.</summary>
     /// <param name="output">Folder of the outputs.</param>
-    public string[] Common(string output) =>
+    public static string[] Arguments(string output) =>
         ["--ldem", TestParts.Ldem4Label!, "--pattern-repos", Repository, "--output-dir", output, "--ephemeris", "builtin", "--batch"];
 }
