@@ -19,6 +19,7 @@ import { degrees, latitudeText, lengthText } from './text.js';
 const $ = id => document.getElementById(id);
 
 const state = new State();
+let models = [];
 state.fromText(location.hash.slice(1));
 
 let crosshair = null;
@@ -63,8 +64,7 @@ const navigation = new Navigation(stage, state, {
     onPin: pin,
 });
 const compare = new Compare(stage, notice);
-const frames = new Frames(state, picture, stage, notice);
-let models = [];
+const frames = new Frames(state, picture, () => models, notice);
 new TakeAway(
     () => ({ ...(picture.isStored ? picture.shown.frame : state.frame()), samples: state.picture.samples }), () => models, notice);
 
