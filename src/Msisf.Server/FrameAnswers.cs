@@ -45,11 +45,13 @@ internal sealed class FrameAnswers
     /// <param name="session">Draws it.</param>
     /// <param name="frame">The frame.</param>
     /// <param name="form">Form of the answer.</param>
+    /// <param name="room">bytes: left free before the content of each part.</param>
     /// <param name="threads">Number of threads.</param>
     /// <param name="cancellation">Stops the work.</param>
-    public Answer Draw(RenderSession session, PreparedFrame frame, AnswerForm form, int threads, CancellationToken cancellation)
+    public Answer Draw(
+        RenderSession session, PreparedFrame frame, AnswerForm form, int room, int threads, CancellationToken cancellation)
     {
-        Answer answer = new(_pool);
+        Answer answer = new(_pool, room);
         try
         {
             long start = Stopwatch.GetTimestamp();
