@@ -112,7 +112,7 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
     public async Task NewestOnly_LeavesStatesOut_ButNotTheLast()
     {
         using ClientWebSocket socket = await OpenAsync(
-            """{"frame": {"width": 512, "height": 512, "samples": 9}, "mode": "newest-only"}""");
+            """{"frame": {"width": 256, "height": 256, "samples": 9}, "mode": "newest-only"}""");
         for (int i = 1; i <= 50; i++)
         {
             await SendAsync(socket, $"{{\"number\": {i}, \"fixed-state\": [55289, 1.9e6, 0, 0, 0, 0, 0, 1]}}");

@@ -17,9 +17,9 @@ export class Frames {
     #isShowing = false;
     #isPlaying = false;
 
-    /** @param models answers the server's elevation models. */
-    constructor(state, picture, models, onProblem) {
-        Object.assign(this, { state, picture, models, onProblem });
+    /** @param offers answers the server's models and cameras. */
+    constructor(state, picture, offers, onProblem) {
+        Object.assign(this, { state, picture, offers, onProblem });
         this.flight = new Flight(state, states => this.open(this.#ofStates(states)), onProblem);
         $('folder').addEventListener('change', event => this.#try(this.#openFolder(event.target.value)));
         $('batch-file').addEventListener('change', event => event.target.files[0] && this.#try(this.#openFile(event.target.files[0])));
@@ -97,26 +97,30 @@ export class Frames {
         if (turn !== this.#turn) {
             return;
         }
-        const options = frame.options ?? {};
         if (frame.meta) {
-            this.state.adopt(this.#withModel(options));
+            this.state.adopt(this.#offered(frame.options));
         }
         this.#isShowing = true;
-        this.state.look({ ...viewOf(frame.state), fov: options.fov ?? this.state.view.fov }, bitmap !== null);
+        this.state.look(viewOf(frame.state), bitmap !== null);
         this.#isShowing = false;
         if (bitmap) {
-            const size = { width: options.width ?? bitmap.width, height: options.height ?? bitmap.height };
-            const whole = { ...this.state.frame(size, options.samples), 'fixed-state': frame.state };
+            const whole = { ...this.state.frame(this.state.size, frame.options.samples), 'fixed-state': frame.state };
             this.picture.showStored(bitmap, whole, `Stored ${kind === 'annotated' ? 'annotated image' : 'image'} of frame ${frame.number}: `
                 + `${bitmap.width} × ${bitmap.height}.`);
         }
         await this.#showMeta(frame, turn);
     }
 
-    /** A frame's options with the model of its resolution by its name, as the page's choices have it. */
-    #withModel({ res, ...options }) {
-        const model = this.models().find(({ pixels_per_degree: resolution }) => resolution === res);
-        return { ...options, ...(model ? { model: model.name } : res !== undefined && { res }) };
+    /** A frame's options with the name of its model, as the page's choices have it, and with the size of its camera. */
+    #offered({ res, ...options }) {
+        const { models, cameras } = this.offers();
+        const model = models.find(({ pixels_per_degree: resolution }) => resolution === res);
+        const camera = cameras.find(({ name }) => name === options.camera);
+        return {
+            ...options,
+            ...(model ? { model: model.name } : res !== undefined && { res }),
+            ...(camera && { width: camera.width, height: camera.height, fov: camera.field_of_view }),
+        };
     }
 
     async #play() {

@@ -41,6 +41,9 @@ export class State {
     /** Moves or turns the camera, or the time; a stored picture of the view need not be drawn. */
     look(changes, isStored = false) {
         const view = { ...this.view, ...changes };
+        if (view.fov !== this.view.fov) {
+            this.#leaveCamera();
+        }
         for (const [name, [least, most]] of Object.entries(LIMITS)) {
             view[name] = Math.min(Math.max(view[name], least), most);
         }
@@ -56,13 +59,17 @@ export class State {
 
     /** Changes how the picture is drawn. */
     draw(changes) {
+        if ('width' in changes || 'height' in changes) {
+            this.#leaveCamera();
+        }
         Object.assign(this.picture, changes);
         this.#tell(false);
     }
 
     /**
      * Takes over how a frame of a folder was drawn, for the view that is looked at next; null goes back to what was before the first.
-     * @param options those of the frame, under the names of the command line, without its place.
+     * @param options those of the frame, under the names of the command line, without its place. A camera's size and field of view are
+     * among them.
      */
     adopt(options) {
         this.#before ??= this.picture;
@@ -70,10 +77,17 @@ export class State {
             [this.picture, this.own, this.#before] = [this.#before, {}, null];
             return;
         }
-        const { model, samples, shading, sun, reflectance, width, height, fov, ...own } = options;
+        const { model, samples, shading, sun, reflectance, width, height, fov = this.view.fov, ...own } = options;
         const known = { model, samples: SAMPLES.includes(samples) ? samples : undefined, shading, sun, reflectance, width, height };
         const given = Object.fromEntries(Object.entries(known).filter(([, value]) => value !== undefined));
         this.picture = { ...DEFAULT_PICTURE, ...(samples !== undefined && { samples: this.#before.samples }), ...given };
+        this.view = { ...this.view, fov };
+        this.own = own;
+    }
+
+    /** A field of view or a size that is given by hand takes the place of the camera's. */
+    #leaveCamera() {
+        const { camera, ...own } = this.own;
         this.own = own;
     }
 
@@ -108,9 +122,7 @@ export class State {
         const { model, shading, sun, reflectance } = this.picture;
         return {
             'fixed-state': stateOf(this.view),
-            fov: this.view.fov,
-            width,
-            height,
+            ...(!this.own.camera && { fov: this.view.fov, width, height }),
             samples,
             ...(model && { model }),
             ...(shading !== FIRST_PICTURE.shading && { shading }),
