@@ -77,8 +77,9 @@ def run(moon: msisf.Moon, seconds: float) -> Result:
 
     def wrong(chance: random.Random, number: int) -> None:
         place, mjd = orbit(number)
+        option = {chance.choice(["samples", "fov", "bit_depth", "nothing"]): chance.choice([-1, 1e300, "x"])}
         try:
-            moon.render(place, time=mjd, nadir=True, **{chance.choice(["samples", "fov", "bit_depth", "nothing"]): chance.choice([-1, 1e300, "x"])})
+            moon.render(place, time=mjd, nadir=True, **option)
         except msisf.RequestError as error:
             assert error.status in (400, 413, 422), f"status {error.status}"
 
