@@ -28,7 +28,9 @@ public sealed class PlausibleMistakesTests
         "--state-vectors {1.9E6,0,0,0,1.6,0} --epoch 55289 --time 55289",
         "the velocity of --state-vectors is in m/s. One in km/s is to be multiplied by 1000.")]
     public void In_OtherUnit_WarnsAndSaysWhatItWouldMean(string words, string message) => Assert.Contains(
-        message, Assert.Single(PlausibleMistakes.In(CameraSettingsReader.Read(Given.Options(words)), CelestialBody.Moon)), StringComparison.Ordinal);
+        message,
+        Assert.Single(PlausibleMistakes.In(CameraSettingsReader.Read(Given.Options(words)), CelestialBody.Moon)),
+        StringComparison.Ordinal);
 
     [Theory]
     [InlineData("--kepler-set {1.9E6,0.05,6.2832,-6.2832,3.1416,6.28} --epoch 55289 --time 55289")] // full turns with four digits
@@ -68,5 +70,6 @@ public sealed class PlausibleMistakesTests
     [InlineData(1.7E6, "in metres from the Moon's centre")]
     [InlineData(3.0, "in metres from the Moon's centre")]
     public void InKilometres_PositionInsideTheMoon_SaysWhatItLooksLike(double distance, string message) =>
-        Assert.Contains(message, PlausibleMistakes.InKilometres(new Vector3D(0.0, distance, 0.0), CelestialBody.Moon), StringComparison.Ordinal);
+        Assert.Contains(
+            message, PlausibleMistakes.InKilometres(new Vector3D(0.0, distance, 0.0), CelestialBody.Moon), StringComparison.Ordinal);
 }
