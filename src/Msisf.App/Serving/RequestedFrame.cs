@@ -1,4 +1,3 @@
-using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Render;
 

@@ -93,7 +93,9 @@ public sealed class CameraModel
     /// <summary>The distortion of the lens; null for a pinhole.</summary>
     public Distortion? Distortion { get; }
 
-    /// <summary>Horizontal field of view, rad: between the borders of the middle row; of a <see cref="Window"/> that of the whole.</summary>
+    /// <summary>
+    /// Horizontal field of view, rad: between the borders of the middle row; of a <see cref="Window"/> that of the whole.
+    /// </summary>
     public double FieldOfView { get; }
 
     /// <summary>Whether this is the thesis's camera: square pixels, the optical axis through the middle, no distortion.</summary>
