@@ -33,7 +33,7 @@ public sealed class PolarMapRunTests : IDisposable
         Assert.DoesNotContain("--res ", xml, StringComparison.Ordinal);
     }
 
-    /// <summary>From 163 km with pixels of 41 km at 0.35 px of error cells may have 28 km: 20 km are the widest of the map's levels.</summary>
+    /// <summary>From 163 km pixels have 41 km, so cells may have 28 km with 0.35 px of error: 20 km is the map's next level.</summary>
     [Theory]
     [InlineData("", "20000")]
     [InlineData("--lod off", "10000")]
