@@ -3,8 +3,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Lod;
 
 /// <summary>
-/// The levels of a map of a part of the Moon, computed when they are read. Where a map ends in the middle of a coarse cell, the samples that
-/// it has there stand for the cell, so a level ends within half a cell of the map.
+/// The levels of a map of a part of the Moon, computed when they are read. Where a map ends in the middle of a coarse cell, the samples
+/// that it has there stand for the cell, so a level ends within half a cell of the map.
 /// </summary>
 public sealed class MapLevels : TerrainLevels
 {

@@ -18,7 +18,7 @@ internal sealed record Scene
     /// <summary>What it shows.</summary>
     public required string About { get; init; }
 
-    /// <summary>The elevation model: one of the whole Moon by its samples a degree, the map of the south pole by its metres a pixel.</summary>
+    /// <summary>The elevation model: of the whole Moon by its samples a degree, the map of the south pole by its metres a pixel.</summary>
     public required GridResolution Model { get; init; }
 
     /// <summary>When, where and how the camera looks; the Sun follows from the time.</summary>

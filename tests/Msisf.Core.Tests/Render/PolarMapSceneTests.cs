@@ -19,8 +19,8 @@ public sealed class PolarMapSceneTests
     private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
     /// <summary>
-    /// Pole in the middle, near a side, far outside; cells of 3 km to 1 m; also coarser levels of maps that end in the middle of their cells.
-    /// The last number is the level.
+    /// Pole in the middle, near a side, far outside; cells of 3 km to 1 m; also coarser levels of maps that end in the middle of their
+    /// cells. The last number is the level.
     /// </summary>
     public static TheoryData<bool, double, int, double, double, int> Maps => new()
     {

@@ -71,7 +71,9 @@ internal static class TinyGeoTiff
         return file;
     }
 
-    /// <summary>Polar stereographic on a sphere: each key is its number, the tag of its value or 0, how many values, the value or its place.</summary>
+    /// <summary>
+    /// Polar stereographic on a sphere. A key is its number, the tag of its value or 0, how many values, and the value or its place.
+    /// </summary>
     private static (ushort, ushort, int, byte[])[] Keys() =>
     [
         (34735, Short, 4 * 16, Shorts(
