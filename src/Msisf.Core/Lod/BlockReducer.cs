@@ -22,6 +22,7 @@ public sealed class BlockReducer
     private readonly ITerrainGrid _finer;
     private readonly int _halvings;
     private readonly LodLayout[] _layouts;
+    private readonly double _reference;
 
     /// <summary>Takes a model to reduce.</summary>
     /// <param name="finer">
@@ -32,6 +33,7 @@ public sealed class BlockReducer
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(halvings, 1);
         _finer = finer;
+        _reference = finer.ReferenceRadius;
         _halvings = halvings;
         _layouts = new LodLayout[halvings + 1];
         _layouts[0] = LodLayout.Of(finer);
@@ -65,7 +67,7 @@ public sealed class BlockReducer
                 Span<float> target = heights.Slice(LodLayout.IndexInBlock(line, block.FirstSample), samples);
                 for (int sample = 0; sample < samples; sample++)
                 {
-                    target[sample] = (float)(radii[sample] - MoonConstants.ReferenceRadius);
+                    target[sample] = (float)(radii[sample] - _reference);
                 }
             }
         }
@@ -111,7 +113,7 @@ public sealed class BlockReducer
         }
     }
 
-    private static void Halve(ReadOnlySpan<double> north, ReadOnlySpan<double> south, Span<double> radii)
+    private void Halve(ReadOnlySpan<double> north, ReadOnlySpan<double> south, Span<double> radii)
     {
         int i = 0;
         if (Avx2.IsSupported)
@@ -119,7 +121,7 @@ public sealed class BlockReducer
             ref double northStart = ref MemoryMarshal.GetReference(north);
             ref double southStart = ref MemoryMarshal.GetReference(south);
             ref double target = ref MemoryMarshal.GetReference(radii);
-            Vector256<double> reference = Vector256.Create(MoonConstants.ReferenceRadius);
+            Vector256<double> reference = Vector256.Create(_reference);
             for (; i <= radii.Length - Vector256<double>.Count; i += Vector256<double>.Count)
             {
                 Vector256<double> west = Vector256.LoadUnsafe(ref northStart, (nuint)(2 * i))
@@ -137,7 +139,7 @@ public sealed class BlockReducer
         for (; i < radii.Length; i++)
         {
             double sum = north[2 * i] + south[2 * i] + (north[(2 * i) + 1] + south[(2 * i) + 1]);
-            radii[i] = MoonConstants.ReferenceRadius + (float)((0.25 * sum) - MoonConstants.ReferenceRadius);
+            radii[i] = _reference + (float)((0.25 * sum) - _reference);
         }
     }
 }

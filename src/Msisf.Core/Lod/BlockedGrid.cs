@@ -15,6 +15,7 @@ public abstract class BlockedGrid : ITerrainGrid
     protected BlockedGrid(ITerrainGrid source, int halvings)
     {
         ProductId = source.ProductId;
+        ReferenceRadius = source.ReferenceRadius;
 
         // A mean lies between the minimum and maximum of its samples, except for the rounding of its height.
         (double min, double max) = source.RadiusLimits;
@@ -42,6 +43,9 @@ public abstract class BlockedGrid : ITerrainGrid
 
     /// <inheritdoc/>
     public GridWindow Window => Layout.Window;
+
+    /// <inheritdoc/>
+    public double ReferenceRadius { get; }
 
     /// <inheritdoc/>
     public (double Min, double Max) RadiusLimits { get; }
@@ -92,7 +96,7 @@ public abstract class BlockedGrid : ITerrainGrid
             }
         }
 
-        return (MoonConstants.ReferenceRadius + min, MoonConstants.ReferenceRadius + max);
+        return (ReferenceRadius + min, ReferenceRadius + max);
     }
 
     /// <summary>The samples of a block.</summary>
@@ -101,14 +105,14 @@ public abstract class BlockedGrid : ITerrainGrid
     /// <returns><see cref="LodLayout.BlockSamples"/> heights, m over the reference radius, <see cref="LodLayout.Side"/> a line.</returns>
     protected abstract ReadOnlySpan<float> HeightsOf(int row, int column);
 
-    private static void CopyRadii(ReadOnlySpan<float> heights, Span<double> radii)
+    private void CopyRadii(ReadOnlySpan<float> heights, Span<double> radii)
     {
         int i = 0;
         if (Avx.IsSupported)
         {
             ref float source = ref MemoryMarshal.GetReference(heights);
             ref double target = ref MemoryMarshal.GetReference(radii);
-            Vector256<double> reference = Vector256.Create(MoonConstants.ReferenceRadius);
+            Vector256<double> reference = Vector256.Create(ReferenceRadius);
             for (; i <= heights.Length - Vector256<double>.Count; i += Vector256<double>.Count)
             {
                 (reference + Avx.ConvertToVector256Double(Vector128.LoadUnsafe(ref source, (nuint)i))).StoreUnsafe(ref target, (nuint)i);
@@ -117,7 +121,7 @@ public abstract class BlockedGrid : ITerrainGrid
 
         for (; i < heights.Length; i++)
         {
-            radii[i] = MoonConstants.ReferenceRadius + heights[i];
+            radii[i] = ReferenceRadius + heights[i];
         }
     }
 }
