@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Measures run time against error of both renderers, with the thesis's own way as the base line of the same run; writes what it
 # found into docs/performance.md, docs/performance-tables.md and docs/scaling.md, and all figures and plots into docs/benchmark/.
-# As root, or as a user with sudo. Under 20 minutes, and some minutes and 4 GB more in benchmark/ at the first run. Leave the
-# machine alone meanwhile.
+# As root, or as a user with sudo. Under 20 minutes, and a quarter of an hour and 6 GB more in benchmark/ at the first run. Leave
+# the machine alone meanwhile.
 #     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]] [--validate]
 # --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., from-nothing, sequence).
 # With one of the two the results stay in benchmark/, and docs/ is left alone.
@@ -75,11 +75,16 @@ get_base() {
     esac
 }
 
-# get_model RESOLUTION: adds the model to the arguments of the run, and makes it before if it is not there.
+# get_model NAME: a resolution, px/deg, or m/px of a map of the south pole, as 20m; adds the model to the arguments of the run, and makes it before if it is not there.
 get_model() {
     local ldem=$folder/ldem name=LDEM_$1_SYNTHETIC
     case $1 in
         4) models+=(--model "$base") ;;
+        *m)
+            name=LDEM_80S_${1%m}M_SYNTHETIC
+            make_model "$ldem" "$name" "$base" --projection polar-south --map-scale "${1%m}"
+            models+=(--model "$ldem/$name.LBL")
+            ;;
         128 | 512)
             name=${name}_$fine_ending
             make_model "$ldem" "$name" "$base" --res "$1" "--region=$fine_region" --rest none

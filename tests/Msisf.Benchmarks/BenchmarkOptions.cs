@@ -1,5 +1,6 @@
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Fronts;
+using Msisf.Core.Terrain;
 using Msisf.Stress;
 
 namespace Msisf.Benchmarks;
@@ -49,13 +50,15 @@ internal sealed class BenchmarkOptions
 
     public bool HasFromNothing => Names.Contains(Scenes.FromNothing);
 
-    /// <summary>Resolutions of the models that the run needs, px/deg.</summary>
-    public IEnumerable<int> Resolutions =>
-        Chosen.Select(scene => scene.PixelsPerDegree)
-            .Concat(HasSequence ? [Repeats.SequencePixelsPerDegree] : [])
-            .Concat(HasFromNothing ? [FromNothing.Image.PixelsPerDegree] : [])
+    /// <summary>Names of the models that the run needs: samples a degree, as "64", or metres a pixel of a polar map, as "20m".</summary>
+    public IEnumerable<string> ModelNames =>
+        Chosen.Select(scene => scene.Model)
+            .Concat(HasSequence ? [GridResolution.FromPixelsPerDegree(Repeats.SequencePixelsPerDegree)] : [])
+            .Concat(HasFromNothing ? [FromNothing.Image.Model] : [])
             .Distinct()
-            .Order();
+            .OrderBy(model => model.PixelsPerDegree is null)
+            .ThenBy(model => model.Number)
+            .Select(model => model.PixelsPerDegree is null ? model.NumberText + "m" : model.NumberText);
 
     private IReadOnlyList<string> Names { get; }
 

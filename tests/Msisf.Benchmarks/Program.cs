@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text.Json;
 using Msisf.Benchmarks;
 using Msisf.Benchmarks.Measures;
@@ -14,7 +13,7 @@ const string Usage = """
     measure     [--quick] [--scenes NAME,...] --root DIR --folder DIR --model LABEL...
                 measures; writes tables.md, figures.csv, targets.csv
     resolutions [--quick] [--scenes NAME,...]
-                prints which elevation models that needs, px/deg
+                prints which elevation models that needs: px/deg, or m/px of polar maps, as 20m
     fill        LABEL
                 completes a part of a model by flat ground
     stress      [--quick] [--tests NAME,...] --folder DIR
@@ -32,11 +31,7 @@ try
             ResultFiles.Write(options.Folder, result);
             return 0;
         case "resolutions":
-            Console.WriteLine(
-                string.Join(
-                    ' ',
-                    BenchmarkOptions.Parse(args.Skip(1)).Resolutions.Select(
-                        resolution => resolution.ToString(CultureInfo.InvariantCulture))));
+            Console.WriteLine(string.Join(' ', BenchmarkOptions.Parse(args.Skip(1)).ModelNames));
             return 0;
         case "fill" when args.Length == 2:
             FlatGround.Fill(args[1]);

@@ -7,8 +7,9 @@ namespace Msisf.Cli.Tests;
 /// <summary>A polar map from its making to its image, as a user has it.</summary>
 public sealed class PolarMapRunTests(PolarMapRunTests.Map map) : IClassFixture<PolarMapRunTests.Map>, IDisposable
 {
-    private const string View = "--fixed-state {51544.5,0,0,-1.9E6,0,0.7071067811865476,0,0.7071067811865476} --ignore-sun --batch "
-        + "--width 40 --height 40 --fov 20";
+    private const string State = "--fixed-state {51544.5,0,0,-1.9E6,0,0.7071067811865476,0,0.7071067811865476} --ignore-sun --batch";
+
+    private const string View = State + " --width 40 --height 40 --fov 20";
 
     private readonly TemporaryFolder _folder = new();
 
@@ -29,6 +30,24 @@ public sealed class PolarMapRunTests(PolarMapRunTests.Map map) : IClassFixture<P
         Assert.Contains("drawnFinest=\"10000\" drawnCoarsest=\"10000\" unit=\"m/px\"", xml, StringComparison.Ordinal);
         Assert.Contains("      <Facet line=\"", xml, StringComparison.Ordinal);
         Assert.DoesNotContain("--res ", xml, StringComparison.Ordinal);
+    }
+
+    /// <summary>From 163 km pixels have 41 km, so cells may have 28 km with 0.35 px of error: 20 km is the map's next level.</summary>
+    [Theory]
+    [InlineData("", "20000")]
+    [InlineData("--lod off", "10000")]
+    [InlineData("--lod-error 0.1", "10000")]
+    public void Run_FarView_IsDrawnWithTheLevelOfTheRule(string options, string drawn)
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            [.. State.Split(' '), "--renderer", "native", "--ldem", Synthesize(), "--fov", "90", "--width", "8", "--height", "8",
+                .. options.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--output-dir", _folder["out"], "--output-name", "far"]);
+
+        Assert.Equal((0, string.Empty), (run.ExitCode, run.ExitCode == 0 ? string.Empty : run.Error));
+        Assert.Contains(
+            $"drawnFinest=\"{drawn}\" drawnCoarsest=\"{drawn}\" unit=\"m/px\"",
+            File.ReadAllText(Path.Combine(_folder["out"], "far.xml")),
+            StringComparison.Ordinal);
     }
 
     [Theory]

@@ -40,6 +40,7 @@ echo "msis $*" >>"$CALLS"
 name=LDEM_$4_SYNTHETIC
 case $4 in
     128 | 512) name=${name}_16S_18N_014_062 ;;
+    polar-south) name=LDEM_80S_${6}M_SYNTHETIC ;;
 esac
 mkdir -p benchmark/ldem
 cp ../made/LDEM.IMG "benchmark/ldem/$name.IMG"
@@ -150,16 +151,17 @@ test_benchmark_pages_follow_from_the_figures() {
 
 test_benchmark_models_are_made_once() {
     make_benchmark_clone
-    RESOLUTIONS='4 64 128 512' run clone/benchmark.sh
+    RESOLUTIONS='4 64 128 512 20m' run clone/benchmark.sh
     assert_code 0
-    RESOLUTIONS='4 64 128 512' run clone/benchmark.sh
+    RESOLUTIONS='4 64 128 512 20m' run clone/benchmark.sh
     assert_code 0
     assert_same "$(grep '^msis' "$CALLS")" "$(printf '%s\n' \
         'msis ldem synthesize --res 64 --sample-type int16 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch' \
         'msis ldem synthesize --res 128 --region=-16:18:14:62 --rest none --sample-type int16 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch' \
-        'msis ldem synthesize --res 512 --region=-16:18:14:62 --rest none --sample-type int16 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch')"
+        'msis ldem synthesize --res 512 --region=-16:18:14:62 --rest none --sample-type int16 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch' \
+        'msis ldem synthesize --projection polar-south --map-scale 20 --sample-type int16 --base input/ldem/LDEM_4.LBL --seed 1 --output-dir benchmark/ldem --batch')"
     assert_same "$(grep '^measure' "$CALLS" | tail -n 1)" \
-        'measure --root . --folder benchmark --model input/ldem/LDEM_4.LBL --model benchmark/ldem/LDEM_64_SYNTHETIC.LBL --model benchmark/ldem/LDEM_128_SYNTHETIC_16S_18N_014_062.LBL --model benchmark/ldem/LDEM_512_SYNTHETIC_16S_18N_014_062.LBL'
+        'measure --root . --folder benchmark --model input/ldem/LDEM_4.LBL --model benchmark/ldem/LDEM_64_SYNTHETIC.LBL --model benchmark/ldem/LDEM_128_SYNTHETIC_16S_18N_014_062.LBL --model benchmark/ldem/LDEM_512_SYNTHETIC_16S_18N_014_062.LBL --model benchmark/ldem/LDEM_80S_20M_SYNTHETIC.LBL'
 }
 
 test_benchmark_of_a_part_leaves_the_docs_alone() {

@@ -8,8 +8,10 @@ internal sealed class PyramidBands : BlockedGrid
 {
     private readonly float[][] _bands;
 
-    public PyramidBands(IElevationGrid source, int pixelsPerDegree)
-        : base(source, pixelsPerDegree)
+    /// <param name="source">The model.</param>
+    /// <param name="level">How many times its resolution is halved.</param>
+    public PyramidBands(IElevationGrid source, int level)
+        : base(source, level)
     {
         int samples = Layout.BlockColumns * LodLayout.BlockSamples;
         _bands = [new float[samples], new float[samples]];
@@ -28,7 +30,7 @@ internal sealed class PyramidBands : BlockedGrid
     public void Fill(int row, BlockReducer reducer, ParallelOptions options)
     {
         float[] band = _bands[row & 1];
-        if (Layout.LinesOf(row) < LodLayout.Side)
+        if (Layout.SamplesOf(row, 0).Lines < LodLayout.Side)
         {
             Array.Clear(band); // what the last blocks lack is zero in the file
         }

@@ -31,7 +31,7 @@ public sealed unsafe class PyramidFile : IDisposable
         {
             int first = layout.FirstBlockOf(index);
             _levels[index] = new PyramidLevel(
-                source, layout.LevelAt(index).PixelsPerDegree, path, (float*)(start + layout.OffsetOf(first)), checksums, first);
+                source, PyramidLayout.FirstLevel + index, path, (float*)(start + layout.OffsetOf(first)), checksums, first);
         }
     }
 

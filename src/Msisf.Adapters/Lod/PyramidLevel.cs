@@ -5,7 +5,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Lod;
 
 /// <summary>One level of a mapped sidecar. A block is checked when it is first read. Safe for several threads.</summary>
-internal sealed unsafe class PyramidLevel : BlockedGrid
+internal sealed unsafe class PyramidLevel : BlockedGrid, IElevationGrid
 {
     private readonly string _path;
     private readonly float* _blocks;
@@ -14,20 +14,24 @@ internal sealed unsafe class PyramidLevel : BlockedGrid
     private readonly bool[] _isChecked;
 
     /// <param name="source">The model.</param>
-    /// <param name="pixelsPerDegree">Of the level.</param>
+    /// <param name="level">How many times the model's resolution is halved.</param>
     /// <param name="path">For messages.</param>
     /// <param name="blocks">The level's first block; valid as long as the level is used.</param>
     /// <param name="checksums">Of all levels' blocks.</param>
     /// <param name="firstBlock">Number of the level's first block among them.</param>
-    public PyramidLevel(IElevationGrid source, int pixelsPerDegree, string path, float* blocks, uint[] checksums, int firstBlock)
-        : base(source, pixelsPerDegree)
+    public PyramidLevel(IElevationGrid source, int level, string path, float* blocks, uint[] checksums, int firstBlock)
+        : base(source, level)
     {
+        PixelsPerDegree = source.PixelsPerDegree >> level;
         _path = path;
         _blocks = blocks;
         _checksums = checksums;
         _firstBlock = firstBlock;
         _isChecked = new bool[Layout.Blocks];
     }
+
+    /// <inheritdoc/>
+    public int PixelsPerDegree { get; }
 
     /// <summary>Checks all blocks.</summary>
     /// <exception cref="BadInputException">One is damaged.</exception>

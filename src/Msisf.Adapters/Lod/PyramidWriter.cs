@@ -25,8 +25,7 @@ public sealed class PyramidWriter
     {
         _image = image;
         _layout = new PyramidLayout(image.PixelsPerDegree);
-        _levels = [.. Enumerable.Range(0, _layout.LevelCount).Select(
-            level => new PyramidBands(image, _layout.LevelAt(level).PixelsPerDegree))];
+        _levels = [.. Enumerable.Range(PyramidLayout.FirstLevel, _layout.LevelCount).Select(level => new PyramidBands(image, level))];
         _reducers =
         [
             new BlockReducer(image, PyramidLayout.FirstLevel),

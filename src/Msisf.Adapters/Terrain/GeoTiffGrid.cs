@@ -24,7 +24,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     private readonly bool _isRing;
     private readonly int _blockColumns;
     private readonly Lock _gate = new();
-    private float[]?[] _blocks;
+    private float[]?[]?[] _blocks;
     private int _blockCount;
 
     private GeoTiffGrid(string path, GdalImage image, GeoTiffPlacement placement)
@@ -40,7 +40,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         (double factor, double offset) = image.Scale;
         _radiusOf = value => placement.SphereRadius + (metres * (offset + (factor * value)));
         _blockColumns = (image.Width + BlockSide - 1) >> BlockShift;
-        _blocks = new float[]?[_blockColumns * ((image.Height + BlockSide - 1) >> BlockShift)];
+        _blocks = new float[]?[]?[(image.Height + BlockSide - 1) >> BlockShift];
         (Lines, Samples) = placement.Projection is Equirectangular cylinder
             ? (180 * cylinder.PixelsPerDegree, 360 * cylinder.PixelsPerDegree)
             : (image.Height, image.Width);
@@ -163,21 +163,23 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
 
     private float[] BlockAt(int row, int column)
     {
-        int index = ((row >> BlockShift) * _blockColumns) + (column >> BlockShift);
-        return Volatile.Read(ref Volatile.Read(ref _blocks)[index]) ?? ReadBlock(index);
+        (int blockRow, int blockColumn) = (row >> BlockShift, column >> BlockShift);
+        return Volatile.Read(ref Volatile.Read(ref _blocks)[blockRow]) is { } inRow && Volatile.Read(ref inRow[blockColumn]) is { } block
+            ? block
+            : ReadBlock(blockRow, blockColumn);
     }
 
-    private float[] ReadBlock(int index)
+    private float[] ReadBlock(int blockRow, int blockColumn)
     {
         lock (_gate)
         {
-            if (_blocks[index] is { } known)
+            if (_blocks[blockRow]?[blockColumn] is { } known)
             {
                 return known;
             }
 
-            int line = index / _blockColumns * BlockSide;
-            int sample = index % _blockColumns * BlockSide;
+            int line = blockRow << BlockShift;
+            int sample = blockColumn << BlockShift;
             int lines = Math.Min(BlockSide, _image.Height - line);
             int samples = Math.Min(BlockSide, _image.Width - sample);
             float[] values = new float[lines * samples];
@@ -195,11 +197,17 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
 
             if (++_blockCount > MaxBlocks)
             {
-                Volatile.Write(ref _blocks, new float[]?[_blocks.Length]);
+                Volatile.Write(ref _blocks, new float[]?[]?[_blocks.Length]);
                 _blockCount = 1;
             }
 
-            Volatile.Write(ref _blocks[index], block);
+            if (_blocks[blockRow] is not { } inRow)
+            {
+                inRow = new float[]?[_blockColumns];
+                Volatile.Write(ref _blocks[blockRow], inRow);
+            }
+
+            Volatile.Write(ref inRow[blockColumn], block);
             return block;
         }
     }

@@ -35,6 +35,7 @@ internal sealed class ElevationModel : IDisposable
     private readonly Lazy<ElevationSummary> _summary;
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
+    private readonly Lazy<TerrainLevels> _drawnLevels;
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
     private ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
@@ -47,6 +48,7 @@ internal sealed class ElevationModel : IDisposable
             ? ElevationSummary.Build(image)
             : ElevationSummaryFile.Open(image.Set.FileBeside(SummaryExtension), _source.Value, image));
         _levels = new Lazy<ModelLevels>(openLevels);
+        _drawnLevels = new Lazy<TerrainLevels>(() => Levels);
     }
 
     private ElevationModel(ITerrainGrid grid, LdemSet set, IDisposable file)
@@ -57,12 +59,13 @@ internal sealed class ElevationModel : IDisposable
         _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(grid));
         _summary = new Lazy<ElevationSummary>(() => throw NotWholeMoon());
         _levels = new Lazy<ModelLevels>(() => throw NotWholeMoon());
+        _drawnLevels = new Lazy<TerrainLevels>(() => MapLevels.Open(grid));
     }
 
     /// <summary>The samples.</summary>
     public ITerrainGrid Grid { get; }
 
-    /// <summary>Whether it is a model of the whole Moon, which has levels of detail and patterns.</summary>
+    /// <summary>Whether it is a model of the whole Moon, which has tiles and patterns.</summary>
     public bool IsWholeMoon => _image is not null;
 
     /// <summary>The samples of a model of the whole Moon.</summary>
@@ -78,8 +81,11 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>Traces single rays; created on first use.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
 
-    /// <summary>The model and its coarser levels of detail; opened on first use.</summary>
+    /// <summary>A model of the whole Moon and its coarser levels of detail; opened on first use.</summary>
     public LodLevels Levels => _levels.Value.Levels;
+
+    /// <summary>The model, of the whole Moon or of a part, and its coarser levels of detail; opened on first use.</summary>
+    public TerrainLevels DrawnLevels => _drawnLevels.Value;
 
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
@@ -224,6 +230,5 @@ internal sealed class ElevationModel : IDisposable
     }
 
     private UsageException NotWholeMoon() => new(
-        $"{Set.Location}: a map of a part of the Moon has no tiles, patterns and levels of detail. "
-            + $"Take a model of the whole Moon for them.");
+        $"{Set.Location}: a map of a part of the Moon has no tiles and patterns. Take a model of the whole Moon for them.");
 }

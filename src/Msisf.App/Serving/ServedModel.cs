@@ -49,8 +49,7 @@ internal sealed class ServedModel : IDisposable
 
         return _levels.GetOrAdd(
             errorPixels ?? -1.0,
-            _ => new Lazy<NativeLevels>(() => new NativeLevels(
-                Opened.Grid, () => Opened.Levels, Opened.IsWholeMoon ? errorPixels : null))).Value;
+            _ => new Lazy<NativeLevels>(() => new NativeLevels(Opened.Grid, () => Opened.DrawnLevels, errorPixels))).Value;
     }
 
     /// <summary>Closes the model.</summary>

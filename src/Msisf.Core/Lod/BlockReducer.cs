@@ -10,7 +10,8 @@ namespace Msisf.Core.Lod;
 /// <summary>
 /// Halves the resolution of a model any number of times: a sample is the mean of the two by two samples that it covers, ((NW + SW) + (NE
 /// + SE)) / 4, and its height over the reference radius is rounded to a 32-bit float. The steps are the same for any number of halvings
-/// at once, so a level has the same bits whichever finer level it is computed from. Safe for several threads.
+/// at once, so a level has the same bits whichever finer level it is computed from. Where a map ends in the middle of the two by two, the
+/// samples that it has stand for the others. Safe for several threads.
 /// </summary>
 /// <remarks>
 /// Rounding: a height below 16 km is off by at most 2^-11 m a level, after ten levels by less than 2^-7 m, the step of the vertices.
@@ -18,44 +19,52 @@ namespace Msisf.Core.Lod;
 /// </remarks>
 public sealed class BlockReducer
 {
-    private readonly IElevationGrid _finer;
+    private readonly ITerrainGrid _finer;
     private readonly int _halvings;
-    private readonly LodLayout _layout;
+    private readonly LodLayout[] _layouts;
     private readonly double _reference;
 
     /// <summary>Takes a model to reduce.</summary>
-    /// <param name="finer">The model; 2 to the power of <paramref name="halvings"/> must divide its resolution.</param>
+    /// <param name="finer">
+    /// The model; 2 to the power of <paramref name="halvings"/> must divide the resolution of one in simple cylindrical projection.
+    /// </param>
     /// <param name="halvings">At least 1.</param>
-    public BlockReducer(IElevationGrid finer, int halvings)
+    public BlockReducer(ITerrainGrid finer, int halvings)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(halvings, 1);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan(halvings, int.TrailingZeroCount(finer.PixelsPerDegree));
         _finer = finer;
         _reference = finer.ReferenceRadius;
         _halvings = halvings;
-        _layout = new LodLayout(finer.PixelsPerDegree >> halvings);
+        _layouts = new LodLayout[halvings + 1];
+        _layouts[0] = LodLayout.Of(finer);
+        MapProjection? projection = finer.Projection;
+        for (int halving = 1; halving <= halvings; halving++)
+        {
+            projection = projection.Halved()
+                ?? throw new ArgumentOutOfRangeException(nameof(halvings), $"{finer.Projection} can't be halved {halvings} times.");
+            _layouts[halving] = _layouts[halving - 1].Halved();
+        }
     }
 
     /// <summary>Computes a block.</summary>
-    /// <param name="blockRow">From the north.</param>
-    /// <param name="blockColumn">From the west.</param>
+    /// <param name="blockRow">From the top.</param>
+    /// <param name="blockColumn">From the left.</param>
     /// <param name="heights">
     /// Filled with m over the reference radius, <see cref="LodLayout.Side"/> a line; where a block is smaller, the rest is not changed.
     /// </param>
     /// <exception cref="BadInputException">A sample of the model can't be right.</exception>
     public void Reduce(int blockRow, int blockColumn, Span<float> heights)
     {
-        int firstLine = blockRow << LodLayout.SideShift;
-        int firstSample = blockColumn << LodLayout.SideShift;
-        int samples = _layout.SamplesOf(blockColumn);
+        GridWindow block = _layouts[_halvings].SamplesOf(blockRow, blockColumn);
+        int samples = block.Samples;
         Span<double> radii = stackalloc double[LodLayout.Side];
         double[] scratch = ArrayPool<double>.Shared.Rent(4 * (samples << _halvings));
         try
         {
-            for (int line = 0; line < _layout.LinesOf(blockRow); line++)
+            for (int line = block.FirstLine; line < block.EndLine; line++)
             {
-                ReadLine(_halvings, firstLine + line, firstSample, radii[..samples], scratch);
-                Span<float> target = heights.Slice(line << LodLayout.SideShift, samples);
+                ReadLine(_halvings, line, block.FirstSample, radii[..samples], scratch);
+                Span<float> target = heights.Slice(LodLayout.IndexInBlock(line, block.FirstSample), samples);
                 for (int sample = 0; sample < samples; sample++)
                 {
                     target[sample] = (float)(radii[sample] - _reference);
@@ -80,9 +89,28 @@ public sealed class BlockReducer
         Span<double> north = scratch[..fine];
         Span<double> south = scratch.Slice(fine, fine);
         Span<double> rest = scratch[(2 * fine)..];
-        ReadLine(halvings - 1, 2 * line, 2 * firstSample, north, rest);
-        ReadLine(halvings - 1, (2 * line) + 1, 2 * firstSample, south, rest);
+        GridWindow window = _layouts[halvings - 1].Window;
+        ReadFine(halvings - 1, Math.Max(2 * line, window.FirstLine), 2 * firstSample, north, rest);
+        ReadFine(halvings - 1, Math.Min((2 * line) + 1, window.EndLine - 1), 2 * firstSample, south, rest);
         Halve(north, south, radii);
+    }
+
+    /// <summary>Reads a line to be halved; at the end of a map the last sample stands for the one that is missing beside it.</summary>
+    private void ReadFine(int halvings, int line, int firstSample, Span<double> radii, Span<double> scratch)
+    {
+        GridWindow window = _layouts[halvings].Window;
+        int before = Math.Max(0, window.FirstSample - firstSample);
+        int after = Math.Max(0, firstSample + radii.Length - window.EndSample);
+        ReadLine(halvings, line, firstSample + before, radii[before..^after], scratch);
+        if (before > 0)
+        {
+            radii[0] = radii[before];
+        }
+
+        if (after > 0)
+        {
+            radii[^1] = radii[^(1 + after)];
+        }
     }
 
     private void Halve(ReadOnlySpan<double> north, ReadOnlySpan<double> south, Span<double> radii)

@@ -7,12 +7,12 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Lod;
 
 /// <summary>A level of detail whose samples are kept in blocks of heights. Safe for several threads if its blocks are.</summary>
-public abstract class BlockedGrid : IElevationGrid
+public abstract class BlockedGrid : ITerrainGrid
 {
     /// <summary>Describes the level.</summary>
     /// <param name="source">The model: its name and limits are the level's.</param>
-    /// <param name="pixelsPerDegree">Samples a degree of the level.</param>
-    protected BlockedGrid(IElevationGrid source, int pixelsPerDegree)
+    /// <param name="halvings">How many times the model's resolution is halved.</param>
+    protected BlockedGrid(ITerrainGrid source, int halvings)
     {
         ProductId = source.ProductId;
         ReferenceRadius = source.ReferenceRadius;
@@ -20,14 +20,29 @@ public abstract class BlockedGrid : IElevationGrid
         // A mean lies between the minimum and maximum of its samples, except for the rounding of its height.
         (double min, double max) = source.RadiusLimits;
         RadiusLimits = (min - Tolerances.VertexLattice, max + Tolerances.VertexLattice);
-        Layout = new LodLayout(pixelsPerDegree);
+        (Projection, Lines, Samples, Layout) = (source.Projection, source.Lines, source.Samples, LodLayout.Of(source));
+        for (int halving = 0; halving < halvings; halving++)
+        {
+            Projection = Projection.Halved()
+                ?? throw new ArgumentOutOfRangeException(nameof(halvings), $"{source.Projection} can't be halved {halvings} times.");
+            (Lines, Samples, Layout) = ((Lines + 1) / 2, (Samples + 1) / 2, Layout.Halved());
+        }
     }
 
     /// <inheritdoc/>
     public string ProductId { get; }
 
     /// <inheritdoc/>
-    public int PixelsPerDegree => Layout.PixelsPerDegree;
+    public MapProjection Projection { get; }
+
+    /// <inheritdoc/>
+    public int Lines { get; }
+
+    /// <inheritdoc/>
+    public int Samples { get; }
+
+    /// <inheritdoc/>
+    public GridWindow Window => Layout.Window;
 
     /// <inheritdoc/>
     public double ReferenceRadius { get; }
@@ -42,16 +57,16 @@ public abstract class BlockedGrid : IElevationGrid
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         Layout.CheckRange(line, 1, firstSample, radii.Length);
-        int row = line >> LodLayout.SideShift;
-        int start = (line & (LodLayout.Side - 1)) << LodLayout.SideShift;
+        int row = Layout.RowOf(line);
+        GridWindow window = Layout.Window;
         while (radii.Length > 0)
         {
-            int column = firstSample >> LodLayout.SideShift;
-            int inBlock = firstSample & (LodLayout.Side - 1);
-            int count = Math.Min(radii.Length, Layout.SamplesOf(column) - inBlock);
-            CopyRadii(HeightsOf(row, column).Slice(start + inBlock, count), radii);
+            int end = Math.Min((firstSample | (LodLayout.Side - 1)) + 1, window.EndSample);
+            int count = Math.Min(radii.Length, end - firstSample);
+            CopyRadii(
+                HeightsOf(row, Layout.ColumnOf(firstSample)).Slice(LodLayout.IndexInBlock(line, firstSample), count), radii);
             radii = radii[count..];
-            firstSample = firstSample + count == Layout.Samples ? 0 : firstSample + count;
+            firstSample = firstSample + count == window.EndSample ? window.FirstSample : firstSample + count;
         }
     }
 
@@ -61,19 +76,18 @@ public abstract class BlockedGrid : IElevationGrid
         Layout.CheckRange(firstLine, lines, firstSample, samples);
         float min = float.PositiveInfinity;
         float max = float.NegativeInfinity;
+        GridWindow window = Layout.Window;
         for (int line = firstLine, nextLine; line < firstLine + lines; line = nextLine)
         {
             nextLine = Math.Min(firstLine + lines, (line | (LodLayout.Side - 1)) + 1);
             for (int done = 0, count; done < samples; done += count)
             {
-                int sample = (firstSample + done) % Layout.Samples;
-                int column = sample >> LodLayout.SideShift;
-                int inBlock = sample & (LodLayout.Side - 1);
-                count = Math.Min(samples - done, Layout.SamplesOf(column) - inBlock);
-                ReadOnlySpan<float> heights = HeightsOf(line >> LodLayout.SideShift, column);
+                int sample = firstSample + done < window.EndSample ? firstSample + done : firstSample + done - window.Samples;
+                count = Math.Min(samples - done, Math.Min((sample | (LodLayout.Side - 1)) + 1, window.EndSample) - sample);
+                ReadOnlySpan<float> heights = HeightsOf(Layout.RowOf(line), Layout.ColumnOf(sample));
                 for (int i = line; i < nextLine; i++)
                 {
-                    foreach (float height in heights.Slice(((i & (LodLayout.Side - 1)) << LodLayout.SideShift) + inBlock, count))
+                    foreach (float height in heights.Slice(LodLayout.IndexInBlock(i, sample), count))
                     {
                         min = Math.Min(min, height);
                         max = Math.Max(max, height);
@@ -86,8 +100,8 @@ public abstract class BlockedGrid : IElevationGrid
     }
 
     /// <summary>The samples of a block.</summary>
-    /// <param name="row">From the north.</param>
-    /// <param name="column">From the west.</param>
+    /// <param name="row">From the top.</param>
+    /// <param name="column">From the left.</param>
     /// <returns><see cref="LodLayout.BlockSamples"/> heights, m over the reference radius, <see cref="LodLayout.Side"/> a line.</returns>
     protected abstract ReadOnlySpan<float> HeightsOf(int row, int column);
 

@@ -34,11 +34,11 @@ public sealed class DetailRule
     /// <summary>Takes the model and the allowed error.</summary>
     /// <param name="levels">The model and its levels.</param>
     /// <param name="errorPixels">How far a coarser level may move what is seen, in pixels; 0 for the model itself everywhere.</param>
-    public DetailRule(LodLevels levels, double errorPixels)
+    public DetailRule(TerrainLevels levels, double errorPixels)
     {
         _levels = levels.Count;
-        _referenceRadius = levels.Level(0).ReferenceRadius;
-        _finestCell = _referenceRadius * Math.PI / 180.0 / levels.Level(0).PixelsPerDegree;
+        _referenceRadius = levels.Grid(0).ReferenceRadius;
+        _finestCell = levels.Grid(0).Projection.Resolution.OnSphere(_referenceRadius).MetresPerPixel;
         _errorPixels = errorPixels;
     }
 
@@ -71,7 +71,7 @@ public sealed class DetailRule
     public double MaxShift(double metresPerPixel) => _errorPixels * metresPerPixel;
 
     /// <summary>The coarsest level with cells no wider than a limit; the model itself, 0, if even its cells are wider.</summary>
-    /// <param name="widestCell">m, at the reference sphere's equator.</param>
+    /// <param name="widestCell">m, on the reference sphere, where the model's cells are widest.</param>
     public int LevelOfCell(double widestCell)
     {
         int level = 0;

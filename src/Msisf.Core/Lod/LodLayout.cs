@@ -1,11 +1,15 @@
+using Msisf.Core.Terrain;
+
 namespace Msisf.Core.Lod;
 
 /// <summary>
-/// How the samples of a level are cut into blocks, which are computed, kept and stored as a whole; those at the southern and eastern
-/// border may be smaller. <c>default</c> is no layout.
+/// How the samples of a level are cut into blocks, which are computed, kept and stored as a whole. Blocks begin at multiples of
+/// <see cref="Side"/> lines and samples of the level's grid; those at the borders of its window may be smaller. <c>default</c> is no
+/// layout.
 /// </summary>
-/// <param name="PixelsPerDegree">Samples a degree.</param>
-public readonly record struct LodLayout(int PixelsPerDegree)
+/// <param name="Window">The part of the grid that the level has.</param>
+/// <param name="IsRing">Whether a line goes around the whole Moon, so that its first sample follows the last one.</param>
+public readonly record struct LodLayout(GridWindow Window, bool IsRing)
 {
     /// <summary>Binary logarithm of the side of a block: 64 x 64 floats fill four memory pages.</summary>
     public const int SideShift = 6;
@@ -16,37 +20,67 @@ public readonly record struct LodLayout(int PixelsPerDegree)
     /// <summary>Samples of a block.</summary>
     public const int BlockSamples = Side * Side;
 
-    /// <summary>Lines of the whole Moon.</summary>
-    public int Lines => 180 * PixelsPerDegree;
+    /// <summary>The blocks of a whole Moon of latitude and longitude.</summary>
+    /// <param name="pixelsPerDegree">Samples a degree.</param>
+    public LodLayout(int pixelsPerDegree)
+        : this(new GridWindow(0, 180 * pixelsPerDegree, 0, 360 * pixelsPerDegree), IsRing: true)
+    {
+    }
 
-    /// <summary>Samples of a line.</summary>
-    public int Samples => 360 * PixelsPerDegree;
+    /// <summary>The blocks of a model's own grid.</summary>
+    public static LodLayout Of(ITerrainGrid grid) =>
+        new(grid.Window, grid.Projection is Equirectangular && grid.Window.Samples == grid.Samples);
 
-    /// <summary>Blocks from north to south.</summary>
-    public int BlockRows => (Lines + Side - 1) >> SideShift;
+    /// <summary>The blocks of the level with half the resolution.</summary>
+    public LodLayout Halved() => this with { Window = Window.Halved() };
 
-    /// <summary>Blocks from west to east.</summary>
-    public int BlockColumns => (Samples + Side - 1) >> SideShift;
+    /// <summary>Blocks from top to bottom.</summary>
+    public int BlockRows => ((Window.EndLine + Side - 1) >> SideShift) - FirstRow;
 
-    /// <summary>All blocks, row by row from the north.</summary>
+    /// <summary>Blocks from left to right.</summary>
+    public int BlockColumns => ((Window.EndSample + Side - 1) >> SideShift) - FirstColumn;
+
+    /// <summary>All blocks, row by row from the top.</summary>
     public int Blocks => BlockRows * BlockColumns;
 
-    /// <summary>Lines of the blocks of a row.</summary>
-    public int LinesOf(int blockRow) => Math.Min(Side, Lines - (blockRow << SideShift));
+    private int FirstRow => Window.FirstLine >> SideShift;
 
-    /// <summary>Samples of the blocks of a column.</summary>
-    public int SamplesOf(int blockColumn) => Math.Min(Side, Samples - (blockColumn << SideShift));
+    private int FirstColumn => Window.FirstSample >> SideShift;
 
-    /// <summary>Refuses a block of samples that is not on the Moon.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">It is not.</exception>
+    /// <summary>The row of blocks, from 0, in which a line is.</summary>
+    public int RowOf(int line) => (line >> SideShift) - FirstRow;
+
+    /// <summary>The column of blocks, from 0, in which a sample is.</summary>
+    public int ColumnOf(int sample) => (sample >> SideShift) - FirstColumn;
+
+    /// <summary>The samples of a block that are in the window.</summary>
+    /// <param name="row">From the top.</param>
+    /// <param name="column">From the left.</param>
+    public GridWindow SamplesOf(int row, int column)
+    {
+        int line = (FirstRow + row) << SideShift;
+        int sample = (FirstColumn + column) << SideShift;
+        return new GridWindow(
+            Math.Max(line, Window.FirstLine),
+            Math.Min(line + Side, Window.EndLine),
+            Math.Max(sample, Window.FirstSample),
+            Math.Min(sample + Side, Window.EndSample));
+    }
+
+    /// <summary>Index of a sample among the samples of its block.</summary>
+    public static int IndexInBlock(int line, int sample) => ((line & (Side - 1)) << SideShift) | (sample & (Side - 1));
+
+    /// <summary>Refuses a block of samples that the level does not have.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It does not.</exception>
     public void CheckRange(int firstLine, int lines, int firstSample, int samples)
     {
-        if (firstLine < 0 || lines < 1 || lines > Lines - firstLine || (uint)firstSample >= (uint)Samples
-            || (uint)(samples - 1) >= (uint)Samples)
+        int most = IsRing ? Window.Samples : Window.EndSample - firstSample;
+        if (firstLine < Window.FirstLine || lines < 1 || lines > Window.EndLine - firstLine || firstSample < Window.FirstSample
+            || firstSample >= Window.EndSample || samples < 1 || samples > most)
         {
             throw new ArgumentOutOfRangeException(
                 nameof(firstLine),
-                $"No block of {Lines} x {Samples} samples: {lines} lines from {firstLine}, {samples} samples from {firstSample}.");
+                $"{Window} has no block of {lines} lines from {firstLine}, {samples} samples from {firstSample}.");
         }
     }
 }

@@ -7,10 +7,10 @@ namespace Msisf.Core.Lod;
 /// A model at a resolution halved one or more times (<see cref="BlockReducer"/>), computed block by block when it is first read. Several
 /// threads that ask for the same block wait for the first one. Safe for several threads.
 /// </summary>
-public sealed class ReducedGrid : BlockedGrid
+public class ReducedGrid : BlockedGrid
 {
     private readonly LodCache _cache;
-    private readonly IElevationGrid _source;
+    private readonly ITerrainGrid _source;
     private readonly int _blocksBetweenReleases;
     private readonly ReducedGrid? _below;
     private readonly BlockReducer _fromSource;
@@ -27,8 +27,8 @@ public sealed class ReducedGrid : BlockedGrid
     /// </param>
     /// <param name="cache">Bounds the memory.</param>
     /// <param name="samplesBetweenReleases">Number of samples of the model that are read before their memory is released.</param>
-    internal ReducedGrid(IElevationGrid source, int halvings, ReducedGrid? below, LodCache cache, int samplesBetweenReleases)
-        : base(source, source.PixelsPerDegree >> halvings)
+    internal ReducedGrid(ITerrainGrid source, int halvings, ReducedGrid? below, LodCache cache, int samplesBetweenReleases)
+        : base(source, halvings)
     {
         _cache = cache;
         _source = source;
@@ -40,7 +40,7 @@ public sealed class ReducedGrid : BlockedGrid
     }
 
     /// <inheritdoc/>
-    protected override ReadOnlySpan<float> HeightsOf(int row, int column)
+    protected sealed override ReadOnlySpan<float> HeightsOf(int row, int column)
     {
         LodBlock block = Known(row, column) ?? Compute(row, column);
         _cache.Touch(block);
@@ -88,9 +88,12 @@ public sealed class ReducedGrid : BlockedGrid
     private bool IsKnownBelow(int row, int column)
     {
         LodLayout below = _below!.Layout;
-        int lastRow = Math.Min((2 * row) + 1, below.BlockRows - 1);
-        int lastColumn = Math.Min((2 * column) + 1, below.BlockColumns - 1);
-        return _below.Known(2 * row, 2 * column) is not null && _below.Known(2 * row, lastColumn) is not null
-            && _below.Known(lastRow, 2 * column) is not null && _below.Known(lastRow, lastColumn) is not null;
+        GridWindow block = Layout.SamplesOf(row, column);
+        int firstRow = below.RowOf(Math.Max(2 * block.FirstLine, below.Window.FirstLine));
+        int lastRow = below.RowOf(Math.Min((2 * block.EndLine) - 1, below.Window.EndLine - 1));
+        int firstColumn = below.ColumnOf(Math.Max(2 * block.FirstSample, below.Window.FirstSample));
+        int lastColumn = below.ColumnOf(Math.Min((2 * block.EndSample) - 1, below.Window.EndSample - 1));
+        return _below.Known(firstRow, firstColumn) is not null && _below.Known(firstRow, lastColumn) is not null
+            && _below.Known(lastRow, firstColumn) is not null && _below.Known(lastRow, lastColumn) is not null;
     }
 }

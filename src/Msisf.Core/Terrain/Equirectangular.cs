@@ -13,6 +13,9 @@ public sealed record Equirectangular(int PixelsPerDegree) : MapProjection
     public override GridResolution Resolution => PixelsPerDegree;
 
     /// <inheritdoc/>
+    public override MapProjection? Halved() => PixelsPerDegree % 2 == 0 ? new Equirectangular(PixelsPerDegree / 2) : null;
+
+    /// <inheritdoc/>
     public override Vector3D DirectionOf(double line, double sample) => new SelenographicPoint(
         double.DegreesToRadians(90.0 - ((line + 0.5) / PixelsPerDegree)),
         double.DegreesToRadians((sample + 0.5) / PixelsPerDegree)).ToDirectionMoonMe();

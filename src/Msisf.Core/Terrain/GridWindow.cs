@@ -12,4 +12,10 @@ public readonly record struct GridWindow(int FirstLine, int EndLine, int FirstSa
 
     /// <summary>Number of samples of a line.</summary>
     public int Samples => EndSample - FirstSample;
+
+    /// <summary>
+    /// The same part of the grid in which a sample stands for 2 x 2 of this one; it reaches as far as the samples that stand for any of
+    /// this window's.
+    /// </summary>
+    public GridWindow Halved() => new(FirstLine >> 1, (EndLine + 1) >> 1, FirstSample >> 1, (EndSample + 1) >> 1);
 }

@@ -8,6 +8,12 @@ public abstract record MapProjection
     /// <summary>The resolution, as it is given for this kind of map.</summary>
     public abstract GridResolution Resolution { get; }
 
+    /// <summary>
+    /// The projection of the grid whose line i and sample j stand for the lines 2 i, 2 i + 1 and the samples 2 j, 2 j + 1 of this one; null
+    /// if there is none.
+    /// </summary>
+    public abstract MapProjection? Halved();
+
     /// <summary>Direction of a place of the grid from the Moon's centre, MOON_ME, length 1.</summary>
     /// <param name="line">px from the centre of the top line, downwards.</param>
     /// <param name="sample">px from the centre of the leftmost sample, to the right.</param>

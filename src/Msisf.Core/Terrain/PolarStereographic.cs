@@ -35,6 +35,14 @@ public sealed record PolarStereographic(bool IsSouth, double MetresPerPixel, dou
     public double B(double line) => PoleSign * (line - LineOffset) * MetresPerPixel / MoonConstants.ReferenceRadius;
 
     /// <inheritdoc/>
+    public override MapProjection Halved() => this with
+    {
+        MetresPerPixel = 2.0 * MetresPerPixel,
+        LineOffset = 0.5 * (LineOffset - 0.5),
+        SampleOffset = 0.5 * (SampleOffset - 0.5),
+    };
+
+    /// <inheritdoc/>
     public override Vector3D DirectionOf(double line, double sample)
     {
         double a = A(sample);

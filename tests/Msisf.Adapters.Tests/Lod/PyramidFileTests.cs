@@ -105,7 +105,7 @@ public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTes
 
         Assert.Null(levels.Sidecar);
         Assert.Contains($"{Sidecar}: {problem}", levels.Warning, StringComparison.Ordinal);
-        Assert.IsType<ReducedGrid>(levels.Levels.Level(2));
+        Assert.IsType<ReducedMoon>(levels.Levels.Level(2));
     }
 
     [Theory]

@@ -40,6 +40,11 @@ internal static class Places
     /// <summary>100 km over the south pole, straight down; Sun 1.58 degrees up, as high as it comes in 2010.</summary>
     public static SpacecraftState SouthPole { get; } = Nadir(55463.0, Above(-90.0, 0.0, 100e3));
 
+    /// <summary>
+    /// 5 km over the south pole, which is higher than all ground there, 60 degrees off nadir; Sun as for <see cref="SouthPole"/>.
+    /// </summary>
+    public static SpacecraftState LowOverSouthPole { get; } = Tilted(Nadir(55463.0, Above(-90.0, 0.0, 5e3)), 60.0);
+
     /// <summary>100 km over 0 N 0 E, straight down; Sun 9.99 degrees up, in the east.</summary>
     public static SpacecraftState PrimeMeridian { get; } = Nadir(55308.32, Above(0.0, 0.0, 100e3));
 

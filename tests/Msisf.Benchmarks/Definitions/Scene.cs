@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Benchmarks.Definitions;
 
@@ -17,8 +18,8 @@ internal sealed record Scene
     /// <summary>What it shows.</summary>
     public required string About { get; init; }
 
-    /// <summary>The elevation model.</summary>
-    public required int PixelsPerDegree { get; init; }
+    /// <summary>The elevation model: of the whole Moon by its samples a degree, the map of the south pole by its metres a pixel.</summary>
+    public required GridResolution Model { get; init; }
 
     /// <summary>When, where and how the camera looks; the Sun follows from the time.</summary>
     public required SpacecraftState State { get; init; }

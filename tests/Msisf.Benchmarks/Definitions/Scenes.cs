@@ -1,3 +1,5 @@
+using Msisf.Core.Terrain;
+
 namespace Msisf.Benchmarks.Definitions;
 
 /// <summary>The measured scenes.</summary>
@@ -31,72 +33,85 @@ internal static class Scenes
     [
         new()
         {
-            Name = "far-4", About = "far, LDEM_4", PixelsPerDegree = 4, State = Places.Far, Settings = Settings.All,
+            Name = "far-4", About = "far, LDEM_4", Model = 4, State = Places.Far, Settings = Settings.All,
             Targets = new SceneTargets(0.12, 0.012, 100 * Megabyte, TimesFasterThanPovRay: 200.0),
         },
-        new() { Name = "far-16", About = "far, LDEM_16", PixelsPerDegree = 16, State = Places.Far, Settings = Settings.Few },
+        new() { Name = "far-16", About = "far, LDEM_16", Model = 16, State = Places.Far, Settings = Settings.Few },
         new()
         {
-            Name = "far-64", About = "far, LDEM_64", PixelsPerDegree = 64, State = Places.Far, IsExact = true,
+            Name = "far-64", About = "far, LDEM_64", Model = 64, State = Places.Far, IsExact = true,
             Settings = Settings.Antialiased, MaxThesisTiles = 4,
             Targets = new SceneTargets(0.35, 0.060, 250 * Megabyte),
         },
         new()
         {
-            Name = "far-512", About = "far, LDEM_512", PixelsPerDegree = 512, State = Places.Far, HasTruth = false,
+            Name = "far-512", About = "far, LDEM_512", Model = 512, State = Places.Far, HasTruth = false,
             Settings = [Settings.PovRayDefault, Settings.NativeDefault],
             Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
         },
         new()
         {
-            Name = "disc-16", About = "whole disc, LDEM_16", PixelsPerDegree = 16, State = Places.Disc,
+            Name = "disc-16", About = "whole disc, LDEM_16", Model = 16, State = Places.Disc,
             Settings = Settings.Few, MaxThesisTiles = CoarseTiles,
         },
         new()
         {
-            Name = "nadir-64", About = "100 km, nadir, LDEM_64", PixelsPerDegree = 64, State = Places.LowNadir, Settings = Settings.All,
+            Name = "nadir-64", About = "100 km, nadir, LDEM_64", Model = 64, State = Places.LowNadir, Settings = Settings.All,
             Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
         },
         new()
         {
-            Name = "nadir-128", About = "100 km, nadir, LDEM_128", PixelsPerDegree = 128, State = Places.LowNadir,
+            Name = "nadir-128", About = "100 km, nadir, LDEM_128", Model = 128, State = Places.LowNadir,
             Settings = Settings.Own,
         },
         new()
         {
-            Name = "oblique-64", About = "20 km, oblique, LDEM_64", PixelsPerDegree = 64, State = Places.Oblique,
+            Name = "oblique-64", About = "20 km, oblique, LDEM_64", Model = 64, State = Places.Oblique,
             Settings = Settings.Default, MaxThesisTiles = FineTiles,
             Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
         },
         new()
         {
-            Name = "oblique-512", About = "20 km, oblique, LDEM_512", PixelsPerDegree = 512, State = Places.Oblique,
+            Name = "oblique-512", About = "20 km, oblique, LDEM_512", Model = 512, State = Places.Oblique,
             Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
         },
         new()
         {
-            Name = "pole-64", About = "100 km over the north pole, LDEM_64", PixelsPerDegree = 64, State = Places.NorthPole,
+            Name = "pole-64", About = "100 km over the north pole, LDEM_64", Model = 64, State = Places.NorthPole,
             Targets = new SceneTargets(0.4, 0.100, 250 * Megabyte),
         },
         new()
         {
-            Name = "north-16", About = "100 km over the north pole, LDEM_16", PixelsPerDegree = 16, State = Places.NorthPole,
+            Name = "polar-20m", About = "100 km over the south pole, LDEM_80S_20M", Model = PolarMap, State = Places.SouthPole,
+            Targets = new SceneTargets(1.0, 0.060, 600 * Megabyte),
+        },
+        new()
+        {
+            Name = "polar-20m-low", About = "5 km over the south pole, oblique, LDEM_80S_20M", Model = PolarMap,
+            State = Places.LowOverSouthPole, Targets = new SceneTargets(1.0, 0.060, 600 * Megabyte),
+        },
+        new()
+        {
+            Name = "north-16", About = "100 km over the north pole, LDEM_16", Model = 16, State = Places.NorthPole,
             Settings = Settings.Few, MaxThesisTiles = CoarseTiles,
         },
         new()
         {
-            Name = "south-16", About = "100 km over the south pole, LDEM_16", PixelsPerDegree = 16, State = Places.SouthPole,
+            Name = "south-16", About = "100 km over the south pole, LDEM_16", Model = 16, State = Places.SouthPole,
             Settings = Settings.Few, MaxThesisTiles = CoarseTiles,
         },
         new()
         {
-            Name = "prime-64", About = "100 km over the prime meridian, LDEM_64", PixelsPerDegree = 64, State = Places.PrimeMeridian,
+            Name = "prime-64", About = "100 km over the prime meridian, LDEM_64", Model = 64, State = Places.PrimeMeridian,
             Settings = Settings.Few, MaxThesisTiles = FineTiles,
         },
         Landing("landing-100km", "100 km", 100e3, Settings.Few),
         Landing("landing-5km", "5 km", 5e3, Settings.Few),
         Landing("landing-500m", "500 m", 500.0, Settings.Few),
     ];
+
+    /// <summary>The map of the south pole to 80 degrees of latitude that benchmark.sh makes, 30,400 x 30,400 pixels.</summary>
+    private static GridResolution PolarMap => GridResolution.FromMetresPerPixel(20.0);
 
     /// <summary>A scene by its name.</summary>
     /// <exception cref="BenchmarkException">There is none; the message has the names.</exception>
@@ -109,7 +124,7 @@ internal static class Scenes
     {
         Name = name,
         About = $"landing, {height}, LDEM_64",
-        PixelsPerDegree = 64,
+        Model = 64,
         State = Places.Landing(altitude),
         Settings = settings,
         MaxThesisTiles = FineTiles,

@@ -18,7 +18,7 @@ internal static class FromNothing
         string folder = Path.Combine(bench.Folder, Scenes.FromNothing);
         Workbench.Delete(folder);
         string model = Directory.CreateDirectory(Path.Combine(folder, "model")).FullName;
-        foreach (LdemLabel part in bench.Model(Image.PixelsPerDegree).Parts)
+        foreach (LdemLabel part in bench.Model(Image.Model).Parts)
         {
             foreach (string file in new HashSet<string> { part.LabelPath, part.ImagePath })
             {
@@ -31,7 +31,7 @@ internal static class FromNothing
             ProgramRun run = bench.Msis.Run(
                 [
                     "--fixed-state", Image.FixedState,
-                    .. Workbench.ImageOptions(Image.PixelsPerDegree, model, Path.Combine(folder, "output")),
+                    .. Workbench.ImageOptions(Image.Model, model, Path.Combine(folder, "output")),
                     "--renderer", "povray", "--pattern-repos", Path.Combine(folder, "patterns"),
                 ],
                 new Dictionary<string, string> { ["XDG_CACHE_HOME"] = Path.Combine(folder, "cache") });

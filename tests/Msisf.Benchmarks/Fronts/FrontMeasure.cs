@@ -47,7 +47,7 @@ internal sealed class FrontMeasure
     /// <summary>Measures a scene.</summary>
     public SceneFront Measure(Scene scene)
     {
-        using LdemImage image = LdemImage.Open(_bench.Model(scene.PixelsPerDegree));
+        using LdemImage image = LdemImage.Open(_bench.Model(scene.Model));
         using ModelLevels model = ModelLevels.Open(image, cacheFolder: null);
         SceneLight sun = new(_ephemeris.SunPositionMoonMe(scene.State.Time), IsSun: true);
         ImageTruth? truth = scene.HasTruth ? ImageTruth.Draw(scene.Camera, sun, image) : null;

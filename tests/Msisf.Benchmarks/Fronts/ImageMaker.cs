@@ -26,7 +26,7 @@ internal sealed class ImageMaker
         string patterns = _bench.PatternsOf(scene, setting);
         if (setting.Kind == SettingKind.Thesis)
         {
-            ThesisFrameJob job = new(scene.Name, _bench.LabelOf(scene.PixelsPerDegree), patterns, output, scene.MaxThesisTiles);
+            ThesisFrameJob job = new(scene.Name, _bench.LabelOf(scene.Model), patterns, output, scene.MaxThesisTiles);
             return ChildProgram.Self(_bench.Root).Run([ThesisFrameJob.Command, JsonSerializer.Serialize(job)], watch: MemoryWatch.Children);
         }
 
@@ -35,7 +35,7 @@ internal sealed class ImageMaker
             ? ["--renderer", "povray", "--pattern-repos", patterns, "--timeout", Timeout]
             : ["--renderer", "native", "--reflectance", "lambert"];
         return _bench.Msis.Run(
-            ["--fixed-state", scene.FixedState, .. _bench.ImageOptions(scene.PixelsPerDegree, output), .. renderer, .. setting.Options],
+            ["--fixed-state", scene.FixedState, .. _bench.ImageOptions(scene.Model, output), .. renderer, .. setting.Options],
             watch: isPovRay ? MemoryWatch.Children : MemoryWatch.None);
     }
 }

@@ -43,7 +43,7 @@ internal sealed class FurtherFrames
     private FurtherFramesResult Run(Scene scene, int threads, Dictionary<string, string>? environment)
     {
         FurtherFramesJob job = new(
-            scene.Name, _bench.LabelOf(scene.PixelsPerDegree), threads, _repeats.WarmUpFrames, _repeats.FurtherFrames,
+            scene.Name, _bench.LabelOf(scene.Model), threads, _repeats.WarmUpFrames, _repeats.FurtherFrames,
             _repeats.CheckedPixels);
         ProgramRun run = ChildProgram.Self(_bench.Root).Run([FurtherFramesJob.Command, JsonSerializer.Serialize(job)], environment);
         return JsonSerializer.Deserialize<FurtherFramesResult>(run.Output[^1].Line)!;

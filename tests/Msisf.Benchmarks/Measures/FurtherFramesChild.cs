@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Runtime.Intrinsics;
-using Msisf.Adapters.Lod;
 using Msisf.Adapters.Terrain;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Core.Camera;
@@ -27,9 +26,8 @@ internal static class FurtherFramesChild
         Scene scene = Scenes.Named(job.Scene);
         SceneLight light = new(ephemeris.SunPositionMoonMe(scene.State.Time), IsSun: true);
         NativeRenderOptions options = new() { Reflectance = new LambertReflectance(Albedo) };
-        using LdemImage model = LdemImage.Open(LdemCatalog.Read(job.Label));
-        using ModelLevels levels = ModelLevels.Open(model, cacheFolder: null);
-        IElevationGrid grid = LevelFor(scene, levels.Levels);
+        using IDisposable opened = Open(job.Label, out TerrainLevels levels);
+        ITerrainGrid grid = LevelFor(scene, levels);
         NativeRenderer renderer = new(grid);
         List<double> seconds = [];
         for (int frame = 0; frame < job.WarmUpFrames + job.Frames; frame++)
@@ -52,7 +50,7 @@ internal static class FurtherFramesChild
         return new FurtherFramesResult(
             job.Threads,
             Vector512.IsHardwareAccelerated,
-            grid.PixelsPerDegree,
+            grid.Projection.Resolution.ToString(),
             seconds,
             peakMemory,
             check.Pixels,
@@ -61,7 +59,23 @@ internal static class FurtherFramesChild
             check.LargestDistance);
     }
 
-    private static IElevationGrid LevelFor(Scene scene, LodLevels levels) => levels.Level(scene.IsExact
+    /// <summary>Opens a model without a pyramid file.</summary>
+    /// <returns>What keeps it open.</returns>
+    private static IDisposable Open(string label, out TerrainLevels levels)
+    {
+        if (LdemCatalog.TryReadMap(label) is { } map)
+        {
+            LdemMapImage polar = LdemMapImage.Open(map);
+            levels = MapLevels.Open(polar);
+            return polar;
+        }
+
+        LdemImage image = LdemImage.Open(LdemCatalog.Read(label));
+        levels = LodLevels.Open(image);
+        return image;
+    }
+
+    private static ITerrainGrid LevelFor(Scene scene, TerrainLevels levels) => levels.Grid(scene.IsExact
         ? 0
         : new DetailRule(levels, DetailRule.DefaultErrorOfImage).LevelOfImage(scene.Camera.Footprint, subsamplesPerAxis: 1));
 }

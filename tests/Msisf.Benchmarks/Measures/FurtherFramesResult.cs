@@ -3,7 +3,7 @@ namespace Msisf.Benchmarks.Measures;
 /// <summary>What a child process has measured.</summary>
 /// <param name="Threads">How many the renderer was given.</param>
 /// <param name="HasVector512">The process used vectors of 512 bits.</param>
-/// <param name="PixelsPerDegree">Resolution of the level of the model that was drawn.</param>
+/// <param name="Resolution">Of the level of the model that was drawn, with its unit.</param>
 /// <param name="FrameSeconds">Each measured frame.</param>
 /// <param name="PeakMemoryBytes">Most memory of the process, file pages included.</param>
 /// <param name="CheckedPixels">Pixels compared with the exact tracer.</param>
@@ -13,7 +13,7 @@ namespace Msisf.Benchmarks.Measures;
 internal sealed record FurtherFramesResult(
     int Threads,
     bool HasVector512,
-    int PixelsPerDegree,
+    string Resolution,
     IReadOnlyList<double> FrameSeconds,
     long PeakMemoryBytes,
     int CheckedPixels,

@@ -16,7 +16,7 @@ internal sealed record TracerCheck(int Pixels, int OtherFacets, int OtherLight, 
     /// <param name="light">The frame's.</param>
     /// <param name="grid">The level of the model that was drawn.</param>
     /// <param name="pixels">How many.</param>
-    public static TracerCheck Of(IGroundTruth frame, SceneLight light, IElevationGrid grid, int pixels)
+    public static TracerCheck Of(IGroundTruth frame, SceneLight light, ITerrainGrid grid, int pixels)
     {
         TracedFrameTruth exact = new(frame.Camera, light, new TerrainTracer(grid));
         Random random = new(Seed);

@@ -1,13 +1,14 @@
 using System.Globalization;
 using Msisf.Adapters.Terrain;
 using Msisf.Benchmarks.Definitions;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Benchmarks.Programs;
 
 /// <summary>Where the benchmark finds what it needs and leaves what it makes.</summary>
 internal sealed class Workbench
 {
-    private readonly Dictionary<int, LdemSet> _models;
+    private readonly Dictionary<GridResolution, LdemSet> _models;
 
     /// <summary>Reads the labels of the models.</summary>
     /// <param name="root">The repository's folder.</param>
@@ -17,7 +18,10 @@ internal sealed class Workbench
     {
         Root = Path.GetFullPath(root);
         Folder = Path.GetFullPath(folder);
-        _models = labels.Select(label => LdemCatalog.Read(Path.GetFullPath(label))).ToDictionary(model => model.PixelsPerDegree);
+        _models = labels.Select(Path.GetFullPath).Select(label => LdemCatalog.TryReadMap(label) is { Polar: { } polar } map
+            ? (polar.Resolution, Set: LdemSet.OfMap(map))
+            : ((GridResolution)LdemCatalog.Read(label).PixelsPerDegree, Set: LdemCatalog.Read(label))).ToDictionary(
+                model => model.Item1, model => model.Set);
         Msis = new ChildProgram(Path.Combine(Root, "msis"), Root);
     }
 
@@ -51,26 +55,26 @@ internal sealed class Workbench
         }
     }
 
-    public LdemSet Model(int pixelsPerDegree) => _models.TryGetValue(pixelsPerDegree, out LdemSet? model)
+    public LdemSet Model(GridResolution resolution) => _models.TryGetValue(resolution, out LdemSet? model)
         ? model
-        : throw new BenchmarkException(FormattableString.Invariant($"no --model with {pixelsPerDegree} px/deg is given."));
+        : throw new BenchmarkException($"no --model with {resolution} is given.");
 
     /// <summary>The label of a model, for <c>--ldem</c>; of a split one any part's.</summary>
-    public string LabelOf(int pixelsPerDegree) => Model(pixelsPerDegree).Parts[0].LabelPath;
+    public string LabelOf(GridResolution resolution) => Model(resolution).Parts[0].LabelPath;
 
     /// <summary>The options of msis that all runs share.</summary>
-    public IReadOnlyList<string> ImageOptions(int pixelsPerDegree, string outputFolder) =>
-        ImageOptions(pixelsPerDegree, LabelOf(pixelsPerDegree), outputFolder);
+    public IReadOnlyList<string> ImageOptions(GridResolution resolution, string outputFolder) =>
+        ImageOptions(resolution, LabelOf(resolution), outputFolder);
 
     /// <summary>The same with another label of the model.</summary>
-    public static IReadOnlyList<string> ImageOptions(int pixelsPerDegree, string label, string outputFolder)
+    public static IReadOnlyList<string> ImageOptions(GridResolution resolution, string label, string outputFolder)
     {
         string side = Scene.Side.ToString(CultureInfo.InvariantCulture);
         return
         [
             "--width", side, "--height", side,
             "--fov", Scene.FieldOfViewDegrees.ToString("R", CultureInfo.InvariantCulture),
-            "--res", pixelsPerDegree.ToString(CultureInfo.InvariantCulture),
+            .. resolution.PixelsPerDegree is null ? (string[])[] : ["--res", resolution.NumberText],
             "--ldem", label,
             "--output-dir", outputFolder,
             "--batch", "--timing", "--overwrite",

@@ -45,7 +45,7 @@ internal static class FrontVerdicts
         }
 
         foreach (IGrouping<int, SceneFront> fronts in result.Fronts.GroupBy(
-            front => front.Scene.PixelsPerDegree).OrderBy(group => group.Key))
+            front => (int)front.Scene.Model.Number).OrderBy(group => group.Key))
         {
             yield return Memory(fronts.Key, [.. fronts]);
         }
@@ -54,7 +54,7 @@ internal static class FrontVerdicts
     private static IEnumerable<Verdict> Of(SceneFront front)
     {
         Scene scene = front.Scene;
-        if (TimesFaster.TryGetValue(scene.Name, out double times) || scene.PixelsPerDegree == NeverSlower)
+        if (TimesFaster.TryGetValue(scene.Name, out double times) || scene.Model.PixelsPerDegree == NeverSlower)
         {
             double min = Math.Max(times, 1.0);
             (double median, double best) = Speed(front);

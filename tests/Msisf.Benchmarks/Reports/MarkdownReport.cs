@@ -84,7 +84,7 @@ internal static class MarkdownReport
     private static Table FurtherFrames(IReadOnlyList<SceneResult> scenes)
     {
         string[] settings = [.. scenes.SelectMany(scene => scene.Further.Select(FigureList.SettingOf)).Distinct()];
-        Table table = new(["scene", .. settings, "px/deg drawn", "memory, MB", "unlike the exact tracer: facet, light"]);
+        Table table = new(["scene", .. settings, "drawn", "memory, MB", "unlike the exact tracer: facet, light"]);
         foreach (SceneResult scene in scenes)
         {
             Dictionary<string, FurtherFramesResult> results = scene.Further.ToDictionary(FigureList.SettingOf);
@@ -94,7 +94,7 @@ internal static class MarkdownReport
                 .. settings.Select(setting => results.TryGetValue(setting, out FurtherFramesResult? further)
                     ? Range(Unit.Milliseconds, new Samples(further.FrameSeconds))
                     : NotMeasured),
-                scene.Further[0].PixelsPerDegree.ToString(CultureInfo.InvariantCulture),
+                scene.Further[0].Resolution,
                 Unit.Megabytes.Number(scene.Further.Max(further => further.PeakMemoryBytes)),
                 string.Create(
                     CultureInfo.InvariantCulture,

@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
@@ -17,21 +18,27 @@ public sealed class PolarMapSceneTests
 {
     private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
-    /// <summary>Pole in the middle, near a side, far outside; cells of 3 km to 1 m.</summary>
-    public static TheoryData<bool, double, int, double, double> Maps => new()
+    /// <summary>
+    /// Pole in the middle, near a side, far outside; cells of 3 km to 1 m; also coarser levels of maps that end in the middle of their
+    /// cells. The last number is the level.
+    /// </summary>
+    public static TheoryData<bool, double, int, double, double, int> Maps => new()
     {
-        { true, 3000.0, 70, 34.5, 34.5 },
-        { false, 3000.0, 70, 34.5, 34.5 },
-        { false, 500.0, 65, 7.0, 60.0 },
-        { true, 20.0, 70, 12000.0, -9000.5 },
-        { true, 1.0, 70, -800.25, 40.0 },
+        { true, 3000.0, 70, 34.5, 34.5, 0 },
+        { false, 3000.0, 70, 34.5, 34.5, 0 },
+        { false, 500.0, 65, 7.0, 60.0, 0 },
+        { true, 20.0, 70, 12000.0, -9000.5, 0 },
+        { true, 1.0, 70, -800.25, 40.0, 0 },
+        { true, 1500.0, 139, 69.0, 69.0, 1 },
+        { false, 5.0, 273, 90.0, 21000.5, 2 },
     };
 
     [Theory]
     [MemberData(nameof(Maps))]
-    public void Trace_PolarMap_IsAsBruteForce(bool isSouth, double scale, int side, double poleLine, double poleSample)
+    public void Trace_PolarMap_IsAsBruteForce(
+        bool isSouth, double scale, int side, double poleLine, double poleSample, int level)
     {
-        PolarFunctionGrid grid = PolarFunctionGrid.Rugged(isSouth, scale, side, poleLine, poleSample);
+        ITerrainGrid grid = LevelOf(PolarFunctionGrid.Rugged(isSouth, scale, side, poleLine, poleSample), level);
         TerrainTracer tracer = new(grid);
         BruteForceMap facets = new(grid);
         List<string> wrong = [];
@@ -65,9 +72,10 @@ public sealed class PolarMapSceneTests
 
     [Theory]
     [MemberData(nameof(Maps))]
-    public void Trace_RaysAtVerticesAndEdges_HitTheMap(bool isSouth, double scale, int side, double poleLine, double poleSample)
+    public void Trace_RaysAtVerticesAndEdges_HitTheMap(
+        bool isSouth, double scale, int side, double poleLine, double poleSample, int level)
     {
-        PolarFunctionGrid grid = PolarFunctionGrid.Rugged(isSouth, scale, side, poleLine, poleSample);
+        ITerrainGrid grid = LevelOf(PolarFunctionGrid.Rugged(isSouth, scale, side, poleLine, poleSample), level);
         TerrainTracer tracer = new(grid);
         BruteForceMap vertices = new(grid);
         Random random = new(20120223);
@@ -76,7 +84,7 @@ public sealed class PolarMapSceneTests
         {
             for (int number = 0; number < 300; number++)
             {
-                (int line, int sample) = (random.Next(2, side - 3), random.Next(2, side - 3));
+                (int line, int sample) = (random.Next(2, grid.Lines - 3), random.Next(2, grid.Lines - 3));
                 if (!vertices.FacesAround(line, sample, scene.Camera.PositionMoonMe))
                 {
                     continue; // a ray at a crest may pass above it, with nothing behind
@@ -97,9 +105,10 @@ public sealed class PolarMapSceneTests
 
     [Theory]
     [MemberData(nameof(Maps))]
-    public void Render_PolarMap_IsAsTraced(bool isSouth, double scale, int side, double poleLine, double poleSample)
+    public void Render_PolarMap_IsAsTraced(
+        bool isSouth, double scale, int side, double poleLine, double poleSample, int level)
     {
-        PolarFunctionGrid grid = PolarFunctionGrid.Rugged(isSouth, scale, side, poleLine, poleSample);
+        ITerrainGrid grid = LevelOf(PolarFunctionGrid.Rugged(isSouth, scale, side, poleLine, poleSample), level);
         NativeRenderer renderer = new(grid);
         TerrainTracer tracer = new(grid);
         List<string> wrong = [];
@@ -127,9 +136,10 @@ public sealed class PolarMapSceneTests
 
     [Theory]
     [MemberData(nameof(Maps))]
-    public void Render_ViewInsideTheMap_HasNoHole(bool isSouth, double scale, int side, double poleLine, double poleSample)
+    public void Render_ViewInsideTheMap_HasNoHole(
+        bool isSouth, double scale, int side, double poleLine, double poleSample, int level)
     {
-        PolarFunctionGrid grid = PolarFunctionGrid.Rugged(isSouth, scale, side, poleLine, poleSample);
+        ITerrainGrid grid = LevelOf(PolarFunctionGrid.Rugged(isSouth, scale, side, poleLine, poleSample), level);
         Scene down = ScenesOf(grid)[0];
         using NativeFrame drawn = new NativeRenderer(grid).Render(down.Camera, new SceneLight(down.Sun, IsSun: true), Options, threads: 2);
         for (int pixel = 0; pixel < 200 * 200; pixel++)
@@ -138,10 +148,13 @@ public sealed class PolarMapSceneTests
         }
     }
 
+    private static ITerrainGrid LevelOf(PolarFunctionGrid map, int level) => level == 0 ? map : MapLevels.Open(map).Grid(level);
+
     /// <summary>Cameras over the middle of a map; the first looks straight down and sees nothing but the map.</summary>
-    private static List<Scene> ScenesOf(PolarFunctionGrid grid)
+    private static List<Scene> ScenesOf(ITerrainGrid grid)
     {
-        double extent = grid.Polar.MetresPerPixel * grid.Samples;
+        double cell = grid.Projection.Resolution.MetresPerPixel;
+        double extent = cell * grid.Samples;
         Vector3D up = grid.Projection.DirectionOf(0.5 * grid.Lines, 0.52 * grid.Samples);
         SelenographicPoint middle = SelenographicPoint.Below(up);
         (double latitude, double longitude) = (double.RadiansToDegrees(middle.Latitude), double.RadiansToDegrees(middle.Longitude));
@@ -150,7 +163,7 @@ public sealed class PolarMapSceneTests
             SceneOf("down", 0.8 * extent, 0.0, 0.0, 40.0, 30.0, 100.0),
             SceneOf("wide", 0.8 * extent, 10.0, 60.0, 100.0, 20.0, 200.0),
             SceneOf("oblique", 0.1 * extent, 60.0, 130.0, 60.0, 12.0, 20.0),
-            SceneOf("low", 2.0 * grid.Polar.MetresPerPixel, 85.0, 300.0, 70.0, 8.0, 250.0),
+            SceneOf("low", 2.0 * cell, 85.0, 300.0, 70.0, 8.0, 250.0),
             SceneOf("from afar", 50.0 * extent, 0.0, 0.0, 2.0, 35.0, 300.0),
             SceneOf("grazing sun", 0.5 * extent, 30.0, 200.0, 60.0, 2.0, 10.0),
         ];
@@ -158,7 +171,7 @@ public sealed class PolarMapSceneTests
         Scene SceneOf(string name, double height, double tilt, double azimuth, double fov, double sunElevation, double sunAzimuth)
         {
             RenderScenes.RenderSceneCase scene = new(
-                name, latitude, longitude, height + (4.0 * grid.Polar.MetresPerPixel), tilt, azimuth, fov, sunElevation, sunAzimuth);
+                name, latitude, longitude, height + (4.0 * cell), tilt, azimuth, fov, sunElevation, sunAzimuth);
             return new Scene(name, scene.Camera(grid, 200, 200), scene.Sun);
         }
     }

@@ -1,7 +1,6 @@
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
-using Msisf.TestSupport;
 
 namespace Msisf.Core.Tests.Support;
 
@@ -15,9 +14,9 @@ internal sealed class BruteForceMap
 
     private readonly Vector3D[,] _vertices;
 
-    public BruteForceMap(PolarFunctionGrid grid)
+    public BruteForceMap(ITerrainGrid grid)
     {
-        PolarStereographic map = grid.Polar;
+        PolarStereographic map = (PolarStereographic)grid.Projection;
         double steps = Math.Pow(2.0, Math.Max(7.0, Math.Ceiling(Math.Log2(2048.0 / map.MetresPerPixel))));
         _vertices = new Vector3D[grid.Lines, grid.Samples];
         double[] radii = new double[grid.Samples];

@@ -9,15 +9,15 @@ public sealed class FuzzStress : IStressTest
     private const int PoolThreads = 32;
 
     /// <summary>The others' turns for one of the summaries: where one is refused, a model of 19 million samples is read.</summary>
-    private const int TurnsOfOthers = 11;
+    private const int TurnsOfOthers = 10;
 
     /// <inheritdoc/>
     public string Name => "fuzz";
 
     /// <inheritdoc/>
     public string Subject =>
-        "Whole calls in this process, with command lines, response, batch and configuration files, labels, images, pyramids, summaries, "
-            + "kernels and manifests that are right but for seeded "
+        "Whole calls in this process, with command lines, response, batch and configuration files, labels, images, GeoTIFFs, pyramids, "
+            + "summaries, kernels and manifests that are right but for seeded "
         + "damage: flipped bits, lost, inserted and repeated pieces, swapped words, extreme numbers, moved lines, other encodings, "
         + "deep nesting.";
 
@@ -58,7 +58,7 @@ public sealed class FuzzStress : IStressTest
         IFuzzTarget[] others =
         [
             new ArgumentTarget(world), texts.ResponseFiles, texts.BatchFiles, texts.ConfigFiles, texts.Manifests, texts.Kernels,
-            models.Labels, models.Images, models.Pyramids,
+            models.Labels, models.Images, models.GeoTiffs, models.Pyramids,
         ];
         return [.. Enumerable.Repeat(others, TurnsOfOthers).SelectMany(target => target), models.Summaries];
     }

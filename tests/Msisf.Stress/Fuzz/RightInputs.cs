@@ -32,8 +32,9 @@ internal static class RightInputs
         return refused;
     }
 
-    /// <summary>POV-Ray is not looked for in these calls.</summary>
+    /// <summary>POV-Ray is not looked for in these calls, and GDAL may be missing.</summary>
     private static bool IsWell(FuzzRun? run) =>
         run is { ExitCode: 0 } or { WasToldToEnd: true }
-            || (run?.ExitCode == 3 && run.Error.Contains("POV-Ray is missing", StringComparison.Ordinal));
+            || (run?.ExitCode == 3 && (run.Error.Contains("POV-Ray is missing", StringComparison.Ordinal)
+                || run.Error.Contains("needs GDAL", StringComparison.Ordinal)));
 }

@@ -10,7 +10,7 @@ namespace Msisf.Core.Mesh.Bounds;
 /// </summary>
 internal sealed class BoundsTree
 {
-    /// <summary>Number of samples that <see cref="ReadAll"/> reads before it releases their memory: 8 MB of 16-bit samples.</summary>
+    /// <summary>Number of samples that are read for bounds before their memory is released: 8 MB of 16-bit samples.</summary>
     private const int SamplesBetweenReleases = 1 << 22;
 
     private readonly FacetMesh? _mesh;
@@ -68,7 +68,13 @@ internal sealed class BoundsTree
 
         CellRange cells = Layout.Cells(level, row, column);
         bounds = _reader!.Read(cells);
-        Interlocked.Add(ref _samplesRead, (long)(cells.EndLine - cells.FirstLine) * (cells.EndSample - cells.FirstSample));
+        long count = (long)(cells.EndLine - cells.FirstLine) * (cells.EndSample - cells.FirstSample);
+        long read = Interlocked.Add(ref _samplesRead, count);
+        if (!_mesh!.IsClosed && read / SamplesBetweenReleases != (read - count) / SamplesBetweenReleases)
+        {
+            _mesh.Grid.ReleasePages(); // a line of a large map fits between two faults: all of it is mapped for 33 samples
+        }
+
         Set(level, row, column, bounds);
         return bounds;
     }

@@ -1,0 +1,53 @@
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Lod;
+
+/// <summary>
+/// The levels of a map of a part of the Moon, computed when they are read. Where a map ends in the middle of a coarse cell, the samples
+/// that it has there stand for the cell, so a level ends within half a cell of the map.
+/// </summary>
+public sealed class MapLevels : TerrainLevels
+{
+    /// <summary>
+    /// Minimum number of lines, and of samples of a line, of a coarser level: a map that fills a pixel or two needs no better one.
+    /// </summary>
+    private const int LeastSide = 16;
+
+    private readonly List<ITerrainGrid> _levels;
+
+    private MapLevels(List<ITerrainGrid> levels) => _levels = levels;
+
+    /// <inheritdoc/>
+    public override int Count => _levels.Count;
+
+    /// <summary>Takes a map; nothing is read or computed yet.</summary>
+    /// <param name="map">The map.</param>
+    /// <param name="cacheBytes">Memory for computed blocks, all levels together.</param>
+    public static MapLevels Open(ITerrainGrid map, long cacheBytes = DefaultCacheBytes)
+    {
+        // The lines of polar maps are long: each line of a block lies on pages of its own, and the system maps fifteen neighbours with it.
+        const int SamplesBetweenReleases = SparingSamplesBetweenReleases;
+        LodCache cache = new(cacheBytes);
+        List<ITerrainGrid> levels = [map];
+        while (HasNext(levels[^1]))
+        {
+            levels.Add(new ReducedGrid(map, levels.Count, levels[^1] as ReducedGrid, cache, SamplesBetweenReleases));
+        }
+
+        return new MapLevels(levels);
+    }
+
+    /// <inheritdoc/>
+    public override ITerrainGrid Grid(int level) => _levels[level];
+
+    private static bool HasNext(ITerrainGrid level)
+    {
+        GridWindow window = level.Window.Halved();
+        return Math.Min(window.Lines, window.Samples) >= LeastSide && level.Projection.Halved() switch
+        {
+            null => false,
+            PolarStereographic polar => polar.Holds(window.Lines, window.Samples),
+            _ => true,
+        };
+    }
+}
