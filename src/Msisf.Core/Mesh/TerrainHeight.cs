@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -18,17 +19,26 @@ public static class TerrainHeight
     /// Distance from the Moon's centre to the facet below (or above) a position; outside a map of a part of the Moon that to the reference
     /// sphere.
     /// </summary>
-    /// <param name="grid">The model.</param>
+    /// <param name="terrain">The model, or several.</param>
     /// <param name="positionMoonMe">m, MOON_ME; not the centre.</param>
     /// <returns>m.</returns>
     /// <exception cref="BadInputException">The position is the centre or not finite.</exception>
-    public static double RadiusBelow(ITerrainGrid grid, Vector3D positionMoonMe)
+    public static double RadiusBelow(ITerrain terrain, Vector3D positionMoonMe)
     {
         Vector3D direction = positionMoonMe.Normalized();
-        FacetMesh mesh = new(grid);
+        return terrain is NestedTerrain nested
+            ? RadiusOn(nested.Surface, direction)
+            : RadiusOn(new FacetMesh((ITerrainGrid)terrain), direction) ?? MoonConstants.ReferenceRadius;
+    }
+
+    /// <summary>Distance from the Moon's centre to the facet of a mesh in a direction, m; null outside a map.</summary>
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="direction">Unit vector, MOON_ME.</param>
+    internal static double? RadiusOn(FacetMesh mesh, Vector3D direction)
+    {
         if (CellsAround(mesh, direction) is not { } cells)
         {
-            return MoonConstants.ReferenceRadius;
+            return null;
         }
 
         TerrainPatch patch = new(mesh);
@@ -48,23 +58,62 @@ public static class TerrainHeight
 
         return double.IsFinite(radius)
             ? radius
-            : throw new InvalidOperationException($"No facet below {positionMoonMe}.");
+            : throw new InvalidOperationException($"No facet in direction {direction}.");
+    }
+
+    /// <summary>Distance from the Moon's centre to the facet of a surface of several models, m.</summary>
+    private static double RadiusOn(SurfaceModel surface, Vector3D direction)
+    {
+        double nearest = double.NegativeInfinity;
+        double radius = double.NaN;
+        foreach (GridSurface part in surface.Parts)
+        {
+            CellRange cells = CellsAround(part.Mesh, direction) ?? default;
+            for (int line = cells.FirstLine; line < cells.EndLine; line++)
+            {
+                for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
+                {
+                    int turned = part.Mesh.SamplesOfTurn is int turn and > 0 ? (sample + turn) % turn : sample;
+                    if (part.Has(line, turned))
+                    {
+                        CellCorners corners = part.Corners(line, turned);
+                        Try(direction, corners.NorthWest, corners.SouthWest, corners.SouthEast, ref nearest, ref radius);
+                        Try(direction, corners.NorthWest, corners.SouthEast, corners.NorthEast, ref nearest, ref radius);
+                    }
+                }
+            }
+        }
+
+        for (int block = 0; block < surface.Seams.Blocks.Count; block++)
+        {
+            if (Vector3D.Dot(surface.Seams.Blocks[block].Box.Up, direction) >= surface.Seams.Blocks[block].Box.CapRadius.Cosine)
+            {
+                int first = block * SeamMesh.BlockFacets;
+                for (int facet = first; facet < first + surface.Seams.FacetsOf(block); facet++)
+                {
+                    (Vector3D a, Vector3D b, Vector3D c) = surface.Seams.CornersOf(facet);
+                    Try(direction, a, b, c, ref nearest, ref radius);
+                }
+            }
+        }
+
+        return double.IsFinite(radius) ? radius : throw new InvalidOperationException($"No facet in direction {direction}.");
     }
 
     /// <summary>Throws an exception for a position that is not above the surface.</summary>
-    /// <param name="grid">The model.</param>
+    /// <param name="terrain">The model, or several.</param>
     /// <param name="positionMoonMe">m, MOON_ME.</param>
     /// <exception cref="BadInputException">The position is not above the surface.</exception>
-    public static void RequireAbove(ITerrainGrid grid, Vector3D positionMoonMe)
+    public static void RequireAbove(ITerrain terrain, Vector3D positionMoonMe)
     {
         double distance = positionMoonMe.Length;
-        double surface = distance > 0.0 ? RadiusBelow(grid, positionMoonMe) : double.PositiveInfinity;
+        double surface = distance > 0.0 ? RadiusBelow(terrain, positionMoonMe) : double.PositiveInfinity;
         if (!(distance > surface + Tolerances.VertexLattice))
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"The camera is inside the Moon: {distance:R} m from its centre, "
-                    + $"where the surface of {grid.ProductId} is at {surface:R} m. Move it up."));
+                    + $"where the surface of {terrain.ProductId} is at {surface:R} m. Move it up."));
         }
     }
 
