@@ -20,7 +20,7 @@ internal static class OriginXml
 
     /// <summary>The lines, without the last LF.</summary>
     public static string Lines(FrameMetadata frame) =>
-        string.Join('\n', [Model(frame.Elevation), .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input)]);
+        string.Join('\n', [Model(frame.Elevation), .. frame.Elevation.Parts.Select(Part), .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input)]);
 
     /// <summary>The word by which an Input element names its kind.</summary>
     public static string WordOf(InputKind kind) => kind switch
@@ -39,6 +39,12 @@ internal static class OriginXml
         $"    <ElevationModel product=\"{XmlText.EscapeAttribute(model.ProductId)}\" synthetic=\"{(model.IsSynthetic ? "yes" : "no")}\""
             + $" drawnFinest=\"{model.FinestDrawn.NumberText}\" drawnCoarsest=\"{model.CoarsestDrawn.NumberText}\" "
             + $"unit=\"{model.Resolution.Unit}\" />");
+
+    private static string Part(ElevationPart part, int number) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"    <ElevationPart part=\"{number}\" product=\"{XmlText.EscapeAttribute(part.ProductId)}\" "
+            + $"synthetic=\"{(part.IsSynthetic ? "yes" : "no")}\" resolution=\"{part.Resolution.NumberText}\" "
+            + $"unit=\"{part.Resolution.Unit}\" />");
 
     private static IEnumerable<string> Camera(CameraMatrix camera) =>
     [

@@ -29,7 +29,7 @@ internal static class DryRun
         ElevationModel? model = IfThere(onDemand, settings, host);
         GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation);
         run.WarnOfFieldOfView(settings, host);
-        RunNotes notes = new(settings.Resolution);
+        RunNotes notes = new(settings.Resolution, settings.Ldem.Count > 1);
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
         {
             cancellation.ThrowIfCancellationRequested();
@@ -44,7 +44,7 @@ internal static class DryRun
 
     private static ElevationModel? IfThere(ModelOnDemand model, RenderSettings settings, ProgramHost host)
     {
-        if (model.IsOpen || settings.Ldem is not null || ElevationModel.IsThere(settings.Resolution.PixelsPerDegree!.Value, host))
+        if (model.IsOpen || settings.Ldem.Count > 0 || ElevationModel.IsThere(settings.Resolution.PixelsPerDegree!.Value, host))
         {
             return model.Opened;
         }

@@ -12,4 +12,8 @@ namespace Msisf.Core.Layers;
 /// <param name="Renderer">Name of the renderer, e.g. "native".</param>
 /// <param name="Band">Band of the radiance.</param>
 public sealed record LayerProvenance(
-    string ElevationProduct, GridResolution MeshResolution, int LevelOfDetail, string Renderer, SpectralBand Band);
+    string ElevationProduct, GridResolution MeshResolution, int LevelOfDetail, string Renderer, SpectralBand Band)
+{
+    /// <summary>Number of elevation models; with several the mesh's resolution is that of the finest, and there are no tiles.</summary>
+    public int Parts { get; init; } = 1;
+}

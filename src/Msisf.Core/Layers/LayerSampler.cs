@@ -17,7 +17,7 @@ public sealed class LayerSampler
     public LayerSampler(IGroundTruth truth, LayerProvenance provenance)
     {
         _truth = truth;
-        _meshPixelsPerDegree = provenance.MeshResolution.PixelsPerDegree;
+        _meshPixelsPerDegree = provenance.Parts > 1 ? null : provenance.MeshResolution.PixelsPerDegree;
         _radianceOfUnitFactor = truth.LightIsSun
             ? provenance.Band.RadianceOfUnitFactor(truth.LightPositionMoonMe.Length)
             : null;

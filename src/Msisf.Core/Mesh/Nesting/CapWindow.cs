@@ -7,6 +7,9 @@ namespace Msisf.Core.Mesh.Nesting;
 /// <summary>Finds the cells of a mesh that a cap of directions may touch.</summary>
 internal static class CapWindow
 {
+    /// <summary>rad: no map reaches that far from its pole (<see cref="PolarStereographic.MaxExtent"/>: 70.6 degrees at a corner).</summary>
+    private const double FarthestFromPole = 1.3;
+
     /// <summary>
     /// Rectangles of cells that together hold all cells that a cap touches, and one more around; they may reach beyond the mesh.
     /// </summary>
@@ -23,6 +26,11 @@ internal static class CapWindow
     private static CellRange[] OfPlane(PolarStereographic projection, Vector3D centre, double angle)
     {
         double fromPole = Vector3D.AngleBetween(new Vector3D(0.0, 0.0, projection.PoleSign), centre);
+        if (fromPole - angle > FarthestFromPole)
+        {
+            return [];
+        }
+
         if (fromPole + angle > 0.9 * Math.PI)
         {
             return [new CellRange(int.MinValue / 4, int.MaxValue / 4, int.MinValue / 4, int.MaxValue / 4)];

@@ -1,4 +1,3 @@
-using System.Runtime.InteropServices;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Mesh.Nesting;
@@ -6,36 +5,22 @@ namespace Msisf.Core.Mesh.Nesting;
 /// <summary>Finds edges near a place, whatever their lengths: a tree of cubes, each with the edges that are about as long as it is wide.</summary>
 internal sealed class FrontIndex
 {
-    /// <summary>Base-2 logarithm of the width, m, of the cube that holds the Moon.</summary>
-    private const int TopLevel = 23;
+    /// <summary>m: half the width of the cube that holds the Moon.</summary>
+    private const double Half = 1 << 22;
 
-    private readonly Dictionary<Cube, Content> _cubes = [];
+    /// <summary>m: half the width of the smallest cubes.</summary>
+    private const double Smallest = 1.0 / 1024.0;
+
+    private readonly Cube _top = new();
 
     /// <summary>Adds an edge.</summary>
     /// <param name="edge">Its number.</param>
     /// <param name="middle">Its middle, m.</param>
     /// <param name="length">Its length, m.</param>
-    public void Add(int edge, Vector3D middle, double length)
-    {
-        Cube cube = Cube.Around(middle, length);
-        Content own = At(cube);
-        own.Edges.Add(edge);
-        for (; cube.Level < TopLevel; cube = cube.Parent)
-        {
-            At(cube.Parent).Below++;
-        }
-    }
+    public void Add(int edge, Vector3D middle, double length) => Change(middle, length, 1).Edges.Add(edge);
 
     /// <summary>Removes an edge that was added with the same numbers.</summary>
-    public void Remove(int edge, Vector3D middle, double length)
-    {
-        Cube cube = Cube.Around(middle, length);
-        _cubes[cube].Edges.Remove(edge);
-        for (; cube.Level < TopLevel; cube = cube.Parent)
-        {
-            _cubes[cube.Parent].Below--;
-        }
-    }
+    public void Remove(int edge, Vector3D middle, double length) => Change(middle, length, -1).Edges.Remove(edge);
 
     /// <summary>Finds all edges with a point in a ball, and some others.</summary>
     /// <param name="centre">m.</param>
@@ -44,70 +29,62 @@ internal sealed class FrontIndex
     public void Find(Vector3D centre, double radius, List<int> edges)
     {
         edges.Clear();
-        for (int x = -1; x <= 0; x++)
-        {
-            for (int y = -1; y <= 0; y++)
-            {
-                for (int z = -1; z <= 0; z++)
-                {
-                    Visit(new Cube(TopLevel, x, y, z), centre, radius, edges);
-                }
-            }
-        }
+        Visit(_top, default, Half, centre, radius, edges);
     }
 
-    private void Visit(Cube cube, Vector3D centre, double radius, List<int> edges)
+    private static void Visit(Cube cube, Vector3D middle, double half, Vector3D centre, double radius, List<int> edges)
     {
-        if (!_cubes.TryGetValue(cube, out Content? content) || !cube.IsNear(centre, radius))
+        // An edge is no longer than its cube is wide, and its middle is in the cube.
+        double reach = radius + (2.0 * half);
+        if (cube.Count == 0 || Math.Abs(centre.X - middle.X) > reach || Math.Abs(centre.Y - middle.Y) > reach
+            || Math.Abs(centre.Z - middle.Z) > reach)
         {
             return;
         }
 
-        edges.AddRange(content.Edges);
-        for (int child = 0; content.Below > 0 && child < 8; child++)
+        edges.AddRange(cube.Edges);
+        for (int child = 0; child < cube.Children.Length; child++)
         {
-            Visit(
-                new Cube(cube.Level - 1, (2 * cube.X) + (child & 1), (2 * cube.Y) + (child >> 1 & 1), (2 * cube.Z) + (child >> 2)), centre,
-                radius, edges);
+            if (cube.Children[child] is { } next)
+            {
+                Visit(next, MiddleOf(middle, 0.5 * half, child), 0.5 * half, centre, radius, edges);
+            }
         }
     }
 
-    private Content At(Cube cube)
-    {
-        ref Content? content = ref CollectionsMarshal.GetValueRefOrAddDefault(_cubes, cube, out _);
-        return content ??= new Content();
-    }
+    private static Vector3D MiddleOf(Vector3D parent, double half, int child) => new(
+        parent.X + ((child & 1) != 0 ? half : -half), parent.Y + ((child & 2) != 0 ? half : -half),
+        parent.Z + ((child & 4) != 0 ? half : -half));
 
-    private readonly record struct Cube(int Level, int X, int Y, int Z)
+    /// <summary>Counts an edge in all cubes around it, and returns the smallest of them.</summary>
+    private Cube Change(Vector3D middle, double length, int by)
     {
-        public Cube Parent => new(Level + 1, X >> 1, Y >> 1, Z >> 1);
-
-        public static Cube Around(Vector3D middle, double length)
+        Cube cube = _top;
+        Vector3D place = default;
+        cube.Count += by;
+        for (double half = 0.5 * Half; 2.0 * half >= length && half >= Smallest; half *= 0.5)
         {
-            int level = Math.Clamp(Math.ILogB(Math.Max(length, 1e-3)) + 1, -10, TopLevel);
-            return new Cube(level, Part(middle.X, level), Part(middle.Y, level), Part(middle.Z, level));
+            int child = (middle.X >= place.X ? 1 : 0) | (middle.Y >= place.Y ? 2 : 0) | (middle.Z >= place.Z ? 4 : 0);
+            place = MiddleOf(place, half, child);
+            if (cube.Children.Length == 0)
+            {
+                cube.Children = new Cube?[8];
+            }
+
+            cube = cube.Children[child] ??= new Cube();
+            cube.Count += by;
         }
 
-        /// <summary>Whether an edge whose middle is in the cube, and that is no longer than the cube is wide, may reach a ball.</summary>
-        public bool IsNear(Vector3D centre, double radius)
-        {
-            double width = Math.ScaleB(1.0, Level);
-            double reach = radius + (0.5 * width);
-            return Distance(centre.X, X * width, width) <= reach && Distance(centre.Y, Y * width, width) <= reach
-                && Distance(centre.Z, Z * width, width) <= reach;
-        }
-
-        private static int Part(double value, int level) => (int)Math.Floor(Math.ScaleB(value, -level));
-
-        private static double Distance(double value, double start, double width) =>
-            Math.Max(0.0, Math.Max(start - value, value - (start + width)));
+        return cube;
     }
 
-    private sealed class Content
+    private sealed class Cube
     {
-        public HashSet<int> Edges { get; } = [];
+        public Cube?[] Children { get; set; } = [];
 
-        /// <summary>Number of edges in the smaller cubes within this one.</summary>
-        public int Below { get; set; }
+        public List<int> Edges { get; } = [];
+
+        /// <summary>Number of edges in this cube and those within it.</summary>
+        public int Count { get; set; }
     }
 }

@@ -96,7 +96,7 @@ internal static class KeptCells
             return;
         }
 
-        if (finer.Kept.HasAll(reached[0]))
+        if (finer.Kept!.HasAll(reached[0]))
         {
             mask.RemoveBlock(row, column);
             return;

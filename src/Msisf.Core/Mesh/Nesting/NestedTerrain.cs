@@ -63,6 +63,10 @@ public sealed class NestedTerrain : ITerrain
     /// <exception cref="BadInputException">The models can't be joined.</exception>
     internal SurfaceModel Surface => _surface.Value;
 
+    /// <summary>Makes the surface now, so that an error is told before any work.</summary>
+    /// <exception cref="BadInputException">The models can't be joined.</exception>
+    public void Prepare() => _ = Surface;
+
     /// <inheritdoc/>
     public void ReleasePages()
     {

@@ -103,7 +103,7 @@ internal sealed class SeamFront
     {
         Vector3D middle = 0.5 * (_flat[from] + _flat[to]);
         double length = (_flat[to] - _flat[from]).Length;
-        for (double radius = 2.0 * length; radius < 2.0 * WidestSearch; radius *= 2.0)
+        for (double radius = 4.0 * length; radius < 4.0 * WidestSearch; radius *= 3.0)
         {
             int apex = BestWithin(from, to, middle, radius);
             if (apex >= 0)
