@@ -164,7 +164,7 @@ public sealed class NestedSceneTests
         Assert.True(seams > 100 && lit > 0.9 * seams, $"{seams} pixels of seams, {lit} lit");
     }
 
-    /// <summary>A ray at a corner, at the middle of a side, or within a facet of the seams; from above or from the camera.</summary>
+    /// <summary>A ray at a corner, at the middle of a side, or within a facet of the seams; from above, or those within from the camera.</summary>
     private static Ray Aimed(SeamMesh seams, View view, bool isAtEdge, Random random)
     {
         (Vector3D a, Vector3D b, Vector3D c) = seams.CornersOf(random.Next(seams.Count));
@@ -172,7 +172,9 @@ public sealed class NestedSceneTests
         Vector3D inside = (weight * a) + (0.3 * b) + ((0.7 - weight) * c);
         Vector3D target = isAtEdge ? (random.Next(3) switch { 0 => 2.0 * a, 1 => a + b, _ => b + c }) / 2.0 : inside;
         Vector3D origin = 1.05 * target;
-        return random.Next(2) == 0 ? new Ray(origin, target - origin) : new Ray(view.Camera.PositionMoonMe, target - view.Camera.PositionMoonMe);
+        return isAtEdge || random.Next(2) == 0 // past an edge of a crest, a ray from the side may go on to the ground behind
+            ? new Ray(origin, target - origin)
+            : new Ray(view.Camera.PositionMoonMe, target - view.Camera.PositionMoonMe);
     }
 
     /// <summary>Over the border of the finest model and its middle, from near and far, with low Suns.</summary>
