@@ -22,22 +22,22 @@ internal sealed class FrontIndex
     /// <summary>Removes an edge that was added with the same numbers.</summary>
     public void Remove(int edge, Vector3D middle, double length) => Change(middle, length, -1).Edges.Remove(edge);
 
-    /// <summary>Finds all edges with a point in a ball, and some others.</summary>
-    /// <param name="centre">m.</param>
-    /// <param name="radius">m.</param>
+    /// <summary>Finds all edges with a point in a box, and some others.</summary>
+    /// <param name="centre">Its middle, m.</param>
+    /// <param name="reach">Half of its extent along each axis, m.</param>
     /// <param name="edges">Receives their numbers, in no order.</param>
-    public void Find(Vector3D centre, double radius, List<int> edges)
+    public void Find(Vector3D centre, Vector3D reach, List<int> edges)
     {
         edges.Clear();
-        Visit(_top, default, Half, centre, radius, edges);
+        Visit(_top, default, Half, centre, reach, edges);
     }
 
-    private static void Visit(Cube cube, Vector3D middle, double half, Vector3D centre, double radius, List<int> edges)
+    private static void Visit(Cube cube, Vector3D middle, double half, Vector3D centre, Vector3D reach, List<int> edges)
     {
-        // An edge is no longer than its cube is wide, and its middle is in the cube.
-        double reach = radius + (2.0 * half);
-        if (cube.Count == 0 || Math.Abs(centre.X - middle.X) > reach || Math.Abs(centre.Y - middle.Y) > reach
-            || Math.Abs(centre.Z - middle.Z) > reach)
+        // An edge is no longer than its cube is wide, and its middle is in the cube; some more, as edges lie below the sphere.
+        double around = 2.1 * half;
+        if (cube.Count == 0 || Math.Abs(centre.X - middle.X) > reach.X + around || Math.Abs(centre.Y - middle.Y) > reach.Y + around
+            || Math.Abs(centre.Z - middle.Z) > reach.Z + around)
         {
             return;
         }
@@ -47,7 +47,7 @@ internal sealed class FrontIndex
         {
             if (cube.Children[child] is { } next)
             {
-                Visit(next, MiddleOf(middle, 0.5 * half, child), 0.5 * half, centre, radius, edges);
+                Visit(next, MiddleOf(middle, 0.5 * half, child), 0.5 * half, centre, reach, edges);
             }
         }
     }

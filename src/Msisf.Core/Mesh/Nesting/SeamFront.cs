@@ -17,6 +17,11 @@ internal sealed class SeamFront
     /// <summary>m: no gap is wider.</summary>
     private const double WidestSearch = 4e6;
 
+    private const int None = -1;
+
+    /// <summary>How much farther the circle of a facet may reach than that of the one beside it, if nothing else was looked for.</summary>
+    private const double MaxGrowth = 1.25;
+
     private readonly SeamVertex[] _vertices;
     private readonly Vector3D[] _flat;
     private readonly FrontIndex _index = new();
@@ -28,6 +33,10 @@ internal sealed class SeamFront
     private readonly List<int> _crossing = [];
     private readonly List<int> _candidates = [];
     private readonly int[] _seen;
+    private readonly int[] _next;
+    private readonly int[] _previous;
+    private readonly int[] _apexes;
+    private readonly double[] _reaches;
     private int _stamp;
 
     /// <summary>Starts with the borders.</summary>
@@ -38,6 +47,9 @@ internal sealed class SeamFront
         _vertices = vertices;
         _flat = [.. vertices.Select(vertex => Terrain.MoonConstants.ReferenceRadius * vertex.Position.Normalized())];
         _seen = new int[vertices.Length];
+        (_next, _previous, _apexes) = (new int[vertices.Length], new int[vertices.Length], new int[vertices.Length]);
+        _reaches = new double[vertices.Length];
+        Array.Fill(_apexes, None);
         foreach ((int from, int to) in edges)
         {
             Add(from, to);
@@ -87,7 +99,8 @@ internal sealed class SeamFront
             throw Crossing(from);
         }
 
-        _index.Add(_edges.Count, 0.5 * (_flat[from] + _flat[to]), (_flat[to] - _flat[from]).Length);
+        _index.Add(_edges.Count, 0.5 * (_flat[from] + _flat[to]), Length(_flat[to] - _flat[from]));
+        (_next[from], _previous[to]) = (to, from);
         _queue.Enqueue(_edges.Count);
         _edges.Add((from, to));
     }
@@ -95,34 +108,92 @@ internal sealed class SeamFront
     private void Remove(int from, int to)
     {
         _front.Remove((from, to), out int edge);
-        _index.Remove(edge, 0.5 * (_flat[from] + _flat[to]), (_flat[to] - _flat[from]).Length);
+        _index.Remove(edge, 0.5 * (_flat[from] + _flat[to]), Length(_flat[to] - _flat[from]));
     }
 
     /// <summary>The third corner of the facet on the left of an edge.</summary>
     private int FindApex(int from, int to)
     {
         Vector3D middle = 0.5 * (_flat[from] + _flat[to]);
-        double length = (_flat[to] - _flat[from]).Length;
+        double length = Length(_flat[to] - _flat[from]);
+        int beside = BestBeside(from, to);
+        double reachBeside = Math.Max(_reaches[from], _reaches[to]);
+        if (beside != None && ReachOf(from, to, beside, length) <= MaxGrowth * reachBeside && IsFree(from, to, beside))
+        {
+            Note(beside, reachBeside); // not its own reach: it would grow from facet to facet
+            return beside;
+        }
+
         for (double radius = 4.0 * length; radius < 4.0 * WidestSearch; radius *= 3.0)
         {
             int apex = BestWithin(from, to, middle, radius);
-            if (apex >= 0)
+            if (apex != None)
             {
                 // The circle through the three reaches this far from the edge's middle.
                 double reach = ReachOf(from, to, apex, length);
                 if (reach <= radius || radius >= WidestSearch)
                 {
+                    Note(apex, reach);
                     return apex;
                 }
             }
         }
 
         throw Crossing(from);
+
+        void Note(int apex, double reach)
+        {
+            (_apexes[from], _apexes[to]) = (apex, apex);
+            (_reaches[from], _reaches[to]) = (reach, reach);
+        }
     }
+
+    /// <summary>
+    /// The best of the vertices beside the facets that the edge's ends had last, and along the front from there; most often the facet beside
+    /// has the same apex.
+    /// </summary>
+    private int BestBeside(int from, int to)
+    {
+        int best = None;
+        double bestCotangent = double.PositiveInfinity;
+        Try(_apexes[from]);
+        Try(_apexes[to]);
+        if (best == None)
+        {
+            return None;
+        }
+
+        Try(_next[to]);
+        Try(_previous[from]);
+        for (int before = None; before != best;)
+        {
+            before = best;
+            Try(_next[before]);
+            Try(_previous[before]);
+        }
+
+        return best;
+
+        void Try(int vertex)
+        {
+            if (vertex == None || vertex == from || vertex == to || Orient(from, to, vertex) <= 0)
+            {
+                return;
+            }
+
+            double cotangent = Cotangent(from, to, vertex);
+            if (cotangent < bestCotangent && IsOnFront(vertex))
+            {
+                (best, bestCotangent) = (vertex, cotangent);
+            }
+        }
+    }
+
+    private bool IsOnFront(int vertex) => _front.ContainsKey((vertex, _next[vertex])) || _front.ContainsKey((_previous[vertex], vertex));
 
     private int BestWithin(int from, int to, Vector3D middle, double radius)
     {
-        _index.Find(middle, radius, _near);
+        _index.Find(middle, new Vector3D(radius, radius, radius), _near);
         _candidates.Clear();
         _stamp++;
         _seen[from] = _seen[to] = _stamp;
@@ -155,7 +226,7 @@ internal sealed class SeamFront
             _candidates.RemoveAt(_candidates.Count - 1);
         }
 
-        return -1;
+        return None;
 
         void Consider(int vertex)
         {
@@ -173,12 +244,25 @@ internal sealed class SeamFront
     /// <summary>Whether nothing of the front lies in a facet or crosses it.</summary>
     private bool IsFree(int a, int b, int c)
     {
-        Vector3D centre = (_flat[a] + _flat[b] + _flat[c]) / 3.0;
-        double radius = Math.Max((_flat[a] - centre).Length, Math.Max((_flat[b] - centre).Length, (_flat[c] - centre).Length));
-        _index.Find(centre, radius, _crossing);
+        Vector3D low = Least(_flat[a], Least(_flat[b], _flat[c]));
+        Vector3D high = -Least(-_flat[a], Least(-_flat[b], -_flat[c]));
+        double margin = Sagitta(high - low);
+        low -= new Vector3D(margin, margin, margin);
+        high += new Vector3D(margin, margin, margin);
+        _index.Find(0.5 * (low + high), 0.5 * (high - low), _crossing);
         foreach (int edge in _crossing)
         {
             (int from, int to) = _edges[edge];
+            Vector3D start = _flat[from];
+            Vector3D end = _flat[to];
+            double around = Sagitta(end - start);
+            if (Math.Max(start.X, end.X) < low.X - around || Math.Min(start.X, end.X) > high.X + around
+                || Math.Max(start.Y, end.Y) < low.Y - around || Math.Min(start.Y, end.Y) > high.Y + around
+                || Math.Max(start.Z, end.Z) < low.Z - around || Math.Min(start.Z, end.Z) > high.Z + around)
+            {
+                continue;
+            }
+
             if (Holds(a, b, c, from) || Holds(a, b, c, to) || Cross(from, to, b, c) || Cross(from, to, c, a))
             {
                 return false;
@@ -202,8 +286,16 @@ internal sealed class SeamFront
     {
         Vector3D u = _flat[from] - _flat[vertex];
         Vector3D v = _flat[to] - _flat[vertex];
-        return Vector3D.Dot(u, v) / Vector3D.Cross(u, v).Length;
+        return Vector3D.Dot(u, v) / Length(Vector3D.Cross(u, v));
     }
+
+    /// <summary>m: how far below the sphere a straight line lies at most; a third is added.</summary>
+    private static double Sagitta(Vector3D side) => side.LengthSquared / (6.0 * Terrain.MoonConstants.ReferenceRadius);
+
+    private static Vector3D Least(Vector3D u, Vector3D v) => new(Math.Min(u.X, v.X), Math.Min(u.Y, v.Y), Math.Min(u.Z, v.Z));
+
+    /// <summary>Lengths here are 1 mm to 1e6 m: their squares neither overflow nor vanish.</summary>
+    private static double Length(Vector3D v) => Math.Sqrt(v.LengthSquared);
 
     /// <summary>
     /// Distance from an edge's middle to the farthest point, on its left, of the circle through its ends and a vertex, m: half the length
