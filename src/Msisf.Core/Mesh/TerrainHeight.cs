@@ -15,6 +15,9 @@ public static class TerrainHeight
     /// </summary>
     private const double ShortestEdge = 1e-6;
 
+    /// <summary>A direction with larger weights of all corners of a facet lies in no other facet; far above the weights' rounding.</summary>
+    private const double WellInside = 1e-6;
+
     /// <summary>
     /// Distance from the Moon's centre to the facet below (or above) a position; outside a map of a part of the Moon that to the reference
     /// sphere.
@@ -41,6 +44,23 @@ public static class TerrainHeight
             return null;
         }
 
+        // Nearly always the direction lies well within the cell in the middle.
+        bool hasMiddle = cells is { Lines: 3, Samples: 3 };
+        CellRange middle = new(cells.FirstLine + 1, cells.FirstLine + 2, cells.FirstSample + 1, cells.FirstSample + 2);
+        if (hasMiddle && RadiusIn(mesh, middle, direction) is (double within, > WellInside))
+        {
+            return within;
+        }
+
+        (double radius, _) = RadiusIn(mesh, cells, direction);
+        return double.IsFinite(radius)
+            ? radius
+            : throw new InvalidOperationException($"No facet in direction {direction}.");
+    }
+
+    /// <summary>Radius of the facet of some cells that holds a direction best, and the least weight of its corners there.</summary>
+    private static (double Radius, double Inside) RadiusIn(FacetMesh mesh, CellRange cells, Vector3D direction)
+    {
         TerrainPatch patch = new(mesh);
         patch.Load(cells);
         double nearest = double.NegativeInfinity;
@@ -56,9 +76,7 @@ public static class TerrainHeight
             }
         }
 
-        return double.IsFinite(radius)
-            ? radius
-            : throw new InvalidOperationException($"No facet in direction {direction}.");
+        return (radius, nearest);
     }
 
     /// <summary>Distance from the Moon's centre to the facet of a surface of several models, m.</summary>

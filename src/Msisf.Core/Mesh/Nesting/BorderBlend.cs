@@ -15,7 +15,7 @@ namespace Msisf.Core.Mesh.Nesting;
 /// </remarks>
 internal sealed class BorderBlend : ITerrainGrid
 {
-    private const int Side = 32;
+    private const int Side = DataGaps.Side;
 
     /// <summary>Samples of the width at least, so that the slope of a step between the models is spread over some cells.</summary>
     private const int MinWidth = 8;
@@ -28,7 +28,7 @@ internal sealed class BorderBlend : ITerrainGrid
     private readonly bool _isRing;
     private readonly int _columns;
     private readonly bool[] _isBlended;
-    private readonly Dictionary<int, bool[]> _gaps = [];
+    private readonly DataGaps _gaps;
     private readonly ConcurrentDictionary<int, double[]> _tiles = new();
 
     /// <summary>Prepares a model; of one with gaps all samples are looked at.</summary>
@@ -44,7 +44,12 @@ internal sealed class BorderBlend : ITerrainGrid
         RadiusLimits = (Math.Min(min, grid.RadiusLimits.Min), Math.Max(max, grid.RadiusLimits.Max));
         _columns = (window.Samples + Side - 1) / Side;
         _isBlended = new bool[_columns * ((window.Lines + Side - 1) / Side)];
-        FindGaps();
+        _gaps = new DataGaps(grid, _isRing);
+        foreach (int tile in _gaps.TilesWithin(Width))
+        {
+            _isBlended[tile] = true;
+        }
+
         for (int tile = 0; tile < _isBlended.Length; tile++)
         {
             int down = tile / _columns * Side;
@@ -137,55 +142,12 @@ internal sealed class BorderBlend : ITerrainGrid
         return Math.Clamp(Math.Min(window.Lines, window.Samples) / 4, 1, width);
     }
 
-    /// <summary>Notes the samples without data, and the tiles that they reach.</summary>
-    private void FindGaps()
-    {
-        if (!_grid.MayHaveGaps)
-        {
-            return;
-        }
-
-        GridWindow window = Window;
-        bool[] gaps = new bool[window.Samples];
-        for (int down = 0; down < window.Lines; down++)
-        {
-            _grid.ReadGaps(window.FirstLine + down, window.FirstSample, gaps);
-            for (int right = Array.IndexOf(gaps, true); right >= 0; right = Array.IndexOf(gaps, true, right + 1))
-            {
-                int tile = (down / Side * _columns) + (right / Side);
-                if (!_gaps.TryGetValue(tile, out bool[]? inTile))
-                {
-                    _gaps[tile] = inTile = new bool[Side * Side];
-                }
-
-                inTile[(down % Side * Side) + (right % Side)] = true;
-            }
-        }
-
-        int reach = (Width + Side - 1) / Side;
-        int rows = _isBlended.Length / _columns;
-        foreach (int tile in _gaps.Keys)
-        {
-            for (int row = Math.Max(0, (tile / _columns) - reach); row <= Math.Min(rows - 1, (tile / _columns) + reach); row++)
-            {
-                for (int column = (tile % _columns) - reach; column <= (tile % _columns) + reach; column++)
-                {
-                    int wrapped = _isRing ? (column + _columns) % _columns : column;
-                    if (wrapped >= 0 && wrapped < _columns)
-                    {
-                        _isBlended[(row * _columns) + wrapped] = true;
-                    }
-                }
-            }
-        }
-    }
-
     private double[] Blend(int tile)
     {
         int firstDown = tile / _columns * Side;
         int firstRight = tile % _columns * Side;
         GridWindow window = Window;
-        int[] distances = DistancesAround(firstDown, firstRight);
+        int[] distances = _gaps.DistancesAround(firstDown, firstRight, Width);
         double[] radii = new double[Side * Side];
         int lines = Math.Min(Side, window.Lines - firstDown);
         int samples = Math.Min(Side, window.Samples - firstRight);
@@ -193,7 +155,7 @@ internal sealed class BorderBlend : ITerrainGrid
         {
             for (int column = 0; column < samples; column++)
             {
-                int distance = distances[((row + Width + 1) * (Side + (2 * Width) + 2)) + column + Width + 1];
+                int distance = distances[(row * Side) + column];
                 double t = Math.Clamp((distance - 1) / (double)Width, 0.0, 1.0);
                 double weight = t * t * (3.0 - (2.0 * t));
                 (int line, int sample) = (window.FirstLine + firstDown + row, window.FirstSample + firstRight + column);
@@ -212,62 +174,5 @@ internal sealed class BorderBlend : ITerrainGrid
         }
 
         return radii;
-    }
-
-    /// <summary>
-    /// Number of samples from each sample of a tile, and of what lies up to one more than the width around it, to the nearest place without
-    /// data, along lines, samples or diagonals; up to one more than the width.
-    /// </summary>
-    private int[] DistancesAround(int firstDown, int firstRight)
-    {
-        int around = Width + 1;
-        int side = Side + (2 * around);
-        int[] distances = new int[side * side];
-        for (int row = 0; row < side; row++)
-        {
-            for (int column = 0; column < side; column++)
-            {
-                distances[(row * side) + column] = HasData(firstDown + row - around, firstRight + column - around) ? around : 0;
-            }
-        }
-
-        for (int row = 0; row < side; row++)
-        {
-            for (int column = 0; column < side; column++)
-            {
-                int left = column > 0 ? At(row, column - 1) : around;
-                int above = row == 0 ? around : Math.Min(At(row - 1, column), Math.Min(
-                    column > 0 ? At(row - 1, column - 1) : around, column + 1 < side ? At(row - 1, column + 1) : around));
-                At(row, column) = Math.Min(At(row, column), 1 + Math.Min(left, above));
-            }
-        }
-
-        for (int row = side - 1; row >= 0; row--)
-        {
-            for (int column = side - 1; column >= 0; column--)
-            {
-                int right = column + 1 < side ? At(row, column + 1) : around;
-                int below = row + 1 == side ? around : Math.Min(At(row + 1, column), Math.Min(
-                    column > 0 ? At(row + 1, column - 1) : around, column + 1 < side ? At(row + 1, column + 1) : around));
-                At(row, column) = Math.Min(At(row, column), 1 + Math.Min(right, below));
-            }
-        }
-
-        return distances;
-
-        ref int At(int row, int column) => ref distances[(row * side) + column];
-    }
-
-    private bool HasData(int down, int right)
-    {
-        GridWindow window = Window;
-        right = _isRing ? (right + Samples) % Samples : right;
-        if (down < 0 || down >= window.Lines || right < 0 || right >= window.Samples)
-        {
-            return false;
-        }
-
-        return !_gaps.TryGetValue((down / Side * _columns) + (right / Side), out bool[]? inTile)
-            || !inTile[(down % Side * Side) + (right % Side)];
     }
 }

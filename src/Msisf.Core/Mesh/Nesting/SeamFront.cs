@@ -22,19 +22,13 @@ internal sealed class SeamFront
     /// <summary>How much farther the circle of a facet may reach than that of the one beside it, if nothing else was looked for.</summary>
     private const double MaxGrowth = 1.25;
 
-    private readonly SeamVertex[] _vertices;
-    private readonly Vector3D[] _flat;
-    private readonly FrontIndex _index = new();
-    private readonly List<(int From, int To)> _edges = [];
-    private readonly Dictionary<(int From, int To), int> _front = [];
-    private readonly Queue<int> _queue = [];
+    private readonly SeamGeometry _geometry;
+    private readonly FrontEdges _front;
     private readonly List<int> _corners = [];
     private readonly List<int> _near = [];
     private readonly List<int> _crossing = [];
     private readonly List<int> _candidates = [];
     private readonly int[] _seen;
-    private readonly int[] _next;
-    private readonly int[] _previous;
     private readonly int[] _apexes;
     private readonly double[] _reaches;
     private int _stamp;
@@ -44,15 +38,13 @@ internal sealed class SeamFront
     /// <param name="edges">The edges of the borders, with the gap on their left as seen from outside.</param>
     public SeamFront(SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges)
     {
-        _vertices = vertices;
-        _flat = [.. vertices.Select(vertex => Terrain.MoonConstants.ReferenceRadius * vertex.Position.Normalized())];
-        _seen = new int[vertices.Length];
-        (_next, _previous, _apexes) = (new int[vertices.Length], new int[vertices.Length], new int[vertices.Length]);
-        _reaches = new double[vertices.Length];
+        _geometry = new SeamGeometry(vertices);
+        _front = new FrontEdges(_geometry);
+        (_seen, _apexes, _reaches) = (new int[vertices.Length], new int[vertices.Length], new double[vertices.Length]);
         Array.Fill(_apexes, None);
         foreach ((int from, int to) in edges)
         {
-            Add(from, to);
+            _front.Add(from, to);
         }
     }
 
@@ -61,16 +53,10 @@ internal sealed class SeamFront
     /// <exception cref="BadInputException">A gap can't be filled: borders cross.</exception>
     public int[] Fill()
     {
-        while (_queue.TryDequeue(out int edge))
+        while (_front.TryDequeue(out int from, out int to))
         {
-            (int from, int to) = _edges[edge];
-            if (!_front.TryGetValue((from, to), out int current) || current != edge)
-            {
-                continue;
-            }
-
             int apex = FindApex(from, to);
-            Remove(from, to);
+            _front.Remove(from, to);
             Cover(from, apex);
             Cover(apex, to);
             _corners.AddRange([from, to, apex]);
@@ -82,55 +68,34 @@ internal sealed class SeamFront
     /// <summary>Goes on behind a new side of a facet, or ends where that side is a border.</summary>
     private void Cover(int from, int to)
     {
-        if (_front.ContainsKey((to, from)))
+        if (_front.Has(to, from))
         {
-            Remove(to, from);
+            _front.Remove(to, from);
         }
         else
         {
-            Add(from, to);
+            _front.Add(from, to);
         }
-    }
-
-    private void Add(int from, int to)
-    {
-        if (!_front.TryAdd((from, to), _edges.Count))
-        {
-            throw Crossing(from);
-        }
-
-        _index.Add(_edges.Count, 0.5 * (_flat[from] + _flat[to]), Length(_flat[to] - _flat[from]));
-        (_next[from], _previous[to]) = (to, from);
-        _queue.Enqueue(_edges.Count);
-        _edges.Add((from, to));
-    }
-
-    private void Remove(int from, int to)
-    {
-        _front.Remove((from, to), out int edge);
-        _index.Remove(edge, 0.5 * (_flat[from] + _flat[to]), Length(_flat[to] - _flat[from]));
     }
 
     /// <summary>The third corner of the facet on the left of an edge.</summary>
     private int FindApex(int from, int to)
     {
-        Vector3D middle = 0.5 * (_flat[from] + _flat[to]);
-        double length = Length(_flat[to] - _flat[from]);
         int beside = BestBeside(from, to);
         double reachBeside = Math.Max(_reaches[from], _reaches[to]);
-        if (beside != None && ReachOf(from, to, beside, length) <= MaxGrowth * reachBeside && IsFree(from, to, beside))
+        if (beside != None && _geometry.ReachOf(from, to, beside) <= MaxGrowth * reachBeside && IsFree(from, to, beside))
         {
             Note(beside, reachBeside); // not its own reach: it would grow from facet to facet
             return beside;
         }
 
-        for (double radius = 4.0 * length; radius < 4.0 * WidestSearch; radius *= 3.0)
+        for (double radius = 4.0 * _geometry.LengthOf(from, to); radius < 4.0 * WidestSearch; radius *= 3.0)
         {
-            int apex = BestWithin(from, to, middle, radius);
+            int apex = BestWithin(from, to, radius);
             if (apex != None)
             {
                 // The circle through the three reaches this far from the edge's middle.
-                double reach = ReachOf(from, to, apex, length);
+                double reach = _geometry.ReachOf(from, to, apex);
                 if (reach <= radius || radius >= WidestSearch)
                 {
                     Note(apex, reach);
@@ -139,7 +104,7 @@ internal sealed class SeamFront
             }
         }
 
-        throw Crossing(from);
+        throw _geometry.Crossing(from);
 
         void Note(int apex, double reach)
         {
@@ -163,44 +128,42 @@ internal sealed class SeamFront
             return None;
         }
 
-        Try(_next[to]);
-        Try(_previous[from]);
+        Try(_front.After(to));
+        Try(_front.Before(from));
         for (int before = None; before != best;)
         {
             before = best;
-            Try(_next[before]);
-            Try(_previous[before]);
+            Try(_front.After(before));
+            Try(_front.Before(before));
         }
 
         return best;
 
         void Try(int vertex)
         {
-            if (vertex == None || vertex == from || vertex == to || Orient(from, to, vertex) <= 0)
+            if (vertex == None || vertex == from || vertex == to || _geometry.Orient(from, to, vertex) <= 0)
             {
                 return;
             }
 
-            double cotangent = Cotangent(from, to, vertex);
-            if (cotangent < bestCotangent && IsOnFront(vertex))
+            double cotangent = _geometry.Cotangent(from, to, vertex);
+            if (cotangent < bestCotangent && _front.Has(vertex))
             {
                 (best, bestCotangent) = (vertex, cotangent);
             }
         }
     }
 
-    private bool IsOnFront(int vertex) => _front.ContainsKey((vertex, _next[vertex])) || _front.ContainsKey((_previous[vertex], vertex));
-
-    private int BestWithin(int from, int to, Vector3D middle, double radius)
+    private int BestWithin(int from, int to, double radius)
     {
-        _index.Find(middle, new Vector3D(radius, radius, radius), _near);
+        _front.Find(_geometry.MiddleOf(from, to), new Vector3D(radius, radius, radius), _near);
         _candidates.Clear();
         _stamp++;
         _seen[from] = _seen[to] = _stamp;
         foreach (int edge in _near)
         {
-            Consider(_edges[edge].From);
-            Consider(_edges[edge].To);
+            Consider(_front.Edges[edge].From);
+            Consider(_front.Edges[edge].To);
         }
 
         while (_candidates.Count > 0)
@@ -209,7 +172,7 @@ internal sealed class SeamFront
             double bestCotangent = double.PositiveInfinity;
             for (int i = 0; i < _candidates.Count; i++)
             {
-                double cotangent = Cotangent(from, to, _candidates[i]);
+                double cotangent = _geometry.Cotangent(from, to, _candidates[i]);
                 if (cotangent < bestCotangent || (cotangent == bestCotangent && _candidates[i] < _candidates[best]))
                 {
                     (best, bestCotangent) = (i, cotangent);
@@ -233,7 +196,7 @@ internal sealed class SeamFront
             if (_seen[vertex] != _stamp)
             {
                 _seen[vertex] = _stamp;
-                if (Orient(from, to, vertex) > 0)
+                if (_geometry.Orient(from, to, vertex) > 0)
                 {
                     _candidates.Add(vertex);
                 }
@@ -244,78 +207,18 @@ internal sealed class SeamFront
     /// <summary>Whether nothing of the front lies in a facet or crosses it.</summary>
     private bool IsFree(int a, int b, int c)
     {
-        Vector3D low = Least(_flat[a], Least(_flat[b], _flat[c]));
-        Vector3D high = -Least(-_flat[a], Least(-_flat[b], -_flat[c]));
-        double margin = Sagitta(high - low);
-        low -= new Vector3D(margin, margin, margin);
-        high += new Vector3D(margin, margin, margin);
-        _index.Find(0.5 * (low + high), 0.5 * (high - low), _crossing);
+        (Vector3D Low, Vector3D High) box = _geometry.BoxOf(a, b, c);
+        _front.Find(0.5 * (box.Low + box.High), 0.5 * (box.High - box.Low), _crossing);
         foreach (int edge in _crossing)
         {
-            (int from, int to) = _edges[edge];
-            Vector3D start = _flat[from];
-            Vector3D end = _flat[to];
-            double around = Sagitta(end - start);
-            if (Math.Max(start.X, end.X) < low.X - around || Math.Min(start.X, end.X) > high.X + around
-                || Math.Max(start.Y, end.Y) < low.Y - around || Math.Min(start.Y, end.Y) > high.Y + around
-                || Math.Max(start.Z, end.Z) < low.Z - around || Math.Min(start.Z, end.Z) > high.Z + around)
-            {
-                continue;
-            }
-
-            if (Holds(a, b, c, from) || Holds(a, b, c, to) || Cross(from, to, b, c) || Cross(from, to, c, a))
+            (int from, int to) = _front.Edges[edge];
+            if (_geometry.MayMeet(from, to, box) && (_geometry.Holds(a, b, c, from) || _geometry.Holds(a, b, c, to)
+                || _geometry.Cross(from, to, b, c) || _geometry.Cross(from, to, c, a)))
             {
                 return false;
             }
         }
 
         return true;
-    }
-
-    private bool Holds(int a, int b, int c, int vertex) => vertex != a && vertex != b && vertex != c
-        && Orient(a, b, vertex) >= 0 && Orient(b, c, vertex) >= 0 && Orient(c, a, vertex) >= 0;
-
-    private bool Cross(int a, int b, int c, int d) => a != c && a != d && b != c && b != d
-        && Orient(a, b, c) * Orient(a, b, d) < 0 && Orient(c, d, a) * Orient(c, d, b) < 0;
-
-    private int Orient(int a, int b, int c) =>
-        Orientation.Of(_vertices[a].Position, _vertices[b].Position, _vertices[c].Position);
-
-    /// <summary>Cotangent of the angle at which a vertex sees an edge.</summary>
-    private double Cotangent(int from, int to, int vertex)
-    {
-        Vector3D u = _flat[from] - _flat[vertex];
-        Vector3D v = _flat[to] - _flat[vertex];
-        return Vector3D.Dot(u, v) / Length(Vector3D.Cross(u, v));
-    }
-
-    /// <summary>m: how far below the sphere a straight line lies at most; a third is added.</summary>
-    private static double Sagitta(Vector3D side) => side.LengthSquared / (6.0 * Terrain.MoonConstants.ReferenceRadius);
-
-    private static Vector3D Least(Vector3D u, Vector3D v) => new(Math.Min(u.X, v.X), Math.Min(u.Y, v.Y), Math.Min(u.Z, v.Z));
-
-    /// <summary>Lengths here are 1 mm to 1e6 m: their squares neither overflow nor vanish.</summary>
-    private static double Length(Vector3D v) => Math.Sqrt(v.LengthSquared);
-
-    /// <summary>
-    /// Distance from an edge's middle to the farthest point, on its left, of the circle through its ends and a vertex, m: half the length
-    /// times the cotangent of half the angle at the vertex.
-    /// </summary>
-    private double ReachOf(int from, int to, int vertex, double length)
-    {
-        double cotangent = Cotangent(from, to, vertex);
-        return 0.5 * length * (cotangent + Math.Sqrt(1.0 + (cotangent * cotangent))) * 1.000001;
-    }
-
-    private BadInputException Crossing(int vertex) => new(
-        $"The elevation models can't be joined around {SelenographicText(_vertices[vertex].Position)}: their borders cross there. "
-            + "Leave one of the models out.");
-
-    private static string SelenographicText(Vector3D position)
-    {
-        Terrain.SelenographicPoint point = Terrain.SelenographicPoint.Below(position);
-        return string.Create(
-            System.Globalization.CultureInfo.InvariantCulture,
-            $"latitude {double.RadiansToDegrees(point.Latitude):F3}, longitude {double.RadiansToDegrees(point.Longitude):F3} degrees");
     }
 }
