@@ -18,7 +18,8 @@ internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) :
     public ElevationModel Opened => _model ??= host.Times.Measure(Phase.Model, () => settings.Ldem.Count > 1
         ? ElevationModel.OpenSeveral(settings.Ldem, host)
         : ElevationModel.Open(
-            settings.Ldem.SingleOrDefault(), settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host));
+            settings.Ldem.SingleOrDefault(), settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host,
+            settings.Body));
 
     public void Dispose() => _model?.Dispose();
 }

@@ -33,7 +33,10 @@ internal sealed class FrameDescription(
         version,
         arguments,
         rendered.Renderer,
-        inputs());
+        inputs())
+    {
+        Globe = new DrawnGlobe(settings.Body, model.Grid.ReferenceRadius),
+    };
 
     /// <summary>The pixels that the meta file lists.</summary>
     public PixelSampler Sampler(Frame frame, RenderedFrame rendered)
@@ -41,13 +44,13 @@ internal sealed class FrameDescription(
         PixelGrid grid = new(frame.Camera.Width, frame.Camera.Height, settings.GridHorizontal, settings.GridVertical);
         if (settings.Surface == PixelSurface.Sphere)
         {
-            return new PixelSampler(frame.Camera, grid, ReferenceSphere.Lola, frame.Light.PositionMoonMe);
+            return new PixelSampler(frame.Camera, grid, new ReferenceSphere(model.Grid.ReferenceRadius), frame.Light.PositionMoonMe);
         }
 
         ArgumentNullException.ThrowIfNull(rendered.Truth);
         return model.Grid.PartCount > 1
             ? PixelSampler.OfSeveral(grid, rendered.Truth)
-            : new PixelSampler(grid, rendered.Truth, rendered.Resolution.PixelsPerDegree);
+            : new PixelSampler(grid, rendered.Truth, rendered.Resolution.PixelsPerDegree, model.Grid.ReferenceRadius);
     }
 
     /// <summary>What the layers' headers say of their origin.</summary>
@@ -59,5 +62,6 @@ internal sealed class FrameDescription(
         settings.Albedo.Band)
     {
         Parts = model.Grid.PartCount,
+        ReferenceRadius = model.Grid.ReferenceRadius,
     };
 }

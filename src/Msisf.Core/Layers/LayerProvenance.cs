@@ -16,4 +16,7 @@ public sealed record LayerProvenance(
 {
     /// <summary>Number of elevation models; with several the mesh's resolution is that of the finest, and there are no tiles.</summary>
     public int Parts { get; init; } = 1;
+
+    /// <summary>m: radius of the sphere over which heights are counted.</summary>
+    public double ReferenceRadius { get; init; } = MoonConstants.ReferenceRadius;
 }

@@ -37,6 +37,9 @@ internal sealed class SurfaceModel
     /// <summary>Whether the surface goes around the whole Moon, so that no ray enters the ground without meeting a facet.</summary>
     public bool IsClosed { get; }
 
+    /// <summary>m: radius of the sphere over which heights are counted.</summary>
+    public double ReferenceRadius => Parts[0].Grid.ReferenceRadius;
+
     /// <summary>Minimum and maximum radius that vertices can have, m, known without reading any.</summary>
     public (double Min, double Max) RadiusLimits { get; }
 

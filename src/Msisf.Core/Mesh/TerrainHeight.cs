@@ -31,7 +31,7 @@ public static class TerrainHeight
         Vector3D direction = positionMoonMe.Normalized();
         return terrain is NestedTerrain nested
             ? RadiusOn(nested.Surface, direction)
-            : RadiusOn(new FacetMesh((ITerrainGrid)terrain), direction) ?? MoonConstants.ReferenceRadius;
+            : RadiusOn(new FacetMesh((ITerrainGrid)terrain), direction) ?? terrain.ReferenceRadius;
     }
 
     /// <summary>Distance from the Moon's centre to the facet of a mesh in a direction, m; null outside a map.</summary>

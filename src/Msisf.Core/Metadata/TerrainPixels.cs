@@ -13,13 +13,16 @@ internal sealed class TerrainPixels : IPixelView
     private readonly IGroundTruth _truth;
     private readonly int? _pixelsPerDegree;
     private readonly bool _namesParts;
+    private readonly double _referenceRadius;
 
     /// <summary>Prepares a frame.</summary>
     /// <param name="truth">What its pixels show.</param>
     /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg: names the tiles; null for a model without tiles.</param>
+    /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     /// <param name="namesParts">Whether the terrain has several models, so that records name the one of their facet.</param>
-    public TerrainPixels(IGroundTruth truth, int? pixelsPerDegree, bool namesParts = false)
+    public TerrainPixels(IGroundTruth truth, int? pixelsPerDegree, double referenceRadius, bool namesParts = false)
     {
+        _referenceRadius = referenceRadius;
         ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree ?? 1, 1, nameof(pixelsPerDegree));
         _truth = truth;
         _pixelsPerDegree = pixelsPerDegree;
@@ -42,7 +45,7 @@ internal sealed class TerrainPixels : IPixelView
         Vector3D point = hit.PointMoonMe;
         Vector3D lightPosition = _truth.LightPositionMoonMe;
         TerrainRecord terrain = new(
-            point.Length - MoonConstants.ReferenceRadius,
+            point.Length - _referenceRadius,
             point,
             (point - camera.PositionMoonMe).Length,
             hit.NormalMoonMe,

@@ -12,8 +12,10 @@ public interface ITerrain
     /// <summary>
     /// Minimum and maximum radius that samples can have, m, known without reading any. The default is the maximum relief of the Moon.
     /// </summary>
-    (double Min, double Max) RadiusLimits =>
-        (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief, MoonConstants.ReferenceRadius + MoonConstants.MaxRelief);
+    (double Min, double Max) RadiusLimits => (ReferenceRadius - MoonConstants.MaxRelief, ReferenceRadius + MoonConstants.MaxRelief);
+
+    /// <summary>m: radius of the sphere over which heights are counted; that of the Moon unless the model is of another body.</summary>
+    double ReferenceRadius => MoonConstants.ReferenceRadius;
 
     /// <summary>Number of models; the facets of the seams between several have this number as their part.</summary>
     int PartCount => 1;

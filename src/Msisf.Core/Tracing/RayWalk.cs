@@ -14,9 +14,6 @@ namespace Msisf.Core.Tracing;
 /// </summary>
 internal ref struct RayWalk
 {
-    /// <summary>m: a radius that is above the whole surface.</summary>
-    private const double Top = MoonConstants.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
-
     private readonly SurfaceModel _surface;
     private readonly bool _stopsAtAnyHit;
     private readonly Ray _near;
@@ -27,6 +24,9 @@ internal ref struct RayWalk
     private readonly Vector3D _start;
     private readonly double _startSquared;
     private readonly double _startRise;
+    /// <summary>m: a radius that is above the whole surface.</summary>
+    private readonly double _top;
+
     private readonly double _bottom;
     private readonly Vector3D _unitDirection;
     private GridSurface _part;
@@ -45,7 +45,8 @@ internal ref struct RayWalk
     {
         _surface = surface;
         _stopsAtAnyHit = stopsAtAnyHit;
-        (_near, _offset) = ShiftedRay.From(ray, Top);
+        _top = surface.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
+        (_near, _offset) = ShiftedRay.From(ray, _top);
         _length = ray.Direction.Length;
         Vector3D direction = ray.Direction / _length;
         _startParameter = -Vector3D.Dot(_near.Origin, direction);
@@ -56,7 +57,7 @@ internal ref struct RayWalk
         _unitDirection = direction;
         _part = surface.Parts[0];
         _sagitta = _part.Geometry.Sagitta;
-        _bottom = surface.SolidRadius(MoonConstants.ReferenceRadius - MoonConstants.MaxRelief - 1.0);
+        _bottom = surface.SolidRadius(surface.ReferenceRadius - MoonConstants.MaxRelief - 1.0);
         _parameter = endParameter - _offset;
         _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
     }
@@ -79,10 +80,10 @@ internal ref struct RayWalk
     public void Run()
     {
         double distance = _start.Length;
-        if (distance < Top)
+        if (distance < _top)
         {
             double origin = PlaceOf(-_offset);
-            double halfChord = HalfChord(Top, distance);
+            double halfChord = HalfChord(_top, distance);
             RayPiece piece = new(Math.Max(-halfChord, origin - Tolerances.VertexLattice), Math.Min(halfChord, _farthest));
             if (origin < 0.0 && distance < _bottom)
             {

@@ -78,6 +78,9 @@ internal sealed class BorderBlend : ITerrainGrid
     public GridWindow Window => _grid.Window;
 
     /// <inheritdoc/>
+    public double ReferenceRadius => _grid.ReferenceRadius;
+
+    /// <inheritdoc/>
     public (double Min, double Max) RadiusLimits { get; }
 
     /// <inheritdoc/>

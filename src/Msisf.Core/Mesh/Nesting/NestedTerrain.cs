@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
@@ -40,11 +41,22 @@ public sealed class NestedTerrain : ITerrain
                     + "Leave that one out.");
         }
 
+        if (Models.FirstOrDefault(model => model.ReferenceRadius != Models[0].ReferenceRadius) is { } other)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{other.ProductId} has heights over a sphere of {other.ReferenceRadius:R} m, {Models[0].ProductId} over one of "
+                    + $"{Models[0].ReferenceRadius:R} m: they are of different bodies. Leave one of them out."));
+        }
+
         _surface = new Lazy<SurfaceModel>(Join);
     }
 
     /// <summary>The models, the coarsest first; a facet's part is an index here.</summary>
     public IReadOnlyList<ITerrainGrid> Models { get; }
+
+    /// <inheritdoc/>
+    public double ReferenceRadius => Models[0].ReferenceRadius;
 
     /// <inheritdoc/>
     public int PartCount => Models.Count;
