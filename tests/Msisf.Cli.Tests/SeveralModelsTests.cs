@@ -64,7 +64,8 @@ public sealed class SeveralModelsTests : IDisposable
     [Fact]
     public void DryRun_SeveralModels_TellsTheHeight()
     {
-        CommandLineRun run = CommandLineRun.Of([.. View.Split(' '), "--renderer", "native", "--dry-run", "--ldem", Moon(), "--ldem", Map()]);
+        CommandLineRun run = CommandLineRun.Of(
+            [.. View.Split(' '), "--renderer", "native", "--dry-run", "--ldem", Moon(), "--ldem", Map()]);
         Assert.True(run.ExitCode == 0, run.Error);
         Assert.Contains("2000-01-01", run.Output, StringComparison.Ordinal);
     }
@@ -77,6 +78,7 @@ public sealed class SeveralModelsTests : IDisposable
     [InlineData("MOON FOLDER", 2, "a folder; of several --ldem each names")]
     [InlineData("MOON missing.LBL", 2, "missing.LBL")]
     [InlineData("MOON ''", 1, "--ldem is empty")]
+    [InlineData("MOON MAP --body mercury", 1, "several --ldem are of the Moon only")]
     public void Run_WrongModels_AreRefusedInOneLine(string models, int exitCode, string message)
     {
         List<string> arguments = [.. View.Split(' '), "--output-dir", _folder["out"]];
@@ -104,7 +106,7 @@ public sealed class SeveralModelsTests : IDisposable
 
         Assert.Equal(exitCode, run.ExitCode);
         Assert.Contains(message, run.Error, StringComparison.Ordinal);
-        Assert.Single(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), line => line.Contains("error", StringComparison.Ordinal));
+        Assert.Single(run.Error.Split('\n'), line => line.Contains("error", StringComparison.Ordinal));
         Assert.False(Directory.Exists(_folder["out"]));
     }
 

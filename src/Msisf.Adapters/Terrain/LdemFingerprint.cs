@@ -35,6 +35,7 @@ public sealed record LdemFingerprint(string ProductId, long ImageBytes, string S
             });
         }
 
-        return new LdemFingerprint(string.Join('+', sets.Select(set => set.ProductId)), bytes, Convert.ToHexStringLower(hash.GetHashAndReset()));
+        return new LdemFingerprint(
+            string.Join('+', sets.Select(set => set.ProductId)), bytes, Convert.ToHexStringLower(hash.GetHashAndReset()));
     }
 }

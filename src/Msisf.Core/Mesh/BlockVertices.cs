@@ -39,7 +39,7 @@ internal sealed class BlockVertices
     /// <summary>The block.</summary>
     public CellBlock Block { get; private set; }
 
-    /// <summary>Whether the block has facets of seams: only the cells of <see cref="SeamMesh.CellsOfLine"/>, and of them one half.</summary>
+    /// <summary>Whether the block has facets of seams: only one half of the cells of <see cref="SeamMesh.CellsOfLine"/>.</summary>
     public bool IsOfSeams { get; private set; }
 
     /// <summary>

@@ -15,7 +15,7 @@ public static class TerrainHeight
     /// </summary>
     private const double ShortestEdge = 1e-6;
 
-    /// <summary>A direction with larger weights of all corners of a facet lies in no other facet; far above the weights' rounding.</summary>
+    /// <summary>A direction with larger weights of all corners of a facet lies in no other; far above their rounding.</summary>
     private const double WellInside = 1e-6;
 
     /// <summary>

@@ -164,7 +164,9 @@ public sealed class NestedSceneTests
         Assert.True(seams > 100 && lit > 0.9 * seams, $"{seams} pixels of seams, {lit} lit");
     }
 
-    /// <summary>A ray at a corner, at the middle of a side, or within a facet of the seams; from above, or those within from the camera.</summary>
+    /// <summary>
+    /// A ray at a corner, at the middle of a side, or within a facet of the seams; from above, or those within from the camera.
+    /// </summary>
     private static Ray Aimed(SeamMesh seams, View view, bool isAtEdge, Random random)
     {
         (Vector3D a, Vector3D b, Vector3D c) = seams.CornersOf(random.Next(seams.Count));

@@ -40,14 +40,18 @@ internal static class NestedScenes
                         || (line is > 56 and < 63 && sample is > 56 and < 63)
                         || (line + sample) % 97 == 3 || (line == 90 && sample % 2 == 0) || sample > 100 + (line / 9)),
             ],
-            "piece" => [moon, Part(6, new GridWindow(6 * 85, 6 * 95, 6 * 40, (6 * 55) + 3)), Part(24, new GridWindow(2100, 2164, 1100, 1180))],
+            "piece" =>
+            [
+                moon, Part(6, new GridWindow(6 * 85, 6 * 95, 6 * 40, (6 * 55) + 3)), Part(24, new GridWindow(2100, 2164, 1100, 1180)),
+            ],
             "one-corner-at-the-pole" => [moon, Map(true, 2000.0, 64, 0.0, 0.0), Map(false, 3000.0, 64, 3.5, 60.25)],
             _ => throw new ArgumentOutOfRangeException(nameof(name), name, "No scene has that name."),
         };
     }
 
     /// <summary>A scene, made once for all tests.</summary>
-    public static NestedTerrain Named(string name) => Made.GetOrAdd(name, static made => new(() => new NestedTerrain(ModelsOf(made)))).Value;
+    public static NestedTerrain Named(string name) =>
+        Made.GetOrAdd(name, static made => new(() => new NestedTerrain(ModelsOf(made)))).Value;
 
     /// <summary>All facets of a scene, collected once for all tests.</summary>
     public static AllFacets FacetsOf(string name) => Collected.GetOrAdd(name, static made => new(() => new AllFacets(Named(made)))).Value;

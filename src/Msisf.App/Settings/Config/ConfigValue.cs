@@ -13,5 +13,6 @@ internal sealed record ConfigValue(OptionSpec Option, string Text, string File, 
 {
     /// <summary>Converts the value to the form in which options are read.</summary>
     public OptionValue ToOptionValue() => new(
-        Option is PathSpec { TakesSeveral: true } ? Text.Split(PathSpec.Separator) : [Text], string.Create(CultureInfo.InvariantCulture, $"{File}, line {Line}"));
+        Option is PathSpec { TakesSeveral: true } ? Text.Split(PathSpec.Separator) : [Text],
+        string.Create(CultureInfo.InvariantCulture, $"{File}, line {Line}"));
 }

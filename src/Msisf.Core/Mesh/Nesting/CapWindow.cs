@@ -7,7 +7,7 @@ namespace Msisf.Core.Mesh.Nesting;
 /// <summary>Finds the cells of a mesh that a cap of directions may touch.</summary>
 internal static class CapWindow
 {
-    /// <summary>rad: no map reaches that far from its pole (<see cref="PolarStereographic.MaxExtent"/>: 70.6 degrees at a corner).</summary>
+    /// <summary>rad: no map reaches that far from its pole (70.6 degrees by <see cref="PolarStereographic.MaxExtent"/>).</summary>
     private const double FarthestFromPole = 1.3;
 
     /// <summary>

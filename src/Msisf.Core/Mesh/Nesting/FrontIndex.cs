@@ -2,7 +2,9 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Mesh.Nesting;
 
-/// <summary>Finds edges near a place, whatever their lengths: a tree of cubes, each with the edges that are about as long as it is wide.</summary>
+/// <summary>
+/// Finds edges near a place, whatever their lengths: a tree of cubes, each with the edges that are about as long as it is wide.
+/// </summary>
 internal sealed class FrontIndex
 {
     /// <summary>m: half the width of the cube that holds the Moon.</summary>

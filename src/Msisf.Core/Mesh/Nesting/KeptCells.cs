@@ -7,7 +7,7 @@ namespace Msisf.Core.Mesh.Nesting;
 internal static class KeptCells
 {
     /// <summary>
-    /// Distance of the cells of a coarser model from those of a finer one, in its own cells, at least; so seams are neither narrow nor wide.
+    /// Minimum distance of the cells of a coarser model from those of a finer one, in its own cells: seams are neither narrow nor wide.
     /// </summary>
     private const double Gap = 0.4;
 

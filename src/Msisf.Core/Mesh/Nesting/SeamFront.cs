@@ -114,8 +114,8 @@ internal sealed class SeamFront
     }
 
     /// <summary>
-    /// The best of the vertices beside the facets that the edge's ends had last, and along the front from there; most often the facet beside
-    /// has the same apex.
+    /// The best of the vertices beside the facets that the edge's ends had last, and along the front from there; most often the facet
+    /// beside has the same apex.
     /// </summary>
     private int BestBeside(int from, int to)
     {

@@ -23,7 +23,9 @@ internal sealed class SeamMesh
 
     /// <summary>Takes the facets.</summary>
     /// <param name="vertices">The vertices.</param>
-    /// <param name="corners">Three indices of vertices for each facet, counter-clockwise seen from outside; neighbours follow each other.</param>
+    /// <param name="corners">
+    /// Three indices of vertices for each facet, counter-clockwise seen from outside; neighbours follow each other.
+    /// </param>
     public SeamMesh(SeamVertex[] vertices, int[] corners)
     {
         _vertices = vertices;
