@@ -65,7 +65,7 @@ internal sealed class CommandLineProgram
         ParseResult line = _tree.Root.Parse([.. _arguments], new ParserConfiguration { ResponseFileTokenReplacer = ResponseFile.TryRead });
         if (line.Errors.Count > 0)
         {
-            string problem = StrayOptions.Repeated(line)
+            string problem = StrayOptions.Repeated(line, _tree.SpecOf(line))
                 ?? Misspelling.In(line, _tree.SpecOf(line))
                 ?? string.Join(" ", line.Errors.Select(error => error.Message));
             _host.Log.Error($"{problem} {HelpHint(line)}");

@@ -23,7 +23,8 @@ internal static class OriginXml
         string.Join(
             '\n',
             [
-                .. Body(frame.Globe), Model(frame.Elevation), .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input),
+                .. Body(frame.Globe), Model(frame.Elevation), .. frame.Elevation.Parts.Select(Part),
+                .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input),
             ]);
 
     /// <summary>The word by which an Input element names its kind.</summary>
@@ -52,6 +53,12 @@ internal static class OriginXml
         $"    <ElevationModel product=\"{XmlText.EscapeAttribute(model.ProductId)}\" synthetic=\"{(model.IsSynthetic ? "yes" : "no")}\""
             + $" drawnFinest=\"{model.FinestDrawn.NumberText}\" drawnCoarsest=\"{model.CoarsestDrawn.NumberText}\" "
             + $"unit=\"{model.Resolution.Unit}\" />");
+
+    private static string Part(ElevationPart part, int number) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"    <ElevationPart part=\"{number}\" product=\"{XmlText.EscapeAttribute(part.ProductId)}\" "
+            + $"synthetic=\"{(part.IsSynthetic ? "yes" : "no")}\" resolution=\"{part.Resolution.NumberText}\" "
+            + $"unit=\"{part.Resolution.Unit}\" />");
 
     private static IEnumerable<string> Camera(CameraMatrix camera) =>
     [

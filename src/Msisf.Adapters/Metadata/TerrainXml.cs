@@ -9,9 +9,9 @@ namespace Msisf.Adapters.Metadata;
 internal static class TerrainXml
 {
     /// <summary>
-    /// Bytes of the longest content: 423 bytes of markup, the longest state, tile and half; two whole numbers, twelve longE numbers.
+    /// Bytes of the longest content: 431 bytes of markup, the longest state, tile and half; three whole numbers, twelve longE numbers.
     /// </summary>
-    public const int MaximumLength = 423 + 8 + 23 + 2 + (2 * 10) + (12 * LongE.Length);
+    public const int MaximumLength = 431 + 8 + 23 + 2 + (3 * 10) + (12 * LongE.Length);
 
     /// <summary>Writes the elements.</summary>
     /// <param name="terrain">The terrain point.</param>
@@ -41,6 +41,13 @@ internal static class TerrainXml
         {
             text.Append(" tile=\""u8);
             text.Append(tile.RangeText);
+            text.Append("\""u8);
+        }
+
+        if (terrain.NamesPart)
+        {
+            text.Append(" part=\""u8);
+            text.Append(terrain.Facet.Part);
             text.Append("\""u8);
         }
 

@@ -122,6 +122,18 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     };
 
     /// <inheritdoc/>
+    public bool MayHaveGaps => _image.NoData is not null;
+
+    /// <inheritdoc/>
+    public void ReadGaps(int line, int firstSample, Span<bool> isGap)
+    {
+        for (int i = 0; i < isGap.Length; i++)
+        {
+            isGap[i] = float.IsNaN(ValueAt(line - Window.FirstLine, ColumnOf(firstSample + i)));
+        }
+    }
+
+    /// <inheritdoc/>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         int row = line - Window.FirstLine;
@@ -129,7 +141,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         for (int i = 0; i < radii.Length; i++)
         {
             int column = ColumnOf(firstSample + i);
-            float value = BlockAt(row, column)[((row & (BlockSide - 1)) << BlockShift) | (column & (BlockSide - 1))];
+            float value = ValueAt(row, column);
             radii[i] = float.IsNaN(value) ? throw Hole(row, column) : _radiusOf(value);
         }
     }
@@ -160,6 +172,10 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)column, (uint)_image.Width, nameof(sample));
         return column;
     }
+
+    /// <summary>The value of a pixel of the file; NaN without data.</summary>
+    private float ValueAt(int row, int column) =>
+        BlockAt(row, column)[((row & (BlockSide - 1)) << BlockShift) | (column & (BlockSide - 1))];
 
     private float[] BlockAt(int row, int column)
     {

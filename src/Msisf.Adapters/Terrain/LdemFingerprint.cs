@@ -15,11 +15,15 @@ public sealed record LdemFingerprint(string ProductId, long ImageBytes, string S
 {
     /// <summary>Reads what is needed of a model's files.</summary>
     /// <exception cref="ExternalPartException">They can't be read.</exception>
-    public static LdemFingerprint Of(LdemSet set)
+    public static LdemFingerprint Of(LdemSet set) => Of([set]);
+
+    /// <summary>Reads what is needed of several models' files.</summary>
+    /// <exception cref="ExternalPartException">They can't be read.</exception>
+    public static LdemFingerprint Of(IReadOnlyList<LdemSet> sets)
     {
         using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         long bytes = 0;
-        foreach (LdemLabel label in set.Parts)
+        foreach (LdemLabel label in sets.SelectMany(set => set.Parts))
         {
             FileErrors.ToExternalPart($"{label.LabelPath}: can't be read", () =>
             {
@@ -31,6 +35,7 @@ public sealed record LdemFingerprint(string ProductId, long ImageBytes, string S
             });
         }
 
-        return new LdemFingerprint(set.ProductId, bytes, Convert.ToHexStringLower(hash.GetHashAndReset()));
+        return new LdemFingerprint(
+            string.Join('+', sets.Select(set => set.ProductId)), bytes, Convert.ToHexStringLower(hash.GetHashAndReset()));
     }
 }

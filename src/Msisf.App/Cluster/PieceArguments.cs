@@ -73,6 +73,11 @@ internal sealed class PieceArguments
             return flag.Read(_values) ? [flag.Name] : [];
         }
 
+        if (option.MayBeRepeated)
+        {
+            return [.. (_values.Words(option) ?? []).SelectMany(word => WordsOf(option, word))];
+        }
+
         return _values.Text(option) is { } text ? WordsOf(option, text) : [];
     }
 

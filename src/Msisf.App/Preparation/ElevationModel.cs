@@ -10,6 +10,8 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
@@ -28,7 +30,7 @@ internal sealed class ElevationModel : IDisposable
 
     private const string SummaryExtension = ".summary";
 
-    private readonly IDisposable _file;
+    private readonly IReadOnlyList<IDisposable> _files;
     private readonly LdemImage? _image;
     private readonly ILog? _log;
     private readonly Lazy<SummarySource>? _source;
@@ -52,18 +54,23 @@ internal sealed class ElevationModel : IDisposable
     }
 
     private ElevationModel(ITerrainGrid grid, LdemSet set, IDisposable file)
+        : this(grid, [set], [file])
+    {
+    }
+
+    private ElevationModel(ITerrain grid, IReadOnlyList<LdemSet> sets, IReadOnlyList<IDisposable> files)
     {
         Grid = grid;
-        Set = set;
-        _file = file;
+        Sets = sets;
+        _files = files;
         _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(grid));
         _summary = new Lazy<ElevationSummary>(() => throw NotWholeMoon());
         _levels = new Lazy<ModelLevels>(() => throw NotWholeMoon());
         _drawnLevels = new Lazy<TerrainLevels>(() => MapLevels.Open(grid));
     }
 
-    /// <summary>The samples.</summary>
-    public ITerrainGrid Grid { get; }
+    /// <summary>The samples; of several models the surface that they make together.</summary>
+    public ITerrain Grid { get; }
 
     /// <summary>Whether it is a model of the whole Moon, which has tiles and patterns.</summary>
     public bool IsWholeMoon => _image is not null;
@@ -73,10 +80,21 @@ internal sealed class ElevationModel : IDisposable
     public IElevationGrid WholeMoon => _image ?? throw NotWholeMoon();
 
     /// <summary>Identifies the model; the fingerprint is the same on every computer.</summary>
-    public LdemFingerprint Fingerprint() => LdemFingerprint.Of(Set);
+    public LdemFingerprint Fingerprint() => LdemFingerprint.Of(Sets);
 
-    /// <summary>The labels of the model.</summary>
-    public LdemSet Set { get; }
+    /// <summary>The labels of the model; of several models those of the coarsest.</summary>
+    public LdemSet Set => Sets[0];
+
+    /// <summary>The labels of all models, in the order of a facet's parts.</summary>
+    public IReadOnlyList<LdemSet> Sets { get; }
+
+    /// <summary>Whether any model is synthetic, not the real Moon.</summary>
+    public bool IsSynthetic => Sets.Any(set => set.IsSynthetic);
+
+    /// <summary>Names and resolutions of several models, in the order of a facet's parts; empty for one.</summary>
+    public IReadOnlyList<ElevationPart> Parts => Grid is NestedTerrain nested
+        ? [.. nested.Models.Zip(Sets, (grid, set) => new ElevationPart(grid.ProductId, set.IsSynthetic, grid.Projection.Resolution))]
+        : [];
 
     /// <summary>Traces single rays; created on first use.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
@@ -124,6 +142,38 @@ internal sealed class ElevationModel : IDisposable
         return new ElevationModel(image, host.Log, () => OpenLevels(image, isSparing, host));
     }
 
+    /// <summary>Opens several models that make one surface.</summary>
+    /// <param name="paths">Labels or images.</param>
+    /// <param name="host">Receives log messages.</param>
+    /// <exception cref="MsisfException">A model can't be opened, or they don't fit together.</exception>
+    public static ElevationModel OpenSeveral(IReadOnlyList<string> paths, ProgramHost host)
+    {
+        List<ElevationModel> opened = [];
+        try
+        {
+            foreach (string path in paths)
+            {
+                GridResolution resolution = GeoTiffGrid.IsNameOf(path) || LdemCatalog.TryReadMap(path) is not { Polar: { } polar }
+                    ? LdemResolutionOf(path)
+                    : polar.Resolution;
+                opened.Add(Open(path, resolution, isSparing: false, host));
+            }
+
+            return SurfaceOptions.Ldem.Concerned(() =>
+            {
+                NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid));
+                LdemSet[] sets = [.. nested.Models.Select(grid => opened.Single(model => ReferenceEquals(model.Grid, grid)).Set)];
+                nested.Prepare();
+                return new ElevationModel(nested, sets, [.. opened]);
+            });
+        }
+        catch
+        {
+            opened.ForEach(model => model.Dispose());
+            throw;
+        }
+    }
+
     /// <summary>Whether <see cref="Open"/> finds a model of a resolution if no path is given.</summary>
     /// <exception cref="BadInputException">There is one, but its parts don't make up a whole Moon.</exception>
     public static bool IsThere(int pixelsPerDegree, ProgramHost host) =>
@@ -132,6 +182,11 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>Folders in which models are searched if no path is given, in the order of the search.</summary>
     public static string[] Folders(ProgramHost host) =>
         [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
+
+    /// <summary>Resolution of a cylindrical label; of a GeoTIFF, which knows its own, any.</summary>
+    private static GridResolution LdemResolutionOf(string path) => GeoTiffGrid.IsNameOf(path)
+        ? 1
+        : SurfaceOptions.Ldem.Concerned(() => LdemCatalog.Read(path).PixelsPerDegree);
 
     private static ElevationModel OpenMap(string path, ProgramHost host) => SurfaceOptions.Ldem.Concerned(() =>
     {
@@ -217,7 +272,10 @@ internal sealed class ElevationModel : IDisposable
             _levels.Value.Dispose();
         }
 
-        _file.Dispose();
+        foreach (IDisposable file in _files)
+        {
+            file.Dispose();
+        }
     }
 
     private void StoreSummary()

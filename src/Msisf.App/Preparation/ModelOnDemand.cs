@@ -15,8 +15,11 @@ internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) :
     public bool IsOpen => _model is not null;
 
     /// <summary>The model.</summary>
-    public ElevationModel Opened => _model ??= host.Times.Measure(Phase.Model, () => ElevationModel.Open(
-        settings.Ldem, settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host, settings.Body));
+    public ElevationModel Opened => _model ??= host.Times.Measure(Phase.Model, () => settings.Ldem.Count > 1
+        ? ElevationModel.OpenSeveral(settings.Ldem, host)
+        : ElevationModel.Open(
+            settings.Ldem.SingleOrDefault(), settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host,
+            settings.Body));
 
     public void Dispose() => _model?.Dispose();
 }

@@ -42,14 +42,14 @@ internal sealed class RunInputs : IDisposable
     /// <summary>The kernels, in load order.</summary>
     public Task<IReadOnlyList<InputFile>> Kernels { get; }
 
-    /// <summary>Begins with the elevation model.</summary>
-    /// <param name="model">The model.</param>
+    /// <summary>Begins with the elevation models.</summary>
+    /// <param name="models">The models.</param>
     /// <param name="maps">The maps of the surface, whose checksums are known.</param>
-    public void Begin(LdemSet model, IReadOnlyList<InputFile> maps)
+    public void Begin(IReadOnlyList<LdemSet> models, IReadOnlyList<InputFile> maps)
     {
         _maps = maps;
         CancellationToken end = _end.Token;
-        _model = Task.Run(() => OfModel(model, end), end);
+        _model = Task.Run<IReadOnlyList<InputFile>>(() => [.. models.SelectMany(model => OfModel(model, end))], end);
     }
 
     /// <summary>

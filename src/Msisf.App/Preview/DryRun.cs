@@ -31,7 +31,7 @@ internal static class DryRun
         double reference = model?.Grid.ReferenceRadius ?? MoonConstants.ReferenceRadius;
         GridResolution resolution = settings.Resolution.OnSphere(reference);
         run.WarnOfFieldOfView(settings, host, reference);
-        RunNotes notes = new(resolution);
+        RunNotes notes = new(resolution, settings.Ldem.Count > 1);
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
         {
             cancellation.ThrowIfCancellationRequested();
@@ -46,7 +46,7 @@ internal static class DryRun
 
     private static ElevationModel? IfThere(ModelOnDemand model, RenderSettings settings, ProgramHost host)
     {
-        if (model.IsOpen || settings.Ldem is not null || ElevationModel.IsThere(settings.Resolution.PixelsPerDegree!.Value, host))
+        if (model.IsOpen || settings.Ldem.Count > 0 || ElevationModel.IsThere(settings.Resolution.PixelsPerDegree!.Value, host))
         {
             return model.Opened;
         }

@@ -33,6 +33,7 @@ internal sealed class RunNotes
     private const int LongestList = 60;
 
     private readonly GridResolution _resolution;
+    private readonly bool _hasSeveral;
     private readonly List<int> _withoutMoon = [];
     private readonly List<int> _unlit = [];
     private int _count;
@@ -41,8 +42,9 @@ internal sealed class RunNotes
     private ModifiedJulianDate _first;
     private ModifiedJulianDate _last;
 
-    /// <param name="resolution">Resolution of the elevation model.</param>
-    public RunNotes(GridResolution resolution) => _resolution = resolution;
+    /// <param name="resolution">Resolution of the elevation model, of several that of the finest.</param>
+    /// <param name="hasSeveral">Whether there are several.</param>
+    public RunNotes(GridResolution resolution, bool hasSeveral) => (_resolution, _hasSeveral) = (resolution, hasSeveral);
 
     /// <summary>Looks at frames, and writes the notes.</summary>
     /// <param name="camera">Has the epoch of an orbit.</param>
@@ -51,9 +53,9 @@ internal sealed class RunNotes
     /// <param name="log">Receives the notes.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     public static void Write(
-        CameraSettings camera, IReadOnlyList<Frame> frames, ITerrainGrid terrain, ILog log, CancellationToken cancellation)
+        CameraSettings camera, IReadOnlyList<Frame> frames, ITerrain terrain, ILog log, CancellationToken cancellation)
     {
-        RunNotes notes = new(terrain.Projection.Resolution);
+        RunNotes notes = new(terrain.Resolution, terrain.PartCount > 1);
         foreach (Frame frame in frames)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -109,7 +111,7 @@ internal sealed class RunNotes
             string width = _widestCell < LargestTold
                 ? string.Create(CultureInfo.InvariantCulture, $"{_widestCell:F0}")
                 : string.Create(CultureInfo.InvariantCulture, $"more than {LargestTold:F0}");
-            string option = _resolution.PixelsPerDegree is null ? string.Empty : " (--res)";
+            string option = _hasSeveral || _resolution.PixelsPerDegree is null ? string.Empty : " (--res)";
             log.Note($"Cells of the model are {width} px wide in the image{step}: a finer model{option} would show more.");
         }
 

@@ -25,7 +25,10 @@ internal sealed class FrameDescription(
         settings.FieldOfViewDegrees,
         frame.Light.PositionMoonMe,
         new DrawnElevation(
-            model.Grid.ProductId, model.Set.IsSynthetic, model.Grid.Projection.Resolution, rendered.Drawn.Finest, rendered.Drawn.Coarsest),
+            model.Grid.ProductId, model.IsSynthetic, model.Grid.Resolution, rendered.Drawn.Finest, rendered.Drawn.Coarsest)
+        {
+            Parts = model.Parts,
+        },
         model.HeightOverTerrain(frame.Camera.PositionMoonMe),
         version,
         arguments,
@@ -45,17 +48,20 @@ internal sealed class FrameDescription(
         }
 
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        return new PixelSampler(grid, rendered.Truth, rendered.Resolution.PixelsPerDegree, model.Grid.ReferenceRadius);
+        return model.Grid.PartCount > 1
+            ? PixelSampler.OfSeveral(grid, rendered.Truth)
+            : new PixelSampler(grid, rendered.Truth, rendered.Resolution.PixelsPerDegree, model.Grid.ReferenceRadius);
     }
 
     /// <summary>What the layers' headers say of their origin.</summary>
     public LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
         model.Grid.ProductId,
         rendered.Resolution,
-        model.Grid.Projection.Resolution.HalvingsTo(rendered.Resolution),
+        model.Grid.Resolution.HalvingsTo(rendered.Resolution),
         metadata.RendererName,
         settings.Albedo.Band)
     {
+        Parts = model.Grid.PartCount,
         ReferenceRadius = model.Grid.ReferenceRadius,
     };
 }

@@ -27,7 +27,7 @@ internal sealed class NativeDrawing
     private const double WorthCollecting = 0.25;
 
     private readonly NativeRenderOptions _options;
-    private readonly ITerrainGrid _model;
+    private readonly ITerrain _model;
     private readonly OpenedAlbedoMap? _map;
     private readonly NativeLevels _levels;
     private readonly DetectorsOfRun? _detectors;
@@ -35,7 +35,7 @@ internal sealed class NativeDrawing
     private int _frames;
     private long _collectedBytes;
 
-    public NativeDrawing(NativeSettings settings, ITerrainGrid model, SurfaceInputs maps, NativeLevels levels, RunTimes times)
+    public NativeDrawing(NativeSettings settings, ITerrain model, SurfaceInputs maps, NativeLevels levels, RunTimes times)
     {
         Settings = settings;
         Grey = new GreyTable(settings.Grey, settings.BitDepth);

@@ -12,7 +12,7 @@ internal sealed class NativeLevels
 {
     private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();
     private readonly ConcurrentDictionary<int, Lazy<TerrainTracer>> _tracers = new();
-    private readonly ITerrainGrid _grid;
+    private readonly ITerrain _grid;
     private readonly TerrainLevels? _levels;
     private readonly DetailRule? _rule;
 
@@ -22,7 +22,7 @@ internal sealed class NativeLevels
     /// <param name="errorPixels">
     /// px: how far coarser levels may shift a point in the image; null to draw from the full model always.
     /// </param>
-    public NativeLevels(ITerrainGrid grid, Func<TerrainLevels> levels, double? errorPixels)
+    public NativeLevels(ITerrain grid, Func<TerrainLevels> levels, double? errorPixels)
     {
         _grid = grid;
         _levels = errorPixels is null ? null : levels();
@@ -45,5 +45,5 @@ internal sealed class NativeLevels
     private int LevelFor(PinholeCamera camera, int subsamplesPerAxis) =>
         _rule?.LevelOfImage(camera.Footprint, subsamplesPerAxis) ?? 0;
 
-    private ITerrainGrid GridOf(int level) => level == 0 ? _grid : _levels!.Grid(level);
+    private ITerrain GridOf(int level) => level == 0 ? _grid : _levels!.Grid(level);
 }

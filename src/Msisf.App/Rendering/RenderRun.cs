@@ -54,7 +54,7 @@ internal sealed class RenderRun
             : null;
         using PreparedRun run = PreparedRun.Of(camera, _settings, ephemeris, _host, cancellation);
         using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(_settings, _host));
-        inputs.Begin(run.Model.Set, maps.Files);
+        inputs.Begin(run.Model.Sets, maps.Files);
         RequireParts();
         _times.Measure(Phase.Preview, () => RunNotes.Write(camera, run.Frames, run.Model.Grid, _host.Log, cancellation));
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);

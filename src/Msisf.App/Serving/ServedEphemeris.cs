@@ -37,7 +37,7 @@ internal sealed class ServedEphemeris(ProgramHost host) : IDisposable
         key => new Lazy<RunInputs>(() =>
         {
             RunInputs inputs = new(() => key.IgnoreSun ? [] : Of(settings).KernelFiles(), camera: null, host, CancellationToken.None);
-            inputs.Begin(model.Opened.Set, []);
+            inputs.Begin(model.Opened.Sets, []);
             return inputs;
         })).Value.All();
 

@@ -32,6 +32,11 @@ internal static class BodyChoice
             throw Refused(body, $"needs {SurfaceOptions.Ldem.Name} with the label of a model of {body.Name}.", SurfaceOptions.Ldem);
         }
 
+        if (SurfaceOptions.Ldem.ReadAll(values).Count > 1)
+        {
+            throw Refused(body, $"is drawn from one model; several {SurfaceOptions.Ldem.Name} are of the Moon only.", SurfaceOptions.Ldem);
+        }
+
         if (resolution.PixelsPerDegree is null)
         {
             throw Refused(body, "needs a model of latitude and longitude: other maps are read of the Moon only.", SurfaceOptions.Ldem);

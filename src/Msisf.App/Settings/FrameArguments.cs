@@ -27,7 +27,7 @@ internal static class FrameArguments
             OutputOptions.GridHorizontal.Name, Text(settings.GridHorizontal),
             OutputOptions.GridVertical.Name, Text(settings.GridVertical),
             .. OutputOptions.Surface.Words(settings.Surface),
-            .. settings.Resolution.PixelsPerDegree is { } resolution ? (string[])[SurfaceOptions.Resolution.Name, Text(resolution)] : [],
+            .. OfModels(settings),
             .. settings.Body.IsMoon ? [] : (string[])[.. SurfaceOptions.Body.Words(settings.Body.NaifNumber)],
             .. settings.LevelOfDetailError is double error
                 ? [SurfaceOptions.LevelOfDetailError.Name, NumberSpec.TextOf(error)]
@@ -65,6 +65,18 @@ internal static class FrameArguments
         return state.Motion is { } motion
             ? $"{fixedState} {CameraOptions.Motion.Name} {List(motion.ToNumbers())} {settings}"
             : $"{fixedState} {settings}";
+    }
+
+    /// <summary>One model has a resolution and nothing else: its name is no part of the content. Several are named, in any order.</summary>
+    private static IEnumerable<string> OfModels(RenderSettings settings)
+    {
+        if (settings.Ldem.Count > 1)
+        {
+            return settings.Ldem.Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal)
+                .SelectMany(name => (string[])[SurfaceOptions.Ldem.Name, Quoted(name)]);
+        }
+
+        return settings.Resolution.PixelsPerDegree is { } resolution ? [SurfaceOptions.Resolution.Name, Text(resolution)] : [];
     }
 
     private static string List(double[] numbers) => $"'{{{string.Join(',', numbers.Select(NumberSpec.TextOf))}}}'";

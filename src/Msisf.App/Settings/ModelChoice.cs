@@ -16,6 +16,11 @@ internal static class ModelChoice
     /// <param name="gdalPath">MSISF_GDAL, or null.</param>
     public static GridResolution ResolutionOf(OptionValues values, RendererKind renderer, string? gdalPath)
     {
+        if (SurfaceOptions.Ldem.ReadAll(values) is { Count: > 1 } several)
+        {
+            return ResolutionOfSeveral(several, values, renderer, gdalPath);
+        }
+
         if (SurfaceOptions.Ldem.ReadIfGiven(values) is not { } path || ResolutionOfMap(path, gdalPath) is not { } resolution)
         {
             return SurfaceOptions.Resolution.Read(values);
@@ -33,6 +38,36 @@ internal static class ModelChoice
                 + $"Add --renderer native, or take a model of the whole Moon.")
             .About(SurfaceOptions.Ldem, RendererOptions.Renderer);
     }
+
+    /// <summary>The resolution of the finest of several models.</summary>
+    private static GridResolution ResolutionOfSeveral(
+        IReadOnlyList<string> paths, OptionValues values, RendererKind renderer, string? gdalPath)
+    {
+        if (SurfaceOptions.Resolution.ReadIfGiven(values) is not null)
+        {
+            throw new UsageException(
+                $"{SurfaceOptions.Resolution.Name} has no meaning with several --ldem: each model has its own resolution. Leave it out.")
+                .About(SurfaceOptions.Resolution, SurfaceOptions.Ldem);
+        }
+
+        if (renderer != RendererKind.Native)
+        {
+            throw new UsageException(
+                "Several --ldem make one surface that only the native renderer draws. Add --renderer native, or give one model.")
+                .About(SurfaceOptions.Ldem, RendererOptions.Renderer);
+        }
+
+        if (paths.GroupBy(Path.GetFullPath).FirstOrDefault(same => same.Count() > 1) is { } twice)
+        {
+            throw new UsageException($"--ldem {twice.First()} is given twice. Leave one of them out.").About(SurfaceOptions.Ldem);
+        }
+
+        return paths.Select(path => ResolutionOfMap(path, gdalPath) ?? ResolutionOfLabel(path)).MinBy(found => found.MetresPerPixel);
+    }
+
+    private static GridResolution ResolutionOfLabel(string path) => SurfaceOptions.Ldem.Concerned(() => Directory.Exists(path)
+        ? throw new BadInputException($"{path}: a folder; of several --ldem each names the label or the image of a model.")
+        : LdemCatalog.Read(path).PixelsPerDegree);
 
     private static GridResolution? ResolutionOfMap(string path, string? gdalPath)
     {

@@ -26,6 +26,11 @@ internal static class NativeSettingsReader
         LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
             ? DetectorChoice.LayersOf(NativeOptions.Layers.Concerned(() => Layers(names)), detector)
             : null;
+        if (layers is not null && SurfaceOptions.Ldem.ReadAll(values).Count > 1)
+        {
+            layers = layers.OfSeveralModels();
+        }
+
         GreyScale grey = NativeOptions.Exposure.Named(
             () => new GreyScale(
                 NativeOptions.Exposure.ReadIfGiven(values) ?? (ReflectanceFactory.IsAbsolute(law, parameters)

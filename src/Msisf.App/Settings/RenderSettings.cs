@@ -59,7 +59,8 @@ internal sealed record RenderSettings
 
     public required string PatternRepository { get; init; }
 
-    public required string? Ldem { get; init; }
+    /// <summary>Paths of the elevation models; empty for the one that is found for the resolution.</summary>
+    public required IReadOnlyList<string> Ldem { get; init; }
 
     public required EphemerisChoice Ephemeris { get; init; }
 

@@ -49,7 +49,7 @@ internal static class RenderSettingsReader
             OutputFolder = OutputOptions.Folder.Read(values),
             OutputName = OutputOptions.Name.Read(values),
             PatternRepository = PovOptions.PatternRepository.Read(values),
-            Ldem = SurfaceOptions.Ldem.ReadIfGiven(values),
+            Ldem = SurfaceOptions.Ldem.ReadAll(values),
             Ephemeris = LightOptions.Ephemeris.Read(values),
             Aberration = Aberration(values),
             Kernels = LightOptions.Kernels.ReadIfGiven(values),

@@ -10,9 +10,20 @@ internal static class ServeArguments
 {
     /// <summary>The words for the options of a call.</summary>
     public static IReadOnlyList<string> ToWords(OptionValues values, CommandSpec command) =>
-        [.. command.Options.Where(option => values.Words(option) is not null).Select(option => $"{option.Name}={values.Text(option)}")];
+        [.. command.Options.SelectMany(option => Words(option, values))];
+
+    private static IEnumerable<string> Words(OptionSpec option, OptionValues values)
+    {
+        if (values.Words(option) is not { } words)
+        {
+            return [];
+        }
+
+        return option.MayBeRepeated ? words.Select(word => $"{option.Name}={word}") : [$"{option.Name}={values.Text(option)}"];
+    }
 
     /// <summary>The options of the words of <see cref="ToWords"/>.</summary>
-    public static OptionValues FromWords(IEnumerable<string> words) => new(words.Select(word => word.Split('=', 2)).Select(
-        pair => KeyValuePair.Create(pair[0], new OptionValue([pair[^1]]))));
+    public static OptionValues FromWords(IEnumerable<string> words) => new(words.Select(word => word.Split('=', 2))
+        .GroupBy(pair => pair[0], pair => pair[^1])
+        .Select(option => KeyValuePair.Create(option.Key, new OptionValue([.. option]))));
 }

@@ -23,8 +23,11 @@ internal static class SurfaceOptions
 
     /// <summary>Path of the elevation model.</summary>
     public static PathSpec Ldem { get; } = new(
-        "--ldem", PathKind.Any, "Elevation model: its label, its image (of a split model any of them), or a folder of models")
+        "--ldem", PathKind.Any,
+        "Elevation model: its label, its image (of a split model any of them), or a folder of models; "
+            + "given several times, the finest model wins where it has data (native renderer)")
     {
+        TakesSeveral = true,
         DefaultNote = "./input/ldem, then that of the installation",
     };
 

@@ -114,6 +114,7 @@ internal sealed class CommandTree
             FlagSpec => new Option<bool>(spec.Name, aliases) { Arity = ArgumentArity.Zero },
             { TakesSeveralWords: true } =>
                 new Option<string[]>(spec.Name, aliases) { Arity = ArgumentArity.OneOrMore, AllowMultipleArgumentsPerToken = true },
+            { MayBeRepeated: true } => new Option<string[]>(spec.Name, aliases) { Arity = ArgumentArity.OneOrMore },
             _ => new Option<string?>(spec.Name, aliases),
         };
     }

@@ -15,7 +15,7 @@ internal static class StrayOptions
     /// <param name="command">The command of the line.</param>
     public static void Refuse(ParseResult line, CommandSpec command)
     {
-        if (Repeated(line) is { } repeated)
+        if (Repeated(line, command) is { } repeated)
         {
             throw new UsageException(repeated);
         }
@@ -51,8 +51,10 @@ internal static class StrayOptions
 
     /// <summary>The problem with the first option that is given more than once; null if none is.</summary>
     /// <param name="line">The parsed command line, which may have errors.</param>
-    public static string? Repeated(ParseResult line) =>
-        OptionsOf(line.CommandResult).FirstOrDefault(option => option.IdentifierTokenCount > 1) is { } repeated
+    /// <param name="command">The command of the line.</param>
+    public static string? Repeated(ParseResult line, CommandSpec command) =>
+        OptionsOf(line.CommandResult).FirstOrDefault(option => option.IdentifierTokenCount > 1
+            && !command.Options.Any(spec => spec.Name == option.Option.Name && spec.MayBeRepeated)) is { } repeated
             ? $"{repeated.Option.Name} is given {repeated.IdentifierTokenCount} times. Give it once"
                 + (repeated.IdentifierTokenCount > 2 ? ", and quote a value in braces: the shell may have taken it apart." : ".")
             : null;

@@ -124,4 +124,12 @@ public static class LayerCatalogue
             EmptyValue = static brightness => brightness.Saturation,
         },
     ];
+
+    /// <summary>The layer "cell" of scenes of several elevation models.</summary>
+    public static Layer CellOfSeveral { get; } = new(
+        "cell", LayerType.Signed32, string.Empty,
+        "Cell of the mesh of a model: line (0 northernmost) and sample of its north-western vertex; line -1 is the fan round the north "
+            + "pole; part is the model, 0 the coarsest. The number of models stands for the seams: line 0, sample the facet's number.",
+        SurfaceValues.Cell,
+        "line", "sample", "part");
 }

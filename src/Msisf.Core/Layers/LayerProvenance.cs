@@ -14,6 +14,9 @@ namespace Msisf.Core.Layers;
 public sealed record LayerProvenance(
     string ElevationProduct, GridResolution MeshResolution, int LevelOfDetail, string Renderer, SpectralBand Band)
 {
+    /// <summary>Number of elevation models; with several the mesh's resolution is that of the finest, and there are no tiles.</summary>
+    public int Parts { get; init; } = 1;
+
     /// <summary>m: radius of the sphere over which heights are counted.</summary>
     public double ReferenceRadius { get; init; } = MoonConstants.ReferenceRadius;
 }

@@ -18,7 +18,7 @@ public sealed class LayerSampler
     public LayerSampler(IGroundTruth truth, LayerProvenance provenance)
     {
         _truth = truth;
-        _meshPixelsPerDegree = provenance.MeshResolution.PixelsPerDegree;
+        _meshPixelsPerDegree = provenance.Parts > 1 ? null : provenance.MeshResolution.PixelsPerDegree;
         _referenceRadius = provenance.ReferenceRadius;
         _radianceOfUnitFactor = truth.LightIsSun
             ? provenance.Band.RadianceOfUnitFactor(truth.LightPositionMoonMe.Length)

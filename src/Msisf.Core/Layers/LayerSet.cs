@@ -47,5 +47,9 @@ public sealed class LayerSet
         return new LayerSet([.. LayerCatalogue.All.Where(wanted.Contains)]);
     }
 
+    /// <summary>The same layers for a scene of several elevation models, whose cells have a model as well.</summary>
+    public LayerSet OfSeveralModels() =>
+        new([.. Layers.Select(layer => layer.Name == LayerCatalogue.CellOfSeveral.Name ? LayerCatalogue.CellOfSeveral : layer)]);
+
     private static bool IsSame(string a, string b) => a.Equals(b, StringComparison.OrdinalIgnoreCase);
 }

@@ -27,7 +27,12 @@ internal static class SurfaceValues
 
     public static double? Height(PixelTruth pixel, int plane) => pixel.Radius - pixel.ReferenceRadius;
 
-    public static double? Cell(PixelTruth pixel, int plane) => plane == 0 ? pixel.Hit.Facet.Line : pixel.Hit.Facet.Sample;
+    public static double? Cell(PixelTruth pixel, int plane) => plane switch
+    {
+        0 => pixel.Hit.Facet.Line,
+        1 => pixel.Hit.Facet.Sample,
+        _ => pixel.Hit.Facet.Part,
+    };
 
     /// <summary>
     /// <see cref="TileId.Number"/> of the tile that the cell belongs to (docs/pattern-format.md); there are none on a polar map.

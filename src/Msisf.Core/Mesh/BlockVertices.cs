@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Mesh;
@@ -23,6 +24,7 @@ internal sealed class BlockVertices
     private const int Rows = CellBlock.Size + 1;
 
     private readonly double[] _radii = new double[Stride];
+    private int _facets;
 
     /// <summary>Number of lines of vertices that are loaded.</summary>
     public int Lines { get; private set; }
@@ -30,8 +32,14 @@ internal sealed class BlockVertices
     /// <summary>Number of vertices per line that are loaded; the elements after them, up to the end of the line, are undefined.</summary>
     public int Samples { get; private set; }
 
-    /// <summary>The block's cells.</summary>
+    /// <summary>The block's cells; not of a block of seams.</summary>
     public CellRange Cells { get; private set; }
+
+    /// <summary>The block.</summary>
+    public CellBlock Block { get; private set; }
+
+    /// <summary>Whether the block has facets of seams: only one half of the cells of <see cref="SeamMesh.CellsOfLine"/>.</summary>
+    public bool IsOfSeams { get; private set; }
 
     /// <summary>
     /// Coordinate of each vertex, m, MOON_ME, relative to the origin of the last <see cref="Load"/>; line by line with <see cref="Stride"/>
@@ -67,22 +75,39 @@ internal sealed class BlockVertices
         return ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(values), northWest);
     }
 
+    /// <summary>The cells of a line that have facets, as bits from the left.</summary>
+    public uint CellsOfLine(int line) => IsOfSeams ? SeamMesh.CellsOfLine(line, _facets) : uint.MaxValue;
+
+    /// <summary>Number of a facet of seams in <see cref="SeamMesh"/>.</summary>
+    /// <param name="index">Index of the facet's first vertex.</param>
+    public int SeamFacet(int index) => (Block.Column * SeamMesh.BlockFacets) + SeamMesh.FacetAt(index / Stride, index % Stride);
+
     /// <summary>Reads the vertices of a block.</summary>
-    /// <param name="surface">The model.</param>
+    /// <param name="surface">The surface.</param>
     /// <param name="block">The block.</param>
     /// <param name="originMoonMe">Origin, m, MOON_ME; it is subtracted from each vertex with one rounding per component.</param>
     public void Load(SurfaceModel surface, CellBlock block, Vector3D originMoonMe)
     {
-        Cells = block.Cells(surface.Mesh);
+        Block = block;
+        IsOfSeams = block.Part == surface.Parts.Count;
+        if (IsOfSeams)
+        {
+            _facets = surface.Seams.FacetsOf(block.Column);
+            (Lines, Samples) = surface.Seams.Place(block.Column, originMoonMe, X, Y, Z);
+            return;
+        }
+
+        GridSurface part = surface.Parts[block.Part];
+        Cells = part.CellsOf(block);
         Lines = Cells.EndLine - Cells.FirstLine + 1;
         Samples = Cells.EndSample - Cells.FirstSample + 1;
         int whole = (Samples + Vector512<double>.Count - 1) / Vector512<double>.Count * Vector512<double>.Count;
-        _radii.AsSpan(Samples).Fill(surface.Grid.ReferenceRadius);
+        _radii.AsSpan(Samples).Fill(part.Grid.ReferenceRadius);
         for (int line = 0; line < Lines; line++)
         {
             int start = line * Stride;
-            surface.Mesh.ReadRadii(Cells.FirstLine + line, Cells.FirstSample, _radii.AsSpan(0, Samples));
-            surface.Geometry.PlaceLine(
+            part.Mesh.ReadRadii(Cells.FirstLine + line, Cells.FirstSample, _radii.AsSpan(0, Samples));
+            part.Geometry.PlaceLine(
                 Cells.FirstLine + line, Cells.FirstSample, _radii.AsSpan(0, whole), originMoonMe, X.AsSpan(start, whole),
                 Y.AsSpan(start, whole), Z.AsSpan(start, whole));
         }

@@ -1,12 +1,23 @@
 namespace Msisf.Core.Mesh;
 
-/// <summary>A block of up to 32 x 32 cells, the unit in which the renderer culls, reads and draws the surface.</summary>
-/// <param name="Row">Row of the block from the top; row 0 of a closed mesh begins with the northern fan.</param>
-/// <param name="Column">Column of the block from the left.</param>
+/// <summary>
+/// A block of up to 32 x 32 cells, or of facets of the seams between models: the unit in which the renderer culls, reads and draws the
+/// surface.
+/// </summary>
+/// <param name="Row">Row of the block from the top; row 0 of a closed mesh begins with the northern fan. 0 for seams.</param>
+/// <param name="Column">Column of the block from the left; of the seams its number.</param>
 internal readonly record struct CellBlock(int Row, int Column)
 {
     /// <summary>Number of cells along an edge; those at the lower and right end may have fewer.</summary>
     public const int Size = 32;
+
+    /// <summary>Number of the block's model in <see cref="SurfaceModel.Parts"/>; the number of models for the seams between them.</summary>
+    public int Part { get; init; }
+
+    /// <summary>
+    /// 0 for all cells of the block; else a rectangle of those that a finer model has left, counted from 1 (<see cref="CellMask.Pieces"/>).
+    /// </summary>
+    public int Piece { get; init; }
 
     /// <summary>Number of rows of blocks of a mesh.</summary>
     public static int RowsOf(FacetMesh mesh) => (mesh.Cells.Lines + Size - 1) / Size;

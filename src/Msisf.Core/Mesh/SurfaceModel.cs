@@ -1,68 +1,84 @@
-using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh;
 
 /// <summary>
-/// An elevation model as the surface that is drawn and traced: its mesh with each vertex on a lattice, and the surface's bounds. The model
-/// is read only where it is needed. Safe for several threads.
+/// The surface that is drawn and traced: the facets of one elevation model, or of several, each where no finer one has data, with seams
+/// between them. The models are read only where they are needed. Safe for several threads.
 /// </summary>
 internal sealed class SurfaceModel
 {
-    /// <summary>Makes the surface of a model; nothing of the model is read yet.</summary>
+    /// <summary>Makes the surface of one model; nothing of the model is read yet.</summary>
     /// <param name="grid">The elevation model.</param>
     public SurfaceModel(ITerrainGrid grid)
+        : this([new GridSurface(grid)], SeamMesh.None)
     {
-        Grid = grid;
-        Mesh = new FacetMesh(grid);
-        Geometry = MeshGeometry.Of(Mesh);
-        Bounds = new BoundsTree(new SquareLayout(Mesh), Mesh, Geometry);
     }
 
-    /// <summary>The model.</summary>
-    public ITerrainGrid Grid { get; }
+    /// <summary>Makes the surface of several models.</summary>
+    /// <param name="parts">The models, the coarsest first; closed if that is one of the whole Moon.</param>
+    /// <param name="seams">The facets between them.</param>
+    public SurfaceModel(IReadOnlyList<GridSurface> parts, SeamMesh seams)
+    {
+        Parts = parts;
+        Seams = seams;
+        IsClosed = parts[0].Mesh.IsClosed;
+        RadiusLimits = (parts.Min(part => part.Grid.RadiusLimits.Min), parts.Max(part => part.Grid.RadiusLimits.Max));
+    }
 
-    /// <summary>The mesh of the model's facets.</summary>
-    public FacetMesh Mesh { get; }
+    /// <summary>The models, the coarsest first.</summary>
+    public IReadOnlyList<GridSurface> Parts { get; }
 
-    /// <summary>Where the mesh's vertices lie.</summary>
-    public MeshGeometry Geometry { get; }
+    /// <summary>The facets between the models.</summary>
+    public SeamMesh Seams { get; }
 
-    /// <summary>The surface's bounds in the nodes of <see cref="SquareLayout"/>, computed at the first request.</summary>
-    public BoundsTree Bounds { get; }
+    /// <summary>Whether the surface goes around the whole Moon, so that no ray enters the ground without meeting a facet.</summary>
+    public bool IsClosed { get; }
+
+    /// <summary>m: radius of the sphere over which heights are counted.</summary>
+    public double ReferenceRadius => Parts[0].Grid.ReferenceRadius;
+
+    /// <summary>Minimum and maximum radius that vertices can have, m, known without reading any.</summary>
+    public (double Min, double Max) RadiusLimits { get; }
+
+    /// <summary>The surface of a terrain; nothing is read yet unless it has several models.</summary>
+    public static SurfaceModel Of(ITerrain terrain) => terrain switch
+    {
+        NestedTerrain nested => nested.Surface,
+        ITerrainGrid grid => new SurfaceModel(grid),
+        _ => throw new ArgumentException($"{terrain.GetType()}: not a terrain with a surface.", nameof(terrain)),
+    };
 
     /// <summary>
     /// m: radius of a sphere into which no ray gets without meeting a facet, for vertices above a radius in m; 0 if the surface is not
     /// closed.
     /// </summary>
-    public double SolidRadius(double minRadius) => Mesh.IsClosed ? (minRadius * Geometry.Sagitta) - Tolerances.VertexLattice : 0.0;
+    public double SolidRadius(double minRadius) => IsClosed
+        ? (minRadius * Math.Min(Seams.Sagitta, Parts.Min(part => part.Geometry.Sagitta))) - Tolerances.VertexLattice
+        : 0.0;
 
-    /// <summary>Position of a vertex whose radius is known, m, MOON_ME, on the lattice.</summary>
-    /// <param name="line">A line of the mesh; -1 (north pole) to the mesh's lines (south pole) of a closed one.</param>
-    /// <param name="sample">A sample; of a closed mesh up to its number of samples, which is 0 again.</param>
-    /// <param name="radius">m.</param>
-    public Vector3D Vertex(int line, int sample, double radius) => Geometry.Vertex(line, sample, radius);
+    /// <summary>The corners of a facet, m, MOON_ME, counter-clockwise seen from outside.</summary>
+    public (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => facet.Part == Parts.Count
+        ? Seams.CornersOf(facet.Sample)
+        : Parts[facet.Part].Corners(facet.Line, facet.Sample).Facet(facet.Half);
 
-    /// <summary>The corners of a cell of the mesh.</summary>
-    public CellCorners Corners(int line, int sample)
+    /// <summary>Whether the surface has a facet.</summary>
+    public bool Has(FacetId facet)
     {
-        Span<double> radii = stackalloc double[4];
-        ReadCorners(line, sample, radii);
-        return Corners(line, sample, radii);
-    }
+        if (facet.Part < 0 || facet.Part > Parts.Count)
+        {
+            return false;
+        }
 
-    /// <summary>The corners of a cell whose radii are known in the order NW, NE, SW, SE.</summary>
-    public CellCorners Corners(int line, int sample, ReadOnlySpan<double> radii) => new(
-        Vertex(line, sample, radii[0]),
-        Vertex(line, sample + 1, radii[1]),
-        Vertex(line + 1, sample, radii[2]),
-        Vertex(line + 1, sample + 1, radii[3]));
+        if (facet.Part == Parts.Count)
+        {
+            return facet.Line == 0 && facet.Sample >= 0 && facet.Sample < Seams.Count && facet.Half == FacetHalf.SouthWest;
+        }
 
-    /// <summary>The radii of a cell's corners, m, in the order NW, NE, SW, SE.</summary>
-    public void ReadCorners(int line, int sample, Span<double> radii)
-    {
-        Mesh.ReadRadii(line, sample, radii[..2]);
-        Mesh.ReadRadii(line + 1, sample, radii[2..]);
+        CellRange cells = Parts[facet.Part].Mesh.Cells;
+        return facet.Line >= cells.FirstLine && facet.Line < cells.EndLine && facet.Sample >= cells.FirstSample
+            && facet.Sample < cells.EndSample && Parts[facet.Part].Has(facet.Line, facet.Sample);
     }
 }

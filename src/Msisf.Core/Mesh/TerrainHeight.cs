@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Core.Errors;
+using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -14,23 +15,52 @@ public static class TerrainHeight
     /// </summary>
     private const double ShortestEdge = 1e-6;
 
+    /// <summary>A direction with larger weights of all corners of a facet lies in no other; far above their rounding.</summary>
+    private const double WellInside = 1e-6;
+
     /// <summary>
     /// Distance from the Moon's centre to the facet below (or above) a position; outside a map of a part of the Moon that to the reference
     /// sphere.
     /// </summary>
-    /// <param name="grid">The model.</param>
+    /// <param name="terrain">The model, or several.</param>
     /// <param name="positionMoonMe">m, MOON_ME; not the centre.</param>
     /// <returns>m.</returns>
     /// <exception cref="BadInputException">The position is the centre or not finite.</exception>
-    public static double RadiusBelow(ITerrainGrid grid, Vector3D positionMoonMe)
+    public static double RadiusBelow(ITerrain terrain, Vector3D positionMoonMe)
     {
         Vector3D direction = positionMoonMe.Normalized();
-        FacetMesh mesh = new(grid);
+        return terrain is NestedTerrain nested
+            ? RadiusOn(nested.Surface, direction)
+            : RadiusOn(new FacetMesh((ITerrainGrid)terrain), direction) ?? terrain.ReferenceRadius;
+    }
+
+    /// <summary>Distance from the Moon's centre to the facet of a mesh in a direction, m; null outside a map.</summary>
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="direction">Unit vector, MOON_ME.</param>
+    internal static double? RadiusOn(FacetMesh mesh, Vector3D direction)
+    {
         if (CellsAround(mesh, direction) is not { } cells)
         {
-            return grid.ReferenceRadius;
+            return null;
         }
 
+        // Nearly always the direction lies well within the cell in the middle.
+        bool hasMiddle = cells is { Lines: 3, Samples: 3 };
+        CellRange middle = new(cells.FirstLine + 1, cells.FirstLine + 2, cells.FirstSample + 1, cells.FirstSample + 2);
+        if (hasMiddle && RadiusIn(mesh, middle, direction) is (double within, > WellInside))
+        {
+            return within;
+        }
+
+        (double radius, _) = RadiusIn(mesh, cells, direction);
+        return double.IsFinite(radius)
+            ? radius
+            : throw new InvalidOperationException($"No facet in direction {direction}.");
+    }
+
+    /// <summary>Radius of the facet of some cells that holds a direction best, and the least weight of its corners there.</summary>
+    private static (double Radius, double Inside) RadiusIn(FacetMesh mesh, CellRange cells, Vector3D direction)
+    {
         TerrainPatch patch = new(mesh);
         patch.Load(cells);
         double nearest = double.NegativeInfinity;
@@ -46,25 +76,62 @@ public static class TerrainHeight
             }
         }
 
-        return double.IsFinite(radius)
-            ? radius
-            : throw new InvalidOperationException($"No facet below {positionMoonMe}.");
+        return (radius, nearest);
+    }
+
+    /// <summary>Distance from the Moon's centre to the facet of a surface of several models, m.</summary>
+    private static double RadiusOn(SurfaceModel surface, Vector3D direction)
+    {
+        double nearest = double.NegativeInfinity;
+        double radius = double.NaN;
+        foreach (GridSurface part in surface.Parts)
+        {
+            CellRange cells = CellsAround(part.Mesh, direction) ?? default;
+            for (int line = cells.FirstLine; line < cells.EndLine; line++)
+            {
+                for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
+                {
+                    int turned = part.Mesh.SamplesOfTurn is int turn and > 0 ? (sample + turn) % turn : sample;
+                    if (part.Has(line, turned))
+                    {
+                        CellCorners corners = part.Corners(line, turned);
+                        Try(direction, corners.NorthWest, corners.SouthWest, corners.SouthEast, ref nearest, ref radius);
+                        Try(direction, corners.NorthWest, corners.SouthEast, corners.NorthEast, ref nearest, ref radius);
+                    }
+                }
+            }
+        }
+
+        for (int block = 0; block < surface.Seams.Blocks.Count; block++)
+        {
+            if (Vector3D.Dot(surface.Seams.Blocks[block].Box.Up, direction) >= surface.Seams.Blocks[block].Box.CapRadius.Cosine)
+            {
+                int first = block * SeamMesh.BlockFacets;
+                for (int facet = first; facet < first + surface.Seams.FacetsOf(block); facet++)
+                {
+                    (Vector3D a, Vector3D b, Vector3D c) = surface.Seams.CornersOf(facet);
+                    Try(direction, a, b, c, ref nearest, ref radius);
+                }
+            }
+        }
+
+        return double.IsFinite(radius) ? radius : throw new InvalidOperationException($"No facet in direction {direction}.");
     }
 
     /// <summary>Throws an exception for a position that is not above the surface.</summary>
-    /// <param name="grid">The model.</param>
+    /// <param name="terrain">The model, or several.</param>
     /// <param name="positionMoonMe">m, MOON_ME.</param>
     /// <exception cref="BadInputException">The position is not above the surface.</exception>
-    public static void RequireAbove(ITerrainGrid grid, Vector3D positionMoonMe)
+    public static void RequireAbove(ITerrain terrain, Vector3D positionMoonMe)
     {
         double distance = positionMoonMe.Length;
-        double surface = distance > 0.0 ? RadiusBelow(grid, positionMoonMe) : double.PositiveInfinity;
+        double surface = distance > 0.0 ? RadiusBelow(terrain, positionMoonMe) : double.PositiveInfinity;
         if (!(distance > surface + Tolerances.VertexLattice))
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"The camera is inside the Moon: {distance:R} m from its centre, "
-                    + $"where the surface of {grid.ProductId} is at {surface:R} m. Move it up."));
+                    + $"where the surface of {terrain.ProductId} is at {surface:R} m. Move it up."));
         }
     }
 

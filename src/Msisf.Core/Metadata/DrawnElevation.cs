@@ -9,4 +9,8 @@ namespace Msisf.Core.Metadata;
 /// <param name="FinestDrawn">Resolution of the finest level in the image; the model's own where that was drawn.</param>
 /// <param name="CoarsestDrawn">Resolution of the coarsest level in the image; the native renderer draws an image at one level.</param>
 public sealed record DrawnElevation(
-    string ProductId, bool IsSynthetic, GridResolution Resolution, GridResolution FinestDrawn, GridResolution CoarsestDrawn);
+    string ProductId, bool IsSynthetic, GridResolution Resolution, GridResolution FinestDrawn, GridResolution CoarsestDrawn)
+{
+    /// <summary>The models of a scene of several, in the order of a facet's parts; empty for one.</summary>
+    public IReadOnlyList<ElevationPart> Parts { get; init; } = [];
+}

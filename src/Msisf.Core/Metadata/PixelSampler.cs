@@ -40,6 +40,14 @@ public sealed class PixelSampler
         Grid = grid;
     }
 
+    private PixelSampler(PixelGrid grid, IPixelView view) => (Grid, _view) = (grid, view);
+
+    /// <summary>Prepares a frame on the terrain of several elevation models, whose facets have no tiles and name their model.</summary>
+    /// <param name="grid">The grid of pixels in the image of the truth's camera.</param>
+    /// <param name="truth">What the pixels show.</param>
+    public static PixelSampler OfSeveral(PixelGrid grid, IGroundTruth truth) =>
+        new(grid, new TerrainPixels(truth, pixelsPerDegree: null, MoonConstants.ReferenceRadius, namesParts: true));
+
     /// <summary>The surface on which the records' points lie; on the terrain each has a <see cref="PixelRecord.Terrain"/>.</summary>
     public PixelSurface Surface => _view.Surface;
 

@@ -12,18 +12,21 @@ internal sealed class TerrainPixels : IPixelView
 {
     private readonly IGroundTruth _truth;
     private readonly int? _pixelsPerDegree;
+    private readonly bool _namesParts;
     private readonly double _referenceRadius;
 
     /// <summary>Prepares a frame.</summary>
     /// <param name="truth">What its pixels show.</param>
     /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg: names the tiles; null for a model without tiles.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
-    public TerrainPixels(IGroundTruth truth, int? pixelsPerDegree, double referenceRadius)
+    /// <param name="namesParts">Whether the terrain has several models, so that records name the one of their facet.</param>
+    public TerrainPixels(IGroundTruth truth, int? pixelsPerDegree, double referenceRadius, bool namesParts = false)
     {
         _referenceRadius = referenceRadius;
         ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree ?? 1, 1, nameof(pixelsPerDegree));
         _truth = truth;
         _pixelsPerDegree = pixelsPerDegree;
+        _namesParts = namesParts;
     }
 
     /// <inheritdoc/>
@@ -49,7 +52,10 @@ internal sealed class TerrainPixels : IPixelView
             PhotometricAngles.At(point, hit.NormalMoonMe, camera.PositionMoonMe, lightPosition),
             light,
             _pixelsPerDegree is { } resolution ? TileId.Holding(hit.Facet, resolution) : null,
-            hit.Facet);
+            hit.Facet)
+        {
+            NamesPart = _namesParts,
+        };
         double? direction = IlluminationDirection.At(camera, camera.RayThrough(h, v).Direction, point, lightPosition);
         record = new PixelRecord(h, v, SelenographicPoint.Below(point), direction, terrain);
         return true;

@@ -22,4 +22,8 @@ public readonly record struct TerrainRecord(
     PhotometricAngles Angles,
     PixelIllumination Light,
     TileId? Tile,
-    FacetId Facet);
+    FacetId Facet)
+{
+    /// <summary>Whether the terrain has several models, and the facet's part says which.</summary>
+    public bool NamesPart { get; init; }
+}

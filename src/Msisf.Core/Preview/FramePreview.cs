@@ -21,7 +21,7 @@ public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNa
     /// <param name="camera">The camera, which is not below the ground.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="terrain">The model for the ground below a low camera; null to take LOLA's sphere always.</param>
-    public static FramePreview Of(PinholeCamera camera, SceneLight light, ITerrainGrid? terrain)
+    public static FramePreview Of(PinholeCamera camera, SceneLight light, ITerrain? terrain)
     {
         Vector3D position = camera.PositionMoonMe;
         double radius = RadiusBelow(position, terrain);
@@ -53,7 +53,7 @@ public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNa
     /// <summary>
     /// m: radius of the sphere. A camera lower than the mountains may be below LOLA's sphere, and much nearer to the ground than to it.
     /// </summary>
-    private static double RadiusBelow(Vector3D position, ITerrainGrid? terrain)
+    private static double RadiusBelow(Vector3D position, ITerrain? terrain)
     {
         double reference = terrain?.ReferenceRadius ?? MoonConstants.ReferenceRadius;
         return terrain is not null && position.Length - reference < MoonConstants.MaxRelief

@@ -17,11 +17,15 @@ public sealed class NativeRenderer
     private long _replacedBytes;
 
     /// <summary>Makes a renderer; nothing of the model is read yet.</summary>
-    /// <param name="grid">The elevation model.</param>
-    public NativeRenderer(ITerrainGrid grid) => _surface = new SurfaceModel(grid);
+    /// <param name="terrain">The elevation model, or several.</param>
+    public NativeRenderer(ITerrain terrain)
+    {
+        _surface = SurfaceModel.Of(terrain);
+        Resolution = terrain.Resolution;
+    }
 
-    /// <summary>Resolution of the model that is drawn.</summary>
-    public GridResolution Resolution => _surface.Grid.Projection.Resolution;
+    /// <summary>Resolution of the model that is drawn, of several that of the finest.</summary>
+    public GridResolution Resolution { get; }
 
     /// <summary>
     /// Bytes of the buffers that frames have replaced by smaller or larger ones so far; they are free, but no collection may have returned

@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -18,18 +19,20 @@ internal ref struct RayWalk
     private readonly Ray _near;
     private readonly double _offset;
     private readonly EdgeFunction _edge;
-    private readonly CellWedge _wedge;
     private readonly double _length;
     private readonly double _startParameter;
     private readonly Vector3D _start;
     private readonly double _startSquared;
     private readonly double _startRise;
-    private readonly double _sagitta;
-
     /// <summary>m: a radius that is above the whole surface.</summary>
     private readonly double _top;
 
     private readonly double _bottom;
+    private readonly Vector3D _unitDirection;
+    private GridSurface _part;
+    private int _partNumber;
+    private CellWedge _wedge;
+    private double _sagitta;
     private double _parameter;
     private double _farthest;
 
@@ -42,7 +45,7 @@ internal ref struct RayWalk
     {
         _surface = surface;
         _stopsAtAnyHit = stopsAtAnyHit;
-        _top = surface.Grid.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
+        _top = surface.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
         (_near, _offset) = ShiftedRay.From(ray, _top);
         _length = ray.Direction.Length;
         Vector3D direction = ray.Direction / _length;
@@ -51,9 +54,10 @@ internal ref struct RayWalk
         _startSquared = _start.LengthSquared;
         _startRise = Vector3D.Dot(_start, direction);
         _edge = new EdgeFunction(_near.Origin, ray.Direction);
-        _wedge = new CellWedge(surface.Geometry, _start, direction);
-        _sagitta = surface.Geometry.Sagitta;
-        _bottom = surface.Mesh.IsClosed ? _sagitta * (surface.Grid.ReferenceRadius - MoonConstants.MaxRelief - 1.0) : 0.0;
+        _unitDirection = direction;
+        _part = surface.Parts[0];
+        _sagitta = _part.Geometry.Sagitta;
+        _bottom = surface.SolidRadius(surface.ReferenceRadius - MoonConstants.MaxRelief - 1.0);
         _parameter = endParameter - _offset;
         _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
     }
@@ -88,7 +92,43 @@ internal ref struct RayWalk
                 piece = piece with { Far = Math.Min(piece.Far, -HalfChord(_bottom, distance)) };
             }
 
-            VisitIfMet(_surface.Mesh.Cells, piece, level: SquareLayout.GroupLevel);
+            for (_partNumber = 0; _partNumber < _surface.Parts.Count; _partNumber++)
+            {
+                _part = _surface.Parts[_partNumber];
+                _wedge = new CellWedge(_part.Geometry, _start, _unitDirection);
+                _sagitta = _part.Geometry.Sagitta;
+                VisitIfMet(_part.Mesh.Cells, piece, level: SquareLayout.GroupLevel);
+            }
+
+            VisitSeams(piece);
+        }
+    }
+
+    /// <summary>Tests the facets between models whose balls the ray meets.</summary>
+    private void VisitSeams(RayPiece piece)
+    {
+        SeamMesh seams = _surface.Seams;
+        for (int number = 0; number < seams.Blocks.Count && !IsOver; number++)
+        {
+            (Vector3D centre, double radius) = seams.Blocks[number].Ball;
+            Vector3D away = centre - _start;
+            double along = Vector3D.Dot(away, _unitDirection);
+            if (along + radius < piece.Near || along - radius > Math.Min(piece.Far, _farthest)
+                || (away - (along * _unitDirection)).LengthSquared > radius * radius)
+            {
+                continue;
+            }
+
+            int first = number * SeamMesh.BlockFacets;
+            for (int facet = first; facet < first + seams.FacetsOf(number); facet++)
+            {
+                (Vector3D a, Vector3D b, Vector3D c) = seams.CornersOf(facet);
+                double last = _edge.Of(c, a);
+                if (last >= 0.0)
+                {
+                    TryFacet(new FacetId(0, facet, FacetHalf.SouthWest) { Part = _partNumber }, a, b, c, _edge.Of(a, b), last);
+                }
+            }
         }
     }
 
@@ -117,9 +157,15 @@ internal ref struct RayWalk
         for (; level >= SquareLayout.PatchLevel && size <= SquareLayout.Side(level); level--)
         {
             int shift = SquareLayout.SideShift(level);
-            CellRange all = _surface.Mesh.Cells;
-            NodeBounds bounds = _surface.Bounds.Of(
-                level, (cells.FirstLine - all.FirstLine) >> shift, (cells.FirstSample - all.FirstSample) >> shift);
+            CellRange all = _part.Mesh.Cells;
+            int row = (cells.FirstLine - all.FirstLine) >> shift;
+            int column = (cells.FirstSample - all.FirstSample) >> shift;
+            if (level == SquareLayout.CellBlockLevel && _part.Kept?.StateOf(row, column) == CellMask.BlockState.Empty)
+            {
+                return;
+            }
+
+            NodeBounds bounds = _part.Bounds.Of(level, row, column);
             if (!MayMeet(piece, bounds.Min, bounds.Max))
             {
                 return;
@@ -132,7 +178,7 @@ internal ref struct RayWalk
             return;
         }
 
-        bool cutsAlongMeridian = cells.Samples >= cells.Lines || cells.Samples > _surface.Geometry.WidestColumns;
+        bool cutsAlongMeridian = cells.Samples >= cells.Lines || cells.Samples > _part.Geometry.WidestColumns;
         (CellRange first, CellRange second) = cutsAlongMeridian ? cells.CutAlongMeridian() : cells.CutAlongParallel();
         RayPiece firstPiece = cutsAlongMeridian ? _wedge.CutAtColumns(first, piece) : _wedge.CutAtLines(first, piece);
         RayPiece secondPiece = cutsAlongMeridian ? _wedge.CutAtColumns(second, piece) : _wedge.CutAtLines(second, piece);
@@ -159,8 +205,13 @@ internal ref struct RayWalk
 
     private void VisitCell(int line, int sample, RayPiece piece)
     {
+        if (!_part.Has(line, sample))
+        {
+            return;
+        }
+
         Span<double> radii = stackalloc double[4];
-        _surface.ReadCorners(line, sample, radii);
+        _part.ReadCorners(line, sample, radii);
         double min = Math.Min(Math.Min(radii[0], radii[1]), Math.Min(radii[2], radii[3]));
         double max = Math.Max(Math.Max(radii[0], radii[1]), Math.Max(radii[2], radii[3]));
         if (!MayMeet(piece, min, max))
@@ -168,25 +219,34 @@ internal ref struct RayWalk
             return;
         }
 
-        CellCorners corners = _surface.Corners(line, sample, radii);
+        CellCorners corners = _part.Corners(line, sample, radii);
         double diagonal = _edge.Of(corners.NorthWest, corners.SouthEast);
-        if (diagonal <= 0.0 && line < _surface.Mesh.SouthFanLine)
+        if (diagonal <= 0.0 && line < _part.Mesh.SouthFanLine)
         {
-            TryFacet(new FacetId(line, sample, FacetHalf.SouthWest), corners, -diagonal);
+            TryHalf(new FacetId(line, sample, FacetHalf.SouthWest) { Part = _partNumber }, corners, -diagonal);
         }
 
         if (diagonal >= 0.0 && line >= 0)
         {
-            TryFacet(new FacetId(line, sample, FacetHalf.NorthEast), corners, diagonal);
+            TryHalf(new FacetId(line, sample, FacetHalf.NorthEast) { Part = _partNumber }, corners, diagonal);
         }
     }
 
-    /// <summary>Records a facet as the hit if the ray enters the ground through it and it is nearer than the hit found before.</summary>
-    private void TryFacet(FacetId facet, in CellCorners corners, double diagonal)
+    private void TryHalf(FacetId facet, in CellCorners corners, double diagonal)
     {
         (Vector3D a, Vector3D b, Vector3D c) = corners.Facet(facet.Half);
-        bool isSouthWest = facet.Half == FacetHalf.SouthWest;
-        double second = isSouthWest ? _edge.Of(a, b) : _edge.Of(c, a);
+        TryFacet(facet, a, b, c, facet.Half == FacetHalf.SouthWest ? _edge.Of(a, b) : _edge.Of(c, a), diagonal);
+    }
+
+    /// <summary>Records a facet as the hit if the ray enters the ground through it and it is nearer than the hit found before.</summary>
+    /// <param name="facet">The facet.</param>
+    /// <param name="a">Its first corner.</param>
+    /// <param name="b">Its second corner.</param>
+    /// <param name="c">Its third corner.</param>
+    /// <param name="second">Edge function of one of the edges at the first corner.</param>
+    /// <param name="diagonal">Edge function of the other one, which is not below 0.</param>
+    private void TryFacet(FacetId facet, Vector3D a, Vector3D b, Vector3D c, double second, double diagonal)
+    {
         double third = _edge.Of(b, c);
 
         // All three are 0 for a facet without area and for one that the ray sees edge-on: the ray enters through its neighbours instead.
@@ -195,7 +255,7 @@ internal ref struct RayWalk
             return;
         }
 
-        Vector3D normal = corners.NormalOf(facet.Half);
+        Vector3D normal = Vector3D.Cross(b - a, c - a);
         double parameter = ParameterOn(normal, a, b, c);
         if (parameter > -_offset && parameter < _parameter)
         {

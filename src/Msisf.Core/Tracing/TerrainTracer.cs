@@ -20,8 +20,8 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     private readonly SurfaceModel _surface;
 
     /// <summary>Makes a tracer; nothing of the model is read yet.</summary>
-    /// <param name="grid">The elevation model.</param>
-    public TerrainTracer(ITerrainGrid grid) => _surface = new SurfaceModel(grid);
+    /// <param name="terrain">The elevation model, or several.</param>
+    public TerrainTracer(ITerrain terrain) => _surface = SurfaceModel.Of(terrain);
 
     /// <inheritdoc/>
     /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
@@ -64,7 +64,8 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
         Ray ray = new(pointMoonMe, lightMoonMe - pointMoonMe);
         RequireRay(ray);
         RequireFacet(facet);
-        Vector3D normal = _surface.Corners(facet.Line, facet.Sample).NormalOf(facet.Half);
+        (Vector3D a, Vector3D b, Vector3D c) = _surface.CornersOf(facet);
+        Vector3D normal = Vector3D.Cross(b - a, c - a);
         if (!(Vector3D.Dot(normal, ray.Direction) > 0.0))
         {
             return true;
@@ -85,10 +86,9 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
 
     private void RequireFacet(FacetId facet)
     {
-        CellRange cells = _surface.Mesh.Cells;
-        ArgumentOutOfRangeException.ThrowIfLessThan(facet.Line, cells.FirstLine, nameof(facet));
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Line, cells.EndLine, nameof(facet));
-        ArgumentOutOfRangeException.ThrowIfLessThan(facet.Sample, cells.FirstSample, nameof(facet));
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(facet.Sample, cells.EndSample, nameof(facet));
+        if (!_surface.Has(facet))
+        {
+            throw new ArgumentOutOfRangeException(nameof(facet), facet, "The surface has no such facet.");
+        }
     }
 }

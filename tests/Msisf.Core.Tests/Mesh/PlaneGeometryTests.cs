@@ -66,9 +66,9 @@ public sealed class PlaneGeometryTests
         Vector3D origin = new(0.5, -3.25, 17.0);
         double[] radius = new double[1];
         int cells = 0;
-        for (int row = 0; row < CellBlock.RowsOf(surface.Mesh); row++)
+        for (int row = 0; row < CellBlock.RowsOf(surface.Parts[0].Mesh); row++)
         {
-            for (int column = 0; column < CellBlock.ColumnsOf(surface.Mesh); column++)
+            for (int column = 0; column < CellBlock.ColumnsOf(surface.Parts[0].Mesh); column++)
             {
                 vertices.Load(surface, new CellBlock(row, column), origin);
                 cells += vertices.Cells.Lines * vertices.Cells.Samples;
@@ -78,7 +78,7 @@ public sealed class PlaneGeometryTests
                     {
                         (int atLine, int atSample) = (vertices.Cells.FirstLine + line, vertices.Cells.FirstSample + sample);
                         grid.ReadRadii(atLine, atSample, radius);
-                        Assert.Equal(surface.Vertex(atLine, atSample, radius[0]) - origin, vertices[line, sample]);
+                        Assert.Equal(surface.Parts[0].Vertex(atLine, atSample, radius[0]) - origin, vertices[line, sample]);
                     }
                 }
             }
@@ -98,7 +98,7 @@ public sealed class PlaneGeometryTests
     {
         PolarFunctionGrid grid = PolarFunctionGrid.Rugged(isSouth, scale, side, poleLine, poleSample);
         SurfaceModel surface = new(grid);
-        BoundsLayout layout = surface.Bounds.Layout;
+        BoundsLayout layout = surface.Parts[0].Bounds.Layout;
         for (int level = 0; level < layout.Levels; level++)
         {
             int step = level == 0 ? 5 : 1;
@@ -114,18 +114,18 @@ public sealed class PlaneGeometryTests
 
     private static void CheckNode(SurfaceModel surface, CellRange cells, int level, int row, int column)
     {
-        NodeBounds bounds = surface.Bounds.Of(level, row, column);
-        SphericalCap cap = surface.Bounds.CapOf(level, row, column);
-        OrientedBox box = surface.Bounds.BoxOf(level, row, column, bounds.Min, bounds.Max).Box;
-        Assert.True(surface.Geometry.TryGetColumnBorders(cells, out Vector3D west, out Vector3D east));
-        (Vector3D north, Vector3D south) = surface.Geometry.LineBorders(cells);
+        NodeBounds bounds = surface.Parts[0].Bounds.Of(level, row, column);
+        SphericalCap cap = surface.Parts[0].Bounds.CapOf(level, row, column);
+        OrientedBox box = surface.Parts[0].Bounds.BoxOf(level, row, column, bounds.Min, bounds.Max).Box;
+        Assert.True(surface.Parts[0].Geometry.TryGetColumnBorders(cells, out Vector3D west, out Vector3D east));
+        (Vector3D north, Vector3D south) = surface.Parts[0].Geometry.LineBorders(cells);
         Assert.All(new[] { west, east, north, south }, normal => Assert.InRange(normal.Length, 0.3, 1.5));
         double steepest = 0.0;
         for (int line = cells.FirstLine; line < cells.EndLine; line++)
         {
             for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
             {
-                CellCorners corners = surface.Corners(line, sample);
+                CellCorners corners = surface.Parts[0].Corners(line, sample);
                 steepest = Math.Max(steepest, Math.Max(Slope(corners, FacetHalf.SouthWest), Slope(corners, FacetHalf.NorthEast)));
                 foreach (Vector3D corner in new[] { corners.NorthWest, corners.NorthEast, corners.SouthWest, corners.SouthEast })
                 {
@@ -147,7 +147,7 @@ public sealed class PlaneGeometryTests
 
         // Bounds that say nothing would pass too.
         Assert.InRange(bounds.MaxSlope, 0.0, (2.5 * steepest) + 0.01);
-        double scale = ((PolarStereographic)surface.Grid.Projection).MetresPerPixel;
+        double scale = ((PolarStereographic)surface.Parts[0].Grid.Projection).MetresPerPixel;
         double angle = Math.Max(cells.Lines, cells.Samples) * scale / MoonConstants.ReferenceRadius;
         Assert.InRange(cap.SinRadius, 0.0, (0.75 * angle) + 1e-6);
         Assert.InRange(Math.Max(box.HalfY.Length, box.HalfZ.Length), 0.0, (0.75 * angle * MoonConstants.ReferenceRadius) + 1.0);

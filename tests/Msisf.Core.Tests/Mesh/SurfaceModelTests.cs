@@ -26,7 +26,7 @@ public sealed class SurfaceModelTests
         {
             for (int sample = tile.FirstSample(4); sample < tile.FirstSample(4) + 20; sample++)
             {
-                CellCorners corners = surface.Corners(line, sample);
+                CellCorners corners = surface.Parts[0].Corners(line, sample);
                 facets.AddRange(line == 719 ? [] : [corners.Facet(FacetHalf.SouthWest)]);
                 facets.AddRange(line == -1 ? [] : [corners.Facet(FacetHalf.NorthEast)]);
             }

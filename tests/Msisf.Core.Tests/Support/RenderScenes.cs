@@ -68,7 +68,7 @@ internal static class RenderScenes
         private Vector3D East => new(-Math.Sin(Radians(Longitude)), Math.Cos(Radians(Longitude)), 0.0);
 
         /// <summary>The camera over the ground of a model.</summary>
-        public PinholeCamera Camera(ITerrainGrid grid, int width, int height)
+        public PinholeCamera Camera(ITerrain grid, int width, int height)
         {
             Vector3D position = (TerrainHeight.RadiusBelow(grid, Up) + Height) * Up;
             return new PinholeCamera(

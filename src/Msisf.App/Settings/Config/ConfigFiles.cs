@@ -53,7 +53,7 @@ internal sealed class ConfigFiles
         foreach (ConfigEntry entry in ReadEntries(path))
         {
             (OptionSpec option, string text) = ConfigKeys.Read(entry, path);
-            values.TryAdd(entry.Key, new ConfigValue(option, option is PathSpec ? PathFrom(path, text) : text, path, entry.Line, rank));
+            values.TryAdd(entry.Key, new ConfigValue(option, option is PathSpec ? PathsFrom(path, text) : text, path, entry.Line, rank));
         }
     }
 
@@ -72,6 +72,10 @@ internal sealed class ConfigFiles
             return ConfigFileReader.Read(stream, path);
         });
     }
+
+    /// <summary>Resolves each of the paths of an option.</summary>
+    private string PathsFrom(string file, string paths) =>
+        string.Join(PathSpec.Separator, paths.Split(PathSpec.Separator).Select(path => PathFrom(file, path)));
 
     /// <summary>Resolves a path in a file: "~/" is the user's home folder, and a relative path starts at the file's folder.</summary>
     private string PathFrom(string file, string path)

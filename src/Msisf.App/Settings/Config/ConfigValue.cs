@@ -12,5 +12,7 @@ namespace Msisf.App.Settings.Config;
 internal sealed record ConfigValue(OptionSpec Option, string Text, string File, int Line, int Rank)
 {
     /// <summary>Converts the value to the form in which options are read.</summary>
-    public OptionValue ToOptionValue() => new([Text], string.Create(CultureInfo.InvariantCulture, $"{File}, line {Line}"));
+    public OptionValue ToOptionValue() => new(
+        Option is PathSpec { TakesSeveral: true } ? Text.Split(PathSpec.Separator) : [Text],
+        string.Create(CultureInfo.InvariantCulture, $"{File}, line {Line}"));
 }

@@ -44,7 +44,7 @@ internal static class Configuration
         foreach (OptionSpec option in ConfigKeys.Allowed)
         {
             host.Results.WriteLine(values.TryGetValue(option.Key, out ConfigValue? value)
-                ? $"{option.Key}\t{value.Text}\t{value.File}:{value.Line}"
+                ? $"{option.Key}\t{value.Text.Replace(PathSpec.Separator, ", ", StringComparison.Ordinal)}\t{value.File}:{value.Line}"
                 : $"{option.Key}\t{DefaultOf(option)}\tdefault");
         }
     }

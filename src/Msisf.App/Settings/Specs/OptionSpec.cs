@@ -19,6 +19,9 @@ internal abstract record OptionSpec(string Name, string Help)
     /// <summary>Whether the value may be several command-line words, because a shell can split braces into words.</summary>
     public virtual bool TakesSeveralWords => false;
 
+    /// <summary>Whether the option may be given several times, with one value each.</summary>
+    public virtual bool MayBeRepeated => false;
+
     /// <summary>Values that shell completion offers; other values may be possible.</summary>
     public virtual IReadOnlyList<string> Suggestions => [];
 

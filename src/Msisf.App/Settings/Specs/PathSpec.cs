@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Specs;
@@ -8,8 +9,21 @@ namespace Msisf.App.Settings.Specs;
 /// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal sealed record PathSpec(string Name, PathKind Kind, string Help) : OptionSpec(Name, Help)
 {
+    /// <summary>Stands between several paths of a configuration file.</summary>
+    public const string Separator = "\n";
+
     /// <summary>The default; null if there is none.</summary>
     public string? Default { get; init; }
+
+    /// <summary>Whether several paths may be given; a configuration file has them as a list.</summary>
+    public bool TakesSeveral { get; init; }
+
+    /// <inheritdoc/>
+    public override bool MayBeRepeated => TakesSeveral;
+
+    /// <inheritdoc/>
+    /// <remarks>No path has a line feed.</remarks>
+    public override string? ListSeparator => TakesSeveral ? Separator : null;
 
     /// <inheritdoc/>
     public override string ValueName => Kind switch
@@ -26,13 +40,28 @@ internal sealed record PathSpec(string Name, PathKind Kind, string Help) : Optio
     /// <exception cref="UsageException">The path is empty.</exception>
     public string Read(OptionValues values) => ReadIfGiven(values) ?? Default!;
 
-    /// <summary>Reads the path; null if the option is not given.</summary>
-    /// <exception cref="UsageException">The path is empty.</exception>
-    public string? ReadIfGiven(OptionValues values)
+    /// <summary>Reads the path where only one may be; null if the option is not given.</summary>
+    /// <exception cref="UsageException">The path is empty, or there are several.</exception>
+    public string? ReadIfGiven(OptionValues values) => ReadAll(values) switch
     {
-        string? text = values.Text(this);
-        return text is null || text.Trim().Length > 0
-            ? text
+        [] => null,
+        [string only] => only,
+        { Count: var count } => throw new UsageException(
+            string.Create(CultureInfo.InvariantCulture, $"{Name} is given {count} times; here it names one. Give it once.")).About(this),
+    };
+
+    /// <summary>Reads all paths in their order; empty if the option is not given.</summary>
+    /// <exception cref="UsageException">A path is empty.</exception>
+    public IReadOnlyList<string> ReadAll(OptionValues values)
+    {
+        IReadOnlyList<string> words = values.Words(this) ?? [];
+        if (!TakesSeveral && words.Count > 1)
+        {
+            words = [string.Join(' ', words)];
+        }
+
+        return words.All(word => word.Trim().Length > 0)
+            ? words
             : throw new UsageException($"{Name} is empty; a path is needed.").About(this);
     }
 }

@@ -128,6 +128,9 @@ internal sealed class BoundsTree
     public SphericalCap CapOf(int level, int row, int column) =>
         _plane is null ? GeometryOf(level).CapOf(row, column) : _plane.CapOf(Layout.Cells(level, row, column));
 
+    /// <summary>The cap that holds the directions of all facets of a rectangle of cells.</summary>
+    public SphericalCap CapOf(CellRange cells) => _plane?.CapOf(cells) ?? MeshBounds.CapOf(cells, Layout.Lines, Layout.Samples);
+
     /// <summary>The box that holds all facets of a node whose vertex radii lie within bounds (m).</summary>
     public NodeBox BoxOf(int level, int row, int column, double minRadius, double maxRadius) => _plane is null
         ? GeometryOf(level).BoxOf(row, column, minRadius, maxRadius)

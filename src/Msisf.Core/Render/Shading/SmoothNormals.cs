@@ -1,4 +1,5 @@
 using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shading;
@@ -15,9 +16,12 @@ internal sealed class SmoothNormals
     private const int KeptVertices = 1 << 11;
 
     private readonly SurfaceModel _surface;
+    private GridSurface _part;
+    private int _partNumber;
     private readonly Corner[] _kept = new Corner[KeptVertices];
     private readonly long[] _keptKeys = new long[KeptVertices];
     private readonly double[] _radii = new double[3];
+    private int _facetPart;
     private int _line = int.MinValue;
     private int _sample;
     private Corner _northWest;
@@ -28,6 +32,7 @@ internal sealed class SmoothNormals
     public SmoothNormals(SurfaceModel surface)
     {
         _surface = surface;
+        _part = surface.Parts[0];
         Array.Fill(_keptKeys, -1);
     }
 
@@ -38,8 +43,9 @@ internal sealed class SmoothNormals
     /// <returns>The normal, MOON_ME, outward, length 1.</returns>
     public Vector3D At(FacetId facet, Vector3D facetNormalMoonMe, Vector3D pointMoonMe)
     {
-        if (facet.Line != _line || facet.Sample != _sample)
+        if (facet.Line != _line || facet.Sample != _sample || facet.Part != _facetPart)
         {
+            _facetPart = facet.Part;
             Load(facet.Line, facet.Sample);
         }
 
@@ -57,20 +63,36 @@ internal sealed class SmoothNormals
 
     private void Load(int line, int sample)
     {
-        int east = sample + 1 == _surface.Mesh.Samples ? 0 : sample + 1;
         _line = line;
         _sample = sample;
+        if (_facetPart == _surface.Parts.Count)
+        {
+            _northWest = CornerOf(_surface.Seams.VertexOf(sample, 0));
+            _southWest = CornerOf(_surface.Seams.VertexOf(sample, 1));
+            _southEast = CornerOf(_surface.Seams.VertexOf(sample, 2));
+            return;
+        }
+
+        (_partNumber, _part) = (_facetPart, _surface.Parts[_facetPart]);
+        int east = sample + 1 == _part.Mesh.Samples ? 0 : sample + 1;
         _northWest = CornerAt(line, sample);
         _northEast = CornerAt(line, east);
         _southWest = CornerAt(line + 1, sample);
         _southEast = CornerAt(line + 1, east);
     }
 
+    /// <summary>A vertex of a seam has the normal that it has in its own model.</summary>
+    private Corner CornerOf(SeamVertex vertex)
+    {
+        (_partNumber, _part) = (vertex.Part, _surface.Parts[vertex.Part]);
+        return CornerAt(vertex.Line, vertex.Sample);
+    }
+
     private Corner CornerAt(int line, int sample)
     {
         // 64 samples of a line lie beside each other, so a cell and its neighbours do not replace each other.
         int place = ((line << 6) ^ sample) & (KeptVertices - 1);
-        long key = ((long)(line + 1) << 32) | (uint)sample;
+        long key = ((long)_partNumber << 56) | ((long)(line + 1) << 32) | (uint)sample;
         if (_keptKeys[place] != key)
         {
             _kept[place] = ReadCorner(line, sample);
@@ -82,22 +104,22 @@ internal sealed class SmoothNormals
 
     private Corner ReadCorner(int line, int sample)
     {
-        if (!_surface.Mesh.IsClosed)
+        if (!_part.Mesh.IsClosed)
         {
             return ReadCornerOfMap(line, sample);
         }
 
-        int samples = _surface.Mesh.Samples;
-        _surface.Mesh.ReadRadii(line, sample - 1, _radii);
-        Vector3D position = _surface.Vertex(line, sample, _radii[1]);
-        if (line < 0 || line >= _surface.Mesh.Lines)
+        int samples = _part.Mesh.Samples;
+        _part.Mesh.ReadRadii(line, sample - 1, _radii);
+        Vector3D position = _part.Vertex(line, sample, _radii[1]);
+        if (line < 0 || line >= _part.Mesh.Lines)
         {
             // A pole has no west and east; its height is the mean of the nearest line, so the surface there is taken as level.
             return new Corner(position, line < 0 ? Vector3D.UnitZ : -Vector3D.UnitZ);
         }
 
-        Vector3D eastward = _surface.Vertex(line, sample + 1, _radii[2])
-            - _surface.Vertex(line, sample == 0 ? samples - 1 : sample - 1, _radii[0]);
+        Vector3D eastward = _part.Vertex(line, sample + 1, _radii[2])
+            - _part.Vertex(line, sample == 0 ? samples - 1 : sample - 1, _radii[0]);
         Vector3D northward = VertexAt(line - 1, sample) - VertexAt(line + 1, sample);
         Vector3D normal = Vector3D.Cross(eastward, northward);
 
@@ -108,7 +130,7 @@ internal sealed class SmoothNormals
     /// <summary>A vertex of a map that ends: on its border the vertex itself takes the place of the neighbour that is missing.</summary>
     private Corner ReadCornerOfMap(int line, int sample)
     {
-        FacetMesh mesh = _surface.Mesh;
+        FacetMesh mesh = _part.Mesh;
         (int west, int east) = mesh.NeighboursOf(sample);
         Vector3D eastward = VertexAt(line, east) - VertexAt(line, west);
         Vector3D northward =
@@ -119,8 +141,8 @@ internal sealed class SmoothNormals
     private Vector3D VertexAt(int line, int sample)
     {
         Span<double> radius = _radii.AsSpan(0, 1);
-        _surface.Mesh.ReadRadii(line, sample, radius);
-        return _surface.Vertex(line, sample, radius[0]);
+        _part.Mesh.ReadRadii(line, sample, radius);
+        return _part.Vertex(line, sample, radius[0]);
     }
 
     private readonly record struct Corner(Vector3D Position, Vector3D Normal);

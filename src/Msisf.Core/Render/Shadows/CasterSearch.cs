@@ -8,10 +8,10 @@ namespace Msisf.Core.Render.Shadows;
 /// <summary>Finds the blocks of a model that may cast a shadow on receivers.</summary>
 internal sealed class CasterSearch
 {
-    private readonly BoundsTree _tree;
+    private readonly SurfaceModel _surface;
     private readonly NodeBounds _modelBounds;
     private readonly double _maxRadius;
-    private readonly List<(int Row, int Column)> _groups = [];
+    private readonly List<CellBlock> _groups = [];
     private readonly List<CellBlock> _blocks = [];
     private CellBlock[] _found = [];
     private int[] _counts = [];
@@ -20,8 +20,8 @@ internal sealed class CasterSearch
     /// <param name="surface">The model.</param>
     public CasterSearch(SurfaceModel surface)
     {
-        _tree = surface.Bounds;
-        (double min, double max) = surface.Grid.RadiusLimits;
+        _surface = surface;
+        (double min, double max) = surface.RadiusLimits;
         _modelBounds = new NodeBounds(MathF.BitDecrement((float)min), MathF.BitIncrement((float)max), float.PositiveInfinity);
         _maxRadius = max + Tolerances.VertexLattice;
         SolidRadius = surface.SolidRadius(min);
@@ -53,8 +53,13 @@ internal sealed class CasterSearch
     {
         CasterBounds bounds = new(receivers, slope, _maxRadius);
         _groups.Clear();
-        int top = _tree.Layout.Levels - 1;
-        FindGroups(top, new NodeRange(0, _tree.Layout.Rows(top), 0, _tree.Layout.Columns(top)), bounds);
+        for (int part = 0; part < _surface.Parts.Count; part++)
+        {
+            BoundsLayout layout = _surface.Parts[part].Bounds.Layout;
+            int top = layout.Levels - 1;
+            FindGroups(part, top, new NodeRange(0, layout.Rows(top), 0, layout.Columns(top)), bounds);
+        }
+
         if (_counts.Length < _groups.Count)
         {
             _counts = new int[2 * _groups.Count];
@@ -69,51 +74,87 @@ internal sealed class CasterSearch
         _blocks.Clear();
         for (int group = 0; group < _groups.Count; group++)
         {
-            _blocks.AddRange(BlocksOf(group)[.._counts[group]]);
+            foreach (CellBlock block in BlocksOf(group)[.._counts[group]])
+            {
+                Add(block);
+            }
         }
 
+        AddSeams(bounds);
         return _blocks;
+    }
+
+    /// <summary>Adds a block, or the pieces of it that finer models have left.</summary>
+    private void Add(CellBlock block)
+    {
+        if (_surface.Parts[block.Part].Kept is not { } kept || kept.StateOf(block.Row, block.Column) == CellMask.BlockState.Whole)
+        {
+            _blocks.Add(block);
+            return;
+        }
+
+        (int first, int count) = kept.PiecesOf(block.Row, block.Column);
+        for (int piece = first; piece < first + count; piece++)
+        {
+            _blocks.Add(block with { Piece = piece + 1 });
+        }
+    }
+
+    private void AddSeams(CasterBounds bounds)
+    {
+        for (int number = 0; number < _surface.Seams.Blocks.Count; number++)
+        {
+            if (bounds.MayCast(_surface.Seams.Blocks[number].Node))
+            {
+                _blocks.Add(new CellBlock(0, number) { Part = _surface.Parts.Count });
+            }
+        }
     }
 
     /// <summary>
     /// Finds the groups that may cast a shadow on a receiver. A node has the bounds of the model until all its blocks have been read.
     /// </summary>
-    private void FindGroups(int level, NodeRange nodes, CasterBounds bounds)
+    private void FindGroups(int part, int level, NodeRange nodes, CasterBounds bounds)
     {
+        BoundsTree tree = _surface.Parts[part].Bounds;
         for (int row = nodes.FirstRow; row < nodes.EndRow; row++)
         {
             for (int column = nodes.FirstColumn; column < nodes.EndColumn; column++)
             {
                 if (!MayCast(
-                    level, row, column, _tree.TryGetKnown(level, row, column, out NodeBounds known) ? known : _modelBounds, bounds))
+                    tree, level, row, column, tree.TryGetKnown(level, row, column, out NodeBounds known) ? known : _modelBounds, bounds))
                 {
                     continue;
                 }
 
                 if (level == SquareLayout.GroupLevel)
                 {
-                    _groups.Add((row, column));
+                    _groups.Add(new CellBlock(row, column) { Part = part });
                 }
                 else
                 {
-                    FindGroups(level - 1, _tree.Layout.ChildrenOf(level, row, column), bounds);
+                    FindGroups(part, level - 1, tree.Layout.ChildrenOf(level, row, column), bounds);
                 }
             }
         }
     }
 
-    /// <summary>Finds the blocks of a group that may cast a shadow on a receiver; reads blocks that were not read yet.</summary>
-    private int FindBlocks((int Row, int Column) group, CasterBounds bounds, Span<CellBlock> blocks)
+    /// <summary>Finds the blocks of a group of blocks that may cast a shadow on a receiver; reads blocks that were not read yet.</summary>
+    private int FindBlocks(CellBlock group, CasterBounds bounds, Span<CellBlock> blocks)
     {
-        NodeRange children = _tree.Layout.ChildrenOf(SquareLayout.GroupLevel, group.Row, group.Column);
+        GridSurface part = _surface.Parts[group.Part];
+        BoundsTree tree = part.Bounds;
+        NodeRange children = tree.Layout.ChildrenOf(SquareLayout.GroupLevel, group.Row, group.Column);
         int count = 0;
         for (int row = children.FirstRow; row < children.EndRow; row++)
         {
             for (int column = children.FirstColumn; column < children.EndColumn; column++)
             {
-                if (MayCast(SquareLayout.CellBlockLevel, row, column, _tree.Of(SquareLayout.CellBlockLevel, row, column), bounds))
+                if (part.Kept?.StateOf(row, column) != CellMask.BlockState.Empty
+                    && MayCast(
+                        tree, SquareLayout.CellBlockLevel, row, column, tree.Of(SquareLayout.CellBlockLevel, row, column), bounds))
                 {
-                    blocks[count++] = new CellBlock(row, column);
+                    blocks[count++] = new CellBlock(row, column) { Part = group.Part };
                 }
             }
         }
@@ -121,8 +162,8 @@ internal sealed class CasterSearch
         return count;
     }
 
-    private bool MayCast(int level, int row, int column, NodeBounds found, CasterBounds bounds) =>
-        bounds.MayCast(_tree.NodeOf(_tree.CapOf(level, row, column), found));
+    private static bool MayCast(BoundsTree tree, int level, int row, int column, NodeBounds found, CasterBounds bounds) =>
+        bounds.MayCast(tree.NodeOf(tree.CapOf(level, row, column), found));
 
     private Span<CellBlock> BlocksOf(int group) => _found.AsSpan(group * SquareLayout.GroupBlocks, SquareLayout.GroupBlocks);
 }

@@ -66,6 +66,11 @@ internal sealed class CellStrip(BlockVertices vertices)
             & Vector512.GreaterThanOrEqual(Vector512.Create(receivers.MaxV), minV)
             & Vector512.LessThan(
                 Lanes.Numbers, Vector512.Create((double)(vertices.Samples - 1 - sample)));
+        if (vertices.IsOfSeams)
+        {
+            isHere &= Lanes.Mask(vertices.CellsOfLine(line) >> sample);
+        }
+
         if (slope > 0.0)
         {
             (southWest, northEast) = MaxAreas(southWest, northEast, slope);

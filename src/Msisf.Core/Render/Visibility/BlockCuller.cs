@@ -3,6 +3,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Visibility;
@@ -23,8 +24,6 @@ internal sealed class BlockCuller
 
     private readonly SurfaceModel _surface;
     private readonly (double Min, double Max) _limits;
-    private readonly double _sagitta;
-    private readonly double _tilt;
     private readonly List<CellBlock> _candidates = [];
     private readonly List<VisibleBlock> _visible = [];
     private VisibleBlock?[] _found = [];
@@ -32,10 +31,8 @@ internal sealed class BlockCuller
     public BlockCuller(SurfaceModel surface)
     {
         _surface = surface;
-        (double min, double max) = surface.Grid.RadiusLimits;
+        (double min, double max) = surface.RadiusLimits;
         _limits = (min - BoundsRounding, max + BoundsRounding);
-        _sagitta = surface.Geometry.Sagitta;
-        _tilt = surface.Geometry.CellAngle; // up turns by less from a facet's middle to its corners
     }
 
     /// <summary>Returns the blocks that may be visible, always in the same order; the list is valid until the next call.</summary>
@@ -44,12 +41,16 @@ internal sealed class BlockCuller
         ViewFrustum frustum = view.Frustum();
         MoonHorizon horizon = new(view.Camera.PositionMoonMe, _surface.SolidRadius(_limits.Min));
         _candidates.Clear();
-        int top = _surface.Bounds.Layout.Levels - 1;
-        for (int row = 0; row < _surface.Bounds.Layout.Rows(top); row++)
+        for (int part = 0; part < _surface.Parts.Count; part++)
         {
-            for (int column = 0; column < _surface.Bounds.Layout.Columns(top); column++)
+            BoundsLayout layout = _surface.Parts[part].Bounds.Layout;
+            int top = layout.Levels - 1;
+            for (int row = 0; row < layout.Rows(top); row++)
             {
-                Descend(top, row, column, frustum, horizon);
+                for (int column = 0; column < layout.Columns(top); column++)
+                {
+                    Descend(part, top, row, column, frustum, horizon);
+                }
             }
         }
 
@@ -73,19 +74,51 @@ internal sealed class BlockCuller
         {
             if (_found[i] is { } block)
             {
-                _visible.Add(block);
+                Add(block);
             }
         }
 
+        AddSeams(frustum, horizon);
         return _visible;
+    }
+
+    /// <summary>Adds a block, or the pieces of it that finer models have left.</summary>
+    private void Add(VisibleBlock visible)
+    {
+        CellBlock block = visible.Block;
+        if (_surface.Parts[block.Part].Kept is not { } kept || kept.StateOf(block.Row, block.Column) == CellMask.BlockState.Whole)
+        {
+            _visible.Add(visible);
+            return;
+        }
+
+        (int first, int count) = kept.PiecesOf(block.Row, block.Column);
+        for (int piece = first; piece < first + count; piece++)
+        {
+            _visible.Add(visible with { Block = block with { Piece = piece + 1 } });
+        }
+    }
+
+    private void AddSeams(ViewFrustum frustum, MoonHorizon horizon)
+    {
+        for (int number = 0; number < _surface.Seams.Blocks.Count; number++)
+        {
+            SeamBlock seam = _surface.Seams.Blocks[number];
+            if (!horizon.Hides(seam.Box, seam.MaxRadius) && frustum.TryFindRows(seam.Box.Box, out PixelRows rows))
+            {
+                CellBlock block = new(0, number) { Part = _surface.Parts.Count };
+                _visible.Add(new VisibleBlock(block, rows, frustum.IsOfLens ? frustum.TangentsOf(seam.Box.Box) : default));
+            }
+        }
     }
 
     /// <summary>
     /// Collects the blocks of a node that may be in the image if each may have any radius within the limits of the model.
     /// </summary>
-    private void Descend(int level, int row, int column, ViewFrustum frustum, MoonHorizon horizon)
+    private void Descend(int part, int level, int row, int column, ViewFrustum frustum, MoonHorizon horizon)
     {
-        NodeBox box = _surface.Bounds.BoxOf(level, row, column, _limits.Min, _limits.Max);
+        BoundsTree tree = _surface.Parts[part].Bounds;
+        NodeBox box = tree.BoxOf(level, row, column, _limits.Min, _limits.Max);
         if (horizon.Hides(box, _limits.Max) || !frustum.TryFindRows(box.Box, out _))
         {
             return;
@@ -93,34 +126,40 @@ internal sealed class BlockCuller
 
         if (level == SquareLayout.CellBlockLevel)
         {
-            _candidates.Add(new CellBlock(row, column));
+            if (_surface.Parts[part].Kept?.StateOf(row, column) != CellMask.BlockState.Empty)
+            {
+                _candidates.Add(new CellBlock(row, column) { Part = part });
+            }
+
             return;
         }
 
         // The children are visited quarter by quarter, and each quarter again by its quarters, so that successive blocks are neighbours.
-        NodeRange children = _surface.Bounds.Layout.ChildrenOf(level, row, column);
+        NodeRange children = tree.Layout.ChildrenOf(level, row, column);
         for (int child = 0; child < SquareLayout.GroupBlocks; child++)
         {
             int childRow = children.FirstRow + ((child >> 2) & 2) + ((child >> 1) & 1);
             int childColumn = children.FirstColumn + ((child >> 1) & 2) + (child & 1);
             if (childRow < children.EndRow && childColumn < children.EndColumn)
             {
-                Descend(level - 1, childRow, childColumn, frustum, horizon);
+                Descend(part, level - 1, childRow, childColumn, frustum, horizon);
             }
         }
     }
 
+    /// <remarks>From a facet's middle to its corners, up turns by less than the angle of a cell.</remarks>
     private VisibleBlock? Look(CellBlock block, ViewFrustum frustum, MoonHorizon horizon)
     {
-        NodeBounds bounds = _surface.Bounds.Of(SquareLayout.CellBlockLevel, block.Row, block.Column);
+        GridSurface part = _surface.Parts[block.Part];
+        NodeBounds bounds = part.Bounds.Of(SquareLayout.CellBlockLevel, block.Row, block.Column);
         if (bounds.Min < _limits.Min || bounds.Max > _limits.Max)
         {
-            throw OutsideLimits(block, bounds);
+            throw OutsideLimits(part, block, bounds);
         }
 
-        NodeBox box = _surface.Bounds.BoxOf(SquareLayout.CellBlockLevel, block.Row, block.Column, bounds.Min, bounds.Max);
+        NodeBox box = part.Bounds.BoxOf(SquareLayout.CellBlockLevel, block.Row, block.Column, bounds.Min, bounds.Max);
         if (horizon.Hides(box, bounds.Max)
-            || horizon.IsTurnedAway(box, LowestPoint(bounds.Min), bounds.MaxSlope + _tilt)
+            || horizon.IsTurnedAway(box, LowestPoint(part, bounds.Min), bounds.MaxSlope + part.Geometry.CellAngle)
             || !frustum.TryFindRows(box.Box, out PixelRows rows))
         {
             return null;
@@ -129,16 +168,17 @@ internal sealed class BlockCuller
         return new VisibleBlock(block, rows, frustum.IsOfLens ? frustum.TangentsOf(box.Box) : default);
     }
 
-    private BadInputException OutsideLimits(CellBlock block, NodeBounds bounds)
+    private BadInputException OutsideLimits(GridSurface part, CellBlock block, NodeBounds bounds)
     {
-        CellRange cells = block.Cells(_surface.Mesh);
+        CellRange cells = block.Cells(part.Mesh);
         return new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
-            $"{_surface.Grid.ProductId}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, "
+            $"{part.Grid.ProductId}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, "
                 + $"samples {cells.FirstSample + 1} to {cells.EndSample + 1}: "
                 + $"radii from {bounds.Min:R} to {bounds.Max:R} m, but no radius may lie outside {_limits.Min:R} to {_limits.Max:R} m. "
                 + $"The file is damaged: get it again."));
     }
 
-    private double LowestPoint(double minRadius) => (minRadius * _sagitta) - Tolerances.VertexLattice;
+    private static double LowestPoint(GridSurface part, double minRadius) =>
+        (minRadius * part.Geometry.Sagitta) - Tolerances.VertexLattice;
 }

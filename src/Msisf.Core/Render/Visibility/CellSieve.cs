@@ -52,9 +52,10 @@ internal sealed class CellSieve
 
             sieved += samples;
             uint halves = block.HalvesOf(line);
+            uint cells = block.Vertices.CellsOfLine(line);
             for (int sample = 0; sample < samples; sample += Lanes)
             {
-                uint lanes = samples - sample >= Lanes ? 0xffu : (1u << (samples - sample)) - 1;
+                uint lanes = (cells >> sample) & (samples - sample >= Lanes ? 0xffu : (1u << (samples - sample)) - 1);
                 DrawEight<TSamples>(block, (line * ProjectedBlock.Stride) + sample, lanes, halves, band);
             }
         }

@@ -28,9 +28,13 @@ internal sealed class NearPlaneCells
         for (int line = 0; line < lines; line++)
         {
             uint halves = block.HalvesOf(line);
+            uint cells = block.Vertices.CellsOfLine(line);
             for (int sample = 0; sample < samples; sample++)
             {
-                DrawCell<TSamples>(block, (line * ProjectedBlock.Stride) + sample, halves, band);
+                if ((cells >> sample & 1) != 0)
+                {
+                    DrawCell<TSamples>(block, (line * ProjectedBlock.Stride) + sample, halves, band);
+                }
             }
         }
 

@@ -44,6 +44,11 @@ internal sealed class ProjectedBlock
     /// </summary>
     public uint HalvesOf(int line)
     {
+        if (Vertices.IsOfSeams)
+        {
+            return FacetCorners.SouthWestHalf;
+        }
+
         int cellLine = Vertices.Cells.FirstLine + line;
         return cellLine < 0 ? FacetCorners.SouthWestHalf
             : cellLine == _lastCellLine ? FacetCorners.NorthEastHalf
@@ -72,10 +77,16 @@ internal sealed class ProjectedBlock
         double ny = (uz * vx) - (ux * vz);
         double nz = (ux * vy) - (uy * vx);
         double offset = (nx * (x + _originFromAnchor.X)) + (ny * (y + _originFromAnchor.Y)) + (nz * (z + _originFromAnchor.Z));
+        if (Vertices.IsOfSeams)
+        {
+            return new FacetRecord(
+                new Vector3D(nx, ny, nz), offset, 0, FacetRecord.Place(Vertices.Block.Part, Vertices.SeamFacet(index), half));
+        }
+
         int line = index / Stride;
         return new FacetRecord(
             new Vector3D(nx, ny, nz), offset, Vertices.Cells.FirstLine + line,
-            (2 * (Vertices.Cells.FirstSample + index - (line * Stride))) + half);
+            FacetRecord.Place(Vertices.Block.Part, Vertices.Cells.FirstSample + index - (line * Stride), half));
     }
 
     /// <summary>Position of a vertex in m, MOON_ME, relative to <see cref="ImageView.Origin"/>.</summary>
@@ -85,7 +96,7 @@ internal sealed class ProjectedBlock
     public void Read(SurfaceModel surface, CellBlock block, ImageView view)
     {
         Vertices.Load(surface, block, view.Origin);
-        _lastCellLine = surface.Mesh.SouthFanLine;
+        _lastCellLine = Vertices.IsOfSeams ? int.MaxValue : surface.Parts[block.Part].Mesh.SouthFanLine;
         _originFromAnchor = view.OriginFromAnchor;
     }
 

@@ -37,18 +37,20 @@ internal sealed class SubsampleCells
         for (int line = 0; line < block.Vertices.Lines - 1; line++)
         {
             uint halves = block.HalvesOf(line);
+            uint cells = block.Vertices.CellsOfLine(line);
             if (!block.IsInFront)
             {
                 for (int sample = 0; sample < samples; sample++)
                 {
-                    DrawAnywhere(block, (line * ProjectedBlock.Stride) + sample, halves, band);
+                    DrawAnywhere(
+                        block, (line * ProjectedBlock.Stride) + sample, (cells >> sample & 1) != 0 ? halves : 0, band);
                 }
             }
             else if (block.Touches(line, band.Window.FirstRow - band.Margin, band.Window.LastRow + band.Margin))
             {
                 for (int sample = 0; sample < samples; sample += Lanes)
                 {
-                    uint lanes = samples - sample >= Lanes ? 0xffu : (1u << (samples - sample)) - 1;
+                    uint lanes = (cells >> sample) & (samples - sample >= Lanes ? 0xffu : (1u << (samples - sample)) - 1);
                     DrawEight(block, (line * ProjectedBlock.Stride) + sample, lanes, halves, band);
                 }
             }

@@ -78,7 +78,7 @@ internal sealed class VisibleSurface : ISurfaceRows
             if (number != last)
             {
                 last = number;
-                facet = number == Band.NotRecorded ? NoFacet : ((long)records[number].Line << 32) | (uint)records[number].SampleAndHalf;
+                facet = number == Band.NotRecorded ? NoFacet : ((long)records[number].Line << 32) | (uint)records[number].PartSampleAndHalf;
             }
 
             facets[i] = facet;

@@ -20,19 +20,19 @@ public sealed class BoundsTreeTests
     public void Of_EachNode_HoldsItsFacets(int pixelsPerDegree, int level)
     {
         SurfaceModel surface = new(FunctionGrid.Hilly(pixelsPerDegree));
-        BoundsLayout layout = surface.Bounds.Layout;
+        BoundsLayout layout = surface.Parts[0].Bounds.Layout;
         for (int row = 0; row < layout.Rows(level); row += 3)
         {
             for (int column = 0; column < layout.Columns(level); column += 5)
             {
-                NodeBounds bounds = surface.Bounds.Of(level, row, column);
+                NodeBounds bounds = surface.Parts[0].Bounds.Of(level, row, column);
                 CellRange cells = layout.Cells(level, row, column);
                 double steepest = 0.0;
                 for (int line = cells.FirstLine; line < cells.EndLine; line++)
                 {
                     for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
                     {
-                        CellCorners corners = surface.Corners(line, sample);
+                        CellCorners corners = surface.Parts[0].Corners(line, sample);
                         Assert.InRange(
                             corners.NorthWest.Length, bounds.Min - Tolerances.VertexLattice, bounds.Max + Tolerances.VertexLattice);
                         Assert.InRange(
@@ -61,7 +61,7 @@ public sealed class BoundsTreeTests
     {
         SurfaceModel surface = new(FunctionGrid.Hilly(4));
         NodeBounds[] found = new NodeBounds[64];
-        Parallel.For(0, found.Length, i => found[i] = surface.Bounds.Of(SquareLayout.CellBlockLevel, 3, i % 4));
+        Parallel.For(0, found.Length, i => found[i] = surface.Parts[0].Bounds.Of(SquareLayout.CellBlockLevel, 3, i % 4));
         for (int i = 4; i < found.Length; i++)
         {
             Assert.Equal(found[i - 4], found[i]);
@@ -71,7 +71,7 @@ public sealed class BoundsTreeTests
     [Fact]
     public void TryGetKnown_GroupOfBlocks_IsKnownWhenItsLastBlockIs()
     {
-        BoundsTree tree = new SurfaceModel(FunctionGrid.Hilly(4)).Bounds;
+        BoundsTree tree = new GridSurface(FunctionGrid.Hilly(4)).Bounds;
         NodeBounds union = NodeBounds.Empty;
         for (int block = 0; block < SquareLayout.GroupBlocks; block++)
         {

@@ -32,11 +32,11 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
         SmoothNormals normals = new(surface);
         FacetId southWest = new(line, sample, FacetHalf.SouthWest);
         FacetId northEast = new(line, sample, FacetHalf.NorthEast);
-        FacetId east = new(line, (sample + 1) % surface.Mesh.Samples, FacetHalf.SouthWest);
+        FacetId east = new(line, (sample + 1) % surface.Parts[0].Mesh.Samples, FacetHalf.SouthWest);
         Vector3D northWestCorner = Vertex(surface, line, sample);
         Vector3D northEastCorner = Vertex(surface, line, sample + 1);
         Vector3D southEastCorner = Vertex(surface, line + 1, sample + 1);
-        bool hasBoth = line >= 0 && line < surface.Mesh.Lines - 1;
+        bool hasBoth = line >= 0 && line < surface.Parts[0].Mesh.Lines - 1;
         foreach (double part in new[] { 0.0, 0.2, 0.5, 0.9, 1.0 })
         {
             if (hasBoth)
@@ -49,7 +49,7 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
             AssertSame(
                 surface,
                 normals,
-                line == surface.Mesh.Lines - 1 ? northEast : FacetAtEast(line, southWest, northEast),
+                line == surface.Parts[0].Mesh.Lines - 1 ? northEast : FacetAtEast(line, southWest, northEast),
                 FacetAtWest(line, east),
                 onMeridian);
         }
@@ -84,7 +84,7 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
     {
         SurfaceModel surface = new(Sphere);
         SmoothNormals normals = new(surface);
-        for (int sample = 0; sample < surface.Mesh.Samples; sample += 37)
+        for (int sample = 0; sample < surface.Parts[0].Mesh.Samples; sample += 37)
         {
             FacetId facet = new(line, sample, FacetHalf.SouthWest);
             Vector3D point = (Vertex(surface, line, sample) + Vertex(surface, line + 1, sample) + Vertex(
@@ -138,9 +138,9 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
     private static Vector3D Vertex(SurfaceModel surface, int line, int sample)
     {
         double[] radius = new double[1];
-        int at = (sample + surface.Mesh.Samples) % surface.Mesh.Samples;
-        surface.Mesh.ReadRadii(line, at, radius);
-        SineCosine longitude = new GridDirections(((IElevationGrid)surface.Grid).PixelsPerDegree).Longitude(at);
-        return LatticePoint.Nearest(radius[0], ((CylinderGeometry)surface.Geometry).Latitude(line), longitude).PositionMoonMe;
+        int at = (sample + surface.Parts[0].Mesh.Samples) % surface.Parts[0].Mesh.Samples;
+        surface.Parts[0].Mesh.ReadRadii(line, at, radius);
+        SineCosine longitude = new GridDirections(((IElevationGrid)surface.Parts[0].Grid).PixelsPerDegree).Longitude(at);
+        return LatticePoint.Nearest(radius[0], ((CylinderGeometry)surface.Parts[0].Geometry).Latitude(line), longitude).PositionMoonMe;
     }
 }

@@ -1,0 +1,137 @@
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Cli.Tests;
+
+/// <summary>Several elevation models in one scene, as a user has them.</summary>
+public sealed class SeveralModelsTests : IDisposable
+{
+    private const string View = "--fixed-state {51544.5,0,0,-3.2E6,0,0.7071067811865476,0,0.7071067811865476} --ignore-sun --batch "
+        + "--width 40 --height 40 --fov 40";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Run_MapInAModelOfTheWholeMoon_IsDrawn()
+    {
+        CommandLineRun run = Draw("a", "--ldem", Moon(), "--ldem", Map());
+
+        Assert.Equal((0, string.Empty), (run.ExitCode, run.ExitCode == 0 ? string.Empty : run.Error));
+        string xml = File.ReadAllText(Path.Combine(_folder["out"], "a.xml"));
+        Assert.Contains("<ElevationPart part=\"0\" product=\"LDEM_2_SYNTHETIC\"", xml, StringComparison.Ordinal);
+        Assert.Contains("<ElevationPart part=\"1\" product=\"LDEM_80S_10000M_SYNTHETIC\"", xml, StringComparison.Ordinal);
+        Assert.Contains("--ldem LDEM_2_SYNTHETIC.LBL --ldem LDEM_80S_10000M_SYNTHETIC.LBL ", xml, StringComparison.Ordinal);
+        Assert.DoesNotContain("--res ", xml, StringComparison.Ordinal);
+        foreach (string part in (string[])["0", "1", "2"])
+        {
+            Assert.Contains($"<Facet part=\"{part}\" line=\"", xml, StringComparison.Ordinal); // both models, and the seam
+        }
+
+        Assert.DoesNotContain("tile=", xml, StringComparison.Ordinal);
+    }
+
+    /// <summary>The order is no part of the content: a run with the same models in another order finds its image complete.</summary>
+    [Fact]
+    public void Run_ModelsInAnotherOrderOrInAFile_IsTheSame()
+    {
+        (string moon, string map) = (Moon(), Map());
+        CommandLineRun first = Draw("a", "--ldem", moon, "--ldem", map);
+        Assert.True(first.ExitCode == 0, first.Error);
+        DateTime made = File.GetLastWriteTimeUtc(Path.Combine(_folder["out"], "a.png"));
+
+        string config = _folder.Write("c.yaml", $"ldem: [{map}, {moon}]\n");
+        CommandLineRun again = Draw("a", "--config", config);
+
+        Assert.True(again.ExitCode == 0, again.Error);
+        Assert.Equal(made, File.GetLastWriteTimeUtc(Path.Combine(_folder["out"], "a.png")));
+    }
+
+    [Fact]
+    public void Run_LayerCell_HasThePartAsThirdPlane()
+    {
+        CommandLineRun run = Draw(
+            "a", "--ldem", Moon(), "--ldem", Map(), "--layers", "cell,tile", "--layers-format", "npy");
+        Assert.True(run.ExitCode == 0, run.Error);
+        byte[] cell = File.ReadAllBytes(Path.Combine(_folder["out"], "a.cell.npy"));
+        Assert.Contains("'shape': (40, 40, 3,)", System.Text.Encoding.ASCII.GetString(cell, 0, 128), StringComparison.Ordinal);
+        int start = cell.Length - (40 * 40 * 3 * 4);
+        int[] parts = [.. Enumerable.Range(0, 1600).Select(pixel => BitConverter.ToInt32(cell, start + (12 * pixel) + 8))];
+        Assert.Equal([0, 1, 2], parts.Distinct().Order());
+    }
+
+    [Fact]
+    public void DryRun_SeveralModels_TellsTheHeight()
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            [.. View.Split(' '), "--renderer", "native", "--dry-run", "--ldem", Moon(), "--ldem", Map()]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        Assert.Contains("2000-01-01", run.Output, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("MOON MAP --res 4", 1, "--res has no meaning with several --ldem")]
+    [InlineData("MOON MAP --renderer povray", 1, "only the native renderer draws")]
+    [InlineData("MOON MAP MAP", 1, "is given twice")]
+    [InlineData("MAP OTHER", 2, "the coarsest of several elevation models, is not of the whole Moon")]
+    [InlineData("MOON FOLDER", 2, "a folder; of several --ldem each names")]
+    [InlineData("MOON missing.LBL", 2, "missing.LBL")]
+    [InlineData("MOON ''", 1, "--ldem is empty")]
+    [InlineData("MOON MAP --body mercury", 1, "several --ldem are of the Moon only")]
+    public void Run_WrongModels_AreRefusedInOneLine(string models, int exitCode, string message)
+    {
+        List<string> arguments = [.. View.Split(' '), "--output-dir", _folder["out"]];
+        string[] words = models.Split(' ');
+        for (int i = 0; i < words.Length; i++)
+        {
+            arguments.AddRange(words[i] switch
+            {
+                "MOON" => ["--ldem", Moon()],
+                "MAP" => ["--ldem", Map()],
+                "OTHER" => ["--ldem", Map(20000)],
+                "FOLDER" => ["--ldem", _folder["model"]],
+                "''" => ["--ldem", string.Empty],
+                "missing.LBL" => ["--ldem", "missing.LBL"],
+                _ => (string[])[words[i]],
+            });
+        }
+
+        if (!models.Contains("--renderer", StringComparison.Ordinal))
+        {
+            arguments.AddRange(["--renderer", "native"]);
+        }
+
+        CommandLineRun run = CommandLineRun.Of([.. arguments]);
+
+        Assert.Equal(exitCode, run.ExitCode);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.Single(run.Error.Split('\n'), line => line.Contains("error", StringComparison.Ordinal));
+        Assert.False(Directory.Exists(_folder["out"]));
+    }
+
+    [Theory]
+    [InlineData("patterns")]
+    [InlineData("serve")]
+    public void Run_CommandsOfOneModel_RefuseSeveral(string command)
+    {
+        CommandLineRun run = CommandLineRun.Of([command, "--ldem", "a.LBL", "--ldem", "b.LBL"]);
+        Assert.Equal(1, run.ExitCode);
+        Assert.Contains("--ldem is given 2 times; here it names one.", run.Error, StringComparison.Ordinal);
+    }
+
+    private CommandLineRun Draw(string name, params string[] options) => CommandLineRun.Of(
+        [.. View.Split(' '), "--renderer", "native", "--surface", "terrain", "--gridH", "2", "--gridV", "2", .. options, "--output-dir",
+            _folder["out"], "--output-name", name]);
+
+    private string Moon() => Synthesize("--res", "2");
+
+    private string Map(int scale = 10000) => Synthesize("--projection", "polar-south", "--map-scale", $"{scale}");
+
+    private string Synthesize(params string[] options)
+    {
+        CommandLineRun made = CommandLineRun.Of(
+            ["ldem", "synthesize", .. options, "--seed", "1", "--output-dir", _folder["model"], "--batch"]);
+        return made.ExitCode == 0 ? made.Output.Trim() : throw new InvalidOperationException(made.Error);
+    }
+}

@@ -1,0 +1,94 @@
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Tests.Support;
+
+/// <summary>Every facet of a surface of several models, and rays against each of them, by Moeller and Trumbore.</summary>
+internal sealed class AllFacets
+{
+    private const double EdgeTolerance = 1e-11;
+
+    public AllFacets(NestedTerrain terrain)
+    {
+        SurfaceModel surface = terrain.Surface;
+        List<(FacetId, Vector3D, Vector3D, Vector3D)> all = [];
+        for (int part = 0; part < surface.Parts.Count; part++)
+        {
+            CellRange cells = surface.Parts[part].Mesh.Cells;
+            for (int line = cells.FirstLine; line < cells.EndLine; line++)
+            {
+                for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
+                {
+                    foreach (FacetHalf half in new[] { FacetHalf.SouthWest, FacetHalf.NorthEast })
+                    {
+                        Add(new FacetId(line, sample, half) { Part = part });
+                    }
+                }
+            }
+        }
+
+        for (int seam = 0; seam < surface.Seams.Count; seam++)
+        {
+            Add(new FacetId(0, seam, FacetHalf.SouthWest) { Part = surface.Parts.Count });
+        }
+
+        Facets = all;
+
+        void Add(FacetId facet)
+        {
+            if (surface.Has(facet))
+            {
+                (Vector3D a, Vector3D b, Vector3D c) = surface.CornersOf(facet);
+                if (a != b && b != c && c != a) // at a pole a cell has one facet
+                {
+                    all.Add((facet, a, b, c));
+                }
+            }
+        }
+    }
+
+    /// <summary>The facets with their corners, m, counter-clockwise seen from outside.</summary>
+    public IReadOnlyList<(FacetId Facet, Vector3D A, Vector3D B, Vector3D C)> Facets { get; }
+
+    /// <summary>The first facet that a ray enters from outside, not counting hits before so many lengths of the direction.</summary>
+    public (FacetId Facet, Vector3D Point, double T)? FirstHit(Vector3D origin, Vector3D direction, double minT = 0.0)
+    {
+        (FacetId, Vector3D, double T)? best = null;
+        foreach ((FacetId facet, Vector3D a, Vector3D b, Vector3D c) in Facets)
+        {
+            Vector3D ab = b - a;
+            Vector3D ac = c - a;
+            Vector3D p = Vector3D.Cross(direction, ac);
+            double determinant = Vector3D.Dot(ab, p);
+            if (!(determinant > 0.0))
+            {
+                continue; // from below, or edge on
+            }
+
+            Vector3D fromA = origin - a;
+            double u = Vector3D.Dot(fromA, p);
+            if (u < -EdgeTolerance * determinant || u > (1.0 + EdgeTolerance) * determinant)
+            {
+                continue;
+            }
+
+            Vector3D q = Vector3D.Cross(fromA, ab);
+            double v = Vector3D.Dot(direction, q);
+            double t = Vector3D.Dot(ac, q) / determinant;
+            if (v >= -EdgeTolerance * determinant && u + v <= (1.0 + EdgeTolerance) * determinant && t >= minT && !(t >= best?.T))
+            {
+                best = (facet, origin + (t * direction), t);
+            }
+        }
+
+        return best;
+    }
+
+    /// <summary>Whether the way from a point on a facet to the light enters another facet.</summary>
+    public bool IsShadowed(FacetId facet, Vector3D point, Vector3D light)
+    {
+        Vector3D toLight = light - point;
+        return FirstHit(point, toLight, 1e-4 / toLight.Length) is (FacetId hit, _, double t) && t < 1.0 && hit != facet;
+    }
+}
