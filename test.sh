@@ -13,7 +13,7 @@ require_own_folders
 
 # The suites, scripts/suites/NAME.sh; of xunit each project by itself. The longest first, so that none runs alone at the
 # end. A new suite is added here, and what it needs to install_parts below; a new project is found by itself.
-suites=('xunit Msisf.Stress.Tests' php scripts 'xunit Msisf.Integration.Tests' 'xunit Msisf.Core.Tests' python style)
+suites=('xunit Msisf.Stress.Tests' php scripts 'xunit Msisf.Integration.Tests' 'xunit Msisf.Core.Tests' 'xunit Msisf.Viewer.Tests' style python)
 for project in $(test_projects); do
     [[ " ${suites[*]} " == *" $project "* ]] || suites+=("xunit $project")
 done

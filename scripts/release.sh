@@ -5,6 +5,8 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
+. "$root/scripts/lib/packages.sh"
+. "$root/scripts/lib/dotnet.sh"
 . "$root/scripts/lib/install.sh"
 
 [ $# -le 1 ] || die 'Usage: scripts/release.sh [FOLDER]'
@@ -23,12 +25,29 @@ work=$target/.release-$$
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work"
 
+# The server beside msis, on the same .NET: of its own only ASP.NET Core and the pages are added. publish/server needs those of the machine.
+publish_server() {
+    find_dotnet || die '.NET is missing: run scripts/build.sh'
+    say 'Packing the server ...'
+    dotnet publish src/Msisf.Server -c Release -p:RunAnalyzers=false -r linux-x64 --self-contained -p:PublishReadyToRun=false \
+        -o "$work/server" -v quiet -nologo || die 'the build of the server failed; the messages above say why.'
+}
+
+# add_missing FROM TO: copies the files that are not there yet.
+add_missing() {
+    local file
+    (cd "$1" && find . -type f) | while IFS= read -r file; do
+        [ -e "$2/$file" ] || { mkdir -p "$2/${file%/*}" && cp "$1/$file" "$2/$file"; }
+    done
+}
+
 # stage_program FOLDER: what msis reads of its installation, and the scripts that fetch models; no symbols and no comments of the code.
 stage_program() {
     mkdir -p "$1/lib" "$1/input/ldem" "$1/input/albedo" "$1/scripts/lib"
     cp -R msis kernels cameras "$1"
     cp -R publish "$1/publish"
-    rm -rf "$1/publish/server" # needs ASP.NET Core of the machine
+    rm -rf "$1/publish/server"
+    add_missing "$work/server" "$1/publish"
     rm -f "$1"/publish/*.pdb "$1"/publish/*.xml "$1"/publish/createdump "$1"/publish/libmscordaccore.so "$1"/publish/libmscordbi.so \
         "$1/publish/sources" "$1/publish/dotnet-root"
     cp lib/*.dtd "$1/lib"
@@ -99,6 +118,7 @@ pack_deb() {
     mv "$work/msisf_${version}_amd64.deb" "$target"
 }
 
+publish_server
 pack_tarball
 pack_deb
 say "$target/$name.tar.gz"

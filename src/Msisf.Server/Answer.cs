@@ -6,7 +6,8 @@ namespace Msisf.Server;
 
 /// <summary>What a request for a frame is answered with: one part, or several in one multipart answer.</summary>
 /// <param name="pool">Memory of the parts.</param>
-internal sealed class Answer(StreamPool pool) : IDisposable
+/// <param name="room">bytes: left free before the content of a part.</param>
+internal sealed class Answer(StreamPool pool, int room = 0) : IDisposable
 {
     /// <summary>Separates the parts; too long to be in one by chance.</summary>
     private const string Boundary = "msisf-part-5e1f2c7a9d3b4860";
@@ -28,6 +29,8 @@ internal sealed class Answer(StreamPool pool) : IDisposable
     {
         MemoryStream content = pool.Take();
         _parts.Add(new AnswerPart(name, contentType, content, headers));
+        content.SetLength(room);
+        content.Position = room;
         write(content);
     }
 

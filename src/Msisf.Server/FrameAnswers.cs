@@ -45,18 +45,20 @@ internal sealed class FrameAnswers
     /// <param name="session">Draws it.</param>
     /// <param name="frame">The frame.</param>
     /// <param name="form">Form of the answer.</param>
+    /// <param name="room">bytes: left free before the content of each part.</param>
     /// <param name="threads">Number of threads.</param>
     /// <param name="cancellation">Stops the work.</param>
-    public Answer Draw(RenderSession session, PreparedFrame frame, AnswerForm form, int threads, CancellationToken cancellation)
+    public Answer Draw(
+        RenderSession session, PreparedFrame frame, AnswerForm form, int room, int threads, CancellationToken cancellation)
     {
-        Answer answer = new(_pool);
+        Answer answer = new(_pool, room);
         try
         {
             long start = Stopwatch.GetTimestamp();
             using NativeImage image = session.Draw(frame, threads, cancellation);
             answer.Times.Add(("draw", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
             start = Stopwatch.GetTimestamp();
-            Write(answer, session, frame, image, form, cancellation);
+            Write(answer, session, frame, image, form, threads, cancellation);
             answer.Times.Add(("write", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
             return answer;
         }
@@ -68,18 +70,23 @@ internal sealed class FrameAnswers
     }
 
     /// <summary>Adds the image in a form.</summary>
-    public static void AddImage(Answer answer, NativeImage image, string form)
+    /// <param name="answer">Receives it.</param>
+    /// <param name="image">The image.</param>
+    /// <param name="form">Content type.</param>
+    /// <param name="threads">Number of threads.</param>
+    private static void AddImage(Answer answer, NativeImage image, string form, int threads)
     {
         switch (form)
         {
             case AnswerForm.Raw:
-                answer.Add("image.raw", form, stream => CopyLevels(image, stream), SizeOf(image, image.BytesPerPixel == 1 ? "u8" : "u16"));
+                string type = image.BytesPerPixel == 1 ? "u8" : "u16";
+                answer.Add("image.raw", form, stream => CopyLevels(image, stream, threads), SizeOf(image, type));
                 break;
             case AnswerForm.Npy:
                 answer.Add("image.npy", form, stream =>
                 {
                     NpyFile.WriteImageHead(stream, image.BytesPerPixel, image.Height, image.Width);
-                    CopyLevels(image, stream);
+                    CopyLevels(image, stream, threads);
                 });
                 break;
             default:
@@ -89,13 +96,14 @@ internal sealed class FrameAnswers
     }
 
     private static void Write(
-        Answer answer, RenderSession session, PreparedFrame frame, NativeImage image, AnswerForm form, CancellationToken cancellation)
+        Answer answer, RenderSession session, PreparedFrame frame, NativeImage image, AnswerForm form, int threads,
+        CancellationToken cancellation)
     {
         LayerSet? layers = session.Settings.Native.Layers;
         bool isLayer = layers is not null && form.Main is AnswerForm.Raw or AnswerForm.Npy;
         if (!isLayer && (form.IsMultipart || form.Main is AnswerForm.Png or AnswerForm.Raw or AnswerForm.Npy))
         {
-            AddImage(answer, image, form.IsMultipart ? form.Image : form.Main);
+            AddImage(answer, image, form.IsMultipart ? form.Image : form.Main, threads);
             if (!form.IsMultipart)
             {
                 return;
@@ -192,12 +200,12 @@ internal sealed class FrameAnswers
         }
     }
 
-    private static void CopyLevels(NativeImage image, MemoryStream stream)
+    private static void CopyLevels(NativeImage image, MemoryStream stream, int threads)
     {
         int start = (int)stream.Length;
         int length = image.Width * image.Height * image.BytesPerPixel;
         stream.SetLength(start + length);
-        image.CopyLevels(stream.GetBuffer().AsSpan(start, length));
+        image.CopyLevels(stream.GetBuffer().AsMemory(start, length), threads);
     }
 
     private static (string Name, string Value)[] SizeOf(NativeImage image, string type) =>

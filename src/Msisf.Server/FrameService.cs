@@ -86,8 +86,9 @@ internal sealed class FrameService : IDisposable
     /// <param name="place">Where the camera is.</param>
     /// <param name="form">Form of the answer.</param>
     /// <param name="client">Stops the work when the client goes away.</param>
+    /// <param name="room">bytes: left free before the content of each part.</param>
     public async Task<Answer> DrawAsync(
-        RequestedFrame requested, CameraSettings place, AnswerForm form, CancellationToken client)
+        RequestedFrame requested, CameraSettings place, AnswerForm form, CancellationToken client, int room = 0)
     {
         long start = Stopwatch.GetTimestamp();
         Answer answer = await RunAsync(
@@ -95,7 +96,7 @@ internal sealed class FrameService : IDisposable
             (session, threads, end) =>
             {
                 double waited = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
-                Answer drawn = Answers.Draw(session, session.Prepare(place, end), form, threads, end);
+                Answer drawn = Answers.Draw(session, session.Prepare(place, end), form, room, threads, end);
                 drawn.Times.Insert(0, ("wait", waited));
                 return drawn;
             },

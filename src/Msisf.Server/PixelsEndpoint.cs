@@ -1,10 +1,6 @@
 using System.Text.Json;
 using Microsoft.AspNetCore.Http;
-using Msisf.App.Rendering;
 using Msisf.App.Serving;
-using Msisf.Core.Camera;
-using Msisf.Core.Render;
-using Msisf.Core.Tracing;
 
 namespace Msisf.Server;
 
@@ -18,12 +14,12 @@ internal sealed class PixelsEndpoint(FrameService frames)
         using JsonDocument json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
         frames.CollectWarnings();
         PointsRequest request = PointsRequest.Read(json.RootElement, "pixels", ["x", "y"], needed: 2, frames);
-        RequestedFrame frame = request.Frame.IsTraceable ? request.Frame : request.Frame.WithTruth();
+        RequestedFrame frame = request.Frame;
         SurfaceReading?[] points = await frames.RunAsync(
             frame,
             (session, threads, end) => frame.IsTraceable
                 ? Traced(session, session.Prepare(frame.Place!, end), request.Points, end)
-                : Drawn(session, session.Prepare(frame.Place!, end), request.Points, threads, end),
+                : session.ReadDrawn(session.Prepare(frame.Place!, end), request.Points, threads, end),
             context.RequestAborted).ConfigureAwait(false);
         await JsonBody.SendAsync(context.Response, new { Points = points }).ConfigureAwait(false);
     }
@@ -36,24 +32,6 @@ internal sealed class PixelsEndpoint(FrameService frames)
         {
             cancellation.ThrowIfCancellationRequested();
             return truth.At(pixel[0], pixel[1]);
-        })];
-    }
-
-    /// <summary>Penumbras and smooth normals are known at the middle of each pixel.</summary>
-    private static SurfaceReading?[] Drawn(
-        RenderSession session, PreparedFrame frame, IReadOnlyList<double[]> pixels, int threads, CancellationToken cancellation)
-    {
-        using NativeImage image = session.Draw(frame, threads, cancellation);
-        IGroundTruth truth = image.ToRendered(Stream.Null).Truth!;
-        return [.. pixels.Select(pixel =>
-        {
-            FrameTruth.RequireInside(truth.Camera, pixel[0], pixel[1]);
-            int x = (int)Math.Round(pixel[0]);
-            int y = (int)Math.Round(pixel[1]);
-            Ray ray = truth.Camera.RayThrough(x, y);
-            return truth.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light)
-                ? SurfaceReading.Of(truth.Camera, ray, hit, light, truth.LightPositionMoonMe)
-                : null;
         })];
     }
 }

@@ -77,6 +77,15 @@ internal sealed class ServerMetrics(RenderQueue queue, RenderSessions sessions, 
         Gauge(text, "process_resident_memory_bytes", "Memory of the program.", process.WorkingSet64);
         Head(text, "process_cpu_seconds_total", "counter", "Processor time of the program.");
         text.Append(CultureInfo.InvariantCulture, $"process_cpu_seconds_total {process.TotalProcessorTime.TotalSeconds:R}\n");
+        Head(text, "dotnet_allocated_bytes_total", "counter", "Memory that .NET has given to the program so far.");
+        text.Append(CultureInfo.InvariantCulture, $"dotnet_allocated_bytes_total {GC.GetTotalAllocatedBytes()}\n");
+        Head(text, "dotnet_collections_total", "counter", "Garbage collections, of each generation with all below it.");
+        for (int generation = 0; generation <= GC.MaxGeneration; generation++)
+        {
+            int count = GC.CollectionCount(generation);
+            text.Append(CultureInfo.InvariantCulture, $"dotnet_collections_total{{generation=\"{generation}\"}} {count}\n");
+        }
+
         Gauge(text, "process_uptime_seconds", "Time since the server began.", clock.GetElapsedTime(_start).TotalSeconds);
         return text.ToString();
     }

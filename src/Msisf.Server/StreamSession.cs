@@ -15,12 +15,10 @@ internal sealed class StreamSession : IDisposable
     /// <summary>bytes: eight doubles.</summary>
     private const int StateLength = 64;
 
-
     /// <summary>bytes: with the six of a motion.</summary>
     private const int StateWithMotionLength = 112;
 
     private const int HeadLength = 16;
-    private const int LargestMessage = 1 << 16;
 
     /// <summary>Messages that are read ahead in lock-step.</summary>
     private const int Ahead = 16;
@@ -28,7 +26,7 @@ internal sealed class StreamSession : IDisposable
     private static ReadOnlySpan<byte> Magic => "MSIF"u8;
 
     private readonly FrameService _frames;
-    private readonly WebSocket _socket;
+    private readonly StreamSocket _socket;
     private readonly CancellationTokenSource _gone;
     private readonly CancellationToken _stopping;
     private JsonDocument? _opening;
@@ -37,10 +35,11 @@ internal sealed class StreamSession : IDisposable
     private JsonElement _base;
     private uint _number;
     private bool _isNewestOnly;
+    private bool _isTimed;
 
     public StreamSession(FrameService frames, WebSocket socket, CancellationToken aborted, CancellationToken stopping)
     {
-        (_frames, _socket, _stopping) = (frames, socket, stopping);
+        (_frames, _socket, _stopping) = (frames, new StreamSocket(socket, StateWithMotionLength), stopping);
         _gone = CancellationTokenSource.CreateLinkedTokenSource(aborted);
     }
 
@@ -49,9 +48,11 @@ internal sealed class StreamSession : IDisposable
     {
         try
         {
-            if (await ReceiveAsync(_gone.Token).ConfigureAwait(false) is not { } first || !await OpenAsync(first).ConfigureAwait(false))
+            if (await _socket.ReceiveAsync(_gone.Token).ConfigureAwait(false) is not { } first
+                || !await OpenAsync(first).ConfigureAwait(false))
             {
-                await CloseAsync(WebSocketCloseStatus.PolicyViolation, "the first message says the frame").ConfigureAwait(false);
+                await _socket.CloseAsync(WebSocketCloseStatus.PolicyViolation, "the first message says the frame", _gone.Token)
+                    .ConfigureAwait(false);
                 return;
             }
 
@@ -71,9 +72,10 @@ internal sealed class StreamSession : IDisposable
                 }
             }
 
-            await CloseAsync(
+            await _socket.CloseAsync(
                 _stopping.IsCancellationRequested ? WebSocketCloseStatus.EndpointUnavailable : WebSocketCloseStatus.NormalClosure,
-                "end").ConfigureAwait(false);
+                "end",
+                _gone.Token).ConfigureAwait(false);
             await reading.ConfigureAwait(false);
         }
         catch (Exception exception) when (exception is WebSocketException or OperationCanceledException)
@@ -99,21 +101,24 @@ internal sealed class StreamSession : IDisposable
         {
             _opening = JsonDocument.Parse(first.Bytes);
             IReadOnlyDictionary<string, JsonElement> members = JsonText.Members(_opening.RootElement);
-            if (members.Keys.FirstOrDefault(key => key is not ("frame" or "mode" or "format")) is { } unknown)
+            if (members.Keys.FirstOrDefault(key => key is not ("frame" or "mode" or "format" or "timing")) is { } unknown)
             {
-                throw new UsageException($"'{unknown}' is not known here; the first message has 'frame', 'mode' and 'format'.");
+                throw new UsageException($"'{unknown}' is not known here; the first message has 'frame', 'mode', 'format' and 'timing'.");
             }
 
             _isNewestOnly = WordOf(members, "mode", "lock-step", "newest-only") == "newest-only";
             _form = AnswerForm.Of(WordOf(members, "format", "u8", "png") == "png" ? AnswerForm.Png : AnswerForm.Raw);
+            _isTimed = FlagOf(members, "timing");
             _base = FrameOf(members);
             _frame = _frames.Read(_base, needsPlace: false);
-            await SendAsync(json =>
-            {
-                json.WriteBoolean("ready", true);
-                json.WriteNumber("width", _frame.Settings.Width);
-                json.WriteNumber("height", _frame.Settings.Height);
-            }).ConfigureAwait(false);
+            await _socket.SendAsync(
+                json =>
+                {
+                    json.WriteBoolean("ready", true);
+                    json.WriteNumber("width", _frame.Settings.Width);
+                    json.WriteNumber("height", _frame.Settings.Height);
+                },
+                _gone.Token).ConfigureAwait(false);
             return true;
         }
         catch (Exception exception) when (Problem.Of(exception) is not null)
@@ -132,15 +137,15 @@ internal sealed class StreamSession : IDisposable
             (RequestedFrame requested, CameraSettings place) = message.Type == WebSocketMessageType.Binary
                 ? (_frame!, PlaceOf(message.Bytes))
                 : ReadChanges(message.Bytes);
-            using Answer answer = await _frames.DrawAsync(requested, place, _form, _gone.Token).ConfigureAwait(false);
-            byte[] head = new byte[HeadLength];
-            Magic.CopyTo(head);
-            BinaryPrimitives.WriteUInt32LittleEndian(head.AsSpan(4), _number);
-            BinaryPrimitives.WriteUInt32LittleEndian(head.AsSpan(8), (uint)requested.Settings.Width);
-            BinaryPrimitives.WriteUInt32LittleEndian(head.AsSpan(12), (uint)requested.Settings.Height);
-            await _socket.SendAsync(head, WebSocketMessageType.Binary, endOfMessage: false, _gone.Token).ConfigureAwait(false);
-            await _socket.SendAsync(answer.Parts[0].Bytes, WebSocketMessageType.Binary, endOfMessage: true, _gone.Token)
-                .ConfigureAwait(false);
+            using Answer answer = await _frames.DrawAsync(requested, place, _form, _gone.Token, HeadLength).ConfigureAwait(false);
+            if (_isTimed)
+            {
+                await SendTimesAsync(answer.Times).ConfigureAwait(false);
+            }
+
+            AnswerPart image = answer.Parts[0];
+            WriteHead(image.Content.GetBuffer(), requested.Settings);
+            await _socket.SendAsync(image.Bytes, _gone.Token).ConfigureAwait(false);
         }
         catch (Exception exception) when (Problem.Of(exception) is not null)
         {
@@ -187,7 +192,7 @@ internal sealed class StreamSession : IDisposable
     {
         try
         {
-            while (await ReceiveAsync(_gone.Token).ConfigureAwait(false) is { } message)
+            while (await _socket.ReceiveAsync(_gone.Token).ConfigureAwait(false) is { } message)
             {
                 await messages.WriteAsync(message, _gone.Token).ConfigureAwait(false);
             }
@@ -201,73 +206,51 @@ internal sealed class StreamSession : IDisposable
         }
     }
 
-    /// <summary>The next message; null if the client closes, or sends more than a message may hold.</summary>
-    private async Task<StreamMessage?> ReceiveAsync(CancellationToken cancellation)
+    private void WriteHead(Span<byte> message, RenderSettings settings)
     {
-        byte[] buffer = new byte[StateWithMotionLength];
-        int length = 0;
-        while (true)
-        {
-            ValueWebSocketReceiveResult part = await _socket.ReceiveAsync(buffer.AsMemory(length), cancellation).ConfigureAwait(false);
-            length += part.Count;
-            if (part.MessageType == WebSocketMessageType.Close)
-            {
-                return null;
-            }
-
-            if (part.EndOfMessage)
-            {
-                return new StreamMessage(part.MessageType, buffer[..length]);
-            }
-
-            if (length == LargestMessage)
-            {
-                await CloseAsync(WebSocketCloseStatus.MessageTooBig, $"a message has {LargestMessage} bytes at most").ConfigureAwait(false);
-                return null;
-            }
-
-            if (length == buffer.Length)
-            {
-                Array.Resize(ref buffer, Math.Min(LargestMessage, 4 * buffer.Length));
-            }
-        }
+        Magic.CopyTo(message);
+        BinaryPrimitives.WriteUInt32LittleEndian(message[4..], _number);
+        BinaryPrimitives.WriteUInt32LittleEndian(message[8..], (uint)settings.Width);
+        BinaryPrimitives.WriteUInt32LittleEndian(message[12..], (uint)settings.Height);
     }
 
-    private Task SendErrorAsync(Exception exception, uint? number) => SendAsync(json =>
-    {
-        if (number is { } known)
+    /// <summary>Says before an image how many ms it waited, and took to draw and to write.</summary>
+    private Task SendTimesAsync(IReadOnlyList<(string Name, double Milliseconds)> times) => _socket.SendAsync(
+        json =>
         {
-            json.WriteNumber("number", known);
-        }
+            json.WriteNumber("number", _number);
+            foreach ((string name, double milliseconds) in times)
+            {
+                json.WriteNumber(name, milliseconds);
+            }
+        },
+        _gone.Token);
 
-        json.WriteString("error", Problem.Of(exception)!.Detail);
-    });
-
-    private async Task SendAsync(Action<Utf8JsonWriter> write)
-    {
-        using MemoryStream stream = new();
-        using (Utf8JsonWriter json = new(stream, JsonBody.Writing))
+    private Task SendErrorAsync(Exception exception, uint? number) => _socket.SendAsync(
+        json =>
         {
-            json.WriteStartObject();
-            write(json);
-            json.WriteEndObject();
-        }
+            if (number is { } known)
+            {
+                json.WriteNumber("number", known);
+            }
 
-        await _socket.SendAsync(stream.ToArray(), WebSocketMessageType.Text, endOfMessage: true, _gone.Token).ConfigureAwait(false);
-    }
-
-    private async Task CloseAsync(WebSocketCloseStatus status, string reason)
-    {
-        if (_socket.State is WebSocketState.Open or WebSocketState.CloseReceived)
-        {
-            await _socket.CloseOutputAsync(status, reason, _gone.Token).ConfigureAwait(false);
-        }
-    }
+            json.WriteString("error", Problem.Of(exception)!.Detail);
+        },
+        _gone.Token);
 
     private static JsonElement FrameOf(IReadOnlyDictionary<string, JsonElement> members) =>
         members.TryGetValue("frame", out JsonElement frame)
             ? frame
             : throw new UsageException("the first message has no 'frame', the options of the images.");
+
+    private static bool FlagOf(IReadOnlyDictionary<string, JsonElement> members, string name) =>
+        members.TryGetValue(name, out JsonElement value)
+        && value.ValueKind switch
+        {
+            JsonValueKind.True => true,
+            JsonValueKind.False => false,
+            _ => throw new UsageException($"'{name}' is {JsonText.Shown(value)}; true or false is needed."),
+        };
 
     private static string WordOf(IReadOnlyDictionary<string, JsonElement> members, string name, params string[] words)
     {

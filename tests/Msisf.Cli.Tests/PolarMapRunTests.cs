@@ -5,7 +5,7 @@ using Xunit;
 namespace Msisf.Cli.Tests;
 
 /// <summary>A polar map from its making to its image, as a user has it.</summary>
-public sealed class PolarMapRunTests : IDisposable
+public sealed class PolarMapRunTests(PolarMapRunTests.Map map) : IClassFixture<PolarMapRunTests.Map>, IDisposable
 {
     private const string View = "--fixed-state {51544.5,0,0,-1.9E6,0,0.7071067811865476,0,0.7071067811865476} --ignore-sun --batch "
         + "--width 40 --height 40 --fov 20";
@@ -17,11 +17,10 @@ public sealed class PolarMapRunTests : IDisposable
     [Fact]
     public void Run_SyntheticPolarMap_IsDrawn()
     {
-        string label = Synthesize();
-        Assert.Equal("LDEM_80S_10000M_SYNTHETIC.LBL", Path.GetFileName(label));
+        Assert.Equal("LDEM_80S_10000M_SYNTHETIC.LBL", Path.GetFileName(map.Label));
 
         CommandLineRun run = CommandLineRun.Of(
-            [.. View.Split(' '), "--renderer", "native", "--ldem", label, "--surface", "terrain", "--gridH", "13", "--gridV", "13",
+            [.. View.Split(' '), "--renderer", "native", "--ldem", map.Label, "--surface", "terrain", "--gridH", "13", "--gridV", "13",
                 "--output-dir", _folder["out"], "--output-name", "pole"]);
 
         Assert.Equal((0, string.Empty), (run.ExitCode, run.ExitCode == 0 ? string.Empty : run.Error));
@@ -39,7 +38,7 @@ public sealed class PolarMapRunTests : IDisposable
     public void Run_WhatAMapCannot_IsRefused(string options, int exitCode, string message)
     {
         CommandLineRun run = CommandLineRun.Of(
-            [.. View.Split(' '), .. options.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--ldem", Synthesize(), "--output-dir",
+            [.. View.Split(' '), .. options.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--ldem", map.Label, "--output-dir",
                 _folder["out"]]);
         Assert.Equal(exitCode, run.ExitCode);
         Assert.Contains(message, run.Error, StringComparison.Ordinal);
@@ -51,17 +50,28 @@ public sealed class PolarMapRunTests : IDisposable
     [InlineData("ldem synthesize --res 8 --seed 1 --base")]
     public void Run_CommandsOfWholeMoons_RefuseAMap(string command)
     {
-        CommandLineRun run = CommandLineRun.Of([.. command.Split(' '), Synthesize()]);
+        CommandLineRun run = CommandLineRun.Of([.. command.Split(' '), map.Label]);
         Assert.Equal(2, run.ExitCode);
         Assert.Contains("a SIMPLE CYLINDRICAL model of the whole Moon is needed here", run.Error, StringComparison.Ordinal);
     }
 
-    private string Synthesize()
+    /// <summary>The map, made once for all tests.</summary>
+    public sealed class Map : IDisposable
     {
-        CommandLineRun made = CommandLineRun.Of(
-            ["ldem", "synthesize", "--projection", "polar-south", "--map-scale", "10000", "--seed", "1", "--output-dir",
-                _folder["model"], "--batch"]);
-        Assert.True(made.ExitCode == 0, made.Error);
-        return made.Output.Trim();
+        private readonly TemporaryFolder _folder = new();
+
+        public Map()
+        {
+            CommandLineRun made = CommandLineRun.Of(
+                ["ldem", "synthesize", "--projection", "polar-south", "--map-scale", "10000", "--seed", "1", "--output-dir",
+                    _folder.Path, "--batch"]);
+            Assert.True(made.ExitCode == 0, made.Error);
+            Label = made.Output.Trim();
+        }
+
+        /// <summary>Path of its label.</summary>
+        public string Label { get; }
+
+        public void Dispose() => _folder.Dispose();
     }
 }

@@ -7,11 +7,21 @@ namespace Msisf.Cli.Tests;
 
 public sealed class PyramidCommandTests : IDisposable
 {
+    private static readonly Lazy<(byte[] Label, byte[] Image)> Model = new(() =>
+    {
+        using TemporaryFolder folder = new();
+        string label = SyntheticLdemWriter.Write(new SyntheticLdemOptions(4, Seed: 1, folder.Path), null, CancellationToken.None);
+        return (File.ReadAllBytes(label), File.ReadAllBytes(Path.ChangeExtension(label, ".IMG")));
+    });
+
     private readonly TemporaryFolder _folder = new();
     private readonly string _label;
 
-    public PyramidCommandTests() =>
-        _label = SyntheticLdemWriter.Write(new SyntheticLdemOptions(4, Seed: 1, _folder.Path), null, CancellationToken.None);
+    public PyramidCommandTests()
+    {
+        _label = _folder.Write("LDEM_4_SYNTHETIC.LBL", Model.Value.Label);
+        _folder.Write("LDEM_4_SYNTHETIC.IMG", Model.Value.Image);
+    }
 
     private string Sidecar => Path.ChangeExtension(_label, ".pyramid");
 

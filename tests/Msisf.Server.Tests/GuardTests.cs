@@ -1,7 +1,10 @@
 using System.Net;
 using System.Net.Http.Headers;
+using System.Net.NetworkInformation;
 using System.Net.Sockets;
 using System.Net.WebSockets;
+using System.Security.Cryptography;
+using System.Security.Cryptography.X509Certificates;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
@@ -68,6 +71,65 @@ public sealed class GuardTests(RunningServer server) : IClassFixture<RunningServ
         Assert.Equal(HttpStatusCode.OK, await StatusAsync(guarded, new("Basic", pair)));
         Assert.Equal(HttpStatusCode.OK, (await guarded.Client.GetAsync("/healthz")).StatusCode);
         await guarded.DisposeAsync();
+    }
+
+    /// <summary>Whoever reaches the server over the network needs the token, and is served with it.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task AddressOfTheNetwork_NeedsTheToken()
+    {
+        using TemporaryFolder folder = new();
+        using RunningServer guarded = await RunningServer.StartAsync(
+            (ServeOptions.Listen, "0.0.0.0:0"), (ServeOptions.TokenFile, folder.Write("token", Token + "\n")));
+        IPAddress own = NetworkInterface.GetAllNetworkInterfaces()
+            .SelectMany(network => network.GetIPProperties().UnicastAddresses).Select(address => address.Address)
+            .FirstOrDefault(address => address.AddressFamily == AddressFamily.InterNetwork && !IPAddress.IsLoopback(address))
+            ?? IPAddress.Parse("127.0.0.2"); // a computer without a network
+        guarded.Client.BaseAddress = new Uri($"http://{own}:{new Uri(guarded.Address).Port}");
+
+        Assert.Equal(HttpStatusCode.Unauthorized, await StatusAsync(guarded, null));
+        Assert.Equal(HttpStatusCode.OK, await StatusAsync(guarded, new("Bearer", Token)));
+        await guarded.DisposeAsync();
+    }
+
+    /// <summary>Requests and streams over TLS, with a certificate that is made here.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task Tls_AnswersWithTheCertificate_AlsoWebSockets()
+    {
+        using TemporaryFolder folder = new();
+        using ECDsa key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
+        CertificateRequest wanted = new("CN=moon.test", key, HashAlgorithmName.SHA256);
+        using X509Certificate2 certificate = wanted.CreateSelfSigned(DateTimeOffset.UtcNow.AddDays(-1), DateTimeOffset.UtcNow.AddDays(1));
+        using RunningServer secure = await RunningServer.StartAsync(
+            (ServeOptions.Certificate, folder.Write("cert.pem", certificate.ExportCertificatePem())),
+            (ServeOptions.CertificateKey, folder.Write("key.pem", key.ExportPkcs8PrivateKeyPem())));
+        string? seen = null;
+        using SocketsHttpHandler handler = new();
+        handler.SslOptions.RemoteCertificateValidationCallback = (_, shown, _, _) =>
+            (seen = shown!.GetCertHashString()) == certificate.GetCertHashString();
+        using HttpClient client = new(handler);
+        using ClientWebSocket socket = new();
+        socket.Options.SetRequestHeader("Origin", secure.Address);
+
+        Assert.StartsWith("https://", secure.Address, StringComparison.Ordinal);
+        Assert.Equal("ok\n", await client.GetStringAsync(new Uri($"{secure.Address}/healthz")));
+        Assert.Equal(certificate.GetCertHashString(), seen);
+        await Assert.ThrowsAsync<HttpRequestException>(() => secure.Client.GetStringAsync(new Uri("/healthz", UriKind.Relative)));
+        await socket.ConnectAsync(
+            new Uri($"{secure.Address.Replace("https", "wss", StringComparison.Ordinal)}/v1/stream"), client, CancellationToken.None);
+        Assert.Equal(WebSocketState.Open, socket.State);
+        await secure.DisposeAsync();
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task WrongCertificate_IsRefused_ByItsName()
+    {
+        using TemporaryFolder folder = new();
+        string certificate = folder.Write("cert.pem", "no certificate\n");
+
+        BadInputException exception = await Assert.ThrowsAsync<BadInputException>(() => RunningServer.StartAsync(
+            (ServeOptions.Certificate, certificate), (ServeOptions.CertificateKey, folder.Write("key.pem", "no key\n"))));
+
+        Assert.Contains($"--tls-certificate {certificate}", exception.Message, StringComparison.Ordinal);
     }
 
     [RequiresFact(Part.Ldem4)]

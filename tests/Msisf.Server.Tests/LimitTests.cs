@@ -72,7 +72,7 @@ public sealed class LimitTests
     public async Task EndOfInput_FinishesWhatRuns()
     {
         using RunningServer server = await RunningServer.StartAsync((ServeOptions.TimeLimit, "600"));
-        string frame = $"{{{RunningServer.SmallFrame.Replace("64", "512", StringComparison.Ordinal)}, \"samples\": 256}}";
+        string frame = $"{{{RunningServer.SmallFrame.Replace("64", "512", StringComparison.Ordinal)}, \"samples\": 64}}";
         Task<HttpResponseMessage> running = server.PostAsync("/v1/render", frame);
         await WaitForAsync(server, "msisf_running 1");
 

@@ -1,13 +1,20 @@
+using System.Collections.Concurrent;
+using System.Diagnostics;
 using System.Net.Sockets;
+using System.Net.WebSockets;
 using System.Text;
 using Msisf.TestSupport;
 using Xunit;
+using Xunit.Abstractions;
 
 namespace Msisf.Server.Tests;
 
 /// <summary>Requests that are torn, twisted or huge are refused, and the server goes on.</summary>
-public sealed class MalformedRequestTests(RunningServer server) : IClassFixture<RunningServer>
+public sealed class MalformedRequestTests(RunningServer server, ITestOutputHelper output) : IClassFixture<RunningServer>
 {
+    /// <summary>Clients that send malformed requests at once.</summary>
+    private const int Fuzzers = 4;
+
     private static readonly string[] Sources =
     [
         """{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "width": 8, "height": 6, "fov": 40, "model": "LDEM_4"}""",
@@ -33,26 +40,68 @@ public sealed class MalformedRequestTests(RunningServer server) : IClassFixture<
         "*/*",
     ];
 
-    /// <summary>Each answer is the request's own fault or the image; none is the server's.</summary>
+    /// <summary>
+    /// Each answer is the request's own fault or the image; none is the server's. Another client meanwhile gets all its images.
+    /// </summary>
     [RequiresFact(Part.Ldem4)]
-    public async Task TwistedJson_IsNeverAnErrorOfTheServer()
+    public async Task TwistedJson_IsNeverAnErrorOfTheServer_AndKeepsNobodyWaiting()
     {
-        Random random = new(20261122);
-        int requests = TestLength.Of(everyDay: 1_000, longForm: 100_000);
-        Dictionary<int, int> statuses = [];
-        for (int i = 0; i < requests; i++)
+        int requests = TestLength.Of(everyDay: 400, longForm: 100_000);
+        ConcurrentDictionary<int, int> statuses = [];
+        using CancellationTokenSource end = new();
+        Task<List<double>> other = DrawUntilAsync(end.Token);
+        await Task.WhenAll(Enumerable.Range(0, Fuzzers).Select(async fuzzer =>
         {
-            string source = Sources[random.Next(Sources.Length)];
-            string json = random.Next(4) == 0 ? source : Twist(source, random);
-            using HttpResponseMessage answer = await Within.Seconds(
-                60.0, json, server.PostAsync(Paths[random.Next(Paths.Length)], json, Accepts[random.Next(Accepts.Length)]));
-            int status = (int)answer.StatusCode;
-            statuses[status] = statuses.GetValueOrDefault(status) + 1;
-            Assert.True(status is 200 or 400 or 406 or 413 or 422, $"{status} for {json}: {await answer.Content.ReadAsStringAsync()}");
-        }
+            Random random = new(20261122 + fuzzer);
+            for (int i = 0; i < requests / Fuzzers; i++)
+            {
+                string source = Sources[random.Next(Sources.Length)];
+                string json = random.Next(4) == 0 ? source : Twist(source, random);
+                using HttpResponseMessage answer = await Within.Seconds(
+                    60.0, json, server.PostAsync(Paths[random.Next(Paths.Length)], json, Accepts[random.Next(Accepts.Length)]));
+                int status = (int)answer.StatusCode;
+                statuses.AddOrUpdate(status, 1, (_, count) => count + 1);
+                Assert.True(status is 200 or 400 or 406 or 413 or 422, $"{status} for {json}: {await answer.Content.ReadAsStringAsync()}");
+            }
+        }));
+        await end.CancelAsync();
+        double[] times = [.. (await other).Order()];
 
         Assert.True(statuses.GetValueOrDefault(400) > requests / 10, "hardly a request was wrong");
         Assert.True(statuses.GetValueOrDefault(200) > requests / 20, "hardly a request was right");
+        Assert.DoesNotContain("a bug in msis", server.Log, StringComparison.Ordinal);
+        output.WriteLine(string.Join(", ", statuses.OrderBy(pair => pair.Key).Select(pair => $"{pair.Value} x {pair.Key}")));
+        output.WriteLine(FormattableString.Invariant(
+            $"{times.Length} images meanwhile: median {times[times.Length / 2]:F1} ms, slowest {times[^1]:F1} ms"));
+    }
+
+    /// <summary>Twisted messages of a stream are answered, or end it; the server goes on.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task TwistedMessages_AreAnswered_OrEndTheStream()
+    {
+        Random random = new(20261124);
+        int streams = TestLength.Of(everyDay: 40, longForm: 10_000);
+        string first = $"{{\"frame\": {Sources[0]}, \"mode\": \"lock-step\", \"format\": \"u8\"}}";
+        int answers = 0;
+        for (int i = 0; i < streams; i++)
+        {
+            using ClientWebSocket socket = new();
+            await socket.ConnectAsync(new Uri($"{server.Address.Replace("http", "ws", StringComparison.Ordinal)}/v1/stream"), default);
+            await SendAsync(socket, random.Next(2) == 0 ? Twist(first, random) : first);
+            for (int message = 0; message < 4 && await AnswersAsync(socket); message++)
+            {
+                answers++;
+                byte[] state = new byte[random.Next(3) == 0 ? random.Next(200) : 64];
+                random.NextBytes(state);
+                await (random.Next(2) == 0
+                    ? socket.SendAsync(state, WebSocketMessageType.Binary, true, default)
+                    : SendAsync(socket, Twist(Sources[random.Next(3)], random)));
+            }
+        }
+
+        Assert.True(answers > streams, $"{answers} answers of {streams} streams");
+        using HttpResponseMessage answer = await Within.Seconds(60.0, "an answer", server.PostAsync("/v1/render", Sources[0]));
+        Assert.True(answer.IsSuccessStatusCode);
         Assert.DoesNotContain("a bug in msis", server.Log, StringComparison.Ordinal);
     }
 
@@ -103,6 +152,38 @@ public sealed class MalformedRequestTests(RunningServer server) : IClassFixture<
 
         Assert.True(answer.IsSuccessStatusCode);
         slow.ForEach(client => client.Dispose());
+    }
+
+    /// <summary>ms of each image of a client that does nothing wrong.</summary>
+    private async Task<List<double>> DrawUntilAsync(CancellationToken end)
+    {
+        List<double> times = [];
+        do
+        {
+            long start = Stopwatch.GetTimestamp();
+            await server.RenderAsync(RunningServer.SmallFrame);
+            times.Add(Stopwatch.GetElapsedTime(start).TotalMilliseconds);
+        }
+        while (!end.IsCancellationRequested);
+
+        return times;
+    }
+
+    private static Task SendAsync(ClientWebSocket socket, string json) =>
+        socket.SendAsync(Encoding.UTF8.GetBytes(json), WebSocketMessageType.Text, true, default);
+
+    /// <summary>Reads an answer; false if the server ends the stream.</summary>
+    private static async Task<bool> AnswersAsync(ClientWebSocket socket)
+    {
+        byte[] buffer = new byte[1 << 16];
+        WebSocketReceiveResult part;
+        do
+        {
+            part = await Within.Seconds(60.0, "an answer of the stream", socket.ReceiveAsync(buffer, default));
+        }
+        while (!part.EndOfMessage);
+
+        return part.MessageType != WebSocketMessageType.Close;
     }
 
     /// <summary>Cuts, doubles or replaces parts of a request.</summary>

@@ -39,6 +39,38 @@ public sealed class PixelTests(RunningServer server) : IClassFixture<RunningServ
         }
     }
 
+    /// <summary>Of a few pixels only the parts of the image around them are drawn; that changes no number.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("\"width\": 480, \"height\": 320, \"fov\": 50, \"samples\": 4")]
+    [InlineData(
+        "\"camera\": {\"width\": 480, \"height\": 320, \"focal-length-px\": 450, \"distortion\": {\"model\": \"opencv\", \"k1\": -0.1}}")]
+    public async Task PixelsOneByOne_AreThose_OfTheWholeImage(string camera)
+    {
+        string frame = $$"""
+            "position": [-20, 42, 150000], "time": 55289.25, "off-nadir": [10, 30], "sun": "disc", "shading": "smooth", {{camera}}
+            """;
+        string[] pixels = [.. Enumerable.Range(0, 48).Select(
+            i => FormattableString.Invariant($"[{1 + (i % 8 * 65)}, {1 + (i / 8 * 60)}]"))];
+
+        JsonElement[] whole = await AskAsync("pixels", frame, string.Join(", ", pixels), "points");
+
+        Assert.Contains(whole, point => point.ValueKind == JsonValueKind.Object && point.GetProperty("lit").GetString() == "penumbra");
+        for (int i = 0; i < pixels.Length; i += 3)
+        {
+            JsonElement alone = (await AskAsync("pixels", frame, pixels[i], "points"))[0];
+            Assert.Equal(whole[i].ValueKind, alone.ValueKind);
+            foreach (JsonProperty number in whole[i].EnumerateObject().Where(member => member.Value.ValueKind == JsonValueKind.Number))
+            {
+                double other = alone.GetProperty(number.Name).GetDouble();
+                double rounding = AsExactAsTheMetaFile * Math.Max(1.0, Math.Abs(other));
+                Assert.True(
+                    Math.Abs(number.Value.GetDouble() - other) <= rounding, $"{pixels[i]}: {number.Name} {number.Value}, alone {other}");
+            }
+
+            Assert.Equal(whole[i].GetProperty("facet").GetRawText(), alone.GetProperty("facet").GetRawText());
+        }
+    }
+
     /// <summary>A pixel that is asked for by its place is found again.</summary>
     [RequiresFact(Part.Ldem4)]
     public async Task Points_LeadBack_ToTheirPixels()

@@ -46,6 +46,22 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
             answer[16..]);
     }
 
+    /// <summary>With "timing" the times of an image come before it.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task Timing_TellsOfEachImage_WhatItTook()
+    {
+        using ClientWebSocket socket = await OpenAsync($"{{\"frame\": {{{RunningServer.SmallFrame}}}, \"timing\": true}}");
+
+        for (int number = 1; number <= 2; number++)
+        {
+            await SendAsync(socket, State);
+            JsonElement times = JsonDocument.Parse((await ReceiveAsync(socket)).Bytes).RootElement;
+            Assert.Equal(number, times.GetProperty("number").GetInt32());
+            Assert.True(times.GetProperty("draw").GetDouble() > 0.0);
+            Assert.Equal(WebSocketMessageType.Binary, (await ReceiveAsync(socket)).Type);
+        }
+    }
+
     /// <summary>A request that fails leaves the session usable.</summary>
     [RequiresTheory(Part.Ldem4)]
     [InlineData("{\"fov\": 500, \"number\": 3}", "--fov is 500", 3u)]
@@ -96,7 +112,7 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
     public async Task NewestOnly_LeavesStatesOut_ButNotTheLast()
     {
         using ClientWebSocket socket = await OpenAsync(
-            """{"frame": {"width": 512, "height": 512, "samples": 9}, "mode": "newest-only"}""");
+            """{"frame": {"width": 256, "height": 256, "samples": 9}, "mode": "newest-only"}""");
         for (int i = 1; i <= 50; i++)
         {
             await SendAsync(socket, $"{{\"number\": {i}, \"fixed-state\": [55289, 1.9e6, 0, 0, 0, 0, 0, 1]}}");
@@ -116,12 +132,12 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
     [RequiresFact(Part.Ldem4)]
     public async Task FourClients_AreServedAlike()
     {
-        const int images = 40;
+        const int images = 20;
         int[] counts = new int[4];
         int[]? whenFirstEnded = null;
         await Task.WhenAll(Enumerable.Range(0, counts.Length).Select(client => Task.Run(async () =>
         {
-            using ClientWebSocket socket = await OpenAsync("""{"frame": {"width": 256, "height": 256}}""");
+            using ClientWebSocket socket = await OpenAsync("""{"frame": {"width": 128, "height": 128}}""");
             for (int i = 0; i < images; i++)
             {
                 await SendAsync(socket, State);

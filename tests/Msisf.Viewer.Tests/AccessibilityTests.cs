@@ -32,8 +32,11 @@ public class AccessibilityTests(Chromium chromium, ViewerServer server)
                 await viewer.Page.EvaluateAsync<int>("part => document.querySelector(part).scrollWidth", part));
         }
 
-        await viewer.Page.ClickAsync("#help-open");
-        AssertNothingFound(await viewer.Page.Locator("#help").RunAxe());
+        if (width < 1000)
+        {
+            await viewer.Page.ClickAsync("#help-open"); // of one size in all windows
+            AssertNothingFound(await viewer.Page.Locator("#help").RunAxe());
+        }
     }
 
     private static void AssertNothingFound(AxeResult result)

@@ -25,7 +25,7 @@ public class DocumentationTests(Chromium chromium, ViewerServer server)
         await viewer.PointAsync(520, 450);
         await viewer.Page.Mouse.DownAsync();
         await viewer.Page.Mouse.UpAsync();
-        await viewer.Page.WaitForFunctionAsync("() => document.getElementById('between').textContent.startsWith('From A to B')");
+        await viewer.WaitAsync("() => document.getElementById('between').textContent.startsWith('From A to B')");
         await viewer.PointAsync(330, 480);
         await TakeAsync(viewer, "viewer.png");
 

@@ -10,6 +10,26 @@ public class FrameTests(Chromium chromium, ViewerServer server)
 {
     private const string Small = "samples=1&fit=false&width=96&height=64";
 
+    /// <summary>How the picture differs from one that was read before.</summary>
+    private const string DifferenceOfPixels = """
+        async stored => {
+            const bytesOf = source => {
+                const canvas = document.createElement('canvas');
+                [canvas.width, canvas.height] = [source.width, source.height];
+                canvas.getContext('2d').drawImage(source, 0, 0);
+                return canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+            };
+            const before = new Image();
+            before.src = stored;
+            await before.decode();
+            const now = document.getElementById('image');
+            const [a, b] = [bytesOf(before), bytesOf(now)];
+            const most = a.reduce((most, value, index) => Math.max(most, Math.abs(value - (b[index] ?? -1))), 0);
+            return most === 0 && a.length === b.length ? 'equal'
+                : `${before.width} x ${before.height} before, ${now.width} x ${now.height} now, up to ${most} levels apart`;
+        }
+        """;
+
     [RequiresFact(Part.Chromium, Part.Ldem4, Part.Cairo)]
     public async Task FinishedFolder_StepAnnotateAndDrawAnew_ShowsItsImagesAndMetaFiles()
     {
@@ -23,7 +43,7 @@ public class FrameTests(Chromium chromium, ViewerServer server)
 
         await viewer.Page.ClickAsync("#frame-after");
         await StatusAsync(viewer, "Stored image of frame 2: 96 × 64.");
-        await viewer.Page.WaitForFunctionAsync("() => document.getElementById('meta').textContent.includes('55289.25')");
+        await viewer.WaitAsync("() => document.getElementById('meta').textContent.includes('55289.25')");
         Assert.NotEqual(stored, await PixelsAsync(viewer));
         string meta = (await viewer.Page.TextContentAsync("#meta"))!;
         Assert.Contains("--fixed-state '{55289.25,2000000,0,0,0,0,0,1}'", meta, StringComparison.Ordinal);
@@ -35,7 +55,13 @@ public class FrameTests(Chromium chromium, ViewerServer server)
         await viewer.Page.CheckAsync("input[value=annotated]");
         await StatusAsync(viewer, "Stored annotated image of frame 1: 96 × 64.");
         await viewer.MoveAsync(() => viewer.Page.CheckAsync("input[value=drawn]"));
-        await viewer.Page.WaitForFunctionAsync("stored => document.getElementById('image').toDataURL() === stored", stored);
+        Assert.Equal("equal", await viewer.Page.EvaluateAsync<string>(DifferenceOfPixels, stored));
+        Assert.Equal("smooth", await viewer.Page.InputValueAsync("#shading"));
+        Assert.Contains("--transfer linear", await viewer.CopiedAsync("copy-command"), StringComparison.Ordinal);
+
+        await viewer.MoveAsync(() => viewer.Page.ClickAsync("#frames-close"));
+        Assert.Equal("facet", await viewer.Page.InputValueAsync("#shading"));
+        Assert.DoesNotContain("--transfer", await viewer.CopiedAsync("copy-command"), StringComparison.Ordinal);
     }
 
     [RequiresFact(Part.Chromium, Part.Ldem4)]
@@ -49,7 +75,7 @@ public class FrameTests(Chromium chromium, ViewerServer server)
         await viewer.MoveAsync(() => viewer.Page.SetInputFilesAsync("#batch-file", batch));
         Assert.Equal(262.6, await viewer.NumberAsync("altitude"), 1e-3);
         await viewer.Page.ClickAsync("#frame-play");
-        await viewer.Page.WaitForFunctionAsync("() => document.getElementById('frame-label').textContent.startsWith('3 of 3')");
+        await viewer.WaitAsync("() => document.getElementById('frame-label').textContent.startsWith('3 of 3')");
         await viewer.MoveAsync(() => viewer.Page.ClickAsync("#frame-play"));
 
         Assert.Equal("Play", await viewer.Page.TextContentAsync("#frame-play"));
@@ -80,7 +106,7 @@ public class FrameTests(Chromium chromium, ViewerServer server)
         for (int step = 0; step < 3; step++)
         {
             await viewer.MoveAsync(() => viewer.Page.ClickAsync("#time-steps button:last-child"));
-            await viewer.Page.WaitForFunctionAsync(
+            await viewer.WaitAsync(
                 "count => document.getElementById('record').textContent === `Stop recording (${count})`", step + 2);
         }
 
@@ -100,7 +126,7 @@ public class FrameTests(Chromium chromium, ViewerServer server)
     }
 
     private static async Task StatusAsync(ViewerPage viewer, string text) =>
-        await viewer.Page.WaitForFunctionAsync("text => document.getElementById('status').textContent === text", text);
+        await viewer.WaitAsync("text => document.getElementById('status').textContent === text", text);
 
     private static Task<string> PixelsAsync(ViewerPage viewer) =>
         viewer.Page.EvaluateAsync<string>("document.getElementById('image').toDataURL()");

@@ -53,9 +53,9 @@ public class LayerTests(Chromium chromium, ViewerServer server)
         string before = await OverlayAsync(viewer);
 
         await viewer.Page.SelectOptionAsync("#catalogue", "craters.csv");
-        await viewer.Page.WaitForFunctionAsync("before => document.getElementById('overlay').toDataURL() !== before", before);
+        await viewer.WaitAsync("before => document.getElementById('overlay').toDataURL() !== before", before);
         await viewer.Page.SelectOptionAsync("#catalogue", string.Empty);
-        await viewer.Page.WaitForFunctionAsync("before => document.getElementById('overlay').toDataURL() === before", before);
+        await viewer.WaitAsync("before => document.getElementById('overlay').toDataURL() === before", before);
     }
 
     [RequiresFact(Part.Chromium, Part.Ldem4)]
@@ -74,8 +74,8 @@ public class LayerTests(Chromium chromium, ViewerServer server)
         Assert.Equal("inset(0px 75% 0px 0px)", await viewer.Page.EvaluateAsync<string>("document.getElementById('other').style.clipPath"));
         await viewer.Page.FocusAsync("#stage");
         await viewer.Page.Keyboard.PressAsync("b");
-        await viewer.Page.WaitForFunctionAsync("() => document.getElementById('other').hidden");
-        await viewer.Page.WaitForFunctionAsync("() => !document.getElementById('other').hidden");
+        await viewer.WaitAsync("() => document.getElementById('other').hidden");
+        await viewer.WaitAsync("() => !document.getElementById('other').hidden");
         await viewer.Page.ClickAsync("#compare-clear");
         Assert.True(await viewer.Page.IsHiddenAsync("#other"));
         Assert.Equal("false", await viewer.Page.GetAttributeAsync("#blink", "aria-pressed"));

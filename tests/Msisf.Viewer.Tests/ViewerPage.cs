@@ -41,13 +41,28 @@ internal sealed class ViewerPage : IAsyncDisposable
     }
 
     /// <summary>Waits until the picture is there in full size with all its samples.</summary>
-    public Task AtRestAsync() => Page.WaitForFunctionAsync(
+    public Task AtRestAsync() => WaitAsync(
         """
         () => {
             const samples = document.getElementById('samples').value;
             return new RegExp(`^At rest:.* ${samples} samples? a pixel`).test(document.getElementById('status').textContent);
         }
         """);
+
+    /// <summary>Waits until a condition holds in the page; if it never does, says how the page stands.</summary>
+    public async Task WaitAsync(string condition, object? argument = null)
+    {
+        try
+        {
+            await Page.WaitForFunctionAsync(condition, argument);
+        }
+        catch (TimeoutException exception)
+        {
+            string page = await Page.EvaluateAsync<string>(
+                "['status', 'notice', 'frame-label', 'readings'].map(id => `${id}: ${document.getElementById(id).innerText}`).join('\\n')");
+            throw new TimeoutException($"{condition.Trim()}\nof {argument} does not hold; the page has\n{page}", exception);
+        }
+    }
 
     /// <summary>Does something that moves the camera, and waits until the new picture is at rest.</summary>
     public async Task MoveAsync(Func<Task> move)
@@ -63,7 +78,7 @@ internal sealed class ViewerPage : IAsyncDisposable
         LocatorBoundingBoxResult box = (await Page.Locator("#picture").BoundingBoxAsync())!;
         double scale = box.Width / await NumberAsync("width");
         await Page.Mouse.MoveAsync((float)(box.X + ((x - 0.5) * scale)), (float)(box.Y + ((y - 0.5) * scale)));
-        await Page.WaitForFunctionAsync(
+        await WaitAsync(
             "text => document.querySelector('[data-row=Pixel][data-column=here]').textContent === text",
             string.Create(CultureInfo.InvariantCulture, $"{x}, {y}"));
     }
@@ -82,6 +97,13 @@ internal sealed class ViewerPage : IAsyncDisposable
         await ShowAllAsync();
         IDownload download = await Page.RunAndWaitForDownloadAsync(() => Page.ClickAsync($"#{button}"));
         return await File.ReadAllBytesAsync((await download.PathAsync())!);
+    }
+
+    /// <summary>The text that a button copies.</summary>
+    public async Task<string> CopiedAsync(string button)
+    {
+        await Page.ClickAsync($"#{button}");
+        return await Page.InputValueAsync("#copied");
     }
 
     /// <summary>Opens all sections of the panel.</summary>

@@ -29,9 +29,12 @@ public sealed class ViewerServer : IDisposable
     /// <summary>The finished folder.</summary>
     public string Run => Path.Combine(Folder, "run");
 
-    /// <summary>The options of the folder's frames.</summary>
+    /// <summary>The options of the folder's frames, some other than the page's own.</summary>
     public static IReadOnlyList<string> OptionsOfRun { get; } =
-        ["--renderer", "native", "--width", "96", "--height", "64", "--fov", "30", "--rendering-annotation", "--albedo-map", "none"];
+    [
+        "--renderer", "native", "--width", "96", "--height", "64", "--fov", "30", "--rendering-annotation", "--albedo-map", "none",
+        "--shading", "smooth", "--transfer", "linear",
+    ];
 
     public void Dispose()
     {

@@ -9,6 +9,8 @@ internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> r
 
     public int PixelsPerDegree => pixelsPerDegree;
 
+    public double ReferenceRadius { get; init; } = MoonConstants.ReferenceRadius;
+
     /// <summary>Heights of +-5 km that jump from sample to sample, by a fixed integer hash.</summary>
     public static FunctionGrid Rough(int pixelsPerDegree) => new(
         pixelsPerDegree,
@@ -51,6 +53,16 @@ internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> r
         });
     }
 
+    /// <summary>The heights of <see cref="Rugged"/> over another sphere.</summary>
+    public static FunctionGrid RuggedOn(double radius, int pixelsPerDegree)
+    {
+        FunctionGrid moon = Rugged(pixelsPerDegree);
+        return new FunctionGrid(pixelsPerDegree, (line, sample) => moon.RadiusAt(line, sample) - MoonConstants.ReferenceRadius + radius)
+        {
+            ReferenceRadius = radius,
+        };
+    }
+
     /// <summary>m: how far <see cref="Rugged"/> is from the reference radius at most.</summary>
     public static double RuggedRelief => 8000.0;
 
@@ -60,6 +72,8 @@ internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> r
     /// <summary>Heights in m over the reference radius.</summary>
     public static FunctionGrid OfHeights(int pixelsPerDegree, Func<int, int, double> heightOf) =>
         new(pixelsPerDegree, (line, sample) => MoonConstants.ReferenceRadius + heightOf(line, sample));
+
+    public double RadiusAt(int line, int sample) => radiusOf(line, sample);
 
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {

@@ -261,7 +261,7 @@ test_benchmark_quick_run_measures() {
         echo 'missing: LDEM_4'
         exit 77
     }
-    run "$MSISF_TESTED_ROOT/benchmark.sh" --quick
+    MSISF_BENCHMARK_CONFIGURATION=Debug run "$MSISF_TESTED_ROOT/benchmark.sh" --quick
     assert_code 0
     assert_says '| far, LDEM_4 | POV-Ray'\''s image, to the thesis'\''s way | at least 1.00 times |'
     assert_says '| thesis | '
@@ -287,7 +287,7 @@ test_benchmark_quick_stress_run_keeps_all_limits() {
         echo 'missing: matplotlib or povray'
         exit 77
     }
-    run "$MSISF_TESTED_ROOT/benchmark.sh" --stress --quick --tests kepler,attitude
+    MSISF_BENCHMARK_CONFIGURATION=Debug run "$MSISF_TESTED_ROOT/benchmark.sh" --stress --quick --tests kepler,attitude
     assert_code 0
     assert_says 'kepler: residual, in units of the last place of the M given: '
     assert_silent_on ': missed'

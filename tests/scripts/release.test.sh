@@ -23,6 +23,18 @@ PROGRAM
     echo symbols >clone/publish/msis.pdb
     echo /my/dotnet >clone/publish/dotnet-root
     [ "${1:-}" = without ] || echo runtime >clone/publish/libcoreclr.so
+    # An SDK that publishes the server with all of .NET.
+    make_executable sdk/dotnet <<SDK
+#!/bin/sh
+[ "\$1" != --list-sdks ] || { echo '10.0.100 [$PWD/sdk/sdk]'; exit; }
+while [ "\$1" != -o ]; do shift; done
+mkdir -p "\$2/wwwroot"
+for file in msis-server Microsoft.AspNetCore.dll wwwroot/index.html libcoreclr.so msis-server.pdb; do
+    echo 'of the server' >"\$2/\$file"
+done
+chmod +x "\$2/msis-server"
+SDK
+    export PATH="$PWD/sdk:$PATH"
 }
 
 test_release_packages_hold_program_kernels_and_dependencies() {
@@ -39,6 +51,11 @@ msisf_${version}_amd64.deb"
     assert_says "program: --version in msisf-$version-linux-x64/publish/msis dotnet=none"
     assert_file "msisf-$version-linux-x64/kernels/msisf.tm"
     assert_no_file "msisf-$version-linux-x64/publish/msis.pdb"
+    assert_no_file "msisf-$version-linux-x64/publish/msis-server.pdb"
+    assert_file "msisf-$version-linux-x64/publish/wwwroot/index.html"
+    assert_same "$(cat "msisf-$version-linux-x64/publish/Microsoft.AspNetCore.dll")" 'of the server'
+    assert_same "$(cat "msisf-$version-linux-x64/publish/libcoreclr.so")" runtime
+    [ -x "msisf-$version-linux-x64/publish/msis-server" ] || fail 'the server can not be started'
 
     dpkg-deb -x "out/msisf_${version}_amd64.deb" tree
     run env -i tree/usr/bin/msis --version

@@ -73,10 +73,13 @@ def corners(image: np.ndarray) -> np.ndarray:
 
 
 def box(values: np.ndarray) -> np.ndarray:
-    """Sums over 7 x 7 pixels, by differences of running sums."""
-    half = 3
-    sums = np.pad(values, ((half + 1, half), (half + 1, half))).cumsum(axis=0).cumsum(axis=1)
-    size = 2 * half + 1
+    """Sums over the 7 x 7 pixels around each."""
+    return sums_over(np.pad(values, 3), 7)
+
+
+def sums_over(values: np.ndarray, size: int) -> np.ndarray:
+    """Sums over each square of so many pixels, by differences of running sums."""
+    sums = np.pad(values, ((1, 0), (1, 0))).cumsum(axis=0).cumsum(axis=1)
     return sums[size:, size:] - sums[:-size, size:] - sums[size:, :-size] + sums[:-size, :-size]
 
 
@@ -91,7 +94,7 @@ def find(spot: np.ndarray, expected: np.ndarray, seen: np.ndarray) -> Tuple[np.n
     patch = patch - patch.mean()
     count = size * size
     products = np.einsum("abij,ij->ab", windows, patch)
-    squares = np.einsum("abij,abij->ab", windows, windows) - windows.sum(axis=(2, 3)) ** 2 / count
+    squares = sums_over(area**2, size) - sums_over(area, size) ** 2 / count
     likeness = products / (np.sqrt(np.maximum(squares, 0.0) * (patch**2).sum()) + 1e-9)
     row, column = np.unravel_index(np.argmax(likeness), likeness.shape)
     if not (0 < row < 2 * SEARCH and 0 < column < 2 * SEARCH):

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
+
+from ._png import png_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -172,6 +176,10 @@ class Frame(View):
         self.sun_direction = away / length if length > 0.0 else away
         self.mjd = float(general["SimulationTime"]["MJD"])
         self.utc = str(general["SimulationTime"]["UTC"])
+
+    def save(self, path: "Union[str, PathLike[str]]") -> None:
+        """Writes the image as a PNG file."""
+        Path(path).write_bytes(png_of(self.image))
 
     def __getattr__(self, name: str) -> "NDArray[Any]":
         layers = self.__dict__.get("layers", {})

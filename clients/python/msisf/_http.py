@@ -65,6 +65,10 @@ class Http:
         """Asks for JSON."""
         return json.loads(self._send("GET", path, None, "application/json")[1])
 
+    def get_text(self, path: str) -> str:
+        """Asks for a text."""
+        return self._send("GET", path, None, "text/plain")[1].decode()
+
     def post(self, path: str, body: Mapping[str, Any], accept: str) -> Tuple[http.client.HTTPMessage, bytes]:
         """Sends JSON; the answer's headers and content."""
         return self._send("POST", path, json.dumps(body, allow_nan=False).encode(), accept)

@@ -145,21 +145,30 @@ class Moon:
         R = np.array([moon_from_camera[:, 1], -moon_from_camera[:, 2], -moon_from_camera[:, 0]])
         return View(self, request, K, R, -R @ np.asarray(position, dtype=float).ravel())
 
-    def stream(self, *, camera: Optional[AnyCamera] = None, newest_only: bool = False, **options: Any) -> Stream:
+    def stream(
+        self, *, camera: Optional[AnyCamera] = None, newest_only: bool = False, timing: bool = False, **options: Any
+    ) -> Stream:
         """Opens a stream for closed loops: states go in, grey images come out, with less to send and to read than ``render``.
 
         Args:
             camera: As for ``render``; the same for all images.
             newest_only: Leave out states that are older than another one that waits; the default draws all, in their order.
+            timing: Ask the server what each image took: ``last_times`` of the stream.
             options: As for ``render``.
         """
         frame = {**self._options, **options_of(camera if camera is not None else self._camera), **_named(options)}
-        return Stream(self._http, frame, newest_only)
+        return Stream(self._http, frame, newest_only, timing)
 
     def models(self) -> Dict[str, Any]:
         """The names that requests may use: models, maps, cameras, laws of reflectance and layers."""
         answer: Dict[str, Any] = self._http.get("/v1/models")
         return answer
+
+    def metrics(self) -> Dict[str, float]:
+        """What the server counts (docs/server.md), by the names of Prometheus with their labels."""
+        lines = self._http.get_text("/metrics").splitlines()
+        pairs = (line.rsplit(" ", 1) for line in lines if not line.startswith("#"))
+        return {name: float(value) for name, value in pairs}
 
     def sun(self, time: Time, place: Optional[Tuple[float, float]] = None) -> Dict[str, Any]:
         """Where the Sun is at a time, and where it stands in the sky of a place (latitude, longitude in degrees)."""

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import threading
 from pathlib import Path
-from typing import List, Optional, Sequence
+from typing import IO, List, Optional, Sequence
 
 from ._errors import ServerError
 
@@ -27,8 +27,8 @@ class ServerProcess:
             text = self._process.stderr.read().strip()
             self._process.wait()
             raise ServerError(f"{command[0]} serve ended: {text}")
-        # Nobody reads further messages: a full pipe would hold the server up.
-        self._reader = threading.Thread(target=self._process.stderr.read, daemon=True)
+        # Nobody wants further messages, but a full pipe would hold the server up.
+        self._reader = threading.Thread(target=_discard, args=(self._process.stderr,), daemon=True)
         self._reader.start()
 
     def close(self) -> None:
@@ -43,6 +43,11 @@ class ServerProcess:
         for pipe in (self._process.stdin, self._process.stdout):
             if pipe is not None:
                 pipe.close()
+
+
+def _discard(pipe: IO[str]) -> None:
+    for _ in pipe:
+        pass
 
 
 def find_program() -> str:

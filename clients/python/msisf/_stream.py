@@ -10,7 +10,7 @@ import os
 import socket
 import struct
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Iterator, Mapping, NamedTuple, Optional, Tuple, Type
+from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, NamedTuple, Optional, Tuple, Type
 
 import numpy as np
 
@@ -37,9 +37,13 @@ class StreamImage(NamedTuple):
 
 
 class Stream:
-    """Draws one image for each state with a camera that stays the same. Not for several threads."""
+    """Draws one image for each state with a camera that stays the same. Not for several threads.
 
-    def __init__(self, server: Http, frame: Mapping[str, Any], newest_only: bool) -> None:
+    Attributes:
+        last_times: With ``timing``, ms that the server took for the last image: "wait", "draw" and "write".
+    """
+
+    def __init__(self, server: Http, frame: Mapping[str, Any], newest_only: bool, timing: bool = False) -> None:
         connection = server.connection()
         try:
             connection.connect()
@@ -47,8 +51,9 @@ class Stream:
         except (OSError, http.client.HTTPException) as error:
             raise ServerError(f"{server.address}: no stream of the server: {error}") from error
         self._connection = connection
-        mode = "newest-only" if newest_only else "lock-step"
-        self._send(_TEXT, json.dumps({"frame": frame, "mode": mode, "format": "u8"}, allow_nan=False).encode())
+        self.last_times: Dict[str, float] = {}
+        first = {"frame": frame, "mode": "newest-only" if newest_only else "lock-step", "format": "u8", "timing": timing}
+        self._send(_TEXT, json.dumps(first, allow_nan=False).encode())
         kind, content = self._receive()
         answer = json.loads(content) if kind == _TEXT else {}
         if not answer.get("ready"):
@@ -79,8 +84,12 @@ class Stream:
             ServerError: The server closed the stream.
         """
         kind, content = self._receive()
-        if kind == _TEXT:
-            raise RequestError(json.loads(content)["error"], 400)
+        while kind == _TEXT:
+            answer = json.loads(content)
+            if "error" in answer:
+                raise RequestError(answer["error"], 400)
+            self.last_times = {name: answer[name] for name in ("wait", "draw", "write")}
+            kind, content = self._receive()
         number, width, height = struct.unpack_from("<III", content, 4)
         levels = "<u2" if len(content) - 16 == 2 * width * height else "u1"
         return StreamImage(number, np.frombuffer(content, levels, offset=16).reshape(height, width))
@@ -122,7 +131,7 @@ class Stream:
         except OSError as error:
             raise ServerError(f"the stream is closed: {error}") from error
 
-    def _receive(self) -> Tuple[int, bytes]:
+    def _receive(self) -> Tuple[int, bytearray]:
         """The next message, put together from its fragments."""
         message = bytearray()
         kind = 0
@@ -142,9 +151,9 @@ class Stream:
                 raise ServerError(f"the server closed the stream: {reason}")
             elif code != _PONG:
                 kind = code or kind
-                message += content
+                message = message + content if message else content  # one fragment is not copied
                 if first & 0x80:
-                    return kind, bytes(message)
+                    return kind, message
 
     def _read(self, length: int) -> bytearray:
         buffer = bytearray(length)

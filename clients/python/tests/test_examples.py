@@ -2,7 +2,9 @@
 
 import closed_loop
 import data_set
+import latency
 import numpy as np
+import soak
 
 
 def test_closed_loop_finds_its_position(moon):
@@ -25,3 +27,20 @@ def test_data_set_has_images_with_their_truth(moon, tmp_path):
         # The light falls on what is bright: lit pixels face the Sun.
         lit = sample["mask"] == 1
         assert (sample["normal"][lit] @ sample["sun_direction"] > -1e-6).all()
+
+
+def test_latency_has_the_times_of_each_image(moon):
+    run = latency.measure(moon, 64, images=5, clients=2)
+
+    assert [len(times) for times in run.client] == [len(times) for times in run.drawing] == [5, 5]
+    # What the client waits for holds what the renderer needs.
+    assert all((client > drawing).all() and drawing.min() > 0.0 for client, drawing in zip(run.client, run.drawing))
+    assert run.needed["server"] > 0.0 and run.needed["bytes"] > 0.0
+
+
+def test_soak_of_seconds_has_no_error(moon):
+    result = soak.run(moon, seconds=2.0)
+
+    assert result.errors == []
+    assert result.answers > 5
+    assert min(result.before, result.after) > 20e6  # bytes: .NET alone needs more

@@ -2,6 +2,7 @@
 
 import datetime
 import subprocess
+import zlib
 
 import msisf
 import numpy as np
@@ -26,6 +27,20 @@ def test_image_is_that_of_msis(moon, tmp_path):
         (path,) = tmp_path.glob(f"*.{name}.npy")
         np.testing.assert_array_equal(frame.layers[name], np.load(path))
     assert frame.image.max() > 50
+
+
+def test_saved_file_is_a_png_of_the_levels(moon, tmp_path):
+    frame = moon.render(**STATE, camera=SMALL, bit_depth=16)
+
+    frame.save(tmp_path / "moon.png")
+
+    png = (tmp_path / "moon.png").read_bytes()
+    assert png[:8] == b"\x89PNG\r\n\x1a\n"
+    assert png[16:26] == bytes([0, 0, 0, 64, 0, 0, 0, 48, 16, 0])  # width, height, bits, grey
+    length = int.from_bytes(png[33:37], "big")
+    rows = np.frombuffer(zlib.decompress(png[41 : 41 + length]), np.uint8).reshape(48, 1 + 2 * 64)
+    np.testing.assert_array_equal(rows[:, 1:].copy().view(">u2"), frame.image)
+    assert zlib.crc32(png[37 : 41 + length]).to_bytes(4, "big") == png[41 + length : 45 + length]
 
 
 def test_camera_looks_along_minus_x_with_y_to_the_right(moon):

@@ -25,6 +25,9 @@ internal static class KnownMaps
             || name.Contains("svs4720", StringComparison.OrdinalIgnoreCase);
     }
 
+    /// <summary>Whether the scale of the colour map is known in a band.</summary>
+    public static bool HasColourMap(int bandNanometres) => ScaleOfColourMap.ContainsKey(bandNanometres);
+
     /// <summary>The properties of the colour map.</summary>
     /// <param name="path">Its file, for the message.</param>
     /// <param name="bandNanometres">The band that is wanted.</param>

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Terrain.Pds;
 using Msisf.Core.Errors;
 using Msisf.Core.Render.Photometry;
 
@@ -57,27 +58,19 @@ internal sealed class MapTileLayout
     /// <summary>All tiles mean the same by a value, and are of one scale.</summary>
     private static void CheckAlike(PdsMapLabel[] labels)
     {
+        PdsAgreement agreement = new("tile", "map");
         PdsMapLabel first = labels[0];
         foreach (PdsMapLabel other in labels.Skip(1))
         {
-            RequireSame("MAP_RESOLUTION", first, other, label => label.PixelsPerDegree);
-            RequireSame("SAMPLE_TYPE", first, other, label => label.SampleType);
-            RequireSame("SAMPLE_BITS", first, other, label => label.SampleBits);
-            RequireSame("SCALING_FACTOR", first, other, label => label.ScalingFactor);
-            RequireSame("OFFSET", first, other, label => label.Offset);
-            RequireSame("UNIT", first, other, label => label.Unit);
-        }
-    }
+            void Require<T>(string keyword, Func<PdsMapLabel, T> of)
+                where T : notnull => agreement.Require(keyword, (first.LabelPath, of(first)), (other.LabelPath, of(other)));
 
-    private static void RequireSame<T>(string what, PdsMapLabel first, PdsMapLabel other, Func<PdsMapLabel, T> of)
-        where T : notnull
-    {
-        if (!of(first).Equals(of(other)))
-        {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{other.LabelPath}: {what} is '{of(other)}', but '{of(first)}' in {first.LabelPath}, another tile of the same map. "
-                    + $"Get all tiles of one release."));
+            Require("MAP_RESOLUTION", label => label.PixelsPerDegree);
+            Require("SAMPLE_TYPE", label => label.SampleType);
+            Require("SAMPLE_BITS", label => label.SampleBits);
+            Require("SCALING_FACTOR", label => label.ScalingFactor);
+            Require("OFFSET", label => label.Offset);
+            Require("UNIT", label => label.Unit);
         }
     }
 

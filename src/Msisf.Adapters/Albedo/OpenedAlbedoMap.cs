@@ -52,11 +52,15 @@ public sealed class OpenedAlbedoMap : IDisposable
 
     /// <summary>Whether a file is a map whose properties the program knows without any option.</summary>
     /// <param name="path">The file.</param>
-    public static bool IsKnown(string path)
+    /// <param name="bandNanometres">The band in which they must be known, nm; null for any.</param>
+    public static bool IsKnown(string path, int? bandNanometres = null)
     {
         try
         {
-            return KnownMaps.IsColourMap(path) || (PdsMapLabel.TryRead(path) is { } label && KnownMaps.Of(label).Reference is not null);
+            return KnownMaps.IsColourMap(path)
+                ? bandNanometres is not int wanted || KnownMaps.HasColourMap(wanted)
+                : PdsMapLabel.TryRead(path) is { } label && KnownMaps.Of(label).Reference is not null
+                    && (label.BandNanometres ?? bandNanometres) == (bandNanometres ?? label.BandNanometres);
         }
         catch (BadInputException)
         {

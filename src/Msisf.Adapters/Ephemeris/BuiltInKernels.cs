@@ -10,8 +10,11 @@ public sealed class BuiltInKernels : IDisposable
 
     /// <summary>Opens kernels.</summary>
     /// <param name="paths">Kernels (no meta-kernels) in load order; a later one wins over an earlier one.</param>
-    /// <exception cref="BadInputException">A kernel can't be read, or something that MOON_ME or UTC needs is in none of them.</exception>
-    public BuiltInKernels(IReadOnlyList<string> paths)
+    /// <param name="body">The body whose frame is asked for; null for the Moon.</param>
+    /// <exception cref="BadInputException">
+    /// A kernel can't be read, or something that the body's frame or UTC needs is in none of them.
+    /// </exception>
+    public BuiltInKernels(IReadOnlyList<string> paths, CelestialBody? body = null)
     {
         try
         {
@@ -24,8 +27,10 @@ public sealed class BuiltInKernels : IDisposable
             Ephemeris = new BuiltInEphemeris(
                 LeapSecondsKernel.ReadScale(pool),
                 SegmentsOf("DAF/SPK"),
-                SegmentsOf("DAF/PCK"),
-                FrameKernel.ReadBodyFixedFrame(pool, "MOON_ME"));
+                body is { IsMoon: false }
+                    ? PoleKernel.Read(pool, body)
+                    : new KernelOrientation(SegmentsOf("DAF/PCK"), FrameKernel.ReadBodyFixedFrame(pool, CelestialBody.Moon.Frame)),
+                body);
         }
         catch
         {

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Interop;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Ephemeris;
@@ -16,24 +17,24 @@ public static class EphemerisFactory
         IReadOnlyList<string> kernels = KernelList.Expand(request.KernelFiles);
         if (request.Choice == EphemerisChoice.BuiltIn)
         {
-            return OpenBuiltIn(kernels, "as asked for");
+            return OpenBuiltIn(kernels, request.Body, "as asked for");
         }
 
         if (CSpice.Shared.TryStart(request.CSpicePath, request.InstallationRoot, out string pathOrReason))
         {
-            SpiceEphemeris engine = new(CSpice.Shared, kernels);
+            SpiceEphemeris engine = new(CSpice.Shared, kernels, request.Body);
             return new OpenedEphemeris(engine, EphemerisChoice.CSpice, $"Ephemeris: {engine.EngineName} ({pathOrReason}).", engine);
         }
 
         return request.Choice == EphemerisChoice.Auto
-            ? OpenBuiltIn(kernels, $"because {pathOrReason}")
+            ? OpenBuiltIn(kernels, request.Body, $"because {pathOrReason}")
             : throw new ExternalPartException(
                 $"{pathOrReason}. Run scripts/get-cspice.sh, name the library in MSISF_CSPICE, or use --ephemeris builtin.");
     }
 
-    private static OpenedEphemeris OpenBuiltIn(IReadOnlyList<string> kernels, string reason)
+    private static OpenedEphemeris OpenBuiltIn(IReadOnlyList<string> kernels, CelestialBody body, string reason)
     {
-        BuiltInKernels opened = new(kernels);
+        BuiltInKernels opened = new(kernels, body);
         return new OpenedEphemeris(
             opened.Ephemeris, EphemerisChoice.BuiltIn, $"Ephemeris: {opened.Ephemeris.EngineName}, {reason}.", opened);
     }

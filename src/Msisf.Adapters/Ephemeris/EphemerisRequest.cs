@@ -1,3 +1,5 @@
+using Msisf.Core.Ephemeris;
+
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>Which ephemeris engine to open, and with what.</summary>
@@ -9,7 +11,11 @@ public sealed record EphemerisRequest(
     EphemerisChoice Choice,
     IReadOnlyList<string> KernelFiles,
     string InstallationRoot,
-    string? CSpicePath);
+    string? CSpicePath)
+{
+    /// <summary>The body from whose centre, and in whose frame, the Sun is given.</summary>
+    public CelestialBody Body { get; init; } = CelestialBody.Moon;
+}
 
 /// <summary>What the user asks for with --ephemeris (auto, cspice, builtin).</summary>
 public enum EphemerisChoice

@@ -11,12 +11,20 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
 {
     private readonly CSpice _cspice;
     private readonly KernelSet _kernels;
+    private readonly CelestialBody _body;
 
     /// <summary>Loads kernels into CSPICE, which must be started.</summary>
-    internal SpiceEphemeris(CSpice cspice, IReadOnlyList<string> paths)
+    /// <exception cref="BadInputException">None of them has the orientation of a body other than the Moon.</exception>
+    internal SpiceEphemeris(CSpice cspice, IReadOnlyList<string> paths, CelestialBody body)
     {
         _cspice = cspice;
+        _body = body;
         _kernels = new KernelSet(cspice, paths);
+        if (!body.IsMoon && !cspice.HasVariable(_kernels.Paths, body.NaifNumber, PoleKernel.PoleItem))
+        {
+            _kernels.Dispose();
+            throw PoleKernel.Missing(body);
+        }
     }
 
     /// <inheritdoc/>
@@ -24,10 +32,10 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
 
     /// <inheritdoc/>
     public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
-        Ask((kernels, at) => _cspice.SunPositionMoonMe(kernels, at, aberration), time);
+        Ask((kernels, at) => _cspice.SunPosition(kernels, _body, at, aberration), time);
 
     /// <inheritdoc/>
-    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Ask(_cspice.MoonMeFromJ2000, time);
+    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Ask((kernels, at) => _cspice.FrameFromJ2000(kernels, _body, at), time);
 
     /// <summary>Unloads the kernels.</summary>
     public void Dispose() => _kernels.Dispose();
@@ -52,7 +60,7 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
     {
         try
         {
-            using BuiltInKernels readable = new(_kernels.Paths);
+            using BuiltInKernels readable = new(_kernels.Paths, _body);
             return readable.Ephemeris.Cover;
         }
         catch (MsisfException)

@@ -15,6 +15,9 @@ public sealed class Installation
     /// <summary>The meta-kernel that the project ships.</summary>
     public string MetaKernel => Path.Combine(Root, "kernels", "msisf.tm");
 
+    /// <summary>The meta-kernel for bodies other than the Moon.</summary>
+    public string BodiesMetaKernel => Path.Combine(Root, "kernels", "bodies.tm");
+
     /// <summary>The DTD of the meta files.</summary>
     public string MetaFileDtd => Path.Combine(Root, "lib", "MSISRendering.dtd");
 

@@ -96,7 +96,7 @@ internal sealed class BatchColumns
 
         ModifiedJulianDate time = Read(Time, text => TimeText.Parse(text));
         Vector3D position = Has(Place[0])
-            ? Checked(() => ReadPlace(Place[0], Place[1], Place[2]).ToPositionMoonMe(scene.GroundRadius))
+            ? Checked(() => ReadPlace(Place[0], Place[1], Place[2]).ToPositionMoonMe(scene.GroundRadius, scene.ReferenceRadius))
             : new Vector3D(Number(Position[0]), Number(Position[1]), Number(Position[2]));
         UnitQuaternion attitude = Checked(() => Has(Quaternion[0])
             ? UnitQuaternion.FromComponents(Number(Quaternion[0]), Number(Quaternion[1]), Number(Quaternion[2]), Number(Quaternion[3]))

@@ -80,14 +80,15 @@ internal sealed class CSpice
     }
 
     /// <summary>
-    /// Position of the Sun relative to the Moon's centre: m, MOON_ME of the time (SPICE turns it by the light time from the frame's centre
-    /// to the observer, which is 0).
+    /// Position of the Sun relative to a body's centre: m, in the body's frame at the time (SPICE turns it by the light time from the
+    /// frame's centre to the observer, which is 0).
     /// </summary>
     /// <param name="kernels">The kernels to work with.</param>
+    /// <param name="body">The body.</param>
     /// <param name="time">UTC.</param>
     /// <param name="aberration">What of light's finite speed is taken in.</param>
     /// <exception cref="SpiceException">CSPICE failed.</exception>
-    public Vector3D SunPositionMoonMe(IReadOnlyList<string> kernels, ModifiedJulianDate time, Aberration aberration)
+    public Vector3D SunPosition(IReadOnlyList<string> kernels, CelestialBody body, ModifiedJulianDate time, Aberration aberration)
     {
         string correction = aberration switch
         {
@@ -101,25 +102,26 @@ internal sealed class CSpice
         {
             _furnished.Use(kernels);
             double ephemerisSeconds = EphemerisSeconds(time);
-            CSpiceNative.spkpos_c("SUN", ephemerisSeconds, "MOON_ME", correction, "MOON", ref positionKm[0], out _);
+            CSpiceNative.spkpos_c("SUN", ephemerisSeconds, body.Frame, correction, body.CapitalName, ref positionKm[0], out _);
             CSpiceError.ThrowIfFailed("spkpos_c", time);
         }
 
         return MetresPerKilometre * new Vector3D(positionKm[0], positionKm[1], positionKm[2]);
     }
 
-    /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>
+    /// <summary>The rotation that turns J2000 components into those of a body's frame.</summary>
     /// <param name="kernels">The kernels to work with.</param>
+    /// <param name="body">The body.</param>
     /// <param name="time">UTC.</param>
     /// <exception cref="SpiceException">CSPICE failed.</exception>
-    public RotationMatrix MoonMeFromJ2000(IReadOnlyList<string> kernels, ModifiedJulianDate time)
+    public RotationMatrix FrameFromJ2000(IReadOnlyList<string> kernels, CelestialBody body, ModifiedJulianDate time)
     {
         Span<double> rows = stackalloc double[9];
         lock (_gate)
         {
             _furnished.Use(kernels);
             double ephemerisSeconds = EphemerisSeconds(time);
-            CSpiceNative.pxform_c("J2000", "MOON_ME", ephemerisSeconds, ref rows[0]);
+            CSpiceNative.pxform_c("J2000", body.Frame, ephemerisSeconds, ref rows[0]);
             CSpiceError.ThrowIfFailed("pxform_c", time);
         }
 
@@ -127,6 +129,22 @@ internal sealed class CSpice
             new Vector3D(rows[0], rows[1], rows[2]),
             new Vector3D(rows[3], rows[4], rows[5]),
             new Vector3D(rows[6], rows[7], rows[8]));
+    }
+
+    /// <summary>Whether a text kernel has a variable of a body, such as POLE_RA.</summary>
+    /// <param name="kernels">The kernels to work with.</param>
+    /// <param name="naifNumber">NAIF's number of the body.</param>
+    /// <param name="item">The variable's name after that number.</param>
+    /// <exception cref="SpiceException">CSPICE failed.</exception>
+    public bool HasVariable(IReadOnlyList<string> kernels, int naifNumber, string item)
+    {
+        lock (_gate)
+        {
+            _furnished.Use(kernels);
+            bool isThere = CSpiceNative.bodfnd_c(naifNumber, item) != 0;
+            CSpiceError.ThrowIfFailed("bodfnd_c", item);
+            return isThere;
+        }
     }
 
     /// <summary>

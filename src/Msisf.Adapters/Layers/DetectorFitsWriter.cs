@@ -34,6 +34,13 @@ public static class DetectorFitsWriter
             unit.Put("FULLWELL", settings.FullWell, "[electron] full well");
         }
 
+        if (settings.Shutter is { } shutter)
+        {
+            // DATE-OBS is the middle of the exposure, of a rolling shutter that of the middle row.
+            unit.Put("SHUTTER", shutter.IsRolling ? "rolling" : "global", "when the rows are exposed");
+            unit.Put("LINETIME", shutter.LineTime, "[s] from a row's exposure to the next");
+        }
+
         unit.Put("SEED", settings.Seed?.ToString(System.Globalization.CultureInfo.InvariantCulture) ?? "none", "of all random numbers");
         unit.Put("ROWORDER", "TOP-DOWN", "first row of the file is the image's top");
         FitsProvenance.Put(unit, frame, provenance);

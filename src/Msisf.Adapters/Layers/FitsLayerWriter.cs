@@ -53,16 +53,17 @@ public static class FitsLayerWriter
         LayerPasses.Run(
             sampler,
             layers.Layers,
-            (layer, planes) => WriteLayer(stream, sampler, layer, layer.StoredType(precision), compression, planes),
+            (layer, planes) => WriteLayer(stream, sampler, layer, frame.Globe, layer.StoredType(precision), compression, planes),
             cancellation);
     }
 
     private static void WriteLayer(
-        Stream stream, LayerSampler sampler, Layer layer, LayerType type, LayerCompression compression, IReadOnlyList<double[]> planes)
+        Stream stream, LayerSampler sampler, Layer layer, DrawnGlobe globe, LayerType type, LayerCompression compression,
+        IReadOnlyList<double[]> planes)
     {
         ReadOnlySpan<long> lengths = layer.Planes > 1 ? [sampler.Width, sampler.Height, layer.Planes] : [sampler.Width, sampler.Height];
         using FitsUnit image = FitsUnit.Image(BitsPerPixel(type), lengths);
-        PutHeader(image, layer);
+        PutHeader(image, layer, globe);
         int pixels = sampler.Width * sampler.Height;
         for (int plane = 0; plane < planes.Count; plane++)
         {
@@ -79,7 +80,7 @@ public static class FitsLayerWriter
         compressed.CopyTo(stream);
     }
 
-    private static void PutHeader(FitsUnit image, Layer layer)
+    private static void PutHeader(FitsUnit image, Layer layer, DrawnGlobe globe)
     {
         image.Put("EXTNAME", layer.ExtensionName, "layer");
         if (layer.Unit.Length > 0)
@@ -98,7 +99,7 @@ public static class FitsLayerWriter
         }
 
         image.Put("ROWORDER", "TOP-DOWN", "first row of the file is the image's top");
-        foreach (string line in FitsText.Wrap(layer.Description))
+        foreach (string line in FitsText.Wrap(globe.Describe(layer.Description)))
         {
             image.PutComment(line);
         }

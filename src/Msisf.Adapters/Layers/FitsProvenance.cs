@@ -33,25 +33,25 @@ internal static class FitsProvenance
         unit.Put("TIMESYS", "UTC", "time system");
         unit.Put("DATE-OBS", frame.SimulationTime.ToIsoUtc().TrimEnd('Z'), "simulation time");
         unit.Put("MJD-OBS", frame.SimulationTime.Days, "[d] simulation time");
-        unit.Put("OBJECT", "Moon", string.Empty);
-        unit.Put("REFFRAME", "MOON_ME", "of positions, directions, orientation");
-        PutVector(unit, "CAMPOS", frame.Camera.PositionMoonMe, "camera");
-        unit.Put("CAMQX", orientation.X, "camera axes to MOON_ME: looks along -x,");
+        unit.Put("OBJECT", frame.Globe.Body.Name, string.Empty);
+        unit.Put("REFFRAME", frame.Globe.Body.Frame, "of positions, directions, orientation");
+        PutVector(unit, "CAMPOS", frame.Camera.PositionMoonMe, "camera", frame.Globe);
+        unit.Put("CAMQX", orientation.X, frame.Globe.Describe("camera axes to MOON_ME: looks along -x,"));
         unit.Put("CAMQY", orientation.Y, "y right, z up");
         unit.Put("CAMQZ", orientation.Z, string.Empty);
         unit.Put("CAMQ0", orientation.W, "real part");
         unit.Put("CAMFOV", frame.FieldOfViewDegrees, "[deg] horizontal field of view");
         unit.Put("CAMALT", frame.FlightAltitude, "[m] camera over the mean radius");
         unit.Put("CAMTERR", frame.HeightOverTerrain, "[m] camera over the elevation model below");
-        PutMatrix(unit, CameraMatrix.Of(frame.Camera));
-        PutVector(unit, "SUNPOS", frame.SunPositionMoonMe, "Sun, or lamp");
-        unit.Put("MEANRAD", MoonConstants.MeanRadius, "[m] mean radius, for CAMALT");
-        unit.Put("REFRAD", MoonConstants.ReferenceRadius, "[m] reference radius, for HEIGHT");
+        PutMatrix(unit, CameraMatrix.Of(frame.Camera), frame.Globe);
+        PutVector(unit, "SUNPOS", frame.SunPositionMoonMe, "Sun, or lamp", frame.Globe);
+        unit.Put("MEANRAD", frame.Globe.AltitudeRadius, "[m] mean radius, for CAMALT");
+        unit.Put("REFRAD", frame.Globe.ReferenceRadius, "[m] reference radius, for HEIGHT");
         unit.Put("ELEVMODL", FitsText.Ascii(provenance.ElevationProduct), "elevation model");
         PutResolution(unit, "ELEVRES", frame.Elevation.Resolution, "of the elevation model");
         unit.Put("LOD", provenance.LevelOfDetail, "level of detail, 0 is the model itself");
         PutResolution(unit, "MESHRES", provenance.MeshResolution, "of the mesh that CELL counts in");
-        foreach (string line in Remarks.SelectMany(FitsText.Wrap))
+        foreach (string line in Remarks.Select(frame.Globe.Describe).SelectMany(FitsText.Wrap))
         {
             unit.PutComment(line);
         }
@@ -70,12 +70,12 @@ internal static class FitsProvenance
     }
 
     /// <summary>OpenCV's form of the camera: K, R and t by rows and columns from 1, as the standard's CDi_j.</summary>
-    private static void PutMatrix(FitsUnit unit, CameraMatrix camera)
+    private static void PutMatrix(FitsUnit unit, CameraMatrix camera, DrawnGlobe globe)
     {
         unit.Put("CAMW", camera.Width, "[px] image width");
         unit.Put("CAMH", camera.Height, "[px] image height");
         PutRows(unit, "CAMK", camera.IntrinsicRows, "[px] K: p = K (R X + t), pixels from 0");
-        PutRows(unit, "CAMR", camera.RotationRows, "R: MOON_ME to x right, y down, z ahead");
+        PutRows(unit, "CAMR", camera.RotationRows, globe.Describe("R: MOON_ME to x right, y down, z ahead"));
         unit.Put("CAMT1", camera.Translation.X, "[m] t = -R times the camera's position");
         unit.Put("CAMT2", camera.Translation.Y, "[m]");
         unit.Put("CAMT3", camera.Translation.Z, "[m]");
@@ -101,10 +101,10 @@ internal static class FitsProvenance
         }
     }
 
-    private static void PutVector(FitsUnit unit, string key, Vector3D vector, string what)
+    private static void PutVector(FitsUnit unit, string key, Vector3D vector, string what, DrawnGlobe globe)
     {
-        unit.Put($"{key}X", vector.X, $"[m] {what}, MOON_ME x");
-        unit.Put($"{key}Y", vector.Y, $"[m] {what}, MOON_ME y");
-        unit.Put($"{key}Z", vector.Z, $"[m] {what}, MOON_ME z");
+        unit.Put($"{key}X", vector.X, globe.Describe($"[m] {what}, MOON_ME x"));
+        unit.Put($"{key}Y", vector.Y, globe.Describe($"[m] {what}, MOON_ME y"));
+        unit.Put($"{key}Z", vector.Z, globe.Describe($"[m] {what}, MOON_ME z"));
     }
 }

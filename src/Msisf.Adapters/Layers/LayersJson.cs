@@ -23,7 +23,13 @@ internal static class LayersJson
             json.WriteString("renderer", provenance.Renderer);
             json.WriteNumber("mjdUtc", frame.SimulationTime.Days);
             json.WriteString("utc", frame.SimulationTime.ToIsoUtc());
-            json.WriteString("frame", "MOON_ME");
+            json.WriteString("frame", frame.Globe.Body.Frame);
+            if (!frame.Globe.Body.IsMoon)
+            {
+                json.WriteString("body", frame.Globe.Body.Name);
+                json.WriteNumber("referenceRadiusM", frame.Globe.ReferenceRadius);
+            }
+
             WriteNumbers(
                 json, "cameraPositionM", frame.Camera.PositionMoonMe.X, frame.Camera.PositionMoonMe.Y, frame.Camera.PositionMoonMe.Z);
             WriteNumbers(json, "cameraQuaternionXyz0", orientation.X, orientation.Y, orientation.Z, orientation.W);
@@ -43,7 +49,7 @@ internal static class LayersJson
                 json.WriteStartObject();
                 json.WriteString("name", layer.Name);
                 json.WriteString("unit", layer.Unit);
-                json.WriteString("description", layer.Description);
+                json.WriteString("description", frame.Globe.Describe(layer.Description));
                 json.WriteEndObject();
             }
 

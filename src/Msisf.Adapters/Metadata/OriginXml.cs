@@ -20,7 +20,7 @@ internal static class OriginXml
 
     /// <summary>The lines, without the last LF.</summary>
     public static string Lines(FrameMetadata frame) =>
-        string.Join('\n', [Model(frame.Elevation), .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input)]);
+        string.Join('\n', [.. Body(frame.Globe), Model(frame.Elevation), .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input)]);
 
     /// <summary>The word by which an Input element names its kind.</summary>
     public static string WordOf(InputKind kind) => kind switch
@@ -33,6 +33,15 @@ internal static class OriginXml
         InputKind.Camera => "camera",
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "Not a kind of input."),
     };
+
+    /// <summary>Names another body than the Moon, its frame and its sphere; files of the Moon need no such line.</summary>
+    private static IEnumerable<string> Body(DrawnGlobe globe) => globe.Body.IsMoon
+        ? []
+        : (string[])
+        [
+            $"    <Body name=\"{globe.Body.Name}\" frame=\"{globe.Body.Frame}\" "
+                + $"referenceRadius=\"{LongE.ToText(globe.ReferenceRadius)}\" unit=\"m\" />",
+        ];
 
     private static string Model(DrawnElevation model) => string.Create(
         CultureInfo.InvariantCulture,

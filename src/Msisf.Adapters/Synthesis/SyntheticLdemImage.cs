@@ -1,4 +1,3 @@
-using System.Collections.Concurrent;
 using Microsoft.Win32.SafeHandles;
 using Msisf.Core.Errors;
 using Msisf.Synthesis;
@@ -14,9 +13,6 @@ internal sealed class SyntheticLdemImage
     private readonly SyntheticLdemProduct _product;
     private readonly RegionWeights _weights;
     private readonly int _threads;
-    private readonly Lock _gate = new();
-    private double _minimum;
-    private double _maximum;
     private long _samplesDone;
 
     /// <summary>An image to write.</summary>
@@ -30,12 +26,9 @@ internal sealed class SyntheticLdemImage
         _threads = Math.Max(1, threads);
         _weights = new RegionWeights(
             product.Region, product.PixelsPerDegree, product.Rest == SyntheticRest.Base ? terrain.FadeDegrees : 0.0);
-
-        // A flat rest has samples of 0.
-        (_minimum, _maximum) = product.Rest == SyntheticRest.Flat ? (0.0, 0.0) : (double.PositiveInfinity, double.NegativeInfinity);
     }
 
-    /// <summary>Writes all samples; rows of zeros are left to the file system, which need not store them.</summary>
+    /// <summary>Writes all samples.</summary>
     /// <param name="file">Open for writing at any offset, with the length of the image.</param>
     /// <param name="progress">Told the fraction done.</param>
     /// <param name="cancellation">Stops between blocks.</param>
@@ -48,70 +41,33 @@ internal sealed class SyntheticLdemImage
         int fitting = (int)Math.Clamp(LargestMemory / typical.PreferredBytes, 1, _threads);
         int blocksAcross = (_product.LineSamples + side - 1) / side;
         int blocksDown = (_product.Lines + side - 1) / side;
-        ConcurrentBag<SyntheticBlock> idle = [];
-        ParallelOptions options = new() { MaxDegreeOfParallelism = fitting, CancellationToken = cancellation };
-        try
+        SyntheticImageFile image = new(file, _product.ProductId, _product.Format, _product.LineSamples);
+        if (_product.Rest == SyntheticRest.Flat)
         {
-            Parallel.For(
-                0,
-                blocksAcross * blocksDown,
-                options,
-                block =>
-                {
-                    // Parallel.For starts a new task every now and then; buffers of this size must outlive it.
-                    if (!idle.TryTake(out SyntheticBlock? worker))
-                    {
-                        worker = new SyntheticBlock(_terrain, _product.Rest, _weights, side);
-                    }
-
-                    WriteBlock(file, worker, block / blocksAcross * side, block % blocksAcross * side, side);
-                    Report(progress, block / blocksAcross * side, block % blocksAcross * side, side);
-                    idle.Add(worker);
-                });
-        }
-        catch (AggregateException exception) when (exception.InnerExceptions.OfType<MsisfException>().FirstOrDefault() is { } first)
-        {
-            throw first;
-        }
-        catch (AggregateException exception) when (exception.InnerExceptions.OfType<IOException>().FirstOrDefault() is { } first)
-        {
-            throw new ExternalPartException($"{_product.ProductId}: can't be written: {first.Message}", first);
+            image.Include(0.0, 0.0);
         }
 
-        return (_minimum, _maximum);
+        image.WriteBlocks(
+            blocksAcross * blocksDown,
+            new ParallelOptions { MaxDegreeOfParallelism = fitting, CancellationToken = cancellation },
+            () => new SyntheticBlock(_terrain, _product.Rest, _weights, side),
+            (block, worker) =>
+            {
+                WriteBlock(image, worker, block / blocksAcross * side, block % blocksAcross * side, side);
+                Report(progress, block / blocksAcross * side, block % blocksAcross * side, side);
+            });
+        return image.Extremes;
     }
 
-    private void WriteBlock(SafeFileHandle file, SyntheticBlock worker, int line0, int sample0, int side)
+    private void WriteBlock(SyntheticImageFile image, SyntheticBlock worker, int line0, int sample0, int side)
     {
         int lines = Math.Min(side, _product.Lines - line0);
         int samples = Math.Min(side, _product.LineSamples - sample0);
         int moonLine = line0 + ((90 - _product.Cover.NorthDegrees) * _product.PixelsPerDegree);
         int moonSample = sample0 + (_product.Cover.WestDegrees * _product.PixelsPerDegree);
-        if (!worker.TryCompute(moonLine, lines, moonSample, samples))
+        if (worker.TryCompute(moonLine, lines, moonSample, samples))
         {
-            return;
-        }
-
-        double min = double.PositiveInfinity;
-        double max = double.NegativeInfinity;
-        int sampleBytes = _product.Format.SampleBytes;
-        Span<byte> bytes = worker.Bytes.AsSpan(0, sampleBytes * samples);
-        for (int line = 0; line < lines; line++)
-        {
-            (double minOfLine, double maxOfLine) = _product.Format.Encode(
-                moonLine + line, moonSample, worker.Heights.AsSpan(line * samples, samples), bytes);
-            min = Math.Min(min, minOfLine);
-            max = Math.Max(max, maxOfLine);
-            if (bytes.ContainsAnyExcept((byte)0))
-            {
-                RandomAccess.Write(file, bytes, sampleBytes * (((long)(line0 + line) * _product.LineSamples) + sample0));
-            }
-        }
-
-        lock (_gate)
-        {
-            _minimum = Math.Min(_minimum, min);
-            _maximum = Math.Max(_maximum, max);
+            image.WriteRows(worker.Heights, worker.Bytes, (line0, sample0), (lines, samples), (moonLine, moonSample));
         }
     }
 

@@ -1,3 +1,4 @@
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Terrain;
 using Msisf.Synthesis;
 
@@ -13,6 +14,9 @@ public sealed record SyntheticLdemOptions(int PixelsPerDegree, ulong Seed, strin
 {
     /// <summary>Samples a degree: from this resolution on floats are the default.</summary>
     public const int FirstResolutionOfFloats = 64;
+
+    /// <summary>The body; the terrain of another one than the Moon is the Moon's, as many degrees wide and as many metres high.</summary>
+    public CelestialBody Body { get; init; } = CelestialBody.Moon;
 
     /// <summary>The model whose terrain is refined; null for a made-up global shape.</summary>
     public IElevationGrid? Base { get; init; }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Adapters.Terrain;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Synthesis;
@@ -11,6 +12,12 @@ namespace Msisf.Adapters.Synthesis;
 /// <param name="Format">How samples are stored.</param>
 public sealed record SyntheticLdemProduct(int PixelsPerDegree, MoonRegion Region, SyntheticRest Rest, SyntheticSampleFormat Format)
 {
+    /// <summary>The body.</summary>
+    public CelestialBody Body { get; init; } = CelestialBody.Moon;
+
+    /// <summary>The body as the label's description names it.</summary>
+    public string BodyInText => Body.IsMoon ? "a Moon" : $"a {Body.Name}";
+
     /// <summary>
     /// E.g. "LDEM_64_SYNTHETIC", or "LDEM_512_SYNTHETIC_00N_45N_000_090" for a part, borders named as in the LOLA archive.
     /// </summary>
@@ -18,7 +25,7 @@ public sealed record SyntheticLdemProduct(int PixelsPerDegree, MoonRegion Region
     {
         get
         {
-            string whole = string.Create(CultureInfo.InvariantCulture, $"LDEM_{PixelsPerDegree}_{LdemLabel.SyntheticMark}");
+            string whole = string.Create(CultureInfo.InvariantCulture, $"{(Body.IsMoon ? "L" : $"{Body.CapitalName}_")}DEM_{PixelsPerDegree}_{LdemLabel.SyntheticMark}");
             return Region == MoonRegion.WholeMoon ? whole : $"{whole}_{LdemPartName.BordersOf(Region)}";
         }
     }

@@ -31,13 +31,16 @@ public static class SyntheticLdemWriter
         }
 
         SyntheticTerrain terrain = new(options.PixelsPerDegree, options.Seed, options.Base, cancellation);
-        SyntheticLdemProduct product = new(options.PixelsPerDegree, options.Region, options.Rest, options.Format);
+        SyntheticLdemProduct product = new(options.PixelsPerDegree, options.Region, options.Rest, options.Format)
+        {
+            Body = options.Body,
+        };
         return SyntheticProductFiles.Write(
             options.OutputFolder,
             product.ProductId,
             product.Bytes,
             product.StoredBytes,
             file => new SyntheticLdemImage(terrain, product, options.Threads).Write(file, progress, cancellation),
-            (writer, extremes) => SyntheticLdemLabel.Write(writer, product, options, extremes.Minimum, extremes.Maximum));
+            (writer, extremes) => SyntheticLdemLabel.Of(product, options).Write(writer, extremes.Minimum, extremes.Maximum));
     }
 }

@@ -47,6 +47,6 @@ public static class SyntheticMapWriter
             options.Bytes,
             options.Bytes,
             file => new SyntheticMapImage(terrain, options).Write(file, progress, cancellation),
-            (writer, extremes) => SyntheticMapLabel.Write(writer, options, extremes.Minimum, extremes.Maximum));
+            (writer, extremes) => SyntheticMapLabel.Of(options).Write(writer, extremes.Minimum, extremes.Maximum));
     }
 }

@@ -2,7 +2,6 @@ using System.Buffers.Binary;
 using System.Globalization;
 using Msisf.Adapters.Terrain;
 using Msisf.Core.Errors;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Synthesis;
 
@@ -38,9 +37,10 @@ public sealed record SyntheticSampleFormat(LdemSampleType Type)
     public string ScalingFactor => IsInteger ? "0.5" : "1";
 
     /// <summary>OFFSET of the label.</summary>
-    public string Offset => IsInteger
-        ? string.Create(CultureInfo.InvariantCulture, $"{MoonConstants.ReferenceRadius:0}.")
-        : string.Create(CultureInfo.InvariantCulture, $"{MoonConstants.ReferenceRadius / MetresPerKilometre}");
+    /// <param name="referenceRadius">m.</param>
+    public string OffsetOf(double referenceRadius) => IsInteger
+        ? string.Create(CultureInfo.InvariantCulture, $"{referenceRadius:0}.")
+        : string.Create(CultureInfo.InvariantCulture, $"{referenceRadius / MetresPerKilometre}");
 
     /// <summary>Writes a row of heights.</summary>
     /// <param name="line">Line in the whole Moon's grid, for messages.</param>

@@ -36,6 +36,9 @@ public sealed class LdemBandImage : ITerrainGrid, IDisposable
     public GridWindow Window { get; }
 
     /// <inheritdoc/>
+    public double ReferenceRadius => _image.ReferenceRadius;
+
+    /// <inheritdoc/>
     public (double Min, double Max) RadiusLimits => _image.RadiusLimits;
 
     /// <summary>Opens all images of a model.</summary>

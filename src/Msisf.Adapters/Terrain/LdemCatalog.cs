@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
@@ -19,23 +20,27 @@ public static class LdemCatalog
     /// <param name="explicitPath">A label, an image, or a folder (--ldem); null to search the folders.</param>
     /// <param name="folders">Where to look otherwise, first choice first; they need not exist.</param>
     /// <param name="wayToName">How another model is named, for the message.</param>
+    /// <param name="body">The body of which it must be; null for the Moon.</param>
     /// <exception cref="BadInputException">
-    /// There is none (the message says where it looked), its parts don't make up a whole Moon, or the explicit one has another resolution.
+    /// There is none (the message says where it looked), its parts don't make up a whole Moon, or the explicit one has another resolution
+    /// or is of another body.
     /// </exception>
     public static LdemSet Find(
-        int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders, string wayToName = "name another one with --ldem") =>
-        TryFind(pixelsPerDegree, explicitPath, folders) ?? throw new BadInputException(string.Create(
+        int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders, string wayToName = "name another one with --ldem",
+        CelestialBody? body = null) =>
+        TryFind(pixelsPerDegree, explicitPath, folders, body) ?? throw new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
             $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", PlacesOf(explicitPath, folders))}. "
                 + $"{WaysToGet(pixelsPerDegree, wayToName)}"));
 
     /// <summary>Finds a model as <see cref="Find"/> does; null if there is none of that resolution.</summary>
     /// <inheritdoc cref="Find"/>
-    public static LdemSet? TryFind(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
+    public static LdemSet? TryFind(
+        int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders, CelestialBody? body = null)
     {
         if (explicitPath is not null && !Directory.Exists(explicitPath))
         {
-            LdemLabel label = ReadCylindrical(explicitPath);
+            LdemLabel label = ReadCylindrical(explicitPath, body ?? CelestialBody.Moon);
             return label.PixelsPerDegree == pixelsPerDegree ? WithSiblings(label) : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{label.LabelPath}: an elevation model of {label.PixelsPerDegree} px/deg, but {pixelsPerDegree} px/deg are asked for. "
@@ -45,7 +50,7 @@ public static class LdemCatalog
         BadInputException? incomplete = null;
         foreach (string folder in PlacesOf(explicitPath, folders).Where(Directory.Exists))
         {
-            if (FindIn(folder, pixelsPerDegree, ref incomplete) is { } found)
+            if (FindIn(folder, pixelsPerDegree, body ?? CelestialBody.Moon, ref incomplete) is { } found)
             {
                 return found;
             }
@@ -63,7 +68,7 @@ public static class LdemCatalog
             :
             [
                 .. PlacesOf(explicitPath, folders).Where(Directory.Exists)
-                    .SelectMany(folder => LabelsIn(folder, ".LBL"))
+                    .SelectMany(folder => LabelsIn(folder, ".LBL", CelestialBody.Moon))
                     .Select(label => label.PixelsPerDegree)
                     .Distinct()
                     .Order()
@@ -78,16 +83,23 @@ public static class LdemCatalog
     /// <exception cref="BadInputException">
     /// It is missing, no label of a cylindrical lunar model, or its parts don't make up a whole Moon.
     /// </exception>
-    public static LdemSet Read(string labelOrImage) => WithSiblings(ReadCylindrical(labelOrImage));
+    public static LdemSet Read(string labelOrImage) => WithSiblings(ReadCylindrical(labelOrImage, CelestialBody.Moon));
 
     /// <summary>The label of a named polar map; null if the path is a folder, or another model's or file's.</summary>
     /// <param name="path">A label, an image, or anything else.</param>
     public static LdemLabel? TryReadMap(string path) =>
         File.Exists(path) && TryRead(LabelOf(path)) is { Polar: not null } label ? label : null;
 
-    private static LdemLabel ReadCylindrical(string labelOrImage)
+    private static LdemLabel ReadCylindrical(string labelOrImage, CelestialBody body)
     {
         LdemLabel label = LdemLabelReader.ReadFile(LabelOf(labelOrImage));
+        if (label.Body != body)
+        {
+            throw new BadInputException(
+                $"{label.LabelPath}: a model of {label.Body.NameInText}, but one of {body.NameInText} is needed here. --body says of which "
+                    + $"body an image is.");
+        }
+
         return label.Polar is null ? label : throw new BadInputException(
             $"{label.LabelPath}: a map of the surroundings of a pole; a SIMPLE CYLINDRICAL model of the whole Moon is needed here.");
     }
@@ -121,18 +133,19 @@ public static class LdemCatalog
                 + $"'msis ldem synthesize --res {pixelsPerDegree}{continued} --seed 1'.");
     }
 
-    private static LdemSet? FindIn(string folder, int pixelsPerDegree, ref BadInputException? incomplete)
+    private static LdemSet? FindIn(
+        string folder, int pixelsPerDegree, CelestialBody body, ref BadInputException? incomplete)
     {
         string usual = Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"LDEM_{pixelsPerDegree}.LBL"));
         if (FileNames.FindIgnoringCase(usual) is { } label)
         {
-            LdemLabel found = ReadCylindrical(label);
+            LdemLabel found = ReadCylindrical(label, body);
             return found.PixelsPerDegree == pixelsPerDegree ? WithSiblings(found) : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{label}: by its name a model of {pixelsPerDegree} px/deg, but MAP_RESOLUTION is {found.PixelsPerDegree}. Rename it."));
         }
 
-        LdemLabel[] others = [.. LabelsIn(folder, ".LBL").Where(other => other.PixelsPerDegree == pixelsPerDegree)];
+        LdemLabel[] others = [.. LabelsIn(folder, ".LBL", body).Where(other => other.PixelsPerDegree == pixelsPerDegree)];
         if (others.FirstOrDefault(other => other.CoversWholeMoon) is { } whole)
         {
             return LdemSet.Join([whole]);
@@ -161,7 +174,7 @@ public static class LdemCatalog
         }
 
         string folder = Path.GetDirectoryName(label.LabelPath) is { Length: > 0 } given ? given : ".";
-        IEnumerable<LdemLabel> siblings = LabelsIn(folder, Path.GetExtension(label.LabelPath)).Where(other =>
+        IEnumerable<LdemLabel> siblings = LabelsIn(folder, Path.GetExtension(label.LabelPath), label.Body).Where(other =>
             other.PixelsPerDegree == label.PixelsPerDegree
             && !other.CoversWholeMoon
             && ModelOf(other) == ModelOf(label)
@@ -173,13 +186,13 @@ public static class LdemCatalog
     private static string ModelOf(LdemLabel label) =>
         LdemPartName.Of(label) is { HasBorders: true } name ? name.Model.ToUpperInvariant() : string.Empty;
 
-    /// <summary>The labels of cylindrical lunar models in a folder, which may hold other labels too.</summary>
-    private static IEnumerable<LdemLabel> LabelsIn(string folder, string extension) =>
+    /// <summary>The labels of a body's cylindrical models in a folder, which may hold other labels too.</summary>
+    private static IEnumerable<LdemLabel> LabelsIn(string folder, string extension, CelestialBody body) =>
         Directory.EnumerateFiles(folder, "*" + extension, Labels)
             .Order(StringComparer.Ordinal)
             .Select(TryRead)
             .OfType<LdemLabel>()
-            .Where(label => label.Polar is null);
+            .Where(label => label.Polar is null && label.Body == body);
 
     private static LdemLabel? TryRead(string labelPath)
     {

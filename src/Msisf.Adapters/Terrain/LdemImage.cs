@@ -38,6 +38,9 @@ public sealed class LdemImage : IElevationGrid, IDisposable
     public int PixelsPerDegree => _pixelsPerDegree;
 
     /// <inheritdoc/>
+    public double ReferenceRadius => Set.ReferenceRadius;
+
+    /// <inheritdoc/>
     public (double Min, double Max) RadiusLimits =>
         (Set.Parts.Min(part => part.RadiusLimits.Min), Set.Parts.Max(part => part.RadiusLimits.Max));
 

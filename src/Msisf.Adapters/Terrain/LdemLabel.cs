@@ -1,3 +1,4 @@
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -25,6 +26,9 @@ public sealed record LdemLabel
 
     /// <summary>PRODUCT_ID, e.g. "LDEM_4": letters, digits, '_', '-' and '.'.</summary>
     public required string ProductId { get; init; }
+
+    /// <summary>TARGET_NAME: the body.</summary>
+    public CelestialBody Body { get; init; } = CelestialBody.Moon;
 
     /// <summary>MAP_RESOLUTION of a cylindrical model: samples a degree; 0 for a polar map.</summary>
     public required int PixelsPerDegree { get; init; }
@@ -83,6 +87,9 @@ public sealed record LdemLabel
             return (Offset + (ScalingFactor * (Minimum - slack)), Offset + (ScalingFactor * (Maximum + slack)));
         }
     }
+
+    /// <summary>m: the sphere over which heights count: for the Moon LOLA's, whatever OFFSET is; of another body that of its label.</summary>
+    public double ReferenceRadius => Body.IsMoon ? MoonConstants.ReferenceRadius : Offset;
 
     /// <summary>Bytes of a sample.</summary>
     public int SampleBytes => HasIntegers ? sizeof(short) : sizeof(float);

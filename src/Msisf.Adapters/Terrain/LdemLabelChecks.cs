@@ -1,32 +1,44 @@
 using System.Globalization;
 using Msisf.Adapters.Terrain.Pds;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Terrain;
 
-/// <summary>Checks that a label describes an elevation model of the Moon and does not contradict itself.</summary>
+/// <summary>Checks that a label describes an elevation model and does not contradict itself.</summary>
 internal static class LdemLabelChecks
 {
-    /// <summary>Checks that the product is of the Moon, in a projection that can be read and the ME/PA frame.</summary>
+    /// <summary>
+    /// Checks that the product is of a body that can be drawn, in a projection that can be read; of the Moon also in the ME/PA frame.
+    /// </summary>
     /// <exception cref="BadInputException">It is another product.</exception>
     public static void CheckKind(PdsObject root, PdsObject map)
     {
-        CheckText(root, "TARGET_NAME", "MOON", "an elevation model of the MOON is needed");
-        if (!IsPolar(map))
+        bool isMoon = BodyOf(root).IsMoon;
+        if (!IsPolar(map) || !isMoon)
         {
-            CheckText(map, "MAP_PROJECTION_TYPE", "SIMPLE CYLINDRICAL", $"SIMPLE CYLINDRICAL or {PolarLabel.ProjectionType} is needed");
+            CheckText(map, "MAP_PROJECTION_TYPE", "SIMPLE CYLINDRICAL", isMoon
+                ? $"SIMPLE CYLINDRICAL or {PolarLabel.ProjectionType} is needed"
+                : "SIMPLE CYLINDRICAL is needed for other bodies than the Moon");
         }
 
         CheckText(map, "POSITIVE_LONGITUDE_DIRECTION", "EAST", "EAST is needed");
         CheckNumber(map, "MAP_PROJECTION_ROTATION", 0.0, []);
-        if (!map.RequiredText("COORDINATE_SYSTEM_NAME").Contains("MEAN EARTH", StringComparison.Ordinal))
+        if (isMoon && !map.RequiredText("COORDINATE_SYSTEM_NAME").Contains("MEAN EARTH", StringComparison.Ordinal))
         {
             throw map.WrongValue(
                 "COORDINATE_SYSTEM_NAME", map.Required("COORDINATE_SYSTEM_NAME"), "the MEAN EARTH/POLAR AXIS frame is needed");
         }
     }
+
+    /// <summary>The body of the product; the Moon if the label names none.</summary>
+    /// <exception cref="BadInputException">It is none that can be drawn.</exception>
+    public static CelestialBody BodyOf(PdsObject root) => root.Find("TARGET_NAME") is not { } target
+        ? CelestialBody.Moon
+        : CelestialBody.Find(target.ToString()) ?? throw root.WrongValue(
+            "TARGET_NAME", target, $"an elevation model of {string.Join(", ", CelestialBody.All.Select(body => body.CapitalName))} is needed");
 
     /// <summary>Whether the map is a polar stereographic one.</summary>
     public static bool IsPolar(PdsObject map) => map.RequiredText("MAP_PROJECTION_TYPE") == PolarLabel.ProjectionType;

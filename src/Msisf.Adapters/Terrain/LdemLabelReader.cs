@@ -57,6 +57,7 @@ public static class LdemLabelReader
             ImageOffset = pointer.Offset,
             FileBytes = (long?)recordBytes * file.OptionalInteger("FILE_RECORDS", 1, int.MaxValue),
             ProductId = ProductIdOf(root),
+            Body = LdemLabelChecks.BodyOf(root),
             PixelsPerDegree = LdemLabelChecks.IsPolar(map) ? 0 : ResolutionOf(map),
             Polar = LdemLabelChecks.IsPolar(map) ? PolarLabel.ProjectionOf(map) : null,
             Lines = image.RequiredInteger("LINES", 1, LineLimit),
@@ -70,7 +71,7 @@ public static class LdemLabelReader
             SouthDegrees = map.RequiredNumber("MINIMUM_LATITUDE", PdsUnits.Degrees),
             WestDegrees = map.RequiredNumber("WESTERNMOST_LONGITUDE", PdsUnits.Degrees),
             EastDegrees = map.RequiredNumber("EASTERNMOST_LONGITUDE", PdsUnits.Degrees),
-            CoordinateSystem = map.RequiredText("COORDINATE_SYSTEM_NAME"),
+            CoordinateSystem = map.Find("COORDINATE_SYSTEM_NAME")?.ToString() ?? string.Empty,
         };
         if (label.Polar is null)
         {

@@ -1,3 +1,4 @@
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Terrain;
@@ -27,6 +28,12 @@ public sealed class LdemSet
 
     /// <summary>Samples a degree; 0 for a polar map.</summary>
     public int PixelsPerDegree => Parts[0].PixelsPerDegree;
+
+    /// <summary>The body of all parts.</summary>
+    public CelestialBody Body => Parts[0].Body;
+
+    /// <summary>m: radius of the sphere over which heights are counted.</summary>
+    public double ReferenceRadius => Parts[0].ReferenceRadius;
 
     /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
     public bool IsSynthetic => Parts.Any(part => part.IsSynthetic);

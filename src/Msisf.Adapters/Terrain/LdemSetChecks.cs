@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Terrain.Pds;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
@@ -14,14 +15,19 @@ internal static class LdemSetChecks
     /// <exception cref="BadInputException">Two differ.</exception>
     public static void CheckAlike(IReadOnlyList<LdemLabel> parts)
     {
+        PdsAgreement agreement = new("part", "model");
         LdemLabel first = parts[0];
         foreach (LdemLabel other in parts.Skip(1))
         {
-            RequireSame("MAP_RESOLUTION", first, other, label => label.PixelsPerDegree);
-            RequireSame("SAMPLE_TYPE", first, other, label => label.SampleType);
-            RequireSame("SCALING_FACTOR (in m)", first, other, label => label.ScalingFactor);
-            RequireSame("OFFSET (in m)", first, other, label => label.Offset);
-            RequireSame("COORDINATE_SYSTEM_NAME", first, other, label => label.CoordinateSystem);
+            void Require<T>(string keyword, Func<LdemLabel, T> of)
+                where T : notnull => agreement.Require(keyword, (first.LabelPath, of(first)), (other.LabelPath, of(other)));
+
+            Require("MAP_RESOLUTION", label => label.PixelsPerDegree);
+            Require("SAMPLE_TYPE", label => label.SampleType);
+            Require("SCALING_FACTOR (in m)", label => label.ScalingFactor);
+            Require("OFFSET (in m)", label => label.Offset);
+            Require("TARGET_NAME", label => label.Body.CapitalName);
+            Require("COORDINATE_SYSTEM_NAME", label => label.CoordinateSystem);
         }
     }
 
@@ -61,18 +67,6 @@ internal static class LdemSetChecks
         int first = cover.AsSpan().IndexOfAnyExcept(Nothing);
         int last = cover.AsSpan().LastIndexOfAnyExcept(Nothing);
         return first % 360 == 0 && last % 360 == 359 && !cover.AsSpan(first, last + 1 - first).Contains(Nothing);
-    }
-
-    private static void RequireSame<T>(string what, LdemLabel first, LdemLabel other, Func<LdemLabel, T> of)
-        where T : notnull
-    {
-        if (!of(first).Equals(of(other)))
-        {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{other.LabelPath}: {what} is {of(other)}, but {of(first)} in {first.LabelPath}, another part of the same model. "
-                    + $"Get all parts of one release."));
-        }
     }
 
     private static MoonRegion RegionOf(LdemLabel label)

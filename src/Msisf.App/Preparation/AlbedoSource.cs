@@ -4,6 +4,7 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Preparation;
 
@@ -23,12 +24,20 @@ internal static class AlbedoSource
         }
 
         bool isMoon = settings.Renderer == RendererKind.Native && settings.Native.ReflectanceText == "moon";
+        if (isMoon && !settings.Body.IsMoon)
+        {
+            host.Log.Note(
+                $"Reflectance: {settings.Body.Name} is drawn with the law of the Moon, the same everywhere; its own is not known here. "
+                    + $"--reflectance takes another law.");
+            return null;
+        }
+
         if (albedo.IsGiven || !isMoon)
         {
             return null;
         }
 
-        if (Installed(host) is not { } installed)
+        if (Installed(Folders(host), albedo.Band) is not { } installed)
         {
             host.Log.Note(
                 "Albedo: no map in input/albedo (scripts/get-albedo.sh fetches one); the surface reflects alike everywhere.");
@@ -61,14 +70,21 @@ internal static class AlbedoSource
         ? given
         : Folders(host).Select(folder => Path.Combine(folder, given)).FirstOrDefault(Path.Exists) ?? given;
 
-    /// <summary>The largest file that is a known map; null if there is none.</summary>
-    private static string? Installed(ProgramHost host) => Folders(host).Where(Directory.Exists)
-        .Select(folder => Directory.EnumerateFiles(folder)
-            .Where(OpenedAlbedoMap.IsKnown)
-            .OrderByDescending(path => new FileInfo(path).Length)
-            .ThenBy(path => path, StringComparer.Ordinal)
-            .FirstOrDefault())
-        .FirstOrDefault(path => path is not null);
+    /// <summary>
+    /// The largest known map of a band in the first folder that has one; else one of another band, which is then refused; null if there is
+    /// none.
+    /// </summary>
+    internal static string? Installed(IEnumerable<string> folders, SpectralBand band)
+    {
+        string[] known =
+        [
+            .. folders.Where(Directory.Exists).SelectMany(folder => Directory.EnumerateFiles(folder)
+                .Where(path => OpenedAlbedoMap.IsKnown(path))
+                .OrderByDescending(path => new FileInfo(path).Length)
+                .ThenBy(path => path, StringComparer.Ordinal)),
+        ];
+        return known.FirstOrDefault(path => OpenedAlbedoMap.IsKnown(path, band.Nanometres)) ?? known.FirstOrDefault();
+    }
 
     private static OpenedAlbedoMap Open(string path, AlbedoSettings albedo, ProgramHost host)
     {

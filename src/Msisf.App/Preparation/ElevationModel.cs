@@ -6,6 +6,7 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
@@ -85,7 +86,9 @@ internal sealed class ElevationModel : IDisposable
     /// <param name="resolution">The resolution; that of a polar map if the path is one.</param>
     /// <param name="isSparing">Use less memory at the cost of time: POV-Ray needs much memory, and the program waits for it anyway.</param>
     /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
-    public static ElevationModel Open(string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host)
+    /// <param name="body">The body of which it must be; null for the Moon.</param>
+    public static ElevationModel Open(
+        string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host, CelestialBody? body = null)
     {
         if (explicitPath is not null && GeoTiffGrid.IsNameOf(explicitPath))
         {
@@ -98,7 +101,7 @@ internal sealed class ElevationModel : IDisposable
         }
 
         LdemSet set = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
-            () => LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host))));
+            () => LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host), body: body)));
         if (!set.IsWholeMoon)
         {
             LdemBandImage band = SurfaceOptions.Ldem.Concerned(() => LdemBandImage.Open(set));
@@ -145,9 +148,9 @@ internal sealed class ElevationModel : IDisposable
     private static void Tell(LdemSet set, ILog log)
     {
         log.Note(set.IsSynthetic
-            ? $"Elevation: {set.ProductId}, a SYNTHETIC model, not the real Moon ({set.Description})."
+            ? $"Elevation: {set.ProductId}, a SYNTHETIC model, not the real {set.Body.Name} ({set.Description})."
             : $"Elevation: {set.ProductId} ({set.Description}).");
-        if (set.Parts[0].Offset != MoonConstants.ReferenceRadius)
+        if (set.Parts[0].Offset != set.ReferenceRadius)
         {
             log.Note(string.Create(
                 CultureInfo.InvariantCulture,
@@ -194,7 +197,7 @@ internal sealed class ElevationModel : IDisposable
         positionMoonMe.Length > GroundLimit ? 0.0 : -HeightOverTerrain(positionMoonMe);
 
     /// <summary>m: no ground is higher; around a map it is the reference sphere.</summary>
-    private double GroundLimit => IsWholeMoon ? Grid.RadiusLimits.Max : Math.Max(Grid.RadiusLimits.Max, MoonConstants.ReferenceRadius);
+    private double GroundLimit => IsWholeMoon ? Grid.RadiusLimits.Max : Math.Max(Grid.RadiusLimits.Max, Grid.ReferenceRadius);
 
     /// <summary>Height of a position over the surface of the model below it, m.</summary>
     public double HeightOverTerrain(Vector3D positionMoonMe) =>

@@ -15,7 +15,9 @@ internal sealed class EphemerisSource : IDisposable
     public EphemerisSource(RenderSettings settings, ProgramHost host) => (_settings, _host) = (settings, host);
 
     private string[] KernelNames =>
-        [_settings.Kernels is { } kernels ? KernelList.RequireMetaKernel(kernels) : _host.Installation.MetaKernel];
+        [_settings.Kernels is { } kernels ? KernelList.RequireMetaKernel(kernels)
+            : _settings.Body.IsMoon ? _host.Installation.MetaKernel
+            : _host.Installation.BodiesMetaKernel];
 
     /// <summary>The opened engine; null if it was not needed yet.</summary>
     public OpenedEphemeris? Opened { get; private set; }
@@ -26,7 +28,10 @@ internal sealed class EphemerisSource : IDisposable
         if (Opened is null)
         {
             Opened = LightOptions.Kernels.Concerned(() => EphemerisFactory.Open(new EphemerisRequest(
-                _settings.Ephemeris, KernelNames, _host.Installation.Root, _host.Environment("MSISF_CSPICE"))));
+                _settings.Ephemeris, KernelNames, _host.Installation.Root, _host.Environment("MSISF_CSPICE"))
+            {
+                Body = _settings.Body,
+            }));
             _host.Log.Note(Opened.Notice);
         }
 

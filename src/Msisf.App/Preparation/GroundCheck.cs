@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
@@ -16,9 +17,12 @@ internal static class GroundCheck
     /// <param name="model">The terrain; null to take the reference sphere for it.</param>
     /// <param name="span">s: how long the shutter is open about a frame's time; matters for cameras that move.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
+    /// <param name="body">The body; null for the Moon.</param>
     /// <exception cref="BadInputException">A camera lies below the terrain; the message names the steps.</exception>
-    public static void Refuse(IReadOnlyList<Frame> frames, ElevationModel? model, double span, CancellationToken cancellation)
+    public static void Refuse(
+        IReadOnlyList<Frame> frames, ElevationModel? model, double span, CancellationToken cancellation, CelestialBody? body = null)
     {
+        double reference = model?.Grid.ReferenceRadius ?? MoonConstants.ReferenceRadius;
         List<string> buried = [];
         int count = 0;
         string unit = string.Empty;
@@ -38,7 +42,7 @@ internal static class GroundCheck
 
             if (depth > 0.0 && ++count <= NamedSteps)
             {
-                unit = buried.Count == 0 ? PlausibleMistakes.InKilometres(position) : unit;
+                unit = buried.Count == 0 ? PlausibleMistakes.InKilometres(position, body ?? CelestialBody.Moon) : unit;
                 buried.Add(string.Create(CultureInfo.InvariantCulture, $"step {frame.Step} (MJD {frame.Time.Days:R}) by {depth:F1} m"));
             }
         }
@@ -47,12 +51,12 @@ internal static class GroundCheck
         {
             string rest = count > NamedSteps ? $" and {count - NamedSteps} more" : string.Empty;
             throw new BadInputException(
-                $"the camera is inside the Moon: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.{unit}");
+                $"the camera is inside {(body ?? CelestialBody.Moon).NameInText}: {string.Join(", ", buried)}{rest}. Choose positions above the terrain.{unit}");
         }
 
         // A way may lead through the centre, above which there is no place of the model.
-        double Depth(Vector3D position) => position.Length < 0.5 * MoonConstants.ReferenceRadius
-            ? MoonConstants.ReferenceRadius - position.Length
-            : model?.DepthBelowGround(position) ?? MoonConstants.ReferenceRadius - position.Length;
+        double Depth(Vector3D position) => position.Length < 0.5 * reference
+            ? reference - position.Length
+            : model?.DepthBelowGround(position) ?? reference - position.Length;
     }
 }

@@ -16,7 +16,7 @@ internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) :
 
     /// <summary>The model.</summary>
     public ElevationModel Opened => _model ??= host.Times.Measure(Phase.Model, () => ElevationModel.Open(
-        settings.Ldem, settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host));
+        settings.Ldem, settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host, settings.Body));
 
     public void Dispose() => _model?.Dispose();
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Terrain;
@@ -31,10 +32,12 @@ internal static class PlausibleMistakes
     private const double LowOrbit = 200_000.0;
 
     /// <summary>The warnings that the camera's settings deserve.</summary>
-    public static IEnumerable<string> In(CameraSettings camera) => camera switch
+    /// <param name="camera">The settings.</param>
+    /// <param name="body">The body that is drawn.</param>
+    public static IEnumerable<string> In(CameraSettings camera, CelestialBody body) => camera switch
     {
         OrbitSettings orbit => [.. Elements(orbit.Elements), .. Fall(orbit.Elements), .. Rates(orbit), .. Interval(orbit.Times)],
-        PlaceSettings place => [.. Radius(place.Place), .. Interval(place.Times)],
+        PlaceSettings place => [.. Radius(place.Place, body), .. Interval(place.Times)],
         _ => [],
     };
 
@@ -63,18 +66,20 @@ internal static class PlausibleMistakes
     }
 
     /// <summary>The width on the ground of an image with its camera looking down on the sphere, m.</summary>
-    public static double WidthOnGround(Frame frame) => 2.0 * Math.Tan(frame.Camera.FieldOfView / 2.0)
-        * Math.Abs(frame.Camera.PositionMoonMe.Length - MoonConstants.ReferenceRadius);
+    /// <param name="frame">The image.</param>
+    /// <param name="radius">m: radius of the sphere.</param>
+    public static double WidthOnGround(Frame frame, double radius) => 2.0 * Math.Tan(frame.Camera.FieldOfView / 2.0)
+        * Math.Abs(frame.Camera.PositionMoonMe.Length - radius);
 
-    /// <summary>What a position inside the Moon would mean in kilometres; empty if that is inside or far out too.</summary>
-    public static string InKilometres(Vector3D positionMoonMe)
+    /// <summary>What a position inside the body would mean in kilometres; empty if that is inside or far out too.</summary>
+    public static string InKilometres(Vector3D positionMoonMe, CelestialBody body)
     {
         double kilometres = positionMoonMe.Length;
-        return kilometres is > 1700.0 and < 100_000.0
+        return kilometres > (body.IsMoon ? 1700.0 : body.MeanRadius / 1000.0) && kilometres < 100_000.0
             ? string.Create(
                 CultureInfo.InvariantCulture,
                 $" Positions are in metres: {kilometres:G5} from the centre looks like kilometres; multiply by 1000.")
-            : " Positions are in metres from the Moon's centre.";
+            : $" Positions are in metres from {(body.IsMoon ? "the Moon's" : $"{body.Name}'s")} centre.";
     }
 
     private static IEnumerable<string> Elements(KeplerElements elements)
@@ -101,9 +106,9 @@ internal static class PlausibleMistakes
         }
     }
 
-    private static IEnumerable<string> Radius(SurfacePlace place)
+    private static IEnumerable<string> Radius(SurfacePlace place, CelestialBody body)
     {
-        double height = place.Height - MoonConstants.ReferenceRadius;
+        double height = place.Height - body.MeanRadius;
         if (!place.IsOverTerrain && height is >= 0.0 and <= LowOrbit)
         {
             yield return string.Create(

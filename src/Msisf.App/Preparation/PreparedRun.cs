@@ -29,8 +29,8 @@ internal sealed record PreparedRun(
         try
         {
             RunFrames run = RunFrames.Read(camera, settings, ephemeris, model, host, cancellation);
-            GroundCheck.Refuse(run.Frames, model.Opened, settings.ShutterSpan, cancellation);
-            run.WarnOfFieldOfView(settings, host);
+            GroundCheck.Refuse(run.Frames, model.Opened, settings.ShutterSpan, cancellation, settings.Body);
+            run.WarnOfFieldOfView(settings, host, model.Opened.Grid.ReferenceRadius);
             return new PreparedRun(run.States, run.Names, run.Frames, model.Opened);
         }
         catch

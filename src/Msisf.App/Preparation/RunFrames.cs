@@ -27,9 +27,10 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
         ProgramHost host,
         CancellationToken cancellation)
     {
-        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, settings.Aberration);
+        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, settings.Aberration, settings.Body);
         StateReader reader = new(ephemeris.Engine, geometry, host)
         {
+            Body = settings.Body,
             CameraWithShutter = settings.Shutter is null ? null : settings.Camera!.Name,
         };
         IReadOnlyList<SpacecraftState> states = host.Times.Measure(Phase.States, () => reader.Read(camera, cancellation));
@@ -41,10 +42,11 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
     /// <summary>Warns of a field of view that is most likely meant in another unit.</summary>
     /// <param name="settings">The run's settings.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
-    public void WarnOfFieldOfView(RenderSettings settings, ProgramHost host)
+    /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
+    public void WarnOfFieldOfView(RenderSettings settings, ProgramHost host, double referenceRadius)
     {
-        double cell = settings.Resolution.MetresPerPixel;
-        double widest = Frames.Max(PlausibleMistakes.WidthOnGround);
+        double cell = settings.Resolution.OnSphere(referenceRadius).MetresPerPixel;
+        double widest = Frames.Max(frame => PlausibleMistakes.WidthOnGround(frame, referenceRadius));
         foreach (string mistake in PlausibleMistakes.FieldOfView(settings.FieldOfViewDegrees, widest, cell))
         {
             host.Log.Warning(mistake);

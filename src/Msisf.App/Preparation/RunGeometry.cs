@@ -1,6 +1,7 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;
@@ -9,8 +10,13 @@ namespace Msisf.App.Preparation;
 /// <param name="model">Opens the elevation model, or returns the open one.</param>
 /// <param name="ephemeris">Opens the ephemeris, or returns the open one.</param>
 /// <param name="aberration">Which effects of light's finite speed the Sun's position includes, as for the run's light.</param>
-internal sealed class RunGeometry(Func<ElevationModel> model, Func<IEphemeris> ephemeris, Aberration aberration) : ISceneGeometry
+/// <param name="body">The body; null for the Moon.</param>
+internal sealed class RunGeometry(
+    Func<ElevationModel> model, Func<IEphemeris> ephemeris, Aberration aberration, CelestialBody? body = null) : ISceneGeometry
 {
+    /// <inheritdoc/>
+    public double ReferenceRadius => body is { IsMoon: false } ? model().Grid.ReferenceRadius : MoonConstants.ReferenceRadius;
+
     /// <inheritdoc/>
     public double GroundRadius(Vector3D directionMoonMe) => model().GroundRadius(directionMoonMe);
 

@@ -28,6 +28,9 @@ internal sealed class StateReader
     public StateReader(Func<IEphemeris> ephemeris, ISceneGeometry scene, ProgramHost host) =>
         (_ephemeris, _scene, _host) = (ephemeris, scene, host);
 
+    /// <summary>The body that is drawn.</summary>
+    public CelestialBody Body { get; init; } = CelestialBody.Moon;
+
     /// <summary>The camera file whose shutter needs to know how the camera moves; null if nothing does.</summary>
     public string? CameraWithShutter { get; init; }
 
@@ -37,7 +40,7 @@ internal sealed class StateReader
     /// <exception cref="NothingToRenderException">There is no state.</exception>
     public IReadOnlyList<SpacecraftState> Read(CameraSettings camera, CancellationToken cancellation)
     {
-        foreach (string mistake in PlausibleMistakes.In(camera))
+        foreach (string mistake in PlausibleMistakes.In(camera, Body))
         {
             _host.Log.Warning(mistake);
         }
@@ -91,7 +94,7 @@ internal sealed class StateReader
 
     private SpacecraftState[] AtPlace(PlaceSettings settings, CancellationToken cancellation)
     {
-        Vector3D position = PointingOptions.Position.Concerned(() => settings.Place.ToPositionMoonMe(_scene.GroundRadius));
+        Vector3D position = PointingOptions.Position.Concerned(() => settings.Place.ToPositionMoonMe(_scene.GroundRadius, _scene.ReferenceRadius));
         if (settings.Pointing.IsTargetHidden(position, _scene))
         {
             _host.Log.Warning($"{PointingOptions.LookAt.Name}: the place {PointingText.Hidden}");

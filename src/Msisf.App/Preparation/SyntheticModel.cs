@@ -26,6 +26,7 @@ internal static class SyntheticModel
 
         SyntheticLdemOptions options = new(settings.PixelsPerDegree, settings.Seed, settings.Folder)
         {
+            Body = settings.Body,
             Base = continued,
             Region = settings.Region,
             Rest = settings.Rest,

@@ -27,16 +27,18 @@ internal static class DryRun
         using ModelOnDemand onDemand = new(settings, host);
         RunFrames run = RunFrames.Read(camera, settings, ephemeris, onDemand, host, cancellation);
         ElevationModel? model = IfThere(onDemand, settings, host);
-        GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation);
-        run.WarnOfFieldOfView(settings, host);
-        RunNotes notes = new(settings.Resolution);
+        GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation, settings.Body);
+        double reference = model?.Grid.ReferenceRadius ?? MoonConstants.ReferenceRadius;
+        GridResolution resolution = settings.Resolution.OnSphere(reference);
+        run.WarnOfFieldOfView(settings, host, reference);
+        RunNotes notes = new(resolution);
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
         {
             cancellation.ThrowIfCancellationRequested();
             FramePreview view = FramePreview.Of(frame.Camera, frame.Light, model?.Grid);
             notes.Add(frame, view);
             return new PreviewRow(
-                frame.Step, frame.Time, Height(frame.Camera.PositionMoonMe, model), view, view.PixelsPerCell(settings.Resolution));
+                frame.Step, frame.Time, Height(frame.Camera.PositionMoonMe, model), view, view.PixelsPerCell(resolution));
         }).ToArray());
         notes.Write(camera, host.Log);
         return rows;

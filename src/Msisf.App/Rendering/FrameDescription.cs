@@ -30,7 +30,10 @@ internal sealed class FrameDescription(
         version,
         arguments,
         rendered.Renderer,
-        inputs());
+        inputs())
+    {
+        Globe = new DrawnGlobe(settings.Body, model.Grid.ReferenceRadius),
+    };
 
     /// <summary>The pixels that the meta file lists.</summary>
     public PixelSampler Sampler(Frame frame, RenderedFrame rendered)
@@ -38,11 +41,11 @@ internal sealed class FrameDescription(
         PixelGrid grid = new(frame.Camera.Width, frame.Camera.Height, settings.GridHorizontal, settings.GridVertical);
         if (settings.Surface == PixelSurface.Sphere)
         {
-            return new PixelSampler(frame.Camera, grid, ReferenceSphere.Lola, frame.Light.PositionMoonMe);
+            return new PixelSampler(frame.Camera, grid, new ReferenceSphere(model.Grid.ReferenceRadius), frame.Light.PositionMoonMe);
         }
 
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        return new PixelSampler(grid, rendered.Truth, rendered.Resolution.PixelsPerDegree);
+        return new PixelSampler(grid, rendered.Truth, rendered.Resolution.PixelsPerDegree, model.Grid.ReferenceRadius);
     }
 
     /// <summary>What the layers' headers say of their origin.</summary>
@@ -51,5 +54,8 @@ internal sealed class FrameDescription(
         rendered.Resolution,
         model.Grid.Projection.Resolution.HalvingsTo(rendered.Resolution),
         metadata.RendererName,
-        settings.Albedo.Band);
+        settings.Albedo.Band)
+    {
+        ReferenceRadius = model.Grid.ReferenceRadius,
+    };
 }

@@ -11,6 +11,9 @@ namespace Msisf.App.Rendering;
 /// <summary>A drawn frame in memory: its grey levels or the numbers of the detector, and its ground truth.</summary>
 internal sealed class NativeImage : IDisposable
 {
+    /// <summary>px: a thread's start takes as long as the levels of some thousand.</summary>
+    private const int LeastOfAThread = 1 << 16;
+
     private readonly NativeDrawing _drawing;
     private readonly GridResolution _resolution;
     private readonly NativeFrame _drawn;
@@ -52,7 +55,7 @@ internal sealed class NativeImage : IDisposable
         int length = Width * Height * BytesPerPixel;
         byte[] memory = ArrayPool<byte>.Shared.Rent(length);
         Span<byte> levels = memory.AsSpan(0, length);
-        CopyLevels(levels);
+        CopyLevels(memory.AsMemory(0, length), threads: 1);
         if (BytesPerPixel == 1)
         {
             PngWriter.Write(png, levels, Width, _drawing.Settings.Grey.Transfer);
@@ -67,19 +70,41 @@ internal sealed class NativeImage : IDisposable
 
     /// <summary>Copies the grey levels, or the numbers of the detector, by rows from the top, in the byte order of this computer.</summary>
     /// <param name="levels">Receives them; <see cref="BytesPerPixel"/> for each pixel.</param>
-    public void CopyLevels(Span<byte> levels)
+    /// <param name="threads">Number of threads.</param>
+    public void CopyLevels(Memory<byte> levels, int threads)
     {
         if (Detected is { } detected)
         {
-            MemoryMarshal.AsBytes<ushort>(detected.Numbers).CopyTo(levels);
+            MemoryMarshal.AsBytes<ushort>(detected.Numbers).CopyTo(levels.Span);
+            return;
         }
-        else if (BytesPerPixel == 1)
+
+        int parts = Math.Min(threads, Width * Height / LeastOfAThread);
+        if (parts < 2)
         {
-            _drawing.Grey.Convert(_drawn.RadianceFactors, levels);
+            ConvertLevels(_drawn.RadianceFactors, levels.Span);
+            return;
+        }
+
+        int length = (int)Math.Ceiling((double)(Width * Height) / parts);
+        Parallel.For(0, parts, new ParallelOptions { MaxDegreeOfParallelism = parts }, part =>
+        {
+            int start = part * length;
+            int count = Math.Min(length, (Width * Height) - start);
+            ConvertLevels(
+                _drawn.RadianceFactors.Slice(start, count), levels.Span.Slice(start * BytesPerPixel, count * BytesPerPixel));
+        });
+    }
+
+    private void ConvertLevels(ReadOnlySpan<double> radianceFactors, Span<byte> levels)
+    {
+        if (BytesPerPixel == 1)
+        {
+            _drawing.Grey.Convert(radianceFactors, levels);
         }
         else
         {
-            _drawing.Grey.Convert(_drawn.RadianceFactors, MemoryMarshal.Cast<byte, ushort>(levels));
+            _drawing.Grey.Convert(radianceFactors, MemoryMarshal.Cast<byte, ushort>(levels));
         }
     }
 

@@ -47,7 +47,7 @@ internal sealed class JsonOptions
             [CameraOptions.BatchFile, CameraOptions.Times, CameraOptions.TimeInterval]),
         .. ImageOptions.Group.Options,
         .. LightOptions.Group.Options.Except([LightOptions.Kernels]),
-        .. SurfaceOptions.Group.Options.Except([SurfaceOptions.Ldem]),
+        .. SurfaceOptions.Group.Options.Except([SurfaceOptions.Ldem, SurfaceOptions.Body]),
         .. AlbedoOptions.Group.Options,
         OutputOptions.Surface, OutputOptions.Grid, OutputOptions.GridHorizontal, OutputOptions.GridVertical,
         RendererOptions.Renderer,

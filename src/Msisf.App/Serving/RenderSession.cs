@@ -2,9 +2,11 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
+using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
+using Msisf.Core.Render;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Serving;
@@ -66,6 +68,20 @@ internal sealed class RenderSession : IDisposable
     /// <summary>Follows single rays of a frame on the surface that it shows; the Sun is a point, the normals are those of facets.</summary>
     public FrameTruth TruthOf(PreparedFrame frame) =>
         new(frame.Frame, _levels.TracerFor(frame.Frame.Camera, Settings.Native.Render.DetailSubsamplesPerAxis));
+
+    /// <summary>Reads pixels of a frame as it is drawn, with smooth normals and penumbras if it has them.</summary>
+    /// <param name="frame">The frame.</param>
+    /// <param name="pixels">Points of the image; what is read is the middle of the pixel that holds each.</param>
+    /// <param name="threads">Number of threads.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    /// <exception cref="BadInputException">A point lies outside the image.</exception>
+    public SurfaceReading?[] ReadDrawn(PreparedFrame frame, IReadOnlyList<double[]> pixels, int threads, CancellationToken cancellation)
+    {
+        PinholeCamera camera = frame.Frame.Camera;
+        NativeRenderer renderer = _levels.For(camera, Settings.Native.Render.DetailSubsamplesPerAxis);
+        NativeRenderOptions truth = Settings.Native.Render with { SubsamplesPerAxis = 1, Adaptive = null, KeepGroundTruth = true };
+        return new DrawnPixels(camera, window => renderer.Render(window, frame.Frame.Light, truth, threads, cancellation)).Read(pixels);
+    }
 
     /// <summary>What the meta file says of a frame.</summary>
     public FrameMetadata Describe(PreparedFrame frame, RenderedFrame rendered) =>

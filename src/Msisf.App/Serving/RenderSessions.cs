@@ -1,6 +1,5 @@
 using Msisf.App.Host;
 using Msisf.App.Preparation;
-using Msisf.App.Settings;
 
 namespace Msisf.App.Serving;
 
@@ -24,15 +23,8 @@ internal sealed class RenderSessions : IDisposable
     public int Count => _sessions.Count;
 
     /// <summary>The session of a requested frame; dispose the lease when the frame is done.</summary>
-    public SharedCache<RenderSession>.Lease Rent(RequestedFrame requested)
-    {
-        RenderSettings settings = requested.Settings;
-        string maps = $"{settings.Albedo} {settings.Native.ReflectanceText} {settings.Native.HapkeMap}";
-        bool hasTruth = settings.Native.Render.KeepGroundTruth;
-        bool hasDetector = settings.Native.Detector is not null;
-        string key = $"{FrameArguments.OfSettings(settings, settings.Ephemeris)} {maps} {settings.Camera?.Sha256} {hasTruth} {hasDetector}";
-        return _sessions.Rent(key, () => Open(requested, maps));
-    }
+    public SharedCache<RenderSession>.Lease Rent(RequestedFrame requested) =>
+        _sessions.Rent(requested.SessionKey, () => Open(requested));
 
     /// <summary>Closes all sessions.</summary>
     public void Dispose()
@@ -42,9 +34,9 @@ internal sealed class RenderSessions : IDisposable
         _ephemeris.Dispose();
     }
 
-    private RenderSession Open(RequestedFrame requested, string maps)
+    private RenderSession Open(RequestedFrame requested)
     {
-        SharedCache<SurfaceInputs>.Lease lease = _maps.Rent(maps, () => SurfaceInputs.Open(requested.Settings, _host));
+        SharedCache<SurfaceInputs>.Lease lease = _maps.Rent(requested.MapsKey, () => SurfaceInputs.Open(requested.Settings, _host));
         try
         {
             return new RenderSession(requested, lease, _ephemeris, _host);

@@ -1,3 +1,4 @@
+using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Render;
 
@@ -9,15 +10,25 @@ namespace Msisf.App.Serving;
 /// <param name="Settings">The other options.</param>
 internal sealed record RequestedFrame(ServedModel Model, CameraSettings? Place, RenderSettings Settings)
 {
+    private readonly Lazy<string> _sessionKey = new(() => KeyOf(Settings));
+
+    /// <summary>Tells sessions apart: all options but those that say where the camera is.</summary>
+    public string SessionKey => _sessionKey.Value;
+
+    /// <summary>What the maps of the session are told apart by.</summary>
+    public string MapsKey => MapsKeyOf(Settings);
+
     /// <summary>Whether single rays tell what the image shows: the Sun is a point, and the normals are those of facets.</summary>
     public bool IsTraceable => Settings.Native.Render is { Sun: SunModel.Point, Normals: NormalModel.Facet };
 
-    /// <summary>The same frame without a detector, and with the ground truth of its pixels.</summary>
-    public RequestedFrame WithTruth() => this with
+    private static string KeyOf(RenderSettings settings)
     {
-        Settings = Settings with
-        {
-            Native = Settings.Native with { Detector = null, Render = Settings.Native.Render with { KeepGroundTruth = true } },
-        },
-    };
+        bool hasTruth = settings.Native.Render.KeepGroundTruth;
+        bool hasDetector = settings.Native.Detector is not null;
+        return $"{FrameArguments.OfSettings(settings, settings.Ephemeris)} {MapsKeyOf(settings)} {settings.Camera?.Sha256} {hasTruth} "
+            + $"{hasDetector}";
+    }
+
+    private static string MapsKeyOf(RenderSettings settings) =>
+        $"{settings.Albedo} {settings.Native.ReflectanceText} {settings.Native.HapkeMap}";
 }

@@ -99,7 +99,7 @@ internal static class CommandTable
         MakeGroups = () => [new OptionGroup(
             "The new model",
             [
-                ModelOptions.NewResolution, ModelOptions.Seed, ModelOptions.Base, ModelOptions.Region, ModelOptions.Rest,
+                ModelOptions.NewResolution, ModelOptions.Seed, ModelOptions.NewBody, ModelOptions.Base, ModelOptions.Region, ModelOptions.Rest,
                 ModelOptions.Projection, ModelOptions.MapScale, ModelOptions.Latitude, ModelOptions.SampleType, ModelOptions.NewFolder,
             ]), Progress],
     };

@@ -28,6 +28,7 @@ internal static class FrameArguments
             OutputOptions.GridVertical.Name, Text(settings.GridVertical),
             .. OutputOptions.Surface.Words(settings.Surface),
             .. settings.Resolution.PixelsPerDegree is { } resolution ? (string[])[SurfaceOptions.Resolution.Name, Text(resolution)] : [],
+            .. settings.Body.IsMoon ? [] : (string[])[.. SurfaceOptions.Body.Words(settings.Body.NaifNumber)],
             .. settings.LevelOfDetailError is double error
                 ? [SurfaceOptions.LevelOfDetailError.Name, NumberSpec.TextOf(error)]
                 : SurfaceOptions.LevelOfDetail.Words(true),

@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
@@ -48,6 +49,12 @@ internal static class ModelOptions
         "--seed", "N", "Number that the terrain is drawn from; the same number gives the same bytes")
     {
         IsRequired = true,
+    };
+
+    /// <summary>NAIF's number of the body of a new model.</summary>
+    public static ChoiceSpec<int> NewBody { get; } = SurfaceOptions.Body with
+    {
+        Help = "Body of the new model; that of another one than the Moon has the Moon's terrain, as many degrees wide",
     };
 
     /// <summary>Base model, which the new model continues to smaller scales.</summary>
@@ -125,6 +132,14 @@ internal static class ModelOptions
 
         int? resolution = NewResolution.ReadIfGiven(values);
         SyntheticMapSettings? map = ReadMap(values);
+        CelestialBody body = CelestialBody.Of(NewBody.Read(values));
+        OptionSpec[] ofMoon = [Base, Projection];
+        if (!body.IsMoon && ofMoon.FirstOrDefault(values.IsGiven) is { } other)
+        {
+            throw new UsageException(
+                $"{other.Name} is for models of the Moon only. Leave it out, or {NewBody.Name}.").About(other, NewBody);
+        }
+
         return new SynthesisSettings(
             map is null
                 ? resolution
@@ -142,6 +157,7 @@ internal static class ModelOptions
             RunOptions.Batch.Read(values))
         {
             Map = map,
+            Body = body,
         };
     }
 

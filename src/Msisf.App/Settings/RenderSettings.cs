@@ -30,6 +30,9 @@ internal sealed record RenderSettings
     /// <summary>Resolution of the elevation model: that of --res, or of the polar map that --ldem names.</summary>
     public required GridResolution Resolution { get; init; }
 
+    /// <summary>The body that is drawn.</summary>
+    public CelestialBody Body { get; init; } = CelestialBody.Moon;
+
     public required RendererKind Renderer { get; init; }
 
     /// <summary>Settings of the program's own renderer; defaults if POV-Ray is used.</summary>

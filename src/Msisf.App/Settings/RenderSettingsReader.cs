@@ -7,6 +7,7 @@ using Msisf.Core.Lod;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Settings;
 
@@ -26,6 +27,7 @@ internal static class RenderSettingsReader
         RendererOptions.Check(values);
         AlbedoSettings albedo = AlbedoOptions.Read(values);
         CameraFile? camera = CameraChoice.Read(values, openCamera);
+        GridResolution resolution = ModelChoice.ResolutionOf(values, renderer, gdalPath);
         RenderSettings settings = new()
         {
             Camera = camera,
@@ -35,7 +37,8 @@ internal static class RenderSettingsReader
             GridHorizontal = OutputOptions.GridHorizontal.ReadIfGiven(values) ?? grid,
             GridVertical = OutputOptions.GridVertical.ReadIfGiven(values) ?? grid,
             Surface = surface,
-            Resolution = ModelChoice.ResolutionOf(values, renderer, gdalPath),
+            Resolution = resolution,
+            Body = BodyChoice.Read(values, renderer, resolution),
             Renderer = renderer,
             Native = NativeSettingsReader.Read(
                 values, albedo, DetectorChoice.Of(camera, values), needsTruth: surface == PixelSurface.Terrain),

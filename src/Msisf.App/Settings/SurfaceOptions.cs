@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Lod;
 
 namespace Msisf.App.Settings;
@@ -27,6 +28,15 @@ internal static class SurfaceOptions
         DefaultNote = "./input/ldem, then that of the installation",
     };
 
+    /// <summary>NAIF's number of the body that is drawn.</summary>
+    public static ChoiceSpec<int> Body { get; } = new(
+        "--body",
+        [.. CelestialBody.All.Select(body => new Choice(body.Name.ToLowerInvariant(), body.NaifNumber))],
+        "Body that is drawn; another one than the Moon needs --ldem with a model of it, and --renderer native")
+    {
+        Default = CelestialBody.Moon.NaifNumber,
+    };
+
     /// <summary>Whether coarser levels are used; the value is true for "off".</summary>
     public static ChoiceSpec<bool> LevelOfDetail { get; } = new(
         "--lod", [new Choice("auto", false), new Choice("off", true)],
@@ -44,5 +54,5 @@ internal static class SurfaceOptions
     };
 
     /// <summary>The options of this class as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Surface model", [Resolution, Ldem, LevelOfDetail, LevelOfDetailError]);
+    public static OptionGroup Group { get; } = new("Surface model", [Resolution, Ldem, Body, LevelOfDetail, LevelOfDetailError]);
 }

@@ -1,5 +1,6 @@
 using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Settings;
@@ -25,4 +26,7 @@ internal sealed record SynthesisSettings(
 {
     /// <summary>The polar map to make; null for a model of latitude and longitude.</summary>
     public SyntheticMapSettings? Map { get; init; }
+
+    /// <summary>The body.</summary>
+    public CelestialBody Body { get; init; } = CelestialBody.Moon;
 }

@@ -40,12 +40,13 @@ public static class Boresight
     /// </summary>
     /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
     /// <param name="azimuth">rad, clockwise from north.</param>
+    /// <param name="radius">m: radius of the reference sphere.</param>
     /// <returns>Length 1, MOON_ME.</returns>
-    public static Vector3D Horizon(Vector3D positionMoonMe, double azimuth)
+    public static Vector3D Horizon(Vector3D positionMoonMe, double azimuth, double radius = MoonConstants.ReferenceRadius)
     {
-        double height = positionMoonMe.Length - MoonConstants.ReferenceRadius;
-        double toHorizon = Math.Sqrt(Math.Max(0.0, height * (height + (2.0 * MoonConstants.ReferenceRadius))));
-        return OffNadir(positionMoonMe, Math.Atan2(MoonConstants.ReferenceRadius, toHorizon), azimuth);
+        double height = positionMoonMe.Length - radius;
+        double toHorizon = Math.Sqrt(Math.Max(0.0, height * (height + (2.0 * radius))));
+        return OffNadir(positionMoonMe, Math.Atan2(radius, toHorizon), azimuth);
     }
 
     /// <summary>The attitude that looks along a direction.</summary>

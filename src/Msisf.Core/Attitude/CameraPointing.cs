@@ -37,9 +37,9 @@ public sealed record CameraPointing
         UnitQuaternion nadir = NadirPointing.MoonFromCamera(positionMoonMe);
         Vector3D forward = Kind switch
         {
-            BoresightKind.Place => Boresight.Towards(positionMoonMe, Target.ToPositionMoonMe(scene.GroundRadius)),
+            BoresightKind.Place => Boresight.Towards(positionMoonMe, PlaceOfTarget(scene)),
             BoresightKind.Sun => Boresight.Towards(positionMoonMe, scene.SunPositionMoonMe(time)),
-            BoresightKind.Horizon => Boresight.Horizon(positionMoonMe, Azimuth),
+            BoresightKind.Horizon => Boresight.Horizon(positionMoonMe, Azimuth, scene.ReferenceRadius),
             BoresightKind.OffNadir => Boresight.OffNadir(positionMoonMe, OffNadir, Azimuth),
             _ => nadir * -Vector3D.UnitX,
         };
@@ -57,5 +57,7 @@ public sealed record CameraPointing
     /// <param name="scene">Terrain and Sun.</param>
     public bool IsTargetHidden(Vector3D positionMoonMe, ISceneGeometry scene) =>
         Kind == BoresightKind.Place
-        && SightLine.IsBlocked(positionMoonMe, Target.ToPositionMoonMe(scene.GroundRadius), scene.GroundRadius);
+        && SightLine.IsBlocked(positionMoonMe, PlaceOfTarget(scene), scene.GroundRadius);
+
+    private Vector3D PlaceOfTarget(ISceneGeometry scene) => Target.ToPositionMoonMe(scene.GroundRadius, scene.ReferenceRadius);
 }

@@ -1,4 +1,5 @@
 using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.Core.Attitude;
@@ -6,6 +7,9 @@ namespace Msisf.Core.Attitude;
 /// <summary>What must be known of Moon and Sun to place and point a camera; each is computed only where it is asked for.</summary>
 public interface ISceneGeometry
 {
+    /// <summary>m: radius of the sphere over which heights are counted.</summary>
+    double ReferenceRadius => MoonConstants.ReferenceRadius;
+
     /// <summary>Distance from the Moon's centre to the terrain.</summary>
     /// <param name="directionMoonMe">MOON_ME, any length but 0.</param>
     /// <returns>m.</returns>

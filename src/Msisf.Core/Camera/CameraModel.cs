@@ -60,6 +60,15 @@ public sealed class CameraModel
         IsThesis = isThesis;
     }
 
+    /// <summary>Cuts a part out of an image.</summary>
+    private CameraModel(CameraModel whole, int left, int top, int width, int height)
+        : this(
+            width, height, (whole.FocalX, whole.FocalY), (whole.PrincipalX - left, whole.PrincipalY - top), whole.Skew, whole.FieldOfView,
+            isThesis: false)
+    {
+        (Distortion, Lens) = (whole.Distortion, whole.Lens);
+    }
+
     /// <summary>Image width, px.</summary>
     public int Width { get; }
 
@@ -84,7 +93,7 @@ public sealed class CameraModel
     /// <summary>The distortion of the lens; null for a pinhole.</summary>
     public Distortion? Distortion { get; }
 
-    /// <summary>Horizontal field of view, rad: between the borders of the middle row.</summary>
+    /// <summary>Horizontal field of view, rad: between the borders of the middle row; of a <see cref="Window"/> that of the whole.</summary>
     public double FieldOfView { get; }
 
     /// <summary>Whether this is the thesis's camera: square pixels, the optical axis through the middle, no distortion.</summary>
@@ -118,6 +127,20 @@ public sealed class CameraModel
             && PrincipalX == 0.5 * (1.0 + Width) && PrincipalY == 0.5 * (1.0 + Height)
             ? FromFieldOfView(2.0 * Math.Atan(0.5 * Width / FocalX), Width, Height)
             : this;
+
+    /// <summary>The camera of a part of this one's image, in which each pixel shows what it shows in the whole.</summary>
+    /// <param name="left">Columns of the whole to the left of it, at least 0.</param>
+    /// <param name="top">Rows of the whole above it, at least 0.</param>
+    /// <param name="width">px.</param>
+    /// <param name="height">px.</param>
+    public CameraModel Window(int left, int top, int width, int height)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(left);
+        ArgumentOutOfRangeException.ThrowIfNegative(top);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(left + width, Width);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(top + height, Height);
+        return width == Width && height == Height ? this : new CameraModel(this, left, top, width, height);
+    }
 
     /// <summary>The point of the ideal image plane that a point of the image shows.</summary>
     public (double Right, double Down) ToIdeal(double x, double y)

@@ -12,6 +12,9 @@ public sealed record Shutter
     /// <summary>Seconds from the exposure of a row to that of the row below; 0 for a global shutter.</summary>
     public double LineTime { get; init; }
 
+    /// <summary>Whether the rows are exposed one after another.</summary>
+    public bool IsRolling => LineTime > 0.0;
+
     /// <summary>px: how far the image may move from one sub-exposure to the next.</summary>
     public double MaxStep { get; init; } = DefaultMaxStep;
 

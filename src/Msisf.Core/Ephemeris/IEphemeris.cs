@@ -5,7 +5,8 @@ using Msisf.Core.Time;
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>
-/// Gives the Sun's position and the orientation of MOON_ME; every ephemeris engine implements it. Safe for several threads.
+/// Gives the Sun's position and the orientation of the body's frame, which for the Moon is MOON_ME; every ephemeris engine implements it.
+/// "Moon" in its names stands for the body that is drawn. Safe for several threads.
 /// </summary>
 public interface IEphemeris
 {

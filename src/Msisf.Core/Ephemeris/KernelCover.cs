@@ -6,10 +6,13 @@ namespace Msisf.Core.Ephemeris;
 
 /// <summary>The times that the loaded kernels cover; the message for a time outside the cover is made from it.</summary>
 /// <param name="Scale">Turns the cover's TDB into UTC.</param>
-/// <param name="Times">Times at which the Sun, the Moon and the Moon's orientation are all known.</param>
+/// <param name="Times">Times at which the Sun, the body and the body's orientation are all known.</param>
 public sealed record KernelCover(TdbScale Scale, TdbCover Times)
 {
     private static readonly DateTime J2000Utc = new(2000, 1, 1, 12, 0, 0, DateTimeKind.Utc);
+
+    /// <summary>The body.</summary>
+    public CelestialBody Body { get; init; } = CelestialBody.Moon;
 
     /// <summary>Whether the kernels cover a time.</summary>
     /// <param name="time">UTC.</param>
@@ -34,7 +37,9 @@ public sealed record KernelCover(TdbScale Scale, TdbCover Times)
 
     /// <summary>The cover in UTC to the second, rounded inwards: "1899-12-31T23:59:19Z to 2050-12-31T23:58:50Z".</summary>
     public string Describe() => Times.Intervals.Count == 0
-        ? "no time at all, because they do not have all of Sun (10), Moon (301) and the orientation of MOON_ME"
+        ? string.Create(
+            CultureInfo.InvariantCulture,
+            $"no time at all, because they do not have all of Sun (10), {Body.Name} ({Body.NaifNumber}) and the orientation of {Body.Frame}")
         : string.Join(" and ", Times.Intervals.Select(interval =>
             $"{Text(Math.Ceiling(Scale.ToUtcSeconds(interval.Start)))} to {Text(Math.Floor(Scale.ToUtcSeconds(interval.End)))}"));
 

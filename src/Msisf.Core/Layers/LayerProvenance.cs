@@ -12,4 +12,8 @@ namespace Msisf.Core.Layers;
 /// <param name="Renderer">Name of the renderer, e.g. "native".</param>
 /// <param name="Band">Band of the radiance.</param>
 public sealed record LayerProvenance(
-    string ElevationProduct, GridResolution MeshResolution, int LevelOfDetail, string Renderer, SpectralBand Band);
+    string ElevationProduct, GridResolution MeshResolution, int LevelOfDetail, string Renderer, SpectralBand Band)
+{
+    /// <summary>m: radius of the sphere over which heights are counted.</summary>
+    public double ReferenceRadius { get; init; } = MoonConstants.ReferenceRadius;
+}

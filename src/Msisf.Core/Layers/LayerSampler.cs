@@ -9,6 +9,7 @@ public sealed class LayerSampler
 {
     private readonly IGroundTruth _truth;
     private readonly int? _meshPixelsPerDegree;
+    private readonly double _referenceRadius;
     private readonly double? _radianceOfUnitFactor;
 
     /// <summary>Prepares a frame.</summary>
@@ -18,6 +19,7 @@ public sealed class LayerSampler
     {
         _truth = truth;
         _meshPixelsPerDegree = provenance.MeshResolution.PixelsPerDegree;
+        _referenceRadius = provenance.ReferenceRadius;
         _radianceOfUnitFactor = truth.LightIsSun
             ? provenance.Band.RadianceOfUnitFactor(truth.LightPositionMoonMe.Length)
             : null;
@@ -40,7 +42,7 @@ public sealed class LayerSampler
     public void SampleRow(int row, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int start)
     {
         PinholeCamera camera = _truth.Camera;
-        PixelTruth pixel = new(_truth, _meshPixelsPerDegree);
+        PixelTruth pixel = new(_truth, _meshPixelsPerDegree, _referenceRadius);
         (LayerValue Value, int Plane, double[] Values)[] targets = [.. Targets(layers, planes)];
         ReadOnlySpan<double> factors = _truth.RadianceFactors;
         ReadOnlySpan<double> electrons = _truth.Electrons;

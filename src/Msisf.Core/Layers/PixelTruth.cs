@@ -22,8 +22,10 @@ internal sealed class PixelTruth
     /// <param name="meshPixelsPerDegree">
     /// px/deg: resolution of the grid whose cells the facets count; null if it is not one of latitude and longitude.
     /// </param>
-    public PixelTruth(IGroundTruth frame, int? meshPixelsPerDegree)
+    /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
+    public PixelTruth(IGroundTruth frame, int? meshPixelsPerDegree, double referenceRadius)
     {
+        ReferenceRadius = referenceRadius;
         Camera = frame.Camera;
         AxisLength = Camera.Direction.Length;
         LightPositionMoonMe = frame.LightPositionMoonMe;
@@ -42,6 +44,9 @@ internal sealed class PixelTruth
     /// px/deg: resolution of the grid whose cells <see cref="SurfaceHit.Facet"/> counts; null if it is not one of latitude and longitude.
     /// </summary>
     public int? MeshPixelsPerDegree { get; }
+
+    /// <summary>m: radius of the sphere over which heights are counted.</summary>
+    public double ReferenceRadius { get; }
 
     /// <summary>From the camera to the point; its length is the unit of the hit's ray parameter.</summary>
     public Vector3D LineOfSightMoonMe { get; private set; }

@@ -1,6 +1,5 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Layers;
@@ -26,7 +25,7 @@ internal static class SurfaceValues
 
     public static double? Longitude(PixelTruth pixel, int plane) => double.RadiansToDegrees(pixel.Place.Longitude);
 
-    public static double? Height(PixelTruth pixel, int plane) => pixel.Radius - MoonConstants.ReferenceRadius;
+    public static double? Height(PixelTruth pixel, int plane) => pixel.Radius - pixel.ReferenceRadius;
 
     public static double? Cell(PixelTruth pixel, int plane) => plane == 0 ? pixel.Hit.Facet.Line : pixel.Hit.Facet.Sample;
 

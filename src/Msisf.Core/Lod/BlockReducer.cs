@@ -21,6 +21,7 @@ public sealed class BlockReducer
     private readonly IElevationGrid _finer;
     private readonly int _halvings;
     private readonly LodLayout _layout;
+    private readonly double _reference;
 
     /// <summary>Takes a model to reduce.</summary>
     /// <param name="finer">The model; 2 to the power of <paramref name="halvings"/> must divide its resolution.</param>
@@ -30,6 +31,7 @@ public sealed class BlockReducer
         ArgumentOutOfRangeException.ThrowIfLessThan(halvings, 1);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(halvings, int.TrailingZeroCount(finer.PixelsPerDegree));
         _finer = finer;
+        _reference = finer.ReferenceRadius;
         _halvings = halvings;
         _layout = new LodLayout(finer.PixelsPerDegree >> halvings);
     }
@@ -56,7 +58,7 @@ public sealed class BlockReducer
                 Span<float> target = heights.Slice(line << LodLayout.SideShift, samples);
                 for (int sample = 0; sample < samples; sample++)
                 {
-                    target[sample] = (float)(radii[sample] - MoonConstants.ReferenceRadius);
+                    target[sample] = (float)(radii[sample] - _reference);
                 }
             }
         }
@@ -83,7 +85,7 @@ public sealed class BlockReducer
         Halve(north, south, radii);
     }
 
-    private static void Halve(ReadOnlySpan<double> north, ReadOnlySpan<double> south, Span<double> radii)
+    private void Halve(ReadOnlySpan<double> north, ReadOnlySpan<double> south, Span<double> radii)
     {
         int i = 0;
         if (Avx2.IsSupported)
@@ -91,7 +93,7 @@ public sealed class BlockReducer
             ref double northStart = ref MemoryMarshal.GetReference(north);
             ref double southStart = ref MemoryMarshal.GetReference(south);
             ref double target = ref MemoryMarshal.GetReference(radii);
-            Vector256<double> reference = Vector256.Create(MoonConstants.ReferenceRadius);
+            Vector256<double> reference = Vector256.Create(_reference);
             for (; i <= radii.Length - Vector256<double>.Count; i += Vector256<double>.Count)
             {
                 Vector256<double> west = Vector256.LoadUnsafe(ref northStart, (nuint)(2 * i))
@@ -109,7 +111,7 @@ public sealed class BlockReducer
         for (; i < radii.Length; i++)
         {
             double sum = north[2 * i] + south[2 * i] + (north[(2 * i) + 1] + south[(2 * i) + 1]);
-            radii[i] = MoonConstants.ReferenceRadius + (float)((0.25 * sum) - MoonConstants.ReferenceRadius);
+            radii[i] = _reference + (float)((0.25 * sum) - _reference);
         }
     }
 }

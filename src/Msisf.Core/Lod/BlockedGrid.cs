@@ -15,6 +15,7 @@ public abstract class BlockedGrid : IElevationGrid
     protected BlockedGrid(IElevationGrid source, int pixelsPerDegree)
     {
         ProductId = source.ProductId;
+        ReferenceRadius = source.ReferenceRadius;
 
         // A mean lies between the minimum and maximum of its samples, except for the rounding of its height.
         (double min, double max) = source.RadiusLimits;
@@ -27,6 +28,9 @@ public abstract class BlockedGrid : IElevationGrid
 
     /// <inheritdoc/>
     public int PixelsPerDegree => Layout.PixelsPerDegree;
+
+    /// <inheritdoc/>
+    public double ReferenceRadius { get; }
 
     /// <inheritdoc/>
     public (double Min, double Max) RadiusLimits { get; }
@@ -78,7 +82,7 @@ public abstract class BlockedGrid : IElevationGrid
             }
         }
 
-        return (MoonConstants.ReferenceRadius + min, MoonConstants.ReferenceRadius + max);
+        return (ReferenceRadius + min, ReferenceRadius + max);
     }
 
     /// <summary>The samples of a block.</summary>
@@ -87,14 +91,14 @@ public abstract class BlockedGrid : IElevationGrid
     /// <returns><see cref="LodLayout.BlockSamples"/> heights, m over the reference radius, <see cref="LodLayout.Side"/> a line.</returns>
     protected abstract ReadOnlySpan<float> HeightsOf(int row, int column);
 
-    private static void CopyRadii(ReadOnlySpan<float> heights, Span<double> radii)
+    private void CopyRadii(ReadOnlySpan<float> heights, Span<double> radii)
     {
         int i = 0;
         if (Avx.IsSupported)
         {
             ref float source = ref MemoryMarshal.GetReference(heights);
             ref double target = ref MemoryMarshal.GetReference(radii);
-            Vector256<double> reference = Vector256.Create(MoonConstants.ReferenceRadius);
+            Vector256<double> reference = Vector256.Create(ReferenceRadius);
             for (; i <= heights.Length - Vector256<double>.Count; i += Vector256<double>.Count)
             {
                 (reference + Avx.ConvertToVector256Double(Vector128.LoadUnsafe(ref source, (nuint)i))).StoreUnsafe(ref target, (nuint)i);
@@ -103,7 +107,7 @@ public abstract class BlockedGrid : IElevationGrid
 
         for (; i < heights.Length; i++)
         {
-            radii[i] = MoonConstants.ReferenceRadius + heights[i];
+            radii[i] = ReferenceRadius + heights[i];
         }
     }
 }

@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Lod;
 
@@ -30,6 +29,7 @@ public sealed class DetailRule
     private readonly int _levels;
     private readonly double _finestCell;
     private readonly double _errorPixels;
+    private readonly double _referenceRadius;
 
     /// <summary>Takes the model and the allowed error.</summary>
     /// <param name="levels">The model and its levels.</param>
@@ -37,7 +37,8 @@ public sealed class DetailRule
     public DetailRule(LodLevels levels, double errorPixels)
     {
         _levels = levels.Count;
-        _finestCell = MoonConstants.ReferenceRadius * Math.PI / 180.0 / levels.Level(0).PixelsPerDegree;
+        _referenceRadius = levels.Level(0).ReferenceRadius;
+        _finestCell = _referenceRadius * Math.PI / 180.0 / levels.Level(0).PixelsPerDegree;
         _errorPixels = errorPixels;
     }
 
@@ -53,7 +54,7 @@ public sealed class DetailRule
     /// <returns>0 for the model itself; each further level has half the resolution.</returns>
     public int LevelOfImage(PixelFootprint footprint, int subsamplesPerAxis)
     {
-        double height = footprint.PositionMoonMe.Length - MoonConstants.ReferenceRadius;
+        double height = footprint.PositionMoonMe.Length - _referenceRadius;
         return LevelOfPixel(height * footprint.Tangent / subsamplesPerAxis);
     }
 

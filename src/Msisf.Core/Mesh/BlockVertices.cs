@@ -3,7 +3,6 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh;
 
@@ -78,7 +77,7 @@ internal sealed class BlockVertices
         Lines = Cells.EndLine - Cells.FirstLine + 1;
         Samples = Cells.EndSample - Cells.FirstSample + 1;
         int whole = (Samples + Vector512<double>.Count - 1) / Vector512<double>.Count * Vector512<double>.Count;
-        _radii.AsSpan(Samples).Fill(MoonConstants.ReferenceRadius);
+        _radii.AsSpan(Samples).Fill(surface.Grid.ReferenceRadius);
         for (int line = 0; line < Lines; line++)
         {
             int start = line * Stride;

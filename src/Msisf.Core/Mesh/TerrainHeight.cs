@@ -28,7 +28,7 @@ public static class TerrainHeight
         FacetMesh mesh = new(grid);
         if (CellsAround(mesh, direction) is not { } cells)
         {
-            return MoonConstants.ReferenceRadius;
+            return grid.ReferenceRadius;
         }
 
         TerrainPatch patch = new(mesh);

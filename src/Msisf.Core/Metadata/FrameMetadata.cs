@@ -1,7 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
-using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.Core.Metadata;
@@ -29,8 +28,11 @@ public sealed record FrameMetadata(
     RendererKind Renderer,
     IReadOnlyList<InputFile> Inputs)
 {
-    /// <summary>Height of the camera over the Moon's mean radius, m (thesis section 9.2).</summary>
-    public double FlightAltitude => Camera.PositionMoonMe.Length - MoonConstants.MeanRadius;
+    /// <summary>The body that the frame shows; positions and directions are in its frame.</summary>
+    public DrawnGlobe Globe { get; init; } = DrawnGlobe.Moon;
+
+    /// <summary>Height of the camera over the Moon's mean radius, m (thesis section 9.2), or over another body's reference sphere.</summary>
+    public double FlightAltitude => Camera.PositionMoonMe.Length - Globe.AltitudeRadius;
 
     /// <summary>Name of the renderer, as the command line and the files have it.</summary>
     public string RendererName => Renderer switch

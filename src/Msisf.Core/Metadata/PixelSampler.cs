@@ -2,6 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Metadata;
@@ -31,9 +32,11 @@ public sealed class PixelSampler
     /// <param name="pixelsPerDegree">
     /// Resolution of the elevation model, px/deg, at least 1; null for one that is not of latitude and longitude.
     /// </param>
-    public PixelSampler(PixelGrid grid, IGroundTruth truth, int? pixelsPerDegree)
+    /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
+    public PixelSampler(
+        PixelGrid grid, IGroundTruth truth, int? pixelsPerDegree, double referenceRadius = MoonConstants.ReferenceRadius)
     {
-        _view = new TerrainPixels(truth, pixelsPerDegree);
+        _view = new TerrainPixels(truth, pixelsPerDegree, referenceRadius);
         Grid = grid;
     }
 

@@ -12,12 +12,15 @@ internal sealed class TerrainPixels : IPixelView
 {
     private readonly IGroundTruth _truth;
     private readonly int? _pixelsPerDegree;
+    private readonly double _referenceRadius;
 
     /// <summary>Prepares a frame.</summary>
     /// <param name="truth">What its pixels show.</param>
     /// <param name="pixelsPerDegree">Resolution of the elevation model, px/deg: names the tiles; null for a model without tiles.</param>
-    public TerrainPixels(IGroundTruth truth, int? pixelsPerDegree)
+    /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
+    public TerrainPixels(IGroundTruth truth, int? pixelsPerDegree, double referenceRadius)
     {
+        _referenceRadius = referenceRadius;
         ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree ?? 1, 1, nameof(pixelsPerDegree));
         _truth = truth;
         _pixelsPerDegree = pixelsPerDegree;
@@ -39,7 +42,7 @@ internal sealed class TerrainPixels : IPixelView
         Vector3D point = hit.PointMoonMe;
         Vector3D lightPosition = _truth.LightPositionMoonMe;
         TerrainRecord terrain = new(
-            point.Length - MoonConstants.ReferenceRadius,
+            point.Length - _referenceRadius,
             point,
             (point - camera.PositionMoonMe).Length,
             hit.NormalMoonMe,

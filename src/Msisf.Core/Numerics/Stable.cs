@@ -1,3 +1,6 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
 namespace Msisf.Core.Numerics;
 
 /// <summary>Sums and products that keep their digits where the plain formula cancels.</summary>
@@ -11,5 +14,30 @@ public static class Stable
         double error = Math.FusedMultiplyAdd(-c, d, cd);
         double difference = Math.FusedMultiplyAdd(a, b, -cd);
         return difference + error;
+    }
+
+    /// <summary>The point origin + parameter * direction; each coordinate is rounded once, at the end.</summary>
+    public static Vector3D PointAlong(Vector3D origin, double parameter, Vector3D direction) => new(
+        Along(origin.X, parameter, direction.X), Along(origin.Y, parameter, direction.Y), Along(origin.Z, parameter, direction.Z));
+
+    /// <summary>origin + parameter * direction with one rounding at the end: the low parts of product and sum are exact.</summary>
+    public static double Along(double origin, double parameter, double direction)
+    {
+        double product = parameter * direction;
+        double productRest = Math.FusedMultiplyAdd(parameter, direction, -product);
+        double sum = origin + product;
+        double added = sum - origin;
+        return sum + (((origin - (sum - added)) + (product - added)) + productRest);
+    }
+
+    /// <summary>Eight numbers at a time, with the bits of <see cref="Along(double, double, double)"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Vector512<double> Along(Vector512<double> origin, Vector512<double> parameter, Vector512<double> direction)
+    {
+        Vector512<double> product = parameter * direction;
+        Vector512<double> productRest = Vector512.FusedMultiplyAdd(parameter, direction, -product);
+        Vector512<double> sum = origin + product;
+        Vector512<double> added = sum - origin;
+        return sum + (((origin - (sum - added)) + (product - added)) + productRest);
     }
 }

@@ -53,8 +53,11 @@ public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNa
     /// <summary>
     /// m: radius of the sphere. A camera lower than the mountains may be below LOLA's sphere, and much nearer to the ground than to it.
     /// </summary>
-    private static double RadiusBelow(Vector3D position, ITerrainGrid? terrain) =>
-        terrain is not null && position.Length - MoonConstants.ReferenceRadius < MoonConstants.MaxRelief
+    private static double RadiusBelow(Vector3D position, ITerrainGrid? terrain)
+    {
+        double reference = terrain?.ReferenceRadius ?? MoonConstants.ReferenceRadius;
+        return terrain is not null && position.Length - reference < MoonConstants.MaxRelief
             ? TerrainHeight.RadiusBelow(terrain, position)
-            : MoonConstants.ReferenceRadius;
+            : reference;
+    }
 }

@@ -27,6 +27,11 @@ public readonly record struct GridResolution
     public static GridResolution FromPixelsPerDegree(int pixelsPerDegree) =>
         new(pixelsPerDegree, MoonConstants.ReferenceRadius * Math.PI / 180.0 / pixelsPerDegree);
 
+    /// <summary>The same resolution on a sphere of another radius: as many samples a degree lie farther apart on a larger one.</summary>
+    /// <param name="radius">m.</param>
+    public GridResolution OnSphere(double radius) =>
+        PixelsPerDegree is null ? this : new(PixelsPerDegree, MetresPerPixel * (radius / MoonConstants.ReferenceRadius));
+
     /// <summary>The resolution of a grid whose samples lie metres apart.</summary>
     public static GridResolution FromMetresPerPixel(double metresPerPixel) => new(null, metresPerPixel);
 

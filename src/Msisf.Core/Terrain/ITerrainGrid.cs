@@ -20,11 +20,13 @@ public interface ITerrainGrid
     /// <summary>The part of the grid that the model has.</summary>
     GridWindow Window => new(0, Lines, 0, Samples);
 
+    /// <summary>m: radius of the sphere over which heights are counted; that of the Moon unless the model is of another body.</summary>
+    double ReferenceRadius => MoonConstants.ReferenceRadius;
+
     /// <summary>
     /// Minimum and maximum radius that samples can have, m, known without reading any. The default is the maximum relief of the Moon.
     /// </summary>
-    (double Min, double Max) RadiusLimits =>
-        (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief, MoonConstants.ReferenceRadius + MoonConstants.MaxRelief);
+    (double Min, double Max) RadiusLimits => (ReferenceRadius - MoonConstants.MaxRelief, ReferenceRadius + MoonConstants.MaxRelief);
 
     /// <summary>Radii of consecutive samples of one line.</summary>
     /// <param name="line">0 to <see cref="Lines"/> - 1, from the top; within the window.</param>

@@ -35,10 +35,11 @@ public readonly record struct SurfacePlace
     /// <param name="groundRadius">
     /// Distance from the Moon's centre to the terrain in a direction, m; asked only if the height counts from the terrain.
     /// </param>
-    public Vector3D ToPositionMoonMe(Func<Vector3D, double> groundRadius)
+    /// <param name="referenceRadius">m: radius of the sphere over which other heights count.</param>
+    public Vector3D ToPositionMoonMe(Func<Vector3D, double> groundRadius, double referenceRadius = MoonConstants.ReferenceRadius)
     {
         Vector3D direction = new SelenographicPoint(
             double.DegreesToRadians(LatitudeDegrees), double.DegreesToRadians(LongitudeDegrees)).ToDirectionMoonMe();
-        return ((IsOverTerrain ? groundRadius(direction) : MoonConstants.ReferenceRadius) + Height) * direction;
+        return ((IsOverTerrain ? groundRadius(direction) : referenceRadius) + Height) * direction;
     }
 }

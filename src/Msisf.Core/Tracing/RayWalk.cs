@@ -13,9 +13,6 @@ namespace Msisf.Core.Tracing;
 /// </summary>
 internal ref struct RayWalk
 {
-    /// <summary>m: a radius that is above the whole surface.</summary>
-    private const double Top = MoonConstants.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
-
     private readonly SurfaceModel _surface;
     private readonly bool _stopsAtAnyHit;
     private readonly Ray _near;
@@ -28,6 +25,10 @@ internal ref struct RayWalk
     private readonly double _startSquared;
     private readonly double _startRise;
     private readonly double _sagitta;
+
+    /// <summary>m: a radius that is above the whole surface.</summary>
+    private readonly double _top;
+
     private readonly double _bottom;
     private double _parameter;
     private double _farthest;
@@ -41,7 +42,8 @@ internal ref struct RayWalk
     {
         _surface = surface;
         _stopsAtAnyHit = stopsAtAnyHit;
-        (_near, _offset) = ShiftedRay.From(ray, Top);
+        _top = surface.Grid.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
+        (_near, _offset) = ShiftedRay.From(ray, _top);
         _length = ray.Direction.Length;
         Vector3D direction = ray.Direction / _length;
         _startParameter = -Vector3D.Dot(_near.Origin, direction);
@@ -51,7 +53,7 @@ internal ref struct RayWalk
         _edge = new EdgeFunction(_near.Origin, ray.Direction);
         _wedge = new CellWedge(surface.Geometry, _start, direction);
         _sagitta = surface.Geometry.Sagitta;
-        _bottom = surface.Mesh.IsClosed ? _sagitta * (MoonConstants.ReferenceRadius - MoonConstants.MaxRelief - 1.0) : 0.0;
+        _bottom = surface.Mesh.IsClosed ? _sagitta * (surface.Grid.ReferenceRadius - MoonConstants.MaxRelief - 1.0) : 0.0;
         _parameter = endParameter - _offset;
         _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
     }
@@ -74,10 +76,10 @@ internal ref struct RayWalk
     public void Run()
     {
         double distance = _start.Length;
-        if (distance < Top)
+        if (distance < _top)
         {
             double origin = PlaceOf(-_offset);
-            double halfChord = HalfChord(Top, distance);
+            double halfChord = HalfChord(_top, distance);
             RayPiece piece = new(Math.Max(-halfChord, origin - Tolerances.VertexLattice), Math.Min(halfChord, _farthest));
             if (origin < 0.0 && distance < _bottom)
             {

@@ -25,7 +25,7 @@ public sealed class ReferenceSphere : ISurface
         _radius = radius;
     }
 
-    /// <summary>The sphere to which the heights of the elevation model refer (docs/deviations.md, row 8).</summary>
+    /// <summary>The sphere to which the heights of the Moon's elevation models refer (docs/deviations.md, row 8).</summary>
     public static ReferenceSphere Lola { get; } = new(MoonConstants.ReferenceRadius);
 
     /// <inheritdoc/>

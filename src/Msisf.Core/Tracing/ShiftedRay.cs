@@ -26,13 +26,6 @@ internal readonly record struct ShiftedRay(Ray Ray, double Offset)
             return new ShiftedRay(ray, 0.0);
         }
 
-        Vector3D origin = new(
-            Along(ray.Origin.X, offset, ray.Direction.X),
-            Along(ray.Origin.Y, offset, ray.Direction.Y),
-            Along(ray.Origin.Z, offset, ray.Direction.Z));
-        return new ShiftedRay(ray with { Origin = origin }, offset);
+        return new ShiftedRay(ray with { Origin = Stable.PointAlong(ray.Origin, offset, ray.Direction) }, offset);
     }
-
-    private static double Along(double origin, double parameter, double direction) =>
-        (new DoubleDouble(origin, 0.0) + (new DoubleDouble(parameter, 0.0) * new DoubleDouble(direction, 0.0))).High;
 }

@@ -120,11 +120,11 @@ public sealed class AlbedoTilesTests : IDisposable
         File.Delete(_folder[$"{PdsMapTiles.Name(Map, "064P", 180, 60, 59)}.IMG"]);
         AssertRefused(() => Tile(180, 60, 61), "both show latitude -1 to 0, longitude 180 to 270", _folder.Path);
         File.Delete(_folder[$"{PdsMapTiles.Name(Map, "064P", 180, 60, 61)}.IMG"]);
-        AssertRefused(() => Tile(180, 60, 60, ("IEEE_REAL", 32)), "SAMPLE_TYPE is '", _folder.Path);
-        AssertRefused(() => Tile(180, 60, 60, Real, "SCALING_FACTOR = 2.0"), "SCALING_FACTOR is '", _folder.Path);
-        AssertRefused(() => Tile(180, 60, 60, Real, "UNIT = \"PERCENT\""), "UNIT is '", _folder.Path);
+        AssertRefused(() => Tile(180, 60, 60, ("IEEE_REAL", 32)), "SAMPLE_TYPE is ", _folder.Path);
+        AssertRefused(() => Tile(180, 60, 60, Real, "SCALING_FACTOR = 2.0"), "SCALING_FACTOR is ", _folder.Path);
+        AssertRefused(() => Tile(180, 60, 60, Real, "UNIT = \"PERCENT\""), "UNIT is ", _folder.Path);
         AssertRefused(
-            () => PdsMapTiles.Write(_folder, Map, Real, 2, 60, Value, (180, 60, 60)), "MAP_RESOLUTION is '", _folder.Path);
+            () => PdsMapTiles.Write(_folder, Map, Real, 2, 60, Value, (180, 60, 60)), "MAP_RESOLUTION is ", _folder.Path);
         AssertRefused(() => File.WriteAllText(tiles[2], "PDS_VERSION_ID = PDS3\r\nOBJECT = IMAGE\r\nEND\r\n"), tiles[2], _folder.Path);
         AssertRefused(
             () => File.Copy(tiles[1], tiles[2], overwrite: true), "both show latitude 0 to 60, longitude 90 to 180", _folder.Path);

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Terrain;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.TestSupport;
 using Xunit;
@@ -148,6 +149,30 @@ public sealed class LdemCatalogTests : IDisposable
         SplitModel.Write(second.Path, 90, 180);
 
         Assert.Equal(4, LdemCatalog.Find(1, null, [_folder.Path, second.Path]).Parts.Count);
+    }
+
+    /// <summary>A model of another body is found for that body, and taken for no other.</summary>
+    [Fact]
+    public void Find_OtherBody_IsOfThatBodyOnly()
+    {
+        string label = TestModel.Label
+            .Replace("LDEM_1", "MERCURY_1", StringComparison.Ordinal)
+            .Replace("TARGET_NAME               = MOON", "TARGET_NAME = MERCURY", StringComparison.Ordinal)
+            .Replace("1737400.", "2439400.", StringComparison.Ordinal)
+            .Replace("1737.4 <km>", "2439.4 <km>", StringComparison.Ordinal)
+            .Replace("MEAN EARTH/POLAR AXIS OF DE421", "PLANETOCENTRIC", StringComparison.Ordinal);
+        File.WriteAllText(_folder["MERCURY_1.LBL"], label);
+        CelestialBody mercury = CelestialBody.Of(199);
+
+        LdemSet found = LdemCatalog.Find(1, _folder["MERCURY_1.LBL"], [], body: mercury);
+
+        Assert.Equal((mercury, 2_439_400.0), (found.Body, found.ReferenceRadius));
+        Assert.Contains(
+            "MERCURY_1.LBL: a model of Mercury, but one of the Moon is needed here. --body says",
+            Assert.Throws<BadInputException>(() => LdemCatalog.Find(1, _folder["MERCURY_1.LBL"], [])).Message,
+            StringComparison.Ordinal);
+        File.Delete(_folder["LDEM_1.LBL"]);
+        Assert.Null(LdemCatalog.TryFind(1, null, [_folder.Path]));
     }
 
     private LdemSet Find(int resolution) => LdemCatalog.Find(resolution, null, [_folder.Path]);

@@ -136,7 +136,7 @@ public class LdemLabelReaderTests
         "MEAN EARTH/POLAR AXIS OF DE421",
         "PRINCIPAL AXES OF DE421",
         "COORDINATE_SYSTEM_NAME = PRINCIPAL AXES OF DE421; the MEAN EARTH/POLAR AXIS frame")]
-    [InlineData("TARGET_NAME               = MOON", "TARGET_NAME = MARS", "TARGET_NAME = MARS; an elevation model of the MOON")]
+    [InlineData("TARGET_NAME               = MOON", "TARGET_NAME = PHOBOS", "TARGET_NAME = PHOBOS; an elevation model of MOON, MERCURY, VENUS")]
     [InlineData("PRODUCT_ID                = \"LDEM_1\"", "", "the label has no PRODUCT_ID")]
     [InlineData("PRODUCT_ID                = \"LDEM_1\"", "PRODUCT_ID = \"A B\"", "PRODUCT_ID = A B; 1 to 40 letters")]
     public void Read_BadLabel_SaysWhat(string good, string bad, params string[] expected)

@@ -72,7 +72,7 @@ public sealed class PolarLabelTests : IDisposable
     [InlineData(
         "MEAN EARTH/POLAR AXIS OF DE421", "PRINCIPAL AXES",
         "COORDINATE_SYSTEM_NAME = PRINCIPAL AXES; the MEAN EARTH/POLAR AXIS frame")]
-    [InlineData("= MOON", "= MARS", "TARGET_NAME = MARS; an elevation model of the MOON is needed")]
+    [InlineData("= MOON", "= MARS", "MAP_PROJECTION_TYPE = POLAR STEREOGRAPHIC; SIMPLE CYLINDRICAL is needed for other bodies")]
     [InlineData("= 16\n", "= 8\n", "SAMPLE_TYPE = LSB_INTEGER; with SAMPLE_BITS = 8 it is not known")]
     [InlineData(
         "POLAR STEREOGRAPHIC", "POLAR STEREO",

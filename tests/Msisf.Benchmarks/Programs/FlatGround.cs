@@ -40,6 +40,6 @@ internal static class FlatGround
         }
 
         SyntheticLdemOptions options = new(product.PixelsPerDegree, Seed: 0, folder) { Region = product.Region };
-        AtomicFile.WriteText($"{stem}.LBL", writer => SyntheticLdemLabel.Write(writer, product, options, minimum: 0, maximum: 0));
+        AtomicFile.WriteText($"{stem}.LBL", writer => SyntheticLdemLabel.Of(product, options).Write(writer, minimum: 0, maximum: 0));
     }
 }

@@ -49,6 +49,26 @@ public sealed class CameraModelTests
     }
 
     [Theory]
+    [MemberData(nameof(Lenses))]
+    public void Window_PixelsOfAPart_ShowWhatTheyShowInTheWhole(string lens, double tangent)
+    {
+        CameraModel whole = LensCases.Of(lens, tangent, 640, 480);
+
+        CameraModel window = whole.Window(left: 600, top: 17, width: 40, height: 3);
+
+        foreach ((double x, double y) in ((double, double)[])[(1.0, 1.0), (40.0, 3.0), (17.25, 2.5)])
+        {
+            (double right, double down) = whole.ToIdeal(x + 600.0, y + 17.0);
+            (double windowRight, double windowDown) = window.ToIdeal(x, y);
+            Assert.Equal(right, windowRight, 1e-14);
+            Assert.Equal(down, windowDown, 1e-14);
+        }
+
+        Assert.Same(whole, whole.Window(0, 0, 640, 480));
+        Assert.Throws<ArgumentOutOfRangeException>(() => whole.Window(601, 0, 40, 1));
+    }
+
+    [Theory]
     [InlineData(0.1, 512, 384)]
     [InlineData(1.2, 1000, 700)]
     public void Simplified_PlainCamera_IsTheThesissOwn(double fieldOfView, int width, int height)

@@ -143,8 +143,8 @@ public class BuiltInEphemerisTests
     private static BuiltInEphemeris Make(IEnumerable<IEphemerisSegment> positions, Vector3D angles) => new(
         SampleScale.Naif0012,
         new SegmentTable(positions),
-        new SegmentTable([new FixedSegment(31006, 0, Always, angles)]),
-        new BodyFixedFrame(31006, RotationMatrix.Identity));
+        new KernelOrientation(
+            new SegmentTable([new FixedSegment(31006, 0, Always, angles)]), new BodyFixedFrame(31006, RotationMatrix.Identity)));
 
     /// <summary>Goes straight on, from a position at TDB = 0.</summary>
     private sealed record StraightSegment(int Body, Vector3D Start, Vector3D Rate) : IEphemerisSegment

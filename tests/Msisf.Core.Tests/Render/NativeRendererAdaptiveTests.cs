@@ -61,7 +61,7 @@ public sealed class NativeRendererAdaptiveTests(RuggedTerrain rugged) : IClassFi
     [InlineData("whole-disc", 3)]
     public void Render_MoreThreads_IsTheSameToTheBit(string scene, int threads)
     {
-        (PinholeCamera camera, SceneLight sun) = Scene(scene, 150, 133);
+        (PinholeCamera camera, SceneLight sun) = Scene(scene, TestLength.Of(83, 150), TestLength.Of(70, 133));
         foreach (NativeRenderOptions options in Kinds())
         {
             FrameValues one = FrameValues.Of(_renderer, camera, sun, options, threads: 1);

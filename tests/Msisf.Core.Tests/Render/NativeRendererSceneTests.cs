@@ -56,7 +56,7 @@ public sealed class NativeRendererSceneTests(ITestOutputHelper output)
         List<string> wrong = [];
         int hits = 0;
         int lit = 0;
-        int side = TestLength.Of(200, 1024);
+        int side = TestLength.Of(128, 1024);
         foreach (RenderScenes.RenderSceneCase scene in scenes)
         {
             PinholeCamera camera = Narrowed(scene.Camera(grid, side, side), tracer, cellsAcross, grid.PixelsPerDegree);

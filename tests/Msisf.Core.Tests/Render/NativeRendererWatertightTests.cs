@@ -25,10 +25,10 @@ public sealed class NativeRendererWatertightTests(ITestOutputHelper output)
     private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
     [RequiresFact(Part.Ldem4)]
-    public void Render_RealModel_HasNoHole() => AssertNoHole(MemoryElevationGrid.Ldem4(), TestLength.Of(300, 10_000));
+    public void Render_RealModel_HasNoHole() => AssertNoHole(MemoryElevationGrid.Ldem4(), TestLength.Of(200, 10_000));
 
     [Fact]
-    public void Render_RuggedTerrain_HasNoHole() => AssertNoHole(RuggedTerrain.InMemory(2), TestLength.Of(700, 10_000));
+    public void Render_RuggedTerrain_HasNoHole() => AssertNoHole(RuggedTerrain.InMemory(2), TestLength.Of(400, 10_000));
 
     private void AssertNoHole(MemoryElevationGrid grid, int views)
     {

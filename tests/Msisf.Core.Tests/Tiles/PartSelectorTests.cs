@@ -13,7 +13,7 @@ namespace Msisf.Core.Tests.Tiles;
 public sealed class PartSelectorTests(Ldem4Fixture ldem4, RuggedMoon rugged) : IClassFixture<Ldem4Fixture>, IClassFixture<RuggedMoon>
 {
     private const int PixelsEach = 600;
-    private static readonly int Cameras = TestLength.Of(36, 840);
+    private static readonly int Cameras = TestLength.Of(24, 840);
     private static readonly Vector3D Sun = new(1.074955473280880E+011, -1.042430734878980E+011, 4.036164305561260E+009);
 
     [RequiresFact(Part.Ldem4)]
@@ -89,7 +89,7 @@ public sealed class PartSelectorTests(Ldem4Fixture ldem4, RuggedMoon rugged) : I
     [RequiresFact(Part.Ldem4)]
     public void Select_CoarserLevels_HoldsAllVisibleTilesOfTheExactSelection()
     {
-        for (int number = 0; number < TestLength.Of(24, 48); number++)
+        for (int number = 0; number < TestLength.Of(12, 48); number++)
         {
             (PinholeCamera camera, Vector3D sun, _) = CameraCases.Make(number, ldem4.Grid, 100);
 

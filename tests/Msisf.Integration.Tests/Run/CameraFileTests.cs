@@ -6,7 +6,7 @@ using Xunit;
 namespace Msisf.Integration.Tests.Run;
 
 /// <summary><c>--camera</c> as a user runs it.</summary>
-public sealed class CameraFileTests : IClassFixture<RenderFixture>, IDisposable
+public sealed class CameraFileTests : IDisposable
 {
     /// <summary>Levels of 255: what the two renderers may differ by at a pixel that shows the same facet.</summary>
     private const int GreyTolerance = 1;
@@ -18,10 +18,7 @@ public sealed class CameraFileTests : IClassFixture<RenderFixture>, IDisposable
             + "pixel-convention: opencv\nskew: 2\n"
             + "distortion:\n  model: opencv\n  k1: -0.2\n  k2: 0.05\n  p1: 0.002\n  k4: 0.01\n  s1: 0.003\n";
 
-    private readonly RenderFixture _fixture;
     private readonly TemporaryFolder _folder = new();
-
-    public CameraFileTests(RenderFixture fixture) => _fixture = fixture;
 
     public void Dispose() => _folder.Dispose();
 
@@ -58,7 +55,7 @@ public sealed class CameraFileTests : IClassFixture<RenderFixture>, IDisposable
     public void Run_PinholeOffTheAxis_IsTheSameByBothRenderers()
     {
         string pinhole = Lens[..Lens.IndexOf("distortion", StringComparison.Ordinal)];
-        Render("povray", pinhole, "--pov-options", "Antialias=Off", "--lod", "off", "--pattern-repos", _fixture.Repository);
+        Render("povray", pinhole, "--pov-options", "Antialias=Off", "--lod", "off", "--pattern-repos", RealMoon.Repository);
         Render("native", pinhole, "--renderer", "native", "--reflectance", "lambert", "--lod", "off");
 
         PngPixels expected = PngPixels.Read(_folder["povray.png"]);

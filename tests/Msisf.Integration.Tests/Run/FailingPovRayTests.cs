@@ -8,15 +8,12 @@ using Xunit;
 namespace Msisf.Integration.Tests.Run;
 
 /// <summary>What happens when POV-Ray fails: stand-ins for it, written as shell scripts, do what a real one rarely does.</summary>
-public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposable
+public sealed class FailingPovRayTests : IDisposable
 {
     private const string State =
         "{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}";
 
-    private readonly RenderFixture _fixture;
     private readonly TemporaryFolder _folder = new();
-
-    public FailingPovRayTests(RenderFixture fixture) => _fixture = fixture;
 
     public void Dispose() => _folder.Dispose();
 
@@ -57,7 +54,7 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
     public void Run_PovRayIsKilledWhenAskedForItsVersion_MakesNothing()
     {
         CommandLineRun run = CommandLineRun.Of(
-            ["--fixed-state", State, "--pov-path", StandIn("exit 4", version: "kill -9 $$"), .. _fixture.Common(_folder["out"])]);
+            ["--fixed-state", State, "--pov-path", StandIn("exit 4", version: "kill -9 $$"), .. RealMoon.Arguments(_folder["out"])]);
 
         Assert.Equal(3, run.ExitCode);
         Assert.Contains("--version: was killed by signal 9", run.Error, StringComparison.Ordinal);
@@ -93,7 +90,7 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
         [
             "--state-vectors", "{8.66e6,5e6,0,0,0,100}", "--epoch", "55289", "--time", "55289", "--fov", "22", "--width", "160", "--height",
             "160",
-            "--lod-error", "0", "--pov-path", StandIn(script), .. _fixture.Common(_folder["out"]),
+            "--lod-error", "0", "--pov-path", StandIn(script), .. RealMoon.Arguments(_folder["out"]),
         ]);
 
         Assert.Equal(3, run.ExitCode);
@@ -120,7 +117,7 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
             55289 2E6 2E6 1 0 0 3.826834323650898E-1 9.238795325112867E-1
             """;
         CommandLineRun run = CommandLineRun.Of(
-            ["--batch-file", "-", "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. _fixture.Common(_folder["out"])],
+            ["--batch-file", "-", "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. RealMoon.Arguments(_folder["out"])],
             states);
 
         Assert.Equal(3, run.ExitCode);
@@ -138,7 +135,7 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
             '\n', Enumerable.Range(0, 8).Select(step => $"55289 2E6 2E6 {step} 0 0 3.826834323650898E-1 9.238795325112867E-1"));
         CommandLineRun run = CommandLineRun.Of(
             ["--batch-file", "-", "--fail-fast", "--jobs", "1", "--width", "16", "--height", "16", "--pov-path", StandIn("exit 9"),
-             .. _fixture.Common(_folder["out"])],
+             .. RealMoon.Arguments(_folder["out"])],
             states);
 
         Assert.Equal(3, run.ExitCode);
@@ -155,7 +152,8 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
         string[] arguments =
         [
             "--fixed-state", State, "--width", "16", "--height", "16",
-            "--pov-path", StandIn($"echo $$ > '{marker}.new'; mv '{marker}.new' '{marker}'; sleep 600"), .. _fixture.Common(_folder["out"]),
+            "--pov-path", StandIn($"echo $$ > '{marker}.new'; mv '{marker}.new' '{marker}'; sleep 600"),
+            .. RealMoon.Arguments(_folder["out"]),
         ];
         ProgramHost host = ConsoleHost.Create(
             TextWriter.Null, error, () => TextReader.Null, TimeProvider.System, Environment.GetEnvironmentVariable);
@@ -171,7 +169,7 @@ public sealed class FailingPovRayTests : IClassFixture<RenderFixture>, IDisposab
     }
 
     private CommandLineRun RunWith(string script, params string[] more) => CommandLineRun.Of(
-        ["--fixed-state", State, "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. more, .. _fixture.Common(
+        ["--fixed-state", State, "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. more, .. RealMoon.Arguments(
             _folder["out"])]);
 
     private void AssertHoldsTheManifestOnly() => Assert.Equal(

@@ -89,6 +89,20 @@ public sealed class MotionRunTests : IDisposable
         Assert.Equal(File.ReadAllBytes(Output("none", 1, ".png")), File.ReadAllBytes(Output("rest", 1, ".png")));
     }
 
+    [RequiresTheory(Part.Ldem4, Part.CFitsio)]
+    [InlineData("rolling", "0.003", "shutter: rolling", "line-time: 0.003")]
+    [InlineData("global", "0.", "shutter: global")]
+    [InlineData(null, null)]
+    public void Run_WithShutter_IsInTheFitsHeader(string? kind, string? lineTime, params string[] shutter)
+    {
+        Succeed(["--fixed-state", "{55289,2E6,2E6,0,0,0,3.826834323650898E-1,9.238795325112867E-1}", .. Common(Camera(shutter), "out"),
+            .. shutter.Length > 0 ? (string[])["--motion", "{0,0,0,0,0,0}"] : []]);
+
+        string header = File.ReadAllText(Output("out", 1, ".dn.fits"), System.Text.Encoding.Latin1);
+        Assert.Equal(kind ?? string.Empty, Regex.Match(header, "SHUTTER = '([a-z]*) *'").Groups[1].Value);
+        Assert.Equal(lineTime ?? string.Empty, Regex.Match(header, "LINETIME= *([0-9.]+) /").Groups[1].Value);
+    }
+
     private static void Succeed(string[] arguments)
     {
         CommandLineRun run = CommandLineRun.Of(arguments);

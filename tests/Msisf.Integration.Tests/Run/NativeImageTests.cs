@@ -12,7 +12,7 @@ namespace Msisf.Integration.Tests.Run;
 /// rays' hits with other rounding, so a pixel whose ray passes close by an edge may fall to its other side: such a pixel is allowed if the
 /// other image has its value within one pixel, and few of them are.
 /// </summary>
-public sealed class NativeImageTests(RenderFixture fixture, ITestOutputHelper output) : IClassFixture<RenderFixture>, IDisposable
+public sealed class NativeImageTests(ITestOutputHelper output) : IDisposable
 {
     private const int Side = 384;
 
@@ -146,7 +146,7 @@ public sealed class NativeImageTests(RenderFixture fixture, ITestOutputHelper ou
     {
         string side = Side.ToString(CultureInfo.InvariantCulture);
         string[] arguments = ["--fixed-state", state, "--width", side, "--height", side, .. more];
-        string[] common = fixture.Common(_folder.Path);
+        string[] common = RealMoon.Arguments(_folder.Path);
         CommandLineRun povRay = CommandLineRun.Of(
             [.. arguments, "--output-name", "povray", "--lod", "off", "--pov-options", "Antialias=Off", .. common]);
         Assert.True(povRay.ExitCode == 0, povRay.Error);

@@ -4,12 +4,13 @@ using Xunit;
 namespace Msisf.Integration.Tests.Run;
 
 /// <summary>Images of POV-Ray from parts of tiles, beside those from whole patterns.</summary>
-public sealed class PartImageTests(RenderFixture fixture) : IClassFixture<RenderFixture>, IDisposable
+public sealed class PartImageTests : IDisposable
 {
     /// <summary>Half of the Moon, 64 px a radius; the terminator runs through it.</summary>
-    private static readonly string[] Disc =
-        ["--state-vectors", "{8.66e6,5e6,0,0,0,100}", "--epoch", "55289", "--time", "55289", "--fov", "22", "--width", "160",
-         "--height", "160"];
+    private static readonly string[] Disc = [.. From("{8.66e6,5e6,0,0,0,100}"), "--fov", "22", "--width", "160", "--height", "160"];
+
+    /// <summary>Some tiles.</summary>
+    private static readonly string[] Near = [.. From("{1.9e6,1e5,0,0,0,100}"), "--fov", "30", "--width", "32", "--height", "32"];
 
     private readonly TemporaryFolder _folder = new();
 
@@ -19,8 +20,8 @@ public sealed class PartImageTests(RenderFixture fixture) : IClassFixture<Render
     [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void Render_PartsOfTheModelItself_IsTheImageOfWholePatternsByteForByte()
     {
-        Render("whole", "--lod", "off");
-        Render("parts", "--lod-error", "0");
+        Render(Disc, "whole", "--lod", "off");
+        Render(Disc, "parts", "--lod-error", "0");
 
         Assert.Equal(File.ReadAllBytes(_folder["whole.png"]), File.ReadAllBytes(_folder["parts.png"]));
         Assert.True(Includes("parts") <= Includes("whole"), "more tiles than whole patterns");
@@ -29,9 +30,9 @@ public sealed class PartImageTests(RenderFixture fixture) : IClassFixture<Render
     [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void Render_CoarserLevels_StayNearTheModelsImageWithFarFewerTriangles()
     {
-        Render("whole", "--lod", "off");
-        Render("half", "--lod-error", "0.5");
-        Render("coarse", "--lod-error", "1");
+        Render(Disc, "whole", "--lod", "off");
+        Render(Disc, "half", "--lod-error", "0.5");
+        Render(Disc, "coarse", "--lod-error", "1");
         PngPixels whole = PngPixels.Read(_folder["whole.png"]);
 
         Assert.Contains("_level_1_", File.ReadAllText(_folder["half.pov"]), StringComparison.Ordinal);
@@ -47,8 +48,9 @@ public sealed class PartImageTests(RenderFixture fixture) : IClassFixture<Render
     [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void Render_Again_MakesNoPartAnew()
     {
-        CommandLineRun first = Render("first", "--timing");
-        CommandLineRun again = Render("again", "--timing");
+        string[] empty = ["--pattern-repos", _folder["patterns"]];
+        CommandLineRun first = Render(Near, "first", ["--timing", .. empty]);
+        CommandLineRun again = Render(Near, "again", ["--timing", .. empty]);
 
         Assert.DoesNotContain("\"patterns_made\":0,", first.Error, StringComparison.Ordinal);
         Assert.Contains("\"patterns_made\":0,", again.Error, StringComparison.Ordinal);
@@ -70,11 +72,13 @@ public sealed class PartImageTests(RenderFixture fixture) : IClassFixture<Render
     private int Includes(string name) =>
         File.ReadLines(_folder[$"{name}.pov"]).Count(line => line.StartsWith("#include", StringComparison.Ordinal));
 
-    private CommandLineRun Render(string name, params string[] more)
+    private static string[] From(string state) => ["--state-vectors", state, "--epoch", "55289", "--time", "55289"];
+
+    private CommandLineRun Render(string[] view, string name, params string[] more)
     {
-        string[] common = [.. fixture.Common(_folder.Path).Where(
-            (_, index) => index is not (2 or 3)), "--pattern-repos", _folder["patterns"]];
-        CommandLineRun run = CommandLineRun.Of([.. Disc, "--output-name", name, .. more, .. common]);
+        string[] common = RealMoon.Arguments(_folder.Path);
+        string[] rest = more.Contains("--pattern-repos") ? [.. common.Where((_, index) => index is not (2 or 3))] : common;
+        CommandLineRun run = CommandLineRun.Of([.. view, "--output-name", name, .. more, .. rest]);
         Assert.True(run.ExitCode == 0, run.Error);
         return run;
     }

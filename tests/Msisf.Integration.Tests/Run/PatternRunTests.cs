@@ -10,9 +10,10 @@ public sealed class PatternRunTests : IDisposable
 {
     private const int AllPatterns = 2592;
 
-    /// <summary>The whole Moon from afar, where coarser levels are drawn, and three near views.</summary>
-    private const string States = """
-        55289 7E6 7E6 0 0 0 3.826834323650898E-1 9.238795325112867E-1
+    /// <summary>The whole Moon from afar, where coarser levels are drawn.</summary>
+    private const string Far = "55289 7E6 7E6 0 0 0 3.826834323650898E-1 9.238795325112867E-1\n";
+
+    private const string Near = """
         55289 2E6 2E6 0 0 0 3.826834323650898E-1 9.238795325112867E-1
         55289 2E6 -2E6 0 0 0 -3.826834323650898E-1 9.238795325112867E-1
         55289 2E6 2E6 1E6 0 0 3.826834323650898E-1 9.238795325112867E-1
@@ -29,11 +30,11 @@ public sealed class PatternRunTests : IDisposable
         ["--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--ephemeris", "builtin", "--batch"];
 
     [RequiresTheory(Part.Ldem4, Part.PovRay)]
-    [InlineData("auto")]
-    [InlineData("off")]
-    public void ForBatch_ThenTheRun_FindsAllPatterns(string levels)
+    [InlineData("auto", Far + Near)]
+    [InlineData("off", Near)]
+    public void ForBatch_ThenTheRun_FindsAllPatterns(string levels, string states)
     {
-        string batch = BatchFile();
+        string batch = _folder.Write("states.tab", states);
         string[] image = ["--width", "48", "--height", "32", "--lod", levels, .. Sources];
 
         int made = Made(Msis(["patterns", "--for-batch", batch, .. image]));
@@ -87,12 +88,6 @@ public sealed class PatternRunTests : IDisposable
         [Path.Combine(
             AppContext.BaseDirectory,
             "msis.dll"), "patterns", "--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--batch"];
-
-    private string BatchFile()
-    {
-        File.WriteAllText(_folder["states.tab"], States);
-        return _folder["states.tab"];
-    }
 
     private static CommandLineRun Msis(string[] arguments)
     {

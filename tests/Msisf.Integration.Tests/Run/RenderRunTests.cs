@@ -7,7 +7,7 @@ using Xunit;
 namespace Msisf.Integration.Tests.Run;
 
 /// <summary>The program as a user runs it: real elevation model, real kernels, real POV-Ray.</summary>
-public sealed class RenderRunTests : IClassFixture<RenderFixture>, IDisposable
+public sealed class RenderRunTests : IDisposable
 {
     /// <summary>Degrees: the pixel of section 9.2 is printed with 16 digits.</summary>
     private const double CoordinateTolerance = 1e-12;
@@ -21,10 +21,7 @@ public sealed class RenderRunTests : IClassFixture<RenderFixture>, IDisposable
     /// <summary>A small lit view, quickly rendered.</summary>
     private static readonly string[] SmallView = ["--fixed-state", Section92, "--width", "64", "--height", "48"];
 
-    private readonly RenderFixture _fixture;
     private readonly TemporaryFolder _folder = new();
-
-    public RenderRunTests(RenderFixture fixture) => _fixture = fixture;
 
     public void Dispose() => _folder.Dispose();
 
@@ -84,7 +81,7 @@ public sealed class RenderRunTests : IClassFixture<RenderFixture>, IDisposable
     {
         string state = Section92.Trim('{', '}').Replace(',', ' ');
         CommandLineRun run = CommandLineRun.Of(
-            ["--batch-file", "-", "--width", "64", "--height", "48", .. _fixture.Common(_folder.Path)],
+            ["--batch-file", "-", "--width", "64", "--height", "48", .. RealMoon.Arguments(_folder.Path)],
             $"# two states\n{state}\n\n55289 -2E6 2E6 0 0 0 -9.238795325112867E-1 3.826834323650898E-1 # the second\n");
 
         Assert.True(run.ExitCode == 0, run.Error);
@@ -191,7 +188,7 @@ public sealed class RenderRunTests : IClassFixture<RenderFixture>, IDisposable
             Directory.EnumerateFiles(_folder.Path, "*.png").Select(Path.GetFileName).Order());
     }
 
-    private CommandLineRun Run(params string[] arguments) => CommandLineRun.Of([.. arguments, .. _fixture.Common(_folder.Path)]);
+    private CommandLineRun Run(params string[] arguments) => CommandLineRun.Of([.. arguments, .. RealMoon.Arguments(_folder.Path)]);
 
     private byte[][] ReadOutputs() => [.. Directory.EnumerateFiles(_folder.Path).Order().Select(File.ReadAllBytes)];
 

@@ -12,7 +12,7 @@ using Xunit;
 namespace Msisf.Integration.Tests.Run;
 
 /// <summary><c>--surface terrain</c> as a user runs it, held against all facets of the real model (BruteForceMoon).</summary>
-public sealed class TerrainSurfaceTests : IClassFixture<RenderFixture>, IDisposable
+public sealed class TerrainSurfaceTests : IDisposable
 {
     /// <summary>Degrees: computed again from numbers of 16 digits.</summary>
     private const double AngleTolerance = 1e-9;
@@ -30,10 +30,7 @@ public sealed class TerrainSurfaceTests : IClassFixture<RenderFixture>, IDisposa
         1024,
         1024);
 
-    private readonly RenderFixture _fixture;
     private readonly TemporaryFolder _folder = new();
-
-    public TerrainSurfaceTests(RenderFixture fixture) => _fixture = fixture;
 
     public void Dispose() => _folder.Dispose();
 
@@ -187,7 +184,7 @@ public sealed class TerrainSurfaceTests : IClassFixture<RenderFixture>, IDisposa
         CommandLineRun run = CommandLineRun.Of(
         [
             "--fixed-state", state, "--width", side, "--height", side, "--fov", fieldOfView, "--output-name", "view",
-            .. more, .. _fixture.Common(_folder.Path),
+            .. more, .. RealMoon.Arguments(_folder.Path),
         ]);
         Assert.True(run.ExitCode == 0, run.Error);
         return XDocument.Load(_folder["view.xml"]).Root!;

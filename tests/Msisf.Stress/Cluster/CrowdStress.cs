@@ -6,7 +6,6 @@ namespace Msisf.Stress.Cluster;
 /// <summary>Many processes at once in one empty folder, with one empty pattern repository.</summary>
 public sealed class CrowdStress : IStressTest
 {
-    private const int Processes = 16;
     private const string Output = "frames";
     private const string Patterns = "patterns";
 
@@ -15,7 +14,7 @@ public sealed class CrowdStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "16 processes started at once, each for all frames, into one empty folder: "
+        "16 processes (8 at everyday length) started at once, each for all frames, into one empty folder: "
             + "by the native renderer, and by POV-Ray with one empty pattern repository.";
 
     /// <inheritdoc/>
@@ -24,22 +23,22 @@ public sealed class CrowdStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        (int native, int povRay) = length == StressLength.Full ? (5000, 64) : (300, 5);
+        (int processes, int native, int povRay) = length == StressLength.Full ? (16, 5000, 64) : (8, 300, 5);
         SetJudge judge = new();
         CaseCount patterns = new();
-        Crowd(new FrameSeries(native, Size: 64), "native", judge, patterns);
-        Crowd(new FrameSeries(povRay, Size: 32, Patterns), "POV-Ray", judge, patterns);
+        Crowd(processes, new FrameSeries(native, Size: 64), "native", judge, patterns);
+        Crowd(processes, new FrameSeries(povRay, Size: 32, Patterns), "POV-Ray", judge, patterns);
         return new StressReport(
             Name, native + povRay, [.. judge.Figures(), patterns.ToFigure("patterns made more than once", string.Empty, 0.0)], []);
     }
 
-    private static void Crowd(FrameSeries series, string what, SetJudge judge, CaseCount patterns)
+    private static void Crowd(int processes, FrameSeries series, string what, SetJudge judge, CaseCount patterns)
     {
         using TemporaryFolder alone = new();
         using TemporaryFolder folder = new();
         int made = PatternsMade(Msis.Run(alone.Path, Arguments(series)).Succeeded());
 
-        RunningProgram[] crowd = [.. Enumerable.Range(0, Processes).Select(_ => Msis.Start(folder.Path, Arguments(series)))];
+        RunningProgram[] crowd = [.. Enumerable.Range(0, processes).Select(_ => Msis.Start(folder.Path, Arguments(series)))];
         try
         {
             ChildRun[] runs = [.. crowd.Select(program => program.End(Msis.Limit))];
@@ -55,7 +54,7 @@ public sealed class CrowdStress : IStressTest
                     new FrameFolder(folder[Path.Combine(Patterns, "4")]), new FrameFolder(alone[Path.Combine(Patterns, "4")]), what);
                 judge.NoteLeftovers(new FrameFolder(folder[Path.Combine(Patterns, "4")]).Leftovers, what);
                 int all = runs.Sum(PatternsMade);
-                patterns.Note(Math.Max(0, all - made), made, () => $"{all} made by {Processes} processes, {made} by one");
+                patterns.Note(Math.Max(0, all - made), made, () => $"{all} made by {processes} processes, {made} by one");
             }
         }
         finally

@@ -24,7 +24,7 @@ public sealed class KillStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        (int native, int program, int povRay) = length == StressLength.Full ? (480, 240, 220) : (6, 3, 3);
+        (int native, int program, int povRay) = length == StressLength.Full ? (480, 240, 220) : (4, 2, 2);
         SetJudge judge = new();
         CaseCount unnoticed = new();
         using KilledSet nativeSet = new(frames: 300, size: 64, isPovRay: false);

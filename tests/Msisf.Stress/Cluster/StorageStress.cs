@@ -61,7 +61,7 @@ public sealed class StorageStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        int times = length == StressLength.Full ? 10 : 1;
+        int times = length == StressLength.Full ? 20 : 1;
         CaseRandom random = new(seed, part: 0);
         SetJudge judge = new();
         CaseCount unclear = new();
@@ -78,8 +78,8 @@ public sealed class StorageStress : IStressTest
 
             for (int i = 0; i < times; i++)
             {
-                tried.Add((FullDisk, Kilobytes(random, 50, 250)));
-                tried.Add((FullDisk, Kilobytes(random, 250, 700)));
+                (int least, int most) = i % 2 == 0 ? (50, 250) : (250, 700);
+                tried.Add((FullDisk, Kilobytes(random, least, most)));
             }
 
             foreach ((string script, string argument) in tried)

@@ -24,7 +24,7 @@ public sealed class FuzzStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        int cases = length == StressLength.Full ? 100_000 : 500;
+        int cases = length == StressLength.Full ? 100_000 : 300;
         ThreadPool.GetMinThreads(out int workers, out int ports);
         ThreadPool.SetMinThreads(Math.Max(workers, PoolThreads), ports);
         DirectoryInfo folder = Directory.CreateDirectory(

@@ -97,7 +97,7 @@ internal sealed class FuzzWorld : IDisposable
 
         string label = Path.Combine(folder, product.ProductId + ".LBL");
         using StreamWriter writer = File.CreateText(label);
-        SyntheticLdemLabel.Write(writer, product, new SyntheticLdemOptions(FlatResolution, 1, folder), minimum: 0, maximum: 0);
+        SyntheticLdemLabel.Of(product, new SyntheticLdemOptions(FlatResolution, 1, folder)).Write(writer, minimum: 0, maximum: 0);
         return label;
     }
 

@@ -22,11 +22,14 @@ final class InterruptedImportTest extends ImportTestCase
     /** Microseconds: a kill comes within so much time after the start, later where that was too early. */
     private const SPAN = 400_000;
 
+    /** Of the real model: the product below. */
+    private const NORTHERN = 'row_index < 120 AND col_index < 480';
+
     public function testImportKilledManyTimesEndsAsIfUndisturbed(): void
     {
         $random = new Randomizer(new Mt19937(20120222));
         $label = $this->northernProduct();
-        $undisturbed = $this->checksum('row_index < 120', ImportedModels::ldem4());
+        $undisturbed = $this->checksum(self::NORTHERN, ImportedModels::ldem4());
         $span = self::SPAN;
         $reached = [];
         $kills = TestLength::of(self::KILLS, self::MOST_KILLS);
@@ -76,7 +79,7 @@ final class InterruptedImportTest extends ImportTestCase
         $again = $this->import([$label]);
         self::assertDone($again);
         self::assertMatchesRegularExpression('/going on after line (40|80)\n/', $again->errors);
-        self::assertSame($this->checksum('row_index < 120', ImportedModels::ldem4()), $this->checksum());
+        self::assertSame($this->checksum(self::NORTHERN, ImportedModels::ldem4()), $this->checksum());
     }
 
     public function testImportConnectionKilledByTheAdministratorLosesNothing(): void
@@ -108,13 +111,13 @@ final class InterruptedImportTest extends ImportTestCase
         self::assertStringContainsString('waiting up to 600 s', $second->errors);
         self::assertStringContainsString('is in ldem_4 already', $second->errors);
         self::assertSame($first->output, $second->output);
-        self::assertSame(172800, $this->value('SELECT COUNT(*) FROM ldem_4'));
+        self::assertSame(57600, $this->value('SELECT COUNT(*) FROM ldem_4'));
     }
 
     public function testImportDiskFullSaysSoAndGoesOnLater(): void
     {
         $folder = $this->value('SELECT @@datadir') . $this->environment['MSISF_DB_DATABASE'];
-        exec('mount -t tmpfs -o size=16m,mode=777 none ' . escapeshellarg($folder) . ' 2>&1', $lines, $code);
+        exec('mount -t tmpfs -o size=6m,mode=777 none ' . escapeshellarg($folder) . ' 2>&1', $lines, $code);
         if ($code !== 0) {
             self::assertNotSame('true', getenv('CI') ?: '', 'missing: the right to mount a small disk');
             self::markTestSkipped('missing: the right to mount a small disk');
@@ -126,19 +129,20 @@ final class InterruptedImportTest extends ImportTestCase
             self::assertStringContainsString('Make room and run this again: it goes on where it stopped.', $run->errors);
             exec('mount -o remount,size=512m ' . escapeshellarg($folder));
             self::assertDone($this->import([$label]));
-            self::assertSame($this->checksum('row_index < 120', ImportedModels::ldem4()), $this->checksum());
+            self::assertSame($this->checksum(self::NORTHERN, ImportedModels::ldem4()), $this->checksum());
             $this->execute('DROP TABLE ldem_4, ldem_import');
         } finally {
             exec('umount -l ' . escapeshellarg($folder));
         }
     }
 
-    /** The north of the real model as a product of its own: three transactions. */
+    /** A third of the north of the real model as a product of its own: three transactions. */
     private function northernProduct(): string
     {
-        $samples = (string) file_get_contents(Parts::ldem4Image(), length: 120 * 2880);
+        $lines = str_split((string) file_get_contents(Parts::ldem4Image(), length: 120 * 2880), 2880);
+        $samples = implode('', array_map(static fn (string $line): string => substr($line, 0, 960), $lines));
 
-        return LabelText::writeProduct($this->folder, 'LDEM_4_60N_90N', [90, 60, 0, 360], $samples);
+        return LabelText::writeProduct($this->folder, 'LDEM_4_60N_90N_000_120', [90, 60, 0, 120], $samples);
     }
 
     private function rowsDone(): int

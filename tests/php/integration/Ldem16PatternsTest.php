@@ -25,7 +25,7 @@ final class Ldem16PatternsTest extends TestCase
 {
     private const RESOLUTION = Resolution::Px16;
     private const PRODUCT = 'LDEM_16_SYNTHETIC';
-    private const RANDOM_TILES = 4;
+    private const RANDOM_TILES = 2;
     private const RANDOM_TILES_OF_LONG_TESTS = 100;
 
     public function testTilesAtPolesSeamAndRandomPlacesAreThoseOfMsis(): void

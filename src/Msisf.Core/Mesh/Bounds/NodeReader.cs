@@ -53,13 +53,14 @@ internal sealed class NodeReader
     {
         Extremes found = Extremes.None;
         Read(new ReadOnlySpan<CellRange>(in cells), new Span<Extremes>(ref found));
-        if (!(Math.Max(MoonConstants.ReferenceRadius - found.Min, found.Max - MoonConstants.ReferenceRadius) <= MoonConstants.MaxRelief))
+        double reference = _mesh.Grid.ReferenceRadius;
+        if (!(Math.Max(reference - found.Min, found.Max - reference) <= MoonConstants.MaxRelief))
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"{_mesh.Grid.ProductId} has radii from {found.Min:R} to {found.Max:R} m around line {cells.FirstLine + 2}, "
                     + $"sample {cells.FirstSample + 1}; a surface within {MoonConstants.MaxRelief:R} m of "
-                    + $"{MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
+                    + $"{reference:R} m is needed. Check the model and its label."));
         }
 
         return found.ToBounds();

@@ -104,23 +104,12 @@ internal sealed class FootprintLanes
         for (int i = 0; i < count; i++)
         {
             ref Vector512<double> at = ref Unsafe.Add(ref places, i);
-            Vector512<double> x = Unsafe.Add(ref xs, i);
-            Vector512<double> y = Unsafe.Add(ref ys, i);
-            Vector512<double> z = Unsafe.Add(ref zs, i);
-            Vector512<double> viewX = Vector512.Create(eye.X) - x;
-            Vector512<double> viewY = Vector512.Create(eye.Y) - y;
-            Vector512<double> viewZ = Vector512.Create(eye.Z) - z;
-            Vector512<double> axisSquared = AxisSquared(x, y);
-            Unsafe.Add(ref at, PerAxis) = axisSquared;
-            Unsafe.Add(ref at, PerRadius) = axisSquared + (z * z);
-            Unsafe.Add(ref at, PerRange) = (viewX * viewX) + (viewY * viewY) + (viewZ * viewZ);
+            Sight sight = new(eye, Unsafe.Add(ref xs, i), Unsafe.Add(ref ys, i), Unsafe.Add(ref zs, i));
+            Unsafe.Add(ref at, PerAxis) = sight.AxisSquared;
+            Unsafe.Add(ref at, PerRadius) = sight.AxisSquared + (sight.Z * sight.Z);
+            Unsafe.Add(ref at, PerRange) = sight.RangeSquared;
         }
     }
-
-    /// <summary>1 m from the polar axis is on it.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> AxisSquared(Vector512<double> x, Vector512<double> y) =>
-        Vector512.MaxNative((x * x) + (y * y), Vector512<double>.One);
 
     /// <summary>
     /// Cosines and sines of longitude and latitude, the way to the viewer along the ground, and the sides of a square across the line of
@@ -134,33 +123,26 @@ internal sealed class FootprintLanes
         for (int i = 0; i < count; i++)
         {
             ref Vector512<double> at = ref Unsafe.Add(ref places, i);
-            Vector512<double> x = Unsafe.Add(ref xs, i);
-            Vector512<double> y = Unsafe.Add(ref ys, i);
-            Vector512<double> z = Unsafe.Add(ref zs, i);
-            Vector512<double> viewX = Vector512.Create(eye.X) - x;
-            Vector512<double> viewY = Vector512.Create(eye.Y) - y;
-            Vector512<double> viewZ = Vector512.Create(eye.Z) - z;
+            Sight sight = new(eye, Unsafe.Add(ref xs, i), Unsafe.Add(ref ys, i), Unsafe.Add(ref zs, i));
             Vector512<double> perAxis = Unsafe.Add(ref at, PerAxis);
             Vector512<double> perRadius = Unsafe.Add(ref at, PerRadius);
-            Vector512<double> axisSquared = AxisSquared(x, y);
-            Unsafe.Add(ref at, CosLongitude) = x * perAxis;
-            Unsafe.Add(ref at, SinLongitude) = y * perAxis;
-            Unsafe.Add(ref at, CosLatitude) = axisSquared * perAxis * perRadius;
-            Unsafe.Add(ref at, SinLatitude) = z * perRadius;
+            Unsafe.Add(ref at, CosLongitude) = sight.X * perAxis;
+            Unsafe.Add(ref at, SinLongitude) = sight.Y * perAxis;
+            Unsafe.Add(ref at, CosLatitude) = sight.AxisSquared * perAxis * perRadius;
+            Unsafe.Add(ref at, SinLatitude) = sight.Z * perRadius;
 
-            Vector512<double> along = (x * viewX) + (y * viewY);
-            Vector512<double> east = ((x * viewY) - (y * viewX)) * perAxis;
-            Vector512<double> north = ((viewZ * axisSquared) - (z * along)) * (perAxis * perRadius);
-            Vector512<double> rangeSquared = (viewX * viewX) + (viewY * viewY) + (viewZ * viewZ);
+            Vector512<double> along = (sight.X * sight.ToEyeX) + (sight.Y * sight.ToEyeY);
+            Vector512<double> east = ((sight.X * sight.ToEyeY) - (sight.Y * sight.ToEyeX)) * perAxis;
+            Vector512<double> north = ((sight.ToEyeZ * sight.AxisSquared) - (sight.Z * along)) * (perAxis * perRadius);
             Vector512<double> groundSquared = (east * east) + (north * north);
             Unsafe.Add(ref at, East) = east;
             Unsafe.Add(ref at, North) = north;
-            Unsafe.Add(ref at, IsSlant) = Vector512.GreaterThan(groundSquared, rangeSquared * Vector512.Create(1e-18));
+            Unsafe.Add(ref at, IsSlant) = Vector512.GreaterThan(groundSquared, sight.RangeSquared * Vector512.Create(1e-18));
             Unsafe.Add(ref at, PerGround) = groundSquared + Vector512.Create(TinySquare);
 
-            Vector512<double> cosine = (along + (z * viewZ)) * perRadius * Unsafe.Add(ref at, PerRange);
-            Vector512<double> side = Vector512.Create(tangent) * -((viewX * Vector512.Create(forward.X))
-                + (viewY * Vector512.Create(forward.Y)) + (viewZ * Vector512.Create(forward.Z)));
+            Vector512<double> cosine = (along + (sight.Z * sight.ToEyeZ)) * perRadius * Unsafe.Add(ref at, PerRange);
+            Vector512<double> side = Vector512.Create(tangent) * -((sight.ToEyeX * Vector512.Create(forward.X))
+                + (sight.ToEyeY * Vector512.Create(forward.Y)) + (sight.ToEyeZ * Vector512.Create(forward.Z)));
             Unsafe.Add(ref at, Side) = side;
             Unsafe.Add(ref at, Slant) = side / Vector512.MaxNative(cosine, Vector512.Create(1.0 / MaxSlant));
         }
@@ -287,5 +269,40 @@ internal sealed class FootprintLanes
             Unsafe.Add(ref parts, i) = ((width.AsInt64() & Vector512.Create(Digits)) | one.AsInt64()).AsDouble() - one;
             Unsafe.Add(ref levels, i) = Vector512.ShiftRightLogical(width.AsInt64(), 52) - Vector512.Create(1023L);
         }
+    }
+
+    /// <summary>Eight points, and the lines from them to the viewer, m.</summary>
+    private readonly struct Sight
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Sight(Vector3D eye, Vector512<double> x, Vector512<double> y, Vector512<double> z)
+        {
+            X = x;
+            Y = y;
+            Z = z;
+            ToEyeX = Vector512.Create(eye.X) - x;
+            ToEyeY = Vector512.Create(eye.Y) - y;
+            ToEyeZ = Vector512.Create(eye.Z) - z;
+            AxisSquared = Vector512.MaxNative((x * x) + (y * y), Vector512<double>.One);
+            RangeSquared = (ToEyeX * ToEyeX) + (ToEyeY * ToEyeY) + (ToEyeZ * ToEyeZ);
+        }
+
+        public Vector512<double> X { get; }
+
+        public Vector512<double> Y { get; }
+
+        public Vector512<double> Z { get; }
+
+        public Vector512<double> ToEyeX { get; }
+
+        public Vector512<double> ToEyeY { get; }
+
+        public Vector512<double> ToEyeZ { get; }
+
+        /// <summary>Square of the distance from the polar axis; 1 m from the axis is on it.</summary>
+        public Vector512<double> AxisSquared { get; }
+
+        /// <summary>Square of the distance from the viewer.</summary>
+        public Vector512<double> RangeSquared { get; }
     }
 }

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Runtime.CompilerServices;
 
 namespace Msisf.Core.Render.Photometry;
 
@@ -60,9 +61,10 @@ public sealed class GreyTable
     {
         Debug.Assert(BitDepth == 8, "the table is for 8 bits");
         levels = levels[..radianceFactors.Length];
+        Steps steps = new(this);
         for (int i = 0; i < levels.Length; i++)
         {
-            levels[i] = (byte)LevelOf(radianceFactors[i]);
+            levels[i] = (byte)steps.LevelOf(radianceFactors[i]);
         }
     }
 
@@ -73,22 +75,36 @@ public sealed class GreyTable
     {
         Debug.Assert(BitDepth == 16, "the table is for 16 bits");
         levels = levels[..radianceFactors.Length];
+        Steps steps = new(this);
         for (int i = 0; i < levels.Length; i++)
         {
-            levels[i] = (ushort)LevelOf(radianceFactors[i]);
+            levels[i] = (ushort)steps.LevelOf(radianceFactors[i]);
         }
     }
 
-    private int LevelOf(double radianceFactor)
-    {
-        // The step never decreases as the radiance factor grows, so the borders of all earlier steps are passed. The step itself holds at
-        // most one border.
-        int level = _levelBeforeStep[StepOf(radianceFactor)];
-        return radianceFactor >= _min[level + 1] ? level + 1 : level;
-    }
+    private int StepOf(double radianceFactor) => new Steps(this).StepOf(radianceFactor);
 
-    // The native forms are one instruction each. They differ from the others only for NaN and for values that are clamped before the
-    // conversion.
-    private int StepOf(double radianceFactor) =>
-        double.ConvertToIntegerNative<int>(double.MinNative(double.MaxNative(radianceFactor * _stepsPerRadianceFactor, 0.0), _lastStep));
+    /// <summary>The table on the stack: the compiler would read the fields of the object again for each pixel.</summary>
+    private readonly ref struct Steps(GreyTable table)
+    {
+        private readonly ReadOnlySpan<ushort> _levelBeforeStep = table._levelBeforeStep;
+        private readonly ReadOnlySpan<double> _min = table._min;
+        private readonly double _stepsPerRadianceFactor = table._stepsPerRadianceFactor;
+        private readonly double _lastStep = table._lastStep;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public int LevelOf(double radianceFactor)
+        {
+            // The step never decreases as the radiance factor grows, so the borders of all earlier steps are passed. The step itself holds
+            // at most one border.
+            int level = _levelBeforeStep[StepOf(radianceFactor)];
+            return level + (radianceFactor >= _min[level + 1] ? 1 : 0);
+        }
+
+        // The native forms are one instruction each. They differ from the others only for NaN and for values that are clamped before the
+        // conversion.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public int StepOf(double radianceFactor) => double.ConvertToIntegerNative<int>(
+            double.MinNative(double.MaxNative(radianceFactor * _stepsPerRadianceFactor, 0.0), _lastStep));
+    }
 }

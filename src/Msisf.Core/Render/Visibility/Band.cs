@@ -12,15 +12,10 @@ internal sealed class Band
     /// <summary>Facet number that stands for a facet that is not recorded yet.</summary>
     public const int NotRecorded = -1;
 
-    private const int FirstCapacity = 1024;
-
     /// <summary>
     /// Elements after the last column of each row, so that eight pixels can be read and written from any column without range checks.
     /// </summary>
     private const int Padding = 8;
-
-    private readonly RecentUse _use = new();
-    private FacetRecord[] _records = new FacetRecord[FirstCapacity];
 
     /// <summary>Number of array elements from one row to the next.</summary>
     public int Stride { get; private set; }
@@ -55,13 +50,7 @@ internal sealed class Band
     public int[] Facets { get; private set; } = [];
 
     /// <summary>The facets that have been the nearest one at some pixel.</summary>
-    public ReadOnlySpan<FacetRecord> Records => _records.AsSpan(0, RecordCount);
-
-    /// <summary>Number of <see cref="Records"/>.</summary>
-    public int RecordCount { get; private set; }
-
-    /// <summary>Bytes of the buffers of records that the band has replaced.</summary>
-    public long ReplacedBytes { get; private set; }
+    public FacetRecords Records { get; } = new();
 
     /// <summary>Empties the band for new rows; gives back memory for records that the last frames did not need.</summary>
     public void Begin(int width, int firstRow, int rows)
@@ -70,8 +59,8 @@ internal sealed class Band
         FirstRow = firstRow;
         LastRow = firstRow + rows - 1;
         Stride = width + Padding;
-        TrimRecords();
-        RecordCount = 0;
+        Records.Trim();
+        Records.Clear();
         Window = new PixelRange(0, width - 1, firstRow, LastRow);
         SampleColumns = SampleRows = [];
         Margin = 0.0;
@@ -131,31 +120,5 @@ internal sealed class Band
     {
         Debug.Assert((uint)column < (uint)Width && row >= FirstRow && row <= LastRow, "A pixel lies outside its band.");
         return ((row - FirstRow) * Stride) + column;
-    }
-
-    /// <summary>Records a facet and returns its index in <see cref="Records"/>.</summary>
-    /// <param name="block">The facet's block.</param>
-    /// <param name="index">Index in the block of the north-western vertex of the facet's cell.</param>
-    /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
-    public int Add(ProjectedBlock block, int index, int half)
-    {
-        if (RecordCount == _records.Length)
-        {
-            ReplacedBytes += Unsafe.SizeOf<FacetRecord>() * (long)RecordCount;
-            Array.Resize(ref _records, 2 * RecordCount);
-        }
-
-        _records[RecordCount] = block.Record(index, half);
-        return RecordCount++;
-    }
-
-    private void TrimRecords()
-    {
-        int length = _records.Length;
-        if (_use.Note(RecordCount, ref length))
-        {
-            ReplacedBytes += Unsafe.SizeOf<FacetRecord>() * (long)_records.Length;
-            _records = GC.AllocateUninitializedArray<FacetRecord>(length);
-        }
     }
 }

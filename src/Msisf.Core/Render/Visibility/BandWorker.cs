@@ -30,7 +30,7 @@ internal sealed class BandWorker
             sieved += DrawBlock<PixelCentres>(view, band);
         }
 
-        return new VisibilityCounts(0, read, sieved, band.RecordCount);
+        return new VisibilityCounts(0, read, sieved, band.Records.Count);
     }
 
     /// <summary>Draws all blocks that touch a band of an image with a lens, each tile by tile.</summary>
@@ -75,7 +75,7 @@ internal sealed class BandWorker
             }
         }
 
-        return new VisibilityCounts(0, _touching.Count, sieved, band.RecordCount);
+        return new VisibilityCounts(0, _touching.Count, sieved, band.Records.Count);
     }
 
     private void Begin(ImageView view)

@@ -47,8 +47,7 @@ internal static class CellFill
         Vector512<double> northEastMask = Vector512.Create((halves & FacetCorners.NorthEastHalf) != 0 ? -1L : 0L).AsDouble();
         Vector512<double> lastColumn = Vector512.Create((double)pixels.LastColumn);
         CellSides sides = new(northWest, northEast, southWest, southEast);
-        int southWestNumber = Band.NotRecorded;
-        int northEastNumber = Band.NotRecorded;
+        CellWinners winners = new();
         for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
         {
             (double first, double last) = TSamples.IsPixelCentre ? sides.At(row) : sides.Within(row, margin);
@@ -103,34 +102,16 @@ internal static class CellFill
                 Vector512<double> wins = (inSouthWest | inNorthEast)
                     & Vector512.GreaterThan(inverseDepth, before)
                     & Vector512.LessThanOrEqual(columns, lastColumn);
-                uint bits = (uint)wins.ExtractMostSignificantBits();
-                if (bits == 0)
+                if (wins == Vector512<double>.Zero)
                 {
                     continue;
                 }
 
-                uint southWestBits = (uint)inSouthWest.ExtractMostSignificantBits();
-                if ((bits & southWestBits) != 0 && southWestNumber == Band.NotRecorded)
-                {
-                    southWestNumber = band.Add(block, index, 0);
-                }
-
-                if ((bits & ~southWestBits) != 0 && northEastNumber == Band.NotRecorded)
-                {
-                    northEastNumber = band.Add(block, index, 1);
-                }
-
                 Vector512.ConditionalSelect(wins, inverseDepth, before).StoreUnsafe(ref nearest, (nuint)column);
-                Vector256<int> number = Vector256.ConditionalSelect(
-                    Narrow(inSouthWest), Vector256.Create(southWestNumber), Vector256.Create(northEastNumber));
-                Vector256.ConditionalSelect(Narrow(wins), number, Vector256.LoadUnsafe(ref facets, (nuint)column))
-                    .StoreUnsafe(ref facets, (nuint)column);
+                winners.Store(band.Records, block, index, wins, inSouthWest, ref Unsafe.Add(ref facets, column));
             }
         }
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<int> Narrow(Vector512<double> mask) => Vector512.Narrow(mask.AsInt64(), mask.AsInt64()).GetLower();
 
     /// <summary>The inverse depth of a facet's plane (1/m), which is a linear function of column and row.</summary>
     private readonly struct DepthPlane

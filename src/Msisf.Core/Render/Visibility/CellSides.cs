@@ -9,8 +9,8 @@ namespace Msisf.Core.Render.Visibility;
 /// </summary>
 internal readonly struct CellSides
 {
-    /// <summary>px: widens the range of columns on both sides. It is more than the rounding error of a crossing.</summary>
-    private const double Slack = 1e-6;
+    /// <summary>px: widens a range of columns on both sides. It is more than the rounding error of a crossing.</summary>
+    public const double Slack = 1e-6;
 
     private readonly Vector512<double> _x;
     private readonly Vector512<double> _y;

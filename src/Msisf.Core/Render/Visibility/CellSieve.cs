@@ -239,7 +239,7 @@ internal sealed class CellSieve
                 ref int number = ref Unsafe.Add(ref numbers, (2 * lane) + half);
                 if (number == Band.NotRecorded)
                 {
-                    number = band.Add(block, index + lane, half);
+                    number = band.Records.Add(block, index + lane, half);
                 }
 
                 Unsafe.Add(ref nearest, pixel) = inverseDepth;

@@ -13,8 +13,7 @@ internal sealed class LensSamples
 {
     /// <summary>
     /// Parts of a cell: tiles are halved until no sample is farther from its pixel. Measured: with less the tiles are smaller and each
-    /// block
-    /// is projected more often; with more each cell is tested against more samples.
+    /// block is projected more often; with more each cell is tested against more samples.
     /// </summary>
     private const double MarginPerCell = 0.15;
 
@@ -23,12 +22,6 @@ internal sealed class LensSamples
 
     /// <summary>Kinds of tiles.</summary>
     private const int Kinds = 8;
-
-    /// <summary>px: tiles are not halved below this side.</summary>
-    private const int MinSide = 8;
-
-    /// <summary>px: more than the rounding of a sample's column or row.</summary>
-    private const double Rounding = 1e-9;
 
     private CameraModel? _model;
     private TangentBox[] _bands = [];
@@ -96,7 +89,7 @@ internal sealed class LensSamples
         if (tiles is null)
         {
             List<LensTile> found = [];
-            Divide(_model!, PixelsOf(_model!, band), Math.ScaleB(MinMargin, kind), found);
+            new LensTiling(_model!, this, _offset).Divide(PixelsOf(_model!, band), Math.ScaleB(MinMargin, kind), found);
             tiles = found;
         }
 
@@ -111,8 +104,8 @@ internal sealed class LensSamples
 
     private TangentBox TangentsOf(CameraModel model, PixelRange pixels)
     {
-        Range right = Range.Nothing;
-        Range down = Range.Nothing;
+        LaneRange right = LaneRange.Nothing;
+        LaneRange down = LaneRange.Nothing;
         int last = ((pixels.LastRow + 1) * model.Width) - 1;
         for (int sample = pixels.FirstRow * model.Width; sample <= last; sample += Vector512<double>.Count)
         {
@@ -144,66 +137,9 @@ internal sealed class LensSamples
         }
     }
 
-    /// <summary>Halves a rectangle until a linear map fits.</summary>
-    private void Divide(CameraModel model, PixelRange pixels, double maxMargin, List<LensTile> tiles)
-    {
-        LensTile tile = TileOf(model, pixels);
-        (int width, int height) = (pixels.LastColumn - pixels.FirstColumn + 1, pixels.LastRow - pixels.FirstRow + 1);
-        if (tile.Margin <= maxMargin || Math.Max(width, height) <= MinSide)
-        {
-            tiles.Add(tile);
-            return;
-        }
-
-        if (width >= height)
-        {
-            int middle = pixels.FirstColumn + (width / 2);
-            Divide(model, pixels with { LastColumn = middle - 1 }, maxMargin, tiles);
-            Divide(model, pixels with { FirstColumn = middle }, maxMargin, tiles);
-        }
-        else
-        {
-            int middle = pixels.FirstRow + (height / 2);
-            Divide(model, pixels with { LastRow = middle - 1 }, maxMargin, tiles);
-            Divide(model, pixels with { FirstRow = middle }, maxMargin, tiles);
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private LensTile TileOf(CameraModel model, PixelRange pixels)
-    {
-        ImagePlaneMap map = MapOf(model, pixels, _offset.X, _offset.Y);
-        Range across = Range.Nothing;
-        Range down = Range.Nothing;
-        Range right = Range.Nothing;
-        Range below = Range.Nothing;
-        for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
-        {
-            int start = row * model.Width;
-            for (int column = pixels.FirstColumn; column <= pixels.LastColumn; column += Vector512<double>.Count)
-            {
-                // The last vector goes back over pixels that were met already, or repeats the last one.
-                int first = Math.Max(pixels.FirstColumn, Math.Min(column, pixels.LastColumn + 1 - Vector512<double>.Count));
-                Vector512<double> columns = Vector512.Min(
-                    Vector512.Create((double)first) + Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0),
-                    Vector512.Create((double)pixels.LastColumn));
-                Vector512<double> x = Read(Right, start + first, start + pixels.LastColumn);
-                Vector512<double> y = Read(Down, start + first, start + pixels.LastColumn);
-                across.Widen((map.ColumnPerRight * x) + (map.ColumnPerDown * y) + Vector512.Create(map.Column0) - columns);
-                down.Widen((map.RowPerRight * x) + (map.RowPerDown * y) + Vector512.Create(map.Row0 - row));
-                right.Widen(x);
-                below.Widen(y);
-            }
-        }
-
-        map = map with { Column0 = map.Column0 - across.Middle, Row0 = map.Row0 - down.Middle };
-        return new LensTile(
-            pixels, map, (0.5 * Math.Max(across.Width, down.Width)) + Rounding,
-            new TangentBox(right.Min, below.Min, right.Max, below.Max));
-    }
-
+    /// <summary>Reads eight numbers; beyond the last one it is repeated.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> Read(double[] values, int first, int last)
+    public static Vector512<double> Read(double[] values, int first, int last)
     {
         if (last - first >= Vector512<double>.Count - 1)
         {
@@ -217,84 +153,5 @@ internal sealed class LensSamples
         }
 
         return read;
-    }
-
-    /// <summary>The linear map that follows the lens from one side of a rectangle to the other.</summary>
-    private static ImagePlaneMap MapOf(CameraModel model, PixelRange pixels, double offsetX, double offsetY)
-    {
-        double x = (0.5 * (pixels.FirstColumn + pixels.LastColumn)) + 1.0 + offsetX;
-        double y = (0.5 * (pixels.FirstRow + pixels.LastRow)) + 1.0 + offsetY;
-
-        // The chord over 0.7 of the side leaves the smallest greatest distance from a cubic.
-        double across = Math.Max(0.5, 0.35 * (pixels.LastColumn - pixels.FirstColumn));
-        double down = Math.Max(0.5, 0.35 * (pixels.LastRow - pixels.FirstRow));
-        (double rightOfLeft, double downOfLeft) = model.ToIdeal(x - across, y);
-        (double rightOfRight, double downOfRight) = model.ToIdeal(x + across, y);
-        (double rightOfTop, double downOfTop) = model.ToIdeal(x, y - down);
-        (double rightOfBottom, double downOfBottom) = model.ToIdeal(x, y + down);
-        double a = (rightOfRight - rightOfLeft) / (2.0 * across);
-        double b = (rightOfBottom - rightOfTop) / (2.0 * down);
-        double c = (downOfRight - downOfLeft) / (2.0 * across);
-        double d = (downOfBottom - downOfTop) / (2.0 * down);
-        double determinant = (a * d) - (b * c);
-        (double middleRight, double middleDown) = model.ToIdeal(x, y);
-        ImagePlaneMap map = new(d / determinant, -b / determinant, 0.0, -c / determinant, a / determinant, 0.0);
-        return map with
-        {
-            Column0 = x - 1.0 - offsetX - map.Column(middleRight, middleDown),
-            Row0 = y - 1.0 - offsetY - map.Row(middleRight, middleDown),
-        };
-    }
-
-    /// <summary>The limits of many numbers.</summary>
-    private struct Range
-    {
-        private Vector512<double> _min;
-        private Vector512<double> _max;
-
-        public static Range Nothing => new()
-        {
-            _min = Vector512.Create(double.PositiveInfinity),
-            _max = Vector512.Create(double.NegativeInfinity),
-        };
-
-        public readonly double Min
-        {
-            get
-            {
-                double min = _min[0];
-                for (int lane = 1; lane < Vector512<double>.Count; lane++)
-                {
-                    min = Math.Min(min, _min[lane]);
-                }
-
-                return min;
-            }
-        }
-
-        public readonly double Max
-        {
-            get
-            {
-                double max = _max[0];
-                for (int lane = 1; lane < Vector512<double>.Count; lane++)
-                {
-                    max = Math.Max(max, _max[lane]);
-                }
-
-                return max;
-            }
-        }
-
-        public readonly double Middle => 0.5 * (Min + Max);
-
-        public readonly double Width => Max - Min;
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Widen(Vector512<double> by)
-        {
-            _min = Vector512.MinNative(_min, by);
-            _max = Vector512.MaxNative(_max, by);
-        }
     }
 }

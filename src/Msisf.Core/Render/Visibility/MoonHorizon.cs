@@ -46,10 +46,6 @@ internal sealed class MoonHorizon
     /// <param name="box">The box.</param>
     /// <param name="minRadius">m: minimum radius of the facets in the box.</param>
     /// <param name="maxSlope">Tangent of the maximum slope of the facets in the box.</param>
-    /// <remarks>
-    /// The camera stands D cos(theta) - r over a point's level at a distance D sin(theta) to the side. cos(theta) + maxSlope sin(theta)
-    /// falls from where its slope is the steepest one.
-    /// </remarks>
     public bool IsTurnedAway(in NodeBox box, double minRadius, double maxSlope)
     {
         if (!_isOutside)
@@ -59,11 +55,9 @@ internal sealed class MoonHorizon
 
         double cosine = Vector3D.Dot(_toCamera, box.Up);
         double sine = Math.Sqrt(Math.Max(0.0, (1.0 - cosine) * (1.0 + cosine)));
-        double nearestSine = (sine * box.CapRadius.Cosine) - (cosine * box.CapRadius.Sine);
-        double nearestCosine = (cosine * box.CapRadius.Cosine) + (sine * box.CapRadius.Sine);
-        return nearestSine > 0.0
-            && nearestSine > maxSlope * nearestCosine
-            && nearestCosine + (maxSlope * nearestSine) < minRadius / _distance;
+        SineCosine nearest = new(
+            (sine * box.CapRadius.Cosine) - (cosine * box.CapRadius.Sine), (cosine * box.CapRadius.Cosine) + (sine * box.CapRadius.Sine));
+        return GroundFacing.IsTurnedAway(nearest, _distance, minRadius, maxSlope);
     }
 
     /// <summary>The angle from 0 to pi/2 that has a cosine; 0 for a cosine above 1.</summary>

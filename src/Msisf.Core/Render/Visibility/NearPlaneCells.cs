@@ -136,7 +136,7 @@ internal sealed class NearPlaneCells
                 for (uint bits = (uint)wins.ExtractMostSignificantBits(); bits != 0; bits &= bits - 1)
                 {
                     int lane = BitOperations.TrailingZeroCount(bits);
-                    number = number == Band.NotRecorded ? band.Add(block, index, half) : number;
+                    number = number == Band.NotRecorded ? band.Records.Add(block, index, half) : number;
                     nearest[column + lane] = inverseDepth[lane];
                     facets[column + lane] = number;
                 }

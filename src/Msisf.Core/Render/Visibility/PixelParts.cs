@@ -51,13 +51,13 @@ internal sealed class PixelParts
     public void Take(SubsampleBand band, CameraModel model, bool mayBeSplit = true)
     {
         Count = 0;
-        if (_records.Length < band.RecordCount)
+        if (_records.Length < band.Records.Count)
         {
-            _records = new FacetRecord[band.RecordCount + (band.RecordCount / 4)];
+            _records = new FacetRecord[band.Records.Count + (band.Records.Count / 4)];
         }
 
-        _recordCount = band.RecordCount;
-        band.Records.CopyTo(_records);
+        _recordCount = band.Records.Count;
+        band.Records.AsSpan().CopyTo(_records);
         for (int pixel = band.NextPixel(0); pixel >= 0; pixel = band.NextPixel(pixel + 1))
         {
             (int row, int column) = Math.DivRem(pixel, band.Width);

@@ -50,9 +50,7 @@ internal sealed class RowResolver
         Vector3D direction = _view.Camera.RayThrough(column + 1 + _view.OffsetX, row + 1 + _view.OffsetY).Direction;
         Vector3D position = _view.Camera.PositionMoonMe - _view.Anchor;
         double parameter = 1.0 / (inverseDepth * _view.Distance);
-        Vector3D near = new(
-            Along(position.X, parameter, direction.X), Along(position.Y, parameter, direction.Y),
-            Along(position.Z, parameter, direction.Z));
+        Vector3D near = Stable.PointAlong(position, parameter, direction);
         double correction = (record.Offset - Vector3D.Dot(record.Normal, near)) / Vector3D.Dot(record.Normal, direction);
         double limit = MaxCorrection * parameter;
         correction = correction > -limit ? correction : -limit;
@@ -151,9 +149,9 @@ internal sealed class RowResolver
                 directionZ += factor * Vector512.Create(other.Z);
             }
 
-            Vector512<double> nearX = Along(Vector512.Create(position.X), parameter, directionX);
-            Vector512<double> nearY = Along(Vector512.Create(position.Y), parameter, directionY);
-            Vector512<double> nearZ = Along(Vector512.Create(position.Z), parameter, directionZ);
+            Vector512<double> nearX = Stable.Along(Vector512.Create(position.X), parameter, directionX);
+            Vector512<double> nearY = Stable.Along(Vector512.Create(position.Y), parameter, directionY);
+            Vector512<double> nearZ = Stable.Along(Vector512.Create(position.Z), parameter, directionZ);
             Vector512<double> nx = Vector512.LoadUnsafe(ref normalX, i);
             Vector512<double> ny = Vector512.LoadUnsafe(ref normalY, i);
             Vector512<double> nz = Vector512.LoadUnsafe(ref normalZ, i);
@@ -170,28 +168,6 @@ internal sealed class RowResolver
             (perLength * ny).StoreUnsafe(ref normalY, i);
             (perLength * nz).StoreUnsafe(ref normalZ, i);
         }
-    }
-
-    /// <summary>
-    /// Computes origin + parameter direction with one rounding at the end: the low parts of the product and the sum are exact.
-    /// </summary>
-    private static double Along(double origin, double parameter, double direction)
-    {
-        double product = parameter * direction;
-        double productRest = Math.FusedMultiplyAdd(parameter, direction, -product);
-        double sum = origin + product;
-        double added = sum - origin;
-        return sum + (((origin - (sum - added)) + (product - added)) + productRest);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<double> Along(Vector512<double> origin, Vector512<double> parameter, Vector512<double> direction)
-    {
-        Vector512<double> product = parameter * direction;
-        Vector512<double> productRest = Vector512.FusedMultiplyAdd(parameter, direction, -product);
-        Vector512<double> sum = origin + product;
-        Vector512<double> added = sum - origin;
-        return sum + (((origin - (sum - added)) + (product - added)) + productRest);
     }
 
     /// <summary>Limits values to a range; NaN becomes the minimum.</summary>
@@ -241,7 +217,7 @@ internal sealed class RowResolver
         }
 
         pixels.Count = count;
-        GatherPlanes(band.Records, pixels);
+        GatherPlanes(band.Records.AsSpan(), pixels);
         Pad(pixels);
     }
 

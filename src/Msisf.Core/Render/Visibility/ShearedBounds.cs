@@ -10,9 +10,6 @@ namespace Msisf.Core.Render.Visibility;
 /// </summary>
 internal readonly struct ShearedBounds
 {
-    /// <summary>px: added on both sides. It is more than the rounding error of the sides.</summary>
-    private const double Slack = 1e-6;
-
     /// <summary>
     /// px per row: maximum shift of the sides from one row to the next. More would not fit nearly horizontal cells better, but would cost
     /// accuracy.
@@ -36,7 +33,7 @@ internal readonly struct ShearedBounds
     /// <summary>Makes boxes with vertical sides.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static ShearedBounds Upright(Vector512<double> left, Vector512<double> right) =>
-        new(Vector512<double>.Zero, Vector512<double>.Zero, left, right, Vector512.Create(Slack));
+        new(Vector512<double>.Zero, Vector512<double>.Zero, left, right, Vector512.Create(CellSides.Slack));
 
     /// <summary>Makes boxes with sides along the cells' western or northern sides, whichever cross more rows.</summary>
     /// <param name="cells">The cells.</param>
@@ -61,7 +58,7 @@ internal readonly struct ShearedBounds
             lean,
             Vector512.MinNative(Vector512.MinNative(x, northEast), Vector512.MinNative(southWest, southEast)),
             Vector512.MaxNative(Vector512.MaxNative(x, northEast), Vector512.MaxNative(southWest, southEast)),
-            Vector512.Create(Slack + margin) + (margin * Vector512.Abs(lean)));
+            Vector512.Create(CellSides.Slack + margin) + (margin * Vector512.Abs(lean)));
     }
 
     /// <summary>Left and right column of the box of each cell in a row, px.</summary>

@@ -11,9 +11,6 @@ namespace Msisf.Core.Render.Visibility;
 /// </summary>
 internal sealed class SubsampleBand
 {
-    private const int FirstCapacity = 1024;
-
-    private FacetRecord[] _records = new FacetRecord[FirstCapacity];
     private byte[] _codes = [];
 
     /// <summary>The image's width, px.</summary>
@@ -53,10 +50,7 @@ internal sealed class SubsampleBand
     public int[] Facets { get; private set; } = [];
 
     /// <summary>The facets that have been the nearest one at some sample.</summary>
-    public ReadOnlySpan<FacetRecord> Records => _records.AsSpan(0, RecordCount);
-
-    /// <summary>Number of <see cref="Records"/>.</summary>
-    public int RecordCount { get; private set; }
+    public FacetRecords Records { get; } = new();
 
     /// <summary>Number of samples.</summary>
     public int Count { get; private set; }
@@ -72,7 +66,7 @@ internal sealed class SubsampleBand
         LastRow = Math.Min(model.Height, FirstRow + SampledPixels.BandRows) - 1;
         Window = new PixelRange(0, Width - 1, FirstRow, LastRow);
         Margin = SamplePattern.Reach;
-        RecordCount = 0;
+        Records.Clear();
         Count = pixels.VectorsOfBand[band] * SamplePattern.Lanes;
         _codes = pixels.Codes;
         EnsureRoom(model.Lens is not null);
@@ -196,19 +190,6 @@ internal sealed class SubsampleBand
     {
         Window = tile.Pixels;
         Margin = tile.Margin;
-    }
-
-    /// <summary>Records a facet and returns its index in <see cref="Records"/>.</summary>
-    /// <inheritdoc cref="Band.Add"/>
-    public int Add(ProjectedBlock block, int index, int half)
-    {
-        if (RecordCount == _records.Length)
-        {
-            Array.Resize(ref _records, 2 * RecordCount);
-        }
-
-        _records[RecordCount] = block.Record(index, half);
-        return RecordCount++;
     }
 
     private void Place(int column, int row, int start, int end)

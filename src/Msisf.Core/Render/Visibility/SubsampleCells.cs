@@ -142,11 +142,11 @@ internal sealed class SubsampleCells
         CellSides sides = isWide ? new CellSides(northWest, northEast, southWest, southEast) : default;
         Vector512<double> southWestMask = Vector512.Create((halves & FacetCorners.SouthWestHalf) != 0 ? -1L : 0L).AsDouble();
         Vector512<double> northEastMask = Vector512.Create((halves & FacetCorners.NorthEastHalf) != 0 ? -1L : 0L).AsDouble();
-        int southWestNumber = Band.NotRecorded;
-        int northEastNumber = Band.NotRecorded;
+        CellWinners winners = new();
         ref double sampleColumns = ref MemoryMarshal.GetArrayDataReference(band.Columns);
         ref double sampleRows = ref MemoryMarshal.GetArrayDataReference(band.Rows);
         ref double nearest = ref MemoryMarshal.GetArrayDataReference(band.InverseDepths);
+        ref int facets = ref MemoryMarshal.GetArrayDataReference(band.Facets);
         for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
         {
             int begin = pixels.FirstColumn;
@@ -197,27 +197,13 @@ internal sealed class SubsampleCells
                         + (ofThird * atThird)) / (ofNorthWest + ofSouthEast + ofThird);
                     Vector512<double> before = Vector512.LoadUnsafe(ref nearest, (nuint)sample);
                     Vector512<double> wins = (inSouthWest | inNorthEast) & Vector512.GreaterThan(inverseDepth, before);
-                    uint bits = (uint)wins.ExtractMostSignificantBits();
-                    if (bits == 0)
+                    if (wins == Vector512<double>.Zero)
                     {
                         continue;
                     }
 
-                    uint southWestBits = (uint)inSouthWest.ExtractMostSignificantBits();
-                    if ((bits & southWestBits) != 0 && southWestNumber == Band.NotRecorded)
-                    {
-                        southWestNumber = band.Add(block, index, 0);
-                    }
-
-                    if ((bits & ~southWestBits) != 0 && northEastNumber == Band.NotRecorded)
-                    {
-                        northEastNumber = band.Add(block, index, 1);
-                    }
-
                     Vector512.ConditionalSelect(wins, inverseDepth, before).StoreUnsafe(ref nearest, (nuint)sample);
-                    Vector256<int> number = Vector256.ConditionalSelect(
-                        Narrow(inSouthWest), Vector256.Create(southWestNumber), Vector256.Create(northEastNumber));
-                    Store(number, wins, sample, band);
+                    winners.Store(band.Records, block, index, wins, inSouthWest, ref Unsafe.Add(ref facets, sample));
                 }
             }
         }
@@ -252,21 +238,11 @@ internal sealed class SubsampleCells
                         continue;
                     }
 
-                    number = number == Band.NotRecorded ? band.Add(block, index, half) : number;
+                    number = number == Band.NotRecorded ? band.Records.Add(block, index, half) : number;
                     Vector512.ConditionalSelect(wins, inverseDepth, before).StoreUnsafe(ref band.InverseDepths[sample]);
-                    Store(Vector256.Create(number), wins, sample, band);
+                    CellWinners.Store(Vector256.Create(number), wins, ref band.Facets[sample]);
                 }
             }
         }
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Store(Vector256<int> number, Vector512<double> wins, int sample, SubsampleBand band)
-    {
-        ref int facets = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(band.Facets), sample);
-        Vector256.ConditionalSelect(Narrow(wins), number, Vector256.LoadUnsafe(ref facets)).StoreUnsafe(ref facets);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<int> Narrow(Vector512<double> mask) => Vector512.Narrow(mask.AsInt64(), mask.AsInt64()).GetLower();
 }

@@ -29,7 +29,7 @@ internal sealed class VisibleSurface : ISurfaceRows
     public VisibilityCounts Counts { get; private set; }
 
     /// <summary>Bytes of the buffers that the bands have replaced since the first frame.</summary>
-    public long ReplacedBytes => _bands.Sum(band => band.ReplacedBytes);
+    public long ReplacedBytes => _bands.Sum(band => band.Records.ReplacedBytes);
 
     /// <summary>Number of bands of the frame.</summary>
     internal int BandCount { get; private set; }
@@ -69,7 +69,7 @@ internal sealed class VisibleSurface : ISurfaceRows
         int start = (row - band.FirstRow) * band.Stride;
         ReadOnlySpan<double> inverses = band.InverseDepths.AsSpan(start, facets.Length);
         ReadOnlySpan<int> numbers = band.Facets.AsSpan(start, facets.Length);
-        ReadOnlySpan<FacetRecord> records = band.Records;
+        ReadOnlySpan<FacetRecord> records = band.Records.AsSpan();
         int last = Band.NotRecorded;
         long facet = NoFacet;
         for (int i = 0; i < facets.Length; i++)

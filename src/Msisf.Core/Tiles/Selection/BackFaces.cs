@@ -50,19 +50,20 @@ internal sealed class BackFaces
     /// <summary>Whether the viewpoint's elevation over a node's ground may be lower than the slope of its steepest facet.</summary>
     public bool MayBeIn(in TerrainNode node, in PolarBounds bounds)
     {
-        double cos = 1.0 - (2.0 * bounds.Far * bounds.Far);
-        double sin = Math.Sqrt(Math.Max(0.0, (1.0 - cos) * (1.0 + cos)));
+        SineCosine farthest = AngleOf(bounds.Far);
         double distance = _table.View.Distance;
-        return !((distance * cos) - node.MaxRadius > node.MaxSlope * distance * sin);
+        return !((distance * farthest.Cosine) - node.MaxRadius > node.MaxSlope * distance * farthest.Sine);
     }
 
     /// <summary>Whether the viewpoint is so far below a node's horizon that all its facets are certainly turned away.</summary>
-    public bool AreAllOf(in TerrainNode node, in PolarBounds bounds)
+    public bool AreAllOf(in TerrainNode node, in PolarBounds bounds) =>
+        GroundFacing.IsTurnedAway(AngleOf(bounds.Near), _table.View.Distance, node.MinRadius, node.MaxSlope);
+
+    /// <summary>The angle whose half has a sine.</summary>
+    private static SineCosine AngleOf(double halfSine)
     {
-        double cos = 1.0 - (2.0 * bounds.Near * bounds.Near);
-        double sin = Math.Sqrt(Math.Max(0.0, (1.0 - cos) * (1.0 + cos)));
-        double distance = _table.View.Distance;
-        return (distance * cos) - node.MinRadius < -node.MaxSlope * distance * sin;
+        double cosine = 1.0 - (2.0 * halfSine * halfSine);
+        return new SineCosine(Math.Sqrt(Math.Max(0.0, (1.0 - cosine) * (1.0 + cosine))), cosine);
     }
 
     private PolarBounds[] Find(TileId tile, int block, in PolarBounds bounds)

@@ -19,6 +19,7 @@ import { degrees, latitudeText, lengthText } from './text.js';
 const $ = id => document.getElementById(id);
 
 const state = new State();
+let offers = { models: [], cameras: [] };
 state.fromText(location.hash.slice(1));
 
 let crosshair = null;
@@ -63,10 +64,9 @@ const navigation = new Navigation(stage, state, {
     onPin: pin,
 });
 const compare = new Compare(stage, notice);
-const frames = new Frames(state, picture, stage, notice);
-let models = [];
+const frames = new Frames(state, picture, () => offers, notice);
 new TakeAway(
-    () => ({ ...(picture.isStored ? picture.shown.frame : state.frame()), samples: state.picture.samples }), () => models, notice);
+    () => ({ ...(picture.isStored ? picture.shown.frame : state.frame()), samples: state.picture.samples }), () => offers.models, notice);
 
 /** Reads a pixel of the picture, as soon as it is at rest. */
 let pointed = null;
@@ -175,7 +175,7 @@ document.addEventListener('keydown', event => {
     }
 });
 
-state.onChange(isStored => {
+function show(isStored) {
     layer.hide();
     readings.set('here', null);
     if (!isStored) {
@@ -185,7 +185,7 @@ state.onChange(isStored => {
     sun.at(state.view.mjd);
     showSun();
     frames.onView();
-});
+}
 
 stage.onPlaced = () => marks.draw();
 $('crosshair').addEventListener('click', toggleCrosshair);
@@ -196,13 +196,13 @@ $('help-open').addEventListener('click', () => $('help').showModal());
 window.addEventListener('hashchange', () => state.fromText(location.hash.slice(1)));
 
 async function start() {
-    const offers = await getJson('/v1/models');
-    models = offers.models;
+    offers = await getJson('/v1/models');
     Panel.offer($('model'), offers.models.map(({ name, pixels_per_degree: resolution }) => (
         { value: name, label: `${name} (${resolution} px/deg)` })));
     Panel.offer($('reflectance'), (offers.reflectances ?? []).map(item => ({ value: item.name ?? item })));
     Panel.offer($('catalogue'), (offers.catalogues ?? []).map(({ name }) => ({ value: name })));
     await frames.offer();
+    state.onChange(show);
     if (location.hash.length < 2) {
         panel.wholeMoon();
     } else {

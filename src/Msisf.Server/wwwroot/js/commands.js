@@ -17,19 +17,31 @@ export function commandLine(frame, models) {
 
 export const batchLineOf = frame => batchLine(frame['fixed-state']);
 
-/** The same over the server, with nothing but Python's own library. */
+/** A value as Python writes it. */
+function pythonOf(value) {
+    if (Array.isArray(value)) {
+        return `(${value.map(pythonOf).join(', ')}${value.length === 1 ? ',' : ''})`;
+    }
+    return typeof value === 'boolean' ? (value ? 'True' : 'False') : JSON.stringify(value);
+}
+
+/** The same with the package msisf, over the server at an address. */
 export function python(frame, address) {
-    const entries = Object.entries(frame).map(([name, value]) => `    ${JSON.stringify(name)}: ${JSON.stringify(value)},`);
+    const { 'fixed-state': [mjd, x, y, z, ...turn], width, height, fov, camera, ...options } = frame;
+    const named = Object.entries(options).map(([name, value]) => `        ${name.replaceAll('-', '_')}=${pythonOf(value)},`);
+    const used = camera === undefined ? `msisf.Camera(width=${width}, height=${height}, fov=${fov})` : pythonOf(camera);
     return [
-        'import json, urllib.request',
+        'import msisf  # pip install ./clients/python',
         '',
-        'frame = {',
-        ...entries,
-        '}',
-        `request = urllib.request.Request("${address}/v1/render", json.dumps(frame).encode(),`,
-        '                                 {"Content-Type": "application/json", "Accept": "image/png"})',
-        'with urllib.request.urlopen(request) as answer, open("moon.png", "wb") as file:',
-        '    file.write(answer.read())',
+        `with msisf.Moon("${address}") as moon:`,
+        '    frame = moon.render(',
+        `        position=${pythonOf([x, y, z])},  # m, MOON_ME`,
+        `        orientation_xyz0=${pythonOf(turn)},`,
+        `        time=${mjd},  # MJD, UTC`,
+        `        camera=${used},`,
+        ...named,
+        '    )',
+        'frame.save("moon.png")  # frame.image is the array',
         '',
     ].join('\n');
 }

@@ -1,5 +1,7 @@
 // Two pictures over each other: a kept one, or the user's own, over the one that is drawn; by a slider, or blinking.
 
+import { bitmapOf } from './server.js';
+
 const $ = id => document.getElementById(id);
 const BLINK_TIME = 600; // ms: below three flashes a second (WCAG 2.3.1)
 
@@ -33,7 +35,7 @@ export class Compare {
 
     async #open(file) {
         try {
-            const bitmap = await createImageBitmap(file);
+            const bitmap = await bitmapOf(file);
             this.#show(bitmap, `${file.name}: ${bitmap.width} × ${bitmap.height}`);
         } catch {
             this.onProblem(`${file.name} is no image that the browser can read.`);

@@ -4,7 +4,7 @@ import { readBatch } from './batch.js';
 import { Flight } from './flight.js';
 import { viewOf } from './geometry.js';
 import { metaRows } from './meta.js';
-import { getBlob, getJson, getText } from './server.js';
+import { bitmapOf, getBlob, getJson, getText } from './server.js';
 import { calendarOf } from './time.js';
 
 const $ = id => document.getElementById(id);
@@ -13,11 +13,13 @@ const LEAST_TIME = 100; // ms that each frame is shown while playing
 export class Frames {
     #list = [];
     #index = 0;
+    #turn = 0;
     #isShowing = false;
     #isPlaying = false;
 
-    constructor(state, picture, stage, onProblem) {
-        Object.assign(this, { state, picture, stage, onProblem });
+    /** @param offers answers the server's models and cameras. */
+    constructor(state, picture, offers, onProblem) {
+        Object.assign(this, { state, picture, offers, onProblem });
         this.flight = new Flight(state, states => this.open(this.#ofStates(states)), onProblem);
         $('folder').addEventListener('change', event => this.#try(this.#openFolder(event.target.value)));
         $('batch-file').addEventListener('change', event => event.target.files[0] && this.#try(this.#openFile(event.target.files[0])));
@@ -39,7 +41,9 @@ export class Frames {
     /** Puts frames on the time line and shows the first; none closes it. */
     open(list) {
         this.#list = list;
+        this.#turn += 1;
         this.#stop();
+        this.state.adopt(null);
         $('timeline').hidden = list.length === 0;
         $('frame-slider').max = Math.max(0, list.length - 1);
         $('frame-kinds').hidden = !list.some(frame => frame.image);
@@ -48,7 +52,7 @@ export class Frames {
             this.#try(this.show(0));
         } else {
             $('folder').value = '';
-            this.picture.draw();
+            this.state.draw({});
         }
     }
 
@@ -78,8 +82,9 @@ export class Frames {
         this.flight.note();
     }
 
-    /** Shows a frame: its stored image or annotated image, or draws it anew. */
+    /** Shows a frame: its stored image or annotated image, or draws it anew with its own options. One that comes late is left out. */
     async show(index) {
+        const turn = ++this.#turn;
         this.#index = Math.min(Math.max(index, 0), this.#list.length - 1);
         const frame = this.#list[this.#index];
         const kind = document.querySelector('input[name="frame-kind"]:checked').value;
@@ -88,21 +93,34 @@ export class Frames {
         const time = calendarOf(frame.state[0]).replace('T', ' ');
         $('frame-label').textContent = `${frame.number} of ${this.#list.at(-1).number}, ${time} UTC`;
         $('frame-slider').setAttribute('aria-valuetext', $('frame-label').textContent);
-        const bitmap = url ? await createImageBitmap(await getBlob(url)) : null;
-        if (frame !== this.#list[this.#index]) {
+        const bitmap = url ? await bitmapOf(await getBlob(url)) : null;
+        if (turn !== this.#turn) {
             return;
         }
-        const fov = frame.options?.fov ?? this.state.view.fov;
+        if (frame.meta) {
+            this.state.adopt(this.#offered(frame.options));
+        }
         this.#isShowing = true;
-        this.state.look({ ...viewOf(frame.state), fov }, bitmap !== null);
+        this.state.look(viewOf(frame.state), bitmap !== null);
         this.#isShowing = false;
         if (bitmap) {
-            const size = { width: frame.options?.width ?? bitmap.width, height: frame.options?.height ?? bitmap.height };
-            const whole = { ...this.state.frame(size), ...frame.options, 'fixed-state': frame.state };
+            const whole = { ...this.state.frame(this.state.size, frame.options.samples), 'fixed-state': frame.state };
             this.picture.showStored(bitmap, whole, `Stored ${kind === 'annotated' ? 'annotated image' : 'image'} of frame ${frame.number}: `
                 + `${bitmap.width} × ${bitmap.height}.`);
         }
-        await this.#showMeta(frame);
+        await this.#showMeta(frame, turn);
+    }
+
+    /** A frame's options with the name of its model, as the page's choices have it, and with the size of its camera. */
+    #offered({ res, ...options }) {
+        const { models, cameras } = this.offers();
+        const model = models.find(({ pixels_per_degree: resolution }) => resolution === res);
+        const camera = cameras.find(({ name }) => name === options.camera);
+        return {
+            ...options,
+            ...(model ? { model: model.name } : res !== undefined && { res }),
+            ...(camera && { width: camera.width, height: camera.height, fov: camera.field_of_view }),
+        };
     }
 
     async #play() {
@@ -129,11 +147,14 @@ export class Frames {
         return states.map((state, index) => ({ number: index + 1, state }));
     }
 
-    async #showMeta(frame) {
+    async #showMeta(frame, turn) {
         if (!frame.meta || this.#isPlaying) {
             return;
         }
         const rows = metaRows(await getText(frame.meta));
+        if (turn !== this.#turn) {
+            return;
+        }
         $('meta').replaceChildren(...rows.map(([name, value]) => {
             const row = document.createElement('div');
             const [term, description] = [document.createElement('dt'), document.createElement('dd')];

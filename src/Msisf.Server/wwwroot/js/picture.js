@@ -49,9 +49,9 @@ export class Picture {
         clearTimeout(this.#timer);
         this.#stream.rest();
         this.isStored = true;
-        this.stage.setSize({ width: frame.width, height: frame.height });
+        this.stage.setSize(this.state.size);
         this.stage.showPicture(this.stage.image, bitmap);
-        this.#show({ ...viewOf(frame['fixed-state']), fov: frame.fov }, { width: frame.width, height: frame.height }, frame);
+        this.#show(this.state.view, this.state.size, frame);
         this.isAtRest = true;
         this.hooks.onStatus(text);
         this.hooks.onRest(frame);
@@ -67,7 +67,7 @@ export class Picture {
             return;
         }
         Stage.paintGrey(this.stage.image, image);
-        const { fov, 'fixed-state': state } = this.#stream.drawn;
+        const { fov = this.state.view.fov, 'fixed-state': state } = this.#stream.drawn;
         this.#show({ ...viewOf(state), fov }, this.state.size, null);
         const now = performance.now();
         this.#times = [...this.#times.filter(time => now - time < 1000), now];

@@ -37,6 +37,9 @@ export const getText = async (path, signal) => (await call(path, { signal })).te
 /** Gets a file. */
 export const getBlob = async (path, signal) => (await call(path, { signal })).blob();
 
+/** The picture in a file with its own grey levels, as drawn ones are shown; a browser would change linear levels for the screen. */
+export const bitmapOf = file => createImageBitmap(file, { colorSpaceConversion: 'none' });
+
 /** Draws a frame into a file of a kind: image/png, application/fits, application/xml. */
 export const renderFile = async (frame, kind, signal) => (await post('/v1/render', frame, kind, signal)).blob();
 

@@ -13,14 +13,23 @@ export const MOVING_SIZE = 512;
 /** The largest image that fits the window by itself: 4K. */
 const MOST_PIXELS = 3840 * 2160;
 
+/** How msis draws what the options of a frame do not say otherwise. */
+const DEFAULT_PICTURE = { ...FIRST_PICTURE, fit: false, samples: 1 };
+
+/** Samples that the page offers; as others a frame of a folder is drawn anew with those that are chosen. */
+const SAMPLES = [1, 4, 9, 16, 25];
+
 const LIMITS = { latitude: [-90, 90], altitude: [-9000, 1e9], tilt: [0, 180], fov: [0.01, 175], mjd: [15021, 69805] };
 
 export class State {
     #listeners = [];
+    #before = null;
 
     constructor() {
         this.view = { ...FIRST_VIEW };
         this.picture = { ...FIRST_PICTURE };
+        /** Options of the picture that the page has no field for: those of a frame of a folder. */
+        this.own = {};
         this.window = { width: 1024, height: 1024 };
     }
 
@@ -32,6 +41,9 @@ export class State {
     /** Moves or turns the camera, or the time; a stored picture of the view need not be drawn. */
     look(changes, isStored = false) {
         const view = { ...this.view, ...changes };
+        if (view.fov !== this.view.fov) {
+            this.#leaveCamera();
+        }
         for (const [name, [least, most]] of Object.entries(LIMITS)) {
             view[name] = Math.min(Math.max(view[name], least), most);
         }
@@ -47,8 +59,36 @@ export class State {
 
     /** Changes how the picture is drawn. */
     draw(changes) {
+        if ('width' in changes || 'height' in changes) {
+            this.#leaveCamera();
+        }
         Object.assign(this.picture, changes);
         this.#tell(false);
+    }
+
+    /**
+     * Takes over how a frame of a folder was drawn, for the view that is looked at next; null goes back to what was before the first.
+     * @param options those of the frame, under the names of the command line, without its place. A camera's size and field of view are
+     * among them.
+     */
+    adopt(options) {
+        this.#before ??= this.picture;
+        if (!options) {
+            [this.picture, this.own, this.#before] = [this.#before, {}, null];
+            return;
+        }
+        const { model, samples, shading, sun, reflectance, width, height, fov = this.view.fov, ...own } = options;
+        const known = { model, samples: SAMPLES.includes(samples) ? samples : undefined, shading, sun, reflectance, width, height };
+        const given = Object.fromEntries(Object.entries(known).filter(([, value]) => value !== undefined));
+        this.picture = { ...DEFAULT_PICTURE, ...(samples !== undefined && { samples: this.#before.samples }), ...given };
+        this.view = { ...this.view, fov };
+        this.own = own;
+    }
+
+    /** A field of view or a size that is given by hand takes the place of the camera's. */
+    #leaveCamera() {
+        const { camera, ...own } = this.own;
+        this.own = own;
     }
 
     /** The room for the picture, in px of the screen. */
@@ -82,14 +122,13 @@ export class State {
         const { model, shading, sun, reflectance } = this.picture;
         return {
             'fixed-state': stateOf(this.view),
-            fov: this.view.fov,
-            width,
-            height,
+            ...(!this.own.camera && { fov: this.view.fov, width, height }),
             samples,
             ...(model && { model }),
             ...(shading !== FIRST_PICTURE.shading && { shading }),
             ...(sun !== FIRST_PICTURE.sun && { sun }),
             ...(reflectance && { reflectance }),
+            ...this.own,
         };
     }
 

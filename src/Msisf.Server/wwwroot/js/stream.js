@@ -82,7 +82,7 @@ export class ImageStream {
         if (!this.isReady || this.isDrawing || !this.next || this.socket.readyState !== WebSocket.OPEN) {
             return;
         }
-        const { 'fixed-state': state, fov } = this.next;
+        const { 'fixed-state': state, fov } = this.next; // fov is left out where a camera has it
         this.drawn = this.next;
         this.next = null;
         this.isDrawing = true;

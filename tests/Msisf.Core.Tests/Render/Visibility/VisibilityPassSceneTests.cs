@@ -25,10 +25,10 @@ public sealed class VisibilityPassSceneTests
     private const double OffsetY = -0.375;
 
     [RequiresFact(Part.Ldem4)]
-    public void Run_RealModel_ShowsWhatRaysMeet() => Compare(MemoryElevationGrid.Ldem4(), TestLength.Of(50, 100), [.. RenderScenes.Names]);
+    public void Run_RealModel_ShowsWhatRaysMeet() => Compare(MemoryElevationGrid.Ldem4(), TestLength.Of(36, 100), [.. RenderScenes.Names]);
 
     [Fact]
-    public void Run_RuggedModel_ShowsWhatRaysMeet() => Compare(FunctionGrid.Rugged(16), 40, [.. RenderScenes.Names]);
+    public void Run_RuggedModel_ShowsWhatRaysMeet() => Compare(FunctionGrid.Rugged(16), TestLength.Of(24, 40), [.. RenderScenes.Names]);
 
     /// <summary>Scenes that see little: the model is a function.</summary>
     [Fact]

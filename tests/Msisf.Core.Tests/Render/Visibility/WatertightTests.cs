@@ -12,7 +12,7 @@ namespace Msisf.Core.Tests.Render.Visibility;
 /// <summary>No ray slips between two facets.</summary>
 public sealed class WatertightTests
 {
-    private static readonly int Views = TestLength.Of(2_000, 10_000);
+    private static readonly int Views = TestLength.Of(1_000, 10_000);
 
     private const int Pixels = 1024;
 

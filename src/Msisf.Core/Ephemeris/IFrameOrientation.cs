@@ -1,0 +1,14 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Ephemeris;
+
+/// <summary>The orientation of a body-fixed frame in space. Safe for several threads.</summary>
+public interface IFrameOrientation
+{
+    /// <summary>The times at which it is known.</summary>
+    TdbCover Cover { get; }
+
+    /// <summary>The rotation that turns J2000 components into those of the frame; null at a time that is not covered.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    RotationMatrix? FrameFromJ2000(double tdbSeconds);
+}

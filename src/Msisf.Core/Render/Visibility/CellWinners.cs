@@ -1,0 +1,56 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>
+/// Stores the facets of one cell where they are the nearest ones. A facet is recorded when it first wins a sample.
+/// </summary>
+internal struct CellWinners
+{
+    private int _southWest = Band.NotRecorded;
+    private int _northEast = Band.NotRecorded;
+
+    /// <summary>For a new cell.</summary>
+    public CellWinners()
+    {
+    }
+
+    /// <summary>Stores depths and facets of the samples that the cell wins, at least one of eight.</summary>
+    /// <param name="records">Records a facet.</param>
+    /// <param name="block">The cell's block.</param>
+    /// <param name="index">Index of the cell's north-western vertex in the block.</param>
+    /// <param name="wins">Which of the samples the cell wins.</param>
+    /// <param name="inSouthWest">Which of them lie in its south-western facet; the others lie in the north-eastern one.</param>
+    /// <param name="facets">The facet of the first sample so far; the other seven follow.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Store(
+        FacetRecords records, ProjectedBlock block, int index, Vector512<double> wins, Vector512<double> inSouthWest, ref int facets)
+    {
+        uint bits = (uint)wins.ExtractMostSignificantBits();
+        uint southWestBits = (uint)inSouthWest.ExtractMostSignificantBits();
+        if ((bits & southWestBits) != 0 && _southWest == Band.NotRecorded)
+        {
+            _southWest = records.Add(block, index, 0);
+        }
+
+        if ((bits & ~southWestBits) != 0 && _northEast == Band.NotRecorded)
+        {
+            _northEast = records.Add(block, index, 1);
+        }
+
+        Store(
+            Vector256.ConditionalSelect(Narrow(inSouthWest), Vector256.Create(_southWest), Vector256.Create(_northEast)), wins, ref facets);
+    }
+
+    /// <summary>Stores facets where they win.</summary>
+    /// <param name="number">The facet of each of eight samples.</param>
+    /// <param name="wins">Where it wins.</param>
+    /// <param name="facets">The facet of the first sample so far; the other seven follow.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Store(Vector256<int> number, Vector512<double> wins, ref int facets) =>
+        Vector256.ConditionalSelect(Narrow(wins), number, Vector256.LoadUnsafe(ref facets)).StoreUnsafe(ref facets);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<int> Narrow(Vector512<double> mask) => Vector512.Narrow(mask.AsInt64(), mask.AsInt64()).GetLower();
+}

@@ -1,0 +1,54 @@
+using System.Runtime.CompilerServices;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>The facets that have been the nearest one somewhere in a band. One object is used for many bands.</summary>
+internal sealed class FacetRecords
+{
+    private const int FirstCapacity = 1024;
+
+    private readonly RecentUse _use = new();
+    private FacetRecord[] _records = new FacetRecord[FirstCapacity];
+
+    /// <summary>Number of facets.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>Bytes of the buffers that were replaced by smaller or larger ones.</summary>
+    public long ReplacedBytes { get; private set; }
+
+    /// <summary>A facet by its number.</summary>
+    public ref readonly FacetRecord this[int number] => ref AsSpan()[number];
+
+    /// <summary>The facets in the order of their numbers.</summary>
+    public ReadOnlySpan<FacetRecord> AsSpan() => _records.AsSpan(0, Count);
+
+    /// <summary>Forgets all facets.</summary>
+    public void Clear() => Count = 0;
+
+    /// <summary>Gives back memory that the last frames did not need; called once a frame, before the facets are forgotten.</summary>
+    public void Trim()
+    {
+        int length = _records.Length;
+        if (_use.Note(Count, ref length))
+        {
+            ReplacedBytes += Unsafe.SizeOf<FacetRecord>() * (long)_records.Length;
+            _records = GC.AllocateUninitializedArray<FacetRecord>(length);
+        }
+    }
+
+    /// <summary>Records a facet and returns its number.</summary>
+    /// <param name="block">The facet's block.</param>
+    /// <param name="index">Index in the block of the north-western vertex of the facet's cell.</param>
+    /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
+    public int Add(ProjectedBlock block, int index, int half)
+    {
+        if (Count == _records.Length)
+        {
+            ReplacedBytes += Unsafe.SizeOf<FacetRecord>() * (long)Count;
+            Array.Resize(ref _records, 2 * Count);
+        }
+
+        _records[Count] = block.Record(index, half);
+        return Count++;
+    }
+}

@@ -1,0 +1,75 @@
+using System.Net.WebSockets;
+using System.Text.Json;
+
+namespace Msisf.Server;
+
+/// <summary>Messages of a WebSocket, each as a whole.</summary>
+/// <param name="socket">The WebSocket.</param>
+/// <param name="usualLength">bytes: room for a message at first.</param>
+internal sealed class StreamSocket(WebSocket socket, int usualLength)
+{
+    private const int LargestMessage = 1 << 16;
+
+    /// <summary>The next message; null if the client closes, or sends more than a message may hold.</summary>
+    public async Task<StreamMessage?> ReceiveAsync(CancellationToken cancellation)
+    {
+        byte[] buffer = new byte[usualLength];
+        int length = 0;
+        while (true)
+        {
+            ValueWebSocketReceiveResult part = await socket.ReceiveAsync(buffer.AsMemory(length), cancellation).ConfigureAwait(false);
+            length += part.Count;
+            if (part.MessageType == WebSocketMessageType.Close)
+            {
+                return null;
+            }
+
+            if (part.EndOfMessage)
+            {
+                return new StreamMessage(part.MessageType, buffer[..length]);
+            }
+
+            if (length == LargestMessage)
+            {
+                await CloseAsync(WebSocketCloseStatus.MessageTooBig, $"a message has {LargestMessage} bytes at most", cancellation)
+                    .ConfigureAwait(false);
+                return null;
+            }
+
+            if (length == buffer.Length)
+            {
+                Array.Resize(ref buffer, Math.Min(LargestMessage, 4 * buffer.Length));
+            }
+        }
+    }
+
+    /// <summary>Sends a binary message.</summary>
+    public ValueTask SendAsync(ReadOnlyMemory<byte> message, CancellationToken cancellation) =>
+        socket.SendAsync(message, WebSocketMessageType.Binary, endOfMessage: true, cancellation);
+
+    /// <summary>Sends a JSON object.</summary>
+    public async Task SendAsync(Action<Utf8JsonWriter> writeMembers, CancellationToken cancellation)
+    {
+        using MemoryStream stream = new();
+        using (Utf8JsonWriter json = new(stream, JsonBody.Writing))
+        {
+            json.WriteStartObject();
+            writeMembers(json);
+            json.WriteEndObject();
+        }
+
+        await socket.SendAsync(stream.ToArray(), WebSocketMessageType.Text, endOfMessage: true, cancellation).ConfigureAwait(false);
+    }
+
+    /// <summary>Says that nothing more comes, if the client can still hear it.</summary>
+    public async Task CloseAsync(WebSocketCloseStatus status, string reason, CancellationToken cancellation)
+    {
+        if (socket.State is WebSocketState.Open or WebSocketState.CloseReceived)
+        {
+            await socket.CloseOutputAsync(status, reason, cancellation).ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>Ends the connection at once.</summary>
+    public void Abort() => socket.Abort();
+}
