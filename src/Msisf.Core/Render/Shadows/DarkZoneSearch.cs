@@ -11,8 +11,8 @@ internal sealed class DarkZoneSearch
     private const int ManyBlocks = 128;
 
     /// <summary>
-    /// Number of receivers, in a square as wide as the disc at the greatest distance of a shadow, above which zones save time: under a polar
-    /// Sun there are thousands, in a view from afar tens.
+    /// Number of receivers, in a square as wide as the disc at the greatest distance of a shadow, above which zones save time: under a
+    /// polar Sun there are thousands, in a view from afar tens.
     /// </summary>
     private const double ManyReceivers = 300.0;
 

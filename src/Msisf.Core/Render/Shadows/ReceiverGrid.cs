@@ -123,12 +123,7 @@ internal sealed class ReceiverGrid
             Vector512<double> u = Vector512.LoadUnsafe(ref rows.U[0], (nuint)(start + i));
             Vector512<double> v = Vector512.LoadUnsafe(ref rows.V[0], (nuint)(start + i));
             Vector512<double> w = Vector512.LoadUnsafe(ref rows.W[0], (nuint)(start + i));
-            Vector512<double> isNight = night.Holds(u, v, w);
-            if (dark is not null)
-            {
-                isNight |= dark.Holds(u, v, w);
-            }
-
+            Vector512<double> isNight = night.Holds(u, v, w) | (dark?.Holds(u, v, w) ?? Vector512<double>.Zero);
             Vector512<double> isOut = isNight | Vector512.GreaterThanOrEqual(Lanes.Numbers, Vector512.Create((double)(count - i)));
             minU = Vector512.ConditionalSelect(isOut, minU, Vector512.MinNative(minU, u));
             minV = Vector512.ConditionalSelect(isOut, minV, Vector512.MinNative(minV, v));
