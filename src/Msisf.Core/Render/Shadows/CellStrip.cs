@@ -135,21 +135,23 @@ internal sealed class CellStrip(BlockVertices vertices)
     /// <summary>Mask of the cells whose bounds allow that they lie between a point and a part of the Sun's disc.</summary>
     /// <param name="point">The point in light space, m.</param>
     /// <param name="slope">Radius of the disc over its distance.</param>
-    public uint CellsNear(Vector3D point, double slope)
+    /// <param name="minA">Minimum, over the part of the disc, of the u by which a ray to it moves with each metre towards the Sun.</param>
+    public uint CellsNear(Vector3D point, double slope, double minA)
     {
         ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
         ref double vs = ref BlockVertices.CornersFrom(vertices.Y, _northWest);
         ref double ws = ref BlockVertices.CornersFrom(vertices.Z, _northWest);
         (Vector512<double> minU, Vector512<double> maxU) = Bounds(ref us);
         (Vector512<double> minV, Vector512<double> maxV) = Bounds(ref vs);
-        (Vector512<double> minW, _) = Bounds(ref ws);
+        (Vector512<double> minW, Vector512<double> maxW) = Bounds(ref ws);
         Vector512<double> u = Vector512.Create(point.X);
         Vector512<double> v = Vector512.Create(point.Y);
         Vector512<double> reach = (Vector512.Create(slope) * (Vector512.Create(point.Z) - minW)) + Vector512.Create(Tolerances.LightPoint);
+        Vector512<double> lowest = Vector512.Create(minA) * (Vector512.Create(point.Z) - (minA < 0.0 ? minW : maxW));
         return (uint)((_isSouthWestAway | _isNorthEastAway)
             & Vector512.LessThan(minW, Vector512.Create(point.Z))
             & Vector512.LessThanOrEqual(minU - reach, u)
-            & Vector512.GreaterThanOrEqual(maxU + reach, u)
+            & Vector512.GreaterThanOrEqual(maxU + Vector512.Create(Tolerances.LightPoint), u + lowest)
             & Vector512.LessThanOrEqual(minV - reach, v)
             & Vector512.GreaterThanOrEqual(maxV + reach, v)).ExtractMostSignificantBits();
     }

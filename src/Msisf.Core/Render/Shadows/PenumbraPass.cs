@@ -1,5 +1,6 @@
 using Msisf.Core.Errors;
 using Msisf.Core.Mesh;
+using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 
@@ -10,17 +11,25 @@ namespace Msisf.Core.Render.Shadows;
 /// </summary>
 internal sealed class PenumbraPass
 {
+    /// <summary>Number of receivers that a thread takes at a time.</summary>
+    private const int Chunk = 4096;
+
+    private readonly bool? _findsDarkZones;
     private readonly SurfaceModel _surface;
     private readonly CasterSearch _search;
     private readonly ReceiverSort _receivers = new();
+    private readonly DarkZoneSearch _darkZones;
     private readonly List<PenumbraScan> _scans = [];
 
     /// <summary>Makes a pass for a model.</summary>
     /// <param name="surface">The model.</param>
-    public PenumbraPass(SurfaceModel surface)
+    /// <param name="findsDarkZones">Whether <see cref="DarkZones"/> are found first; null where they save time.</param>
+    public PenumbraPass(SurfaceModel surface, bool? findsDarkZones = null)
     {
+        _findsDarkZones = findsDarkZones;
         _surface = surface;
         _search = new CasterSearch(surface);
+        _darkZones = new DarkZoneSearch(surface);
     }
 
     /// <summary>Bytes of the arrays of receivers that have been replaced since the first frame.</summary>
@@ -45,6 +54,15 @@ internal sealed class PenumbraPass
         LightSource sun = new(disc.CentreMoonMe, disc.Slope);
         NightZone night = new(_search.SolidRadius, sun.Slope);
         _receivers.Read(receivers, sun, night, threads, cancellation);
+        IReadOnlyList<CellBlock> blocks = _receivers.Box.IsEmpty ? [] : _search.Find(_receivers, sun.Slope, threads, cancellation);
+        DarkZones? dark = _findsDarkZones ?? _darkZones.Pays(_receivers, sun.Slope, blocks.Count)
+            ? _darkZones.Find(_receivers, sun.Slope, blocks.Count, threads, cancellation)
+            : null;
+        if (dark is not null)
+        {
+            _receivers.LeaveOut(dark.Whole, night, receivers.Rows, threads, cancellation);
+        }
+
         _receivers.Grid.WantAll();
         _receivers.Sort(receivers, pixel => hidden[pixel] = SunDisc.All, threads, cancellation);
         if (_receivers.Box.IsEmpty)
@@ -53,8 +71,29 @@ internal sealed class PenumbraPass
         }
 
         DiscRays rays = new(disc, _receivers.Frame);
-        IReadOnlyList<CellBlock> blocks = _search.Find(_receivers, sun.Slope, threads, cancellation);
+        if (dark is not null)
+        {
+            MarkHiddenParts(dark, rays, hidden, threads, cancellation);
+        }
+
         WorkerTeam.Run(
-            threads, blocks.Count, (worker, item) => _scans[worker].Cast(blocks[item], _receivers, rays, sun.Slope, hidden), cancellation);
+            threads,
+            blocks.Count,
+            (worker, item) => _scans[worker].Cast(blocks[item], _receivers, rays, sun.Slope, hidden),
+            cancellation);
+    }
+
+    /// <summary>Marks the points of the disc that the zones show to be hidden, so that few facets are left to be tested.</summary>
+    private void MarkHiddenParts(DarkZones dark, DiscRays rays, ulong[] hidden, int threads, CancellationToken cancellation)
+    {
+        ReceiverGrid grid = _receivers.Grid;
+        WorkerTeam.Run(threads, (grid.Length + Chunk - 1) / Chunk, (_, chunk) =>
+        {
+            for (int i = chunk * Chunk; i < Math.Min((chunk + 1) * Chunk, grid.Length); i++)
+            {
+                double top = dark.HiddenUpTo(new Vector3D(grid.U[i], grid.V[i], grid.W[i]));
+                hidden[grid.Pixels[i]] = rays.PointsUpTo(top);
+            }
+        }, cancellation);
     }
 }

@@ -93,24 +93,14 @@ internal sealed class PenumbraScan
 
         ref ulong known = ref hidden[grid.Pixels[receiver]];
         ulong before = Volatile.Read(ref known);
-        ulong found = before;
-        uint southWestAway = _strip.SouthWestAway;
-        uint northEastAway = _strip.NorthEastAway;
-        for (uint near = _strip.CellsNear(point, slope); near != 0 && found != SunDisc.All; near &= near - 1)
+        uint near = _strip.CellsNear(point, slope, rays.MinA(~before));
+        if (near == 0)
         {
-            int cell = BitOperations.TrailingZeroCount(near);
-            int at = _strip.NorthWest + cell;
-            if ((southWestAway >> cell & 1) != 0)
-            {
-                found |= rays.HiddenBy(_vertices, at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1, point, ~found);
-            }
-
-            if ((northEastAway >> cell & 1) != 0)
-            {
-                found |= rays.HiddenBy(_vertices, at, at + BlockVertices.Stride + 1, at + 1, point, ~found);
-            }
+            return;
         }
 
+        ulong found = before | rays.HiddenBy(
+            _vertices, _strip.NorthWest, near & _strip.SouthWestAway, near & _strip.NorthEastAway, point, ~before);
         if (found != before && (Interlocked.Or(ref known, found) | found) == SunDisc.All)
         {
             grid.TakeOut(receiver);

@@ -104,8 +104,9 @@ internal sealed class ReceiverGrid
     /// <param name="row">Row of the image.</param>
     /// <param name="part">Index of the group of rows that this row belongs to; only one thread at a time may work on a group.</param>
     /// <param name="night">The zone in which every point is in shadow.</param>
+    /// <param name="dark">A second zone in which every point is in shadow; null for none.</param>
     /// <returns>Bounds of the receivers that are not left out.</returns>
-    public LightBox Count(ReceiverRows rows, int row, int part, NightZone night)
+    public LightBox Count(ReceiverRows rows, int row, int part, NightZone night, DarkZone? dark)
     {
         int start = rows.Start(row);
         int count = rows.Count(row);
@@ -122,7 +123,7 @@ internal sealed class ReceiverGrid
             Vector512<double> u = Vector512.LoadUnsafe(ref rows.U[0], (nuint)(start + i));
             Vector512<double> v = Vector512.LoadUnsafe(ref rows.V[0], (nuint)(start + i));
             Vector512<double> w = Vector512.LoadUnsafe(ref rows.W[0], (nuint)(start + i));
-            Vector512<double> isNight = night.Holds(u, v, w);
+            Vector512<double> isNight = night.Holds(u, v, w) | (dark?.Holds(u, v, w) ?? Vector512<double>.Zero);
             Vector512<double> isOut = isNight | Vector512.GreaterThanOrEqual(Lanes.Numbers, Vector512.Create((double)(count - i)));
             minU = Vector512.ConditionalSelect(isOut, minU, Vector512.MinNative(minU, u));
             minV = Vector512.ConditionalSelect(isOut, minV, Vector512.MinNative(minV, v));

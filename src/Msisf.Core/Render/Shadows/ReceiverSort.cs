@@ -51,15 +51,30 @@ internal sealed class ReceiverSort
                     _rows.ToLight(Frame, row);
                 }
 
-                _boxes[row] = Grid.Count(_rows, row, part, night);
+                _boxes[row] = Grid.Count(_rows, row, part, night, dark: null);
             }
         }, cancellation);
-        Grid.Place();
-        Box = LightBox.Empty;
-        for (int row = 0; row < rows; row++)
+        Place(rows);
+    }
+
+    /// <summary>Leaves out the receivers in a further zone; they count as those in the night zone.</summary>
+    /// <param name="dark">The zone.</param>
+    /// <param name="night">The same zone as in <see cref="Read"/>.</param>
+    /// <param name="rows">Number of rows of the image.</param>
+    /// <param name="threads">The same number of threads as in <see cref="Read"/>.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    public void LeaveOut(DarkZone dark, NightZone night, int rows, int threads, CancellationToken cancellation)
+    {
+        int parts = Math.Min(threads, MaxParts);
+        Grid.Lay(Box, Grid.Length, parts, _rows.Start(rows));
+        WorkerTeam.Run(threads, parts, (_, part) =>
         {
-            Box = LightBox.Union(Box, _boxes[row]);
-        }
+            for (int row = part; row < rows; row += parts)
+            {
+                _boxes[row] = Grid.Count(_rows, row, part, night, dark);
+            }
+        }, cancellation);
+        Place(rows);
     }
 
     /// <summary>Sorts the receivers into the bins of the grid that are marked.</summary>
@@ -78,6 +93,16 @@ internal sealed class ReceiverSort
                 Grid.Sort(_rows, row, part, row * receivers.Width, hide);
             }
         }, cancellation);
+    }
+
+    private void Place(int rows)
+    {
+        Grid.Place();
+        Box = LightBox.Empty;
+        for (int row = 0; row < rows; row++)
+        {
+            Box = LightBox.Union(Box, _boxes[row]);
+        }
     }
 
     /// <summary>Chooses light space and its bins from some of the rows; a poor choice makes the frame slower but not wrong.</summary>

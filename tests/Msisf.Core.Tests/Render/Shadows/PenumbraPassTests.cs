@@ -10,19 +10,26 @@ namespace Msisf.Core.Tests.Render.Shadows;
 
 public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
 {
+    /// <summary>degrees east: where the Sun's centre sets over the ramp's shadow.</summary>
+    private const double Terminator = 27.0;
+
     private static readonly FunctionGrid Rough = FunctionGrid.Rough(2);
 
     [RequiresTheory(Part.Ldem4)]
-    [InlineData(-89.0, 40.0, 2.0)]
-    [InlineData(-43.0, 349.0, 2.0)]
-    public void Run_RealModel_IsWhatEveryFacetSaysOfEachPoint(double latitude, double longitude, double radius) =>
-        Compare(ldem4.Grid, ldem4.Moon, SurfacePoints.Direction(latitude, longitude), radius);
+    [InlineData(-89.0, 40.0, 2.0, false)]
+    [InlineData(-89.0, 40.0, 2.0, true)]
+    [InlineData(-43.0, 349.0, 2.0, false)]
+    [InlineData(-43.0, 349.0, 2.0, true)]
+    public void Run_RealModel_IsWhatEveryFacetSaysOfEachPoint(double latitude, double longitude, double radius, bool findsDarkZones) =>
+        Compare(ldem4.Grid, ldem4.Moon, SurfacePoints.Direction(latitude, longitude), radius, findsDarkZones);
 
     [Theory]
-    [InlineData(90.0, 0.0, 5.0)]
-    [InlineData(6.0, 359.0, 20.0)]
-    public void Run_RoughMoon_IsWhatEveryFacetSaysOfEachPoint(double latitude, double longitude, double radius) =>
-        Compare(Rough, new BruteForceMoon(Rough), SurfacePoints.Direction(latitude, longitude), radius);
+    [InlineData(90.0, 0.0, 5.0, false)]
+    [InlineData(90.0, 0.0, 5.0, true)]
+    [InlineData(6.0, 359.0, 20.0, false)]
+    [InlineData(6.0, 359.0, 20.0, true)]
+    public void Run_RoughMoon_IsWhatEveryFacetSaysOfEachPoint(double latitude, double longitude, double radius, bool findsDarkZones) =>
+        Compare(Rough, new BruteForceMoon(Rough), SurfacePoints.Direction(latitude, longitude), radius, findsDarkZones);
 
     /// <summary>
     /// Behind a long straight wall the Sun sets by the closed form of a segment: (acos d - d sqrt(1 - d^2)) / pi of the disc is above an
@@ -60,6 +67,31 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
         Assert.InRange(fractions.Count(fraction => fraction is > 0.05 and < 0.95), 50, 350);
     }
 
+    /// <summary>Around the shadow of a ramp whose top is parallel to the rays, so that each plane that cuts it shows its top.</summary>
+    [Fact]
+    public void Run_WithDarkZones_GivesTheSameAsWithout()
+    {
+        const double edge = 1_742_400.0; // m from the Moon's centre, at the ramp's lower, eastern edge
+        const int edgeSample = 88;
+        FunctionGrid grid = FunctionGrid.OfHeights(4, (line, sample) =>
+        {
+            bool isRamp = line is >= 356 and <= 363 && sample is > edgeSample - 5 and <= edgeSample;
+            return isRamp ? (edge * CosFromTerminator(edgeSample) / CosFromTerminator(sample)) - 1_737_400.0 : 0.0;
+        });
+        SunDisc disc = new(1.5e11 * SurfacePoints.Direction(0.0, Terminator - 90.0));
+        List<Vector3D> points = [];
+        for (int i = 0; i < 40 * 200; i++)
+        {
+            Vector3D direction = SurfacePoints.Direction((0.09 * (i / 200)) - 1.8, 22.4 + (0.015 * (i % 200)));
+            points.Add(TerrainHeight.RadiusBelow(grid, direction) * direction);
+        }
+
+        ulong[] expected = Run(new PenumbraPass(new SurfaceModel(grid), false), points, disc, 2);
+        Assert.InRange(expected.Count(mask => mask == SunDisc.All), 1000, 7000);
+        Assert.InRange(expected.Count(mask => mask is not 0 and not SunDisc.All), 300, 7000);
+        Assert.Equal(expected, Run(new PenumbraPass(new SurfaceModel(grid), true), points, disc, 2));
+    }
+
     [Fact]
     public void Run_AnyNumberOfThreads_GivesTheSame()
     {
@@ -83,10 +115,12 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
         Assert.Equal(SunDisc.All, hidden[0]);
     }
 
-    private static void Compare(IElevationGrid grid, BruteForceMoon moon, Vector3D middle, double radius)
+    private static double CosFromTerminator(int sample) => Math.Cos((((sample + 0.5) / 4.0) - Terminator) * Math.PI / 180.0);
+
+    private static void Compare(IElevationGrid grid, BruteForceMoon moon, Vector3D middle, double radius, bool findsDarkZones)
     {
         Random random = new(20120222);
-        PenumbraPass pass = new(new SurfaceModel(grid));
+        PenumbraPass pass = new(new SurfaceModel(grid), findsDarkZones);
         int partly = 0;
         foreach (double elevation in new[] { -0.3, 0.5, 2.0, 6.0 })
         {
