@@ -26,6 +26,7 @@ internal sealed class DarkZoneSearch
     private const double CellsPerPlane = 2.0;
 
     private readonly SurfaceModel _surface;
+    private readonly GridSurface? _model;
     private readonly NodeBounds _modelBounds;
     private readonly double _maxRadius;
     private readonly double _solidRadius;
@@ -39,7 +40,8 @@ internal sealed class DarkZoneSearch
     public DarkZoneSearch(SurfaceModel surface)
     {
         _surface = surface;
-        (double min, double max) = surface.Grid.RadiusLimits;
+        _model = surface.Parts.Count == 1 ? surface.Parts[0] : null;
+        (double min, double max) = surface.RadiusLimits;
         _modelBounds = new NodeBounds(MathF.BitDecrement((float)min), MathF.BitIncrement((float)max), float.PositiveInfinity);
         _maxRadius = max + Tolerances.VertexLattice;
         _solidRadius = surface.SolidRadius(min);
@@ -53,7 +55,7 @@ internal sealed class DarkZoneSearch
     {
         LightBox box = receivers.Box;
         double reach = slope * (receivers.Grid.MaxDepth() - MinDepth(box));
-        return casters > ManyBlocks
+        return _model is not null && casters > ManyBlocks
             && receivers.Grid.Length * 4.0 * reach * reach > ManyReceivers * (box.MaxU - box.MinU) * (box.MaxV - box.MinV);
     }
 
@@ -64,26 +66,26 @@ internal sealed class DarkZoneSearch
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
     /// <returns>
-    /// The zones, valid until the next search; null if they would cost too much or the model is not of the whole Moon.
+    /// The zones, valid until the next search; null if they would cost too much, or the surface is not one model of the whole Moon.
     /// </returns>
     public DarkZones? Find(ReceiverSort receivers, double slope, int casters, int threads, CancellationToken cancellation)
     {
         LightBox box = receivers.Box;
         double deepest = receivers.Grid.MaxDepth();
         double minDepth = MinDepth(box);
-        if (!(_solidRadius > 0.0 && deepest > minDepth && box.MaxV > box.MinV && box.MinU < _maxRadius))
+        if (_model is null || !(_solidRadius > 0.0 && deepest > minDepth && box.MaxV > box.MinV && box.MinU < _maxRadius))
         {
             return null;
         }
 
         // A line of a model of latitude and longitude is as far from the next one everywhere.
-        double cell = 2.0 * Math.PI * _maxRadius / _surface.Mesh.Samples;
+        double cell = 2.0 * Math.PI * _maxRadius / _model.Mesh.Samples;
         SectionGrid grid = new(box, minDepth, deepest, CellsPerPlane * cell, slope);
         _blocks.Clear();
         _unknown.Clear();
-        BoundsLayout layout = _surface.Bounds.Layout;
+        BoundsLayout layout = _model.Bounds.Layout;
         int top = layout.Levels - 1;
-        if (!TryCollect(top, new NodeRange(0, layout.Rows(top), 0, layout.Columns(top)), receivers.Frame, grid, BlocksPerCaster * casters))
+        if (!TryCollect(_model.Bounds, top, new NodeRange(0, layout.Rows(top), 0, layout.Columns(top)), receivers.Frame, grid, BlocksPerCaster * casters))
         {
             return null;
         }
@@ -126,9 +128,8 @@ internal sealed class DarkZoneSearch
     }
 
     /// <summary>Collects all terrain that the planes may cut; false if it is too much.</summary>
-    private bool TryCollect(int level, NodeRange nodes, LightFrame frame, SectionGrid grid, int max)
+    private bool TryCollect(BoundsTree tree, int level, NodeRange nodes, LightFrame frame, SectionGrid grid, int max)
     {
-        BoundsTree tree = _surface.Bounds;
         for (int row = nodes.FirstRow; row < nodes.EndRow; row++)
         {
             for (int column = nodes.FirstColumn; column < nodes.EndColumn; column++)
@@ -144,7 +145,7 @@ internal sealed class DarkZoneSearch
 
                 if (level > SquareLayout.CellBlockLevel)
                 {
-                    if (!TryCollect(level - 1, tree.Layout.ChildrenOf(level, row, column), frame, grid, max))
+                    if (!TryCollect(tree, level - 1, tree.Layout.ChildrenOf(level, row, column), frame, grid, max))
                     {
                         return false;
                     }
