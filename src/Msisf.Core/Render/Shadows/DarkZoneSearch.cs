@@ -12,9 +12,9 @@ internal sealed class DarkZoneSearch
 
     /// <summary>
     /// Number of receivers, in a square as wide as the disc at the greatest distance of a shadow, above which zones save time: under a
-    /// polar Sun there are thousands, in a view from afar tens.
+    /// polar Sun there are thousands, in a view from afar hundreds.
     /// </summary>
-    private const double ManyReceivers = 300.0;
+    private const double ManyReceivers = 1200.0;
 
     /// <summary>
     /// Maximum number of blocks whose facets are read for the zones, as a multiple of the blocks that may cast a shadow: with more, the
