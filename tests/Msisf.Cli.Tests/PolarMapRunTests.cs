@@ -40,7 +40,7 @@ public sealed class PolarMapRunTests(PolarMapRunTests.Map map) : IClassFixture<P
     public void Run_FarView_IsDrawnWithTheLevelOfTheRule(string options, string drawn)
     {
         CommandLineRun run = CommandLineRun.Of(
-            [.. State.Split(' '), "--renderer", "native", "--ldem", Synthesize(), "--fov", "90", "--width", "8", "--height", "8",
+            [.. State.Split(' '), "--renderer", "native", "--ldem", map.Label, "--fov", "90", "--width", "8", "--height", "8",
                 .. options.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--output-dir", _folder["out"], "--output-name", "far"]);
 
         Assert.Equal((0, string.Empty), (run.ExitCode, run.ExitCode == 0 ? string.Empty : run.Error));

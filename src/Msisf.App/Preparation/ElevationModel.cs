@@ -37,7 +37,7 @@ internal sealed class ElevationModel : IDisposable
     private readonly Lazy<ElevationSummary> _summary;
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
-    private readonly Lazy<TerrainLevels> _drawnLevels;
+    private readonly Lazy<TerrainLevels?> _drawnLevels;
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
     private ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
@@ -50,7 +50,7 @@ internal sealed class ElevationModel : IDisposable
             ? ElevationSummary.Build(image)
             : ElevationSummaryFile.Open(image.Set.FileBeside(SummaryExtension), _source.Value, image));
         _levels = new Lazy<ModelLevels>(openLevels);
-        _drawnLevels = new Lazy<TerrainLevels>(() => Levels);
+        _drawnLevels = new Lazy<TerrainLevels?>(() => Levels);
     }
 
     private ElevationModel(ITerrainGrid grid, LdemSet set, IDisposable file)
@@ -66,7 +66,7 @@ internal sealed class ElevationModel : IDisposable
         _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(grid));
         _summary = new Lazy<ElevationSummary>(() => throw NotWholeMoon());
         _levels = new Lazy<ModelLevels>(() => throw NotWholeMoon());
-        _drawnLevels = new Lazy<TerrainLevels>(() => MapLevels.Open(grid));
+        _drawnLevels = new Lazy<TerrainLevels?>(() => grid is ITerrainGrid map ? MapLevels.Open(map) : null);
     }
 
     /// <summary>The samples; of several models the surface that they make together.</summary>
@@ -102,8 +102,11 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>A model of the whole Moon and its coarser levels of detail; opened on first use.</summary>
     public LodLevels Levels => _levels.Value.Levels;
 
-    /// <summary>The model, of the whole Moon or of a part, and its coarser levels of detail; opened on first use.</summary>
-    public TerrainLevels DrawnLevels => _drawnLevels.Value;
+    /// <summary>
+    /// The model, of the whole Moon or of a part, and its coarser levels of detail, opened on first use; null for several models, which
+    /// have none.
+    /// </summary>
+    public TerrainLevels? DrawnLevels => _drawnLevels.Value;
 
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>

@@ -18,15 +18,15 @@ internal sealed class NativeLevels
 
     /// <summary>Prepares the renderers of a model.</summary>
     /// <param name="grid">The model.</param>
-    /// <param name="levels">Opens its coarser levels.</param>
+    /// <param name="levels">Opens its coarser levels, if it has any.</param>
     /// <param name="errorPixels">
     /// px: how far coarser levels may shift a point in the image; null to draw from the full model always.
     /// </param>
-    public NativeLevels(ITerrain grid, Func<TerrainLevels> levels, double? errorPixels)
+    public NativeLevels(ITerrain grid, Func<TerrainLevels?> levels, double? errorPixels)
     {
         _grid = grid;
         _levels = errorPixels is null ? null : levels();
-        _rule = errorPixels is double error ? new DetailRule(_levels!, error) : null;
+        _rule = _levels is not null && errorPixels is double error ? new DetailRule(_levels, error) : null;
     }
 
     /// <summary>Bytes of the buffers that the renderers have replaced so far (<see cref="NativeRenderer.ReplacedBytes"/>).</summary>

@@ -74,7 +74,7 @@ public sealed class RunNotesTests
     public void Write_AFarEpoch_SaysHowFar(double epoch, double time, string? away)
     {
         CameraSettings orbit = CameraSettingsReader.Read(Given.Options($"--kepler-set {{2E6,0,0,0,0,0}} --epoch {epoch} --time {time}"));
-        RunNotes notes = new(64);
+        RunNotes notes = new(64, hasSeveral: false);
         notes.Add(Of(1, Day, NadirPointing.MoonFromCamera(Day)) with { Time = new ModifiedJulianDate(time) }, View(ByDay(1)));
         ListLog log = new();
 
@@ -97,7 +97,7 @@ public sealed class RunNotesTests
 
     private static string[] Notes(int pixelsPerDegree, params Frame[] frames)
     {
-        RunNotes notes = new(pixelsPerDegree);
+        RunNotes notes = new(pixelsPerDegree, hasSeveral: false);
         foreach (Frame frame in frames)
         {
             notes.Add(frame, View(frame));

@@ -45,7 +45,8 @@ public sealed class PolarMapLevelTests
         {
             NativeRenderOptions options = new()
             {
-                Reflectance = new LambertReflectance(0.64), SubsamplesPerAxis = subsamplesPerAxis,
+                Reflectance = new LambertReflectance(0.64),
+                SubsamplesPerAxis = subsamplesPerAxis,
             };
             using NativeFrame frame = new NativeRenderer(grid).Render(camera, sun, options, threads: 2);
             return frame.RadianceFactors.ToArray();

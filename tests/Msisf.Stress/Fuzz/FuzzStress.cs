@@ -58,7 +58,7 @@ public sealed class FuzzStress : IStressTest
         IFuzzTarget[] others =
         [
             new ArgumentTarget(world), texts.ResponseFiles, texts.BatchFiles, texts.ConfigFiles, texts.Manifests, texts.Kernels,
-            models.Labels, models.Images, models.GeoTiffs, models.Pyramids,
+            models.Labels, models.Images, ModelInputs.GeoTiffs, models.Pyramids,
         ];
         return [.. Enumerable.Repeat(others, TurnsOfOthers).SelectMany(target => target), models.Summaries];
     }

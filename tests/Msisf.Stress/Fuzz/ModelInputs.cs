@@ -26,7 +26,7 @@ internal sealed class ModelInputs(FuzzWorld world)
             FuzzInput.Among(Path.ChangeExtension(world.PolarMap, ".IMG"), CallsOfMap),
         ]);
 
-    public IFuzzTarget GeoTiffs => new FileTarget(
+    public static IFuzzTarget GeoTiffs => new FileTarget(
         "GeoTIFFs", [new FuzzInput("map.tif", _ => TinyGeoTiff.Bytes(), CallsOfMap)]);
 
     public IFuzzTarget Pyramids => new FileTarget(

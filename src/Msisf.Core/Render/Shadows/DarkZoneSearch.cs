@@ -85,7 +85,8 @@ internal sealed class DarkZoneSearch
         _unknown.Clear();
         BoundsLayout layout = _model.Bounds.Layout;
         int top = layout.Levels - 1;
-        if (!TryCollect(_model.Bounds, top, new NodeRange(0, layout.Rows(top), 0, layout.Columns(top)), receivers.Frame, grid, BlocksPerCaster * casters))
+        NodeRange all = new(0, layout.Rows(top), 0, layout.Columns(top));
+        if (!TryCollect(_model.Bounds, top, all, receivers.Frame, grid, BlocksPerCaster * casters))
         {
             return null;
         }
@@ -105,18 +106,18 @@ internal sealed class DarkZoneSearch
                 sections.Add(_surface, _blocks[i], receivers.Frame);
             }
         }, cancellation);
-        TerrainSections all = _sections[0];
+        TerrainSections whole = _sections[0];
         for (int part = 1; part < threads; part++)
         {
-            all.Add(_sections[part]);
+            whole.Add(_sections[part]);
         }
 
         foreach (LightBounds bounds in _unknown)
         {
-            all.AddUnknown(in bounds);
+            whole.AddUnknown(in bounds);
         }
 
-        _zones.Compute(grid, all.Lowest.AsMemory(0, grid.Planes * grid.Columns), _solidRadius, slope, threads, cancellation);
+        _zones.Compute(grid, whole.Lowest.AsMemory(0, grid.Planes * grid.Columns), _solidRadius, slope, threads, cancellation);
         return _zones;
     }
 
