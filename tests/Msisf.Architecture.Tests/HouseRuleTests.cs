@@ -36,6 +36,15 @@ public sealed partial class HouseRuleTests
                     || field.GetCustomAttribute<CompilerGeneratedAttribute>() is not null,
                 $"{field.DeclaringType!.FullName}.{field.Name} is mutable and static"));
 
+    /// <summary>_camelCase for fields of objects, PascalCase for constants and fields of types.</summary>
+    [Fact]
+    public void PrivateFields_AreNamedAsFields() =>
+        Assert.All(
+            OwnTypes.SelectMany(type => type.GetFields(
+                BindingFlags.Static | BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.DeclaredOnly))
+                .Where(field => field.IsPrivate && !field.Name.Contains('<', StringComparison.Ordinal)),
+            field => Assert.Matches(field.IsStatic ? "^[A-Z]" : "^_[a-z]", field.Name));
+
     [Fact]
     public void Exceptions_DeriveFromMsisfException() =>
         Assert.All(

@@ -29,6 +29,20 @@ public sealed partial class SourceRuleTests
     public void Sources_HaveNoRegionsAndNoTodo() =>
         Assert.All(Sources, path => Assert.DoesNotMatch(RegionOrTodo(), File.ReadAllText(path)));
 
+    /// <summary>
+    /// With <see cref="HouseRuleTests.PrivateFields_AreNamedAsFields"/> the most of what the analysers of style say, which take longer than
+    /// all else of the build; an editor has them, and <c>dotnet build -p:EnforceCodeStyleInBuild=true</c>.
+    /// </summary>
+    [Fact]
+    public void Sources_HaveBracesAndNamespacesOfFilesAndNoThis() =>
+        Assert.All(Sources, path =>
+        {
+            string text = File.ReadAllText(path);
+            Assert.DoesNotMatch(NamespaceWithBraces(), text);
+            Assert.DoesNotMatch(FieldWithThis(), text);
+            Assert.DoesNotMatch(BranchWithoutBraces(), text);
+        });
+
     /// <summary>Arguments pass without a shell, pipes are drained and children are ended in one place.</summary>
     [Fact]
     public void OtherPrograms_AreStarted_InOnePlaceOnly() =>
@@ -64,6 +78,16 @@ public sealed partial class SourceRuleTests
 
     [GeneratedRegex(@"^\s*#region|\bTODO\b|\bFIXME\b|\bHACK\b", RegexOptions.Multiline)]
     private static partial Regex RegionOrTodo();
+
+    [GeneratedRegex(@"^namespace [\w.]+\s*$", RegexOptions.Multiline)]
+    private static partial Regex NamespaceWithBraces();
+
+    [GeneratedRegex(@"\bthis\._")]
+    private static partial Regex FieldWithThis();
+
+    /// <summary>A statement on the line of its condition, or below it.</summary>
+    [GeneratedRegex(@"^ *(else )?(if|for|foreach|while) \([^\n]*\)(\n? +[^ {.?:&|+\-*/=\n][^\n]*;| [^\n]*;)$", RegexOptions.Multiline)]
+    private static partial Regex BranchWithoutBraces();
 
     [GeneratedRegex(@"\b[a-z]\w*Km\b")]
     private static partial Regex KilometreName();

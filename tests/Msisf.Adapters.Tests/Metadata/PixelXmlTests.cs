@@ -39,7 +39,8 @@ public class PixelXmlTests
         {
             Light = new PixelIllumination(IlluminationState.Penumbra, 0.5),
             Tile = new TileId(-90, 355),
-            Facet = new FacetId(int.MaxValue, int.MaxValue, FacetHalf.SouthWest),
+            Facet = new FacetId(int.MaxValue, int.MaxValue, FacetHalf.SouthWest) { Part = int.MaxValue },
+            NamesPart = true,
         };
         PixelRecord record = new(int.MaxValue, int.MaxValue, new SelenographicPoint(-1.0, 6.0), 6.0, terrain);
         byte[] bytes = new byte[PixelXml.MaximumLength(PixelSurface.Terrain)];
