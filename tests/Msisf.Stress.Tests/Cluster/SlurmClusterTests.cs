@@ -29,7 +29,7 @@ public sealed class SlurmClusterTests
     }
 
     [RequiresFact(Part.Slurm)]
-    public void KillNode_TaskRuns_RunsAgain()
+    public async Task KillNode_TaskRuns_RunsAgain()
     {
         using TemporaryFolder folder = new();
         using SlurmCluster cluster = new();
@@ -41,7 +41,7 @@ public sealed class SlurmClusterTests
             "--open-mode=append",
             $"--output={report}",
             "--wrap=echo $SLURMD_NODENAME; [ -n \"$SLURM_RESTART_COUNT\" ] || sleep 600");
-        cluster.WaitForTask(Limit);
+        await Within.Seconds(60, "the task's line in its report", () => File.Exists(report) && new FileInfo(report).Length > 0);
         cluster.KillNode("n1");
         cluster.WaitForLoss("n1", Limit);
         cluster.StartNode("n1");
