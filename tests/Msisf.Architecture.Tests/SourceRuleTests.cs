@@ -30,7 +30,7 @@ public sealed partial class SourceRuleTests
         Assert.All(Sources, path => Assert.DoesNotMatch(RegionOrTodo(), File.ReadAllText(path)));
 
     /// <summary>
-    /// With <see cref="HouseRuleTests.PrivateFields_AreNamedAsFields"/> the most of what the analysers of style say, which take longer than
+    /// With <see cref="HouseRuleTests.PrivateFields_AreNamedAsFields"/> the most of what the analysers of style say, which take as long as
     /// all else of the build; an editor has them, and <c>dotnet build -p:EnforceCodeStyleInBuild=true</c>.
     /// </summary>
     [Fact]
