@@ -83,20 +83,6 @@ internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> r
         }
     }
 
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        double[] radii = new double[samples];
-        (double minimum, double maximum) = (double.PositiveInfinity, double.NegativeInfinity);
-        for (int line = firstLine; line < firstLine + lines; line++)
-        {
-            ReadRadii(line, firstSample, radii);
-            minimum = Math.Min(minimum, radii.Min());
-            maximum = Math.Max(maximum, radii.Max());
-        }
-
-        return (minimum, maximum);
-    }
-
     /// <summary>A sine with so many periods a turn, at each sample of a line or each line of a meridian.</summary>
     private static double[] Wave(int count, int pixelsPerDegree, int periods, double phase) =>
         [.. Enumerable.Range(0, count).Select(i => Math.Sin((periods * (i + 0.5) / pixelsPerDegree * Math.PI / 180.0) + phase))];

@@ -48,18 +48,4 @@ internal sealed class PolarFunctionGrid(PolarStereographic projection, int lines
         ArgumentOutOfRangeException.ThrowIfGreaterThan((uint)(firstSample + radii.Length), (uint)samples, nameof(radii));
         _radii.AsSpan((line * samples) + firstSample, radii.Length).CopyTo(radii);
     }
-
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int blockLines, int firstSample, int blockSamples)
-    {
-        double[] radii = new double[blockSamples];
-        (double minimum, double maximum) = (double.PositiveInfinity, double.NegativeInfinity);
-        for (int line = firstLine; line < firstLine + blockLines; line++)
-        {
-            ReadRadii(line, firstSample, radii);
-            minimum = Math.Min(minimum, radii.Min());
-            maximum = Math.Max(maximum, radii.Max());
-        }
-
-        return (minimum, maximum);
-    }
 }

@@ -56,23 +56,15 @@ internal sealed class MapTileLayout
     }
 
     /// <summary>All tiles mean the same by a value, and are of one scale.</summary>
-    private static void CheckAlike(PdsMapLabel[] labels)
-    {
-        PdsAgreement agreement = new("tile", "map");
-        PdsMapLabel first = labels[0];
-        foreach (PdsMapLabel other in labels.Skip(1))
-        {
-            void Require<T>(string keyword, Func<PdsMapLabel, T> of)
-                where T : notnull => agreement.Require(keyword, (first.LabelPath, of(first)), (other.LabelPath, of(other)));
-
-            Require("MAP_RESOLUTION", label => label.PixelsPerDegree);
-            Require("SAMPLE_TYPE", label => label.SampleType);
-            Require("SAMPLE_BITS", label => label.SampleBits);
-            Require("SCALING_FACTOR", label => label.ScalingFactor);
-            Require("OFFSET", label => label.Offset);
-            Require("UNIT", label => label.Unit);
-        }
-    }
+    private static void CheckAlike(PdsMapLabel[] labels) =>
+        new PdsAgreement("tile", "map").Require(
+            labels, label => label.LabelPath,
+            ("MAP_RESOLUTION", label => label.PixelsPerDegree),
+            ("SAMPLE_TYPE", label => label.SampleType),
+            ("SAMPLE_BITS", label => label.SampleBits),
+            ("SCALING_FACTOR", label => label.ScalingFactor),
+            ("OFFSET", label => label.Offset),
+            ("UNIT", label => label.Unit));
 
     /// <summary>No place has two tiles, and no place without one lies between two of them.</summary>
     private static void CheckCover(

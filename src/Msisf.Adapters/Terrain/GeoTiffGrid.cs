@@ -146,21 +146,6 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         }
     }
 
-    /// <inheritdoc/>
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        double[] radii = new double[samples];
-        (double minimum, double maximum) = (double.PositiveInfinity, double.NegativeInfinity);
-        for (int line = firstLine; line < firstLine + lines; line++)
-        {
-            ReadRadii(line, firstSample, radii);
-            minimum = Math.Min(minimum, radii.Min());
-            maximum = Math.Max(maximum, radii.Max());
-        }
-
-        return (minimum, maximum);
-    }
-
     /// <summary>Closes the file.</summary>
     public void Dispose() => _image.Dispose();
 

@@ -13,23 +13,15 @@ internal static class LdemSetChecks
 
     /// <summary>All parts mean the same by a sample value.</summary>
     /// <exception cref="BadInputException">Two differ.</exception>
-    public static void CheckAlike(IReadOnlyList<LdemLabel> parts)
-    {
-        PdsAgreement agreement = new("part", "model");
-        LdemLabel first = parts[0];
-        foreach (LdemLabel other in parts.Skip(1))
-        {
-            void Require<T>(string keyword, Func<LdemLabel, T> of)
-                where T : notnull => agreement.Require(keyword, (first.LabelPath, of(first)), (other.LabelPath, of(other)));
-
-            Require("MAP_RESOLUTION", label => label.PixelsPerDegree);
-            Require("SAMPLE_TYPE", label => label.SampleType);
-            Require("SCALING_FACTOR (in m)", label => label.ScalingFactor);
-            Require("OFFSET (in m)", label => label.Offset);
-            Require("TARGET_NAME", label => label.Body.CapitalName);
-            Require("COORDINATE_SYSTEM_NAME", label => label.CoordinateSystem);
-        }
-    }
+    public static void CheckAlike(IReadOnlyList<LdemLabel> parts) =>
+        new PdsAgreement("part", "model").Require(
+            parts, label => label.LabelPath,
+            ("MAP_RESOLUTION", label => label.PixelsPerDegree),
+            ("SAMPLE_TYPE", label => label.SampleType),
+            ("SCALING_FACTOR (in m)", label => label.ScalingFactor),
+            ("OFFSET (in m)", label => label.Offset),
+            ("TARGET_NAME", label => label.Body.CapitalName),
+            ("COORDINATE_SYSTEM_NAME", label => label.CoordinateSystem));
 
     /// <summary>Index of the part for each square degree, row by row from the north.</summary>
     /// <param name="parts">The labels.</param>

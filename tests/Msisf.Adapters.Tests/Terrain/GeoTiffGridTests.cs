@@ -57,7 +57,8 @@ public sealed class GeoTiffGridTests : IDisposable
         }
 
         Assert.Equal(
-            (offset + (factor * 250.0), offset + (factor * (259.0 + (299.0 / 1024.0)))), grid.RadiusBounds(250, 10, 0, 300));
+            (offset + (factor * 250.0), offset + (factor * (259.0 + (299.0 / 1024.0)))),
+            ((ITerrainGrid)grid).RadiusBounds(250, 10, 0, 300));
         Assert.Throws<ArgumentOutOfRangeException>(() => grid.ReadRadii(280, 0, radii));
         Assert.Throws<ArgumentOutOfRangeException>(() => grid.ReadRadii(0, 211, radii));
     }

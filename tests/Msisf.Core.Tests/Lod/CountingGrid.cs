@@ -29,5 +29,5 @@ internal sealed class CountingGrid(FunctionGrid grid) : IElevationGrid
     }
 
     public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples) =>
-        grid.RadiusBounds(firstLine, lines, firstSample, samples);
+        ((ITerrainGrid)grid).RadiusBounds(firstLine, lines, firstSample, samples);
 }

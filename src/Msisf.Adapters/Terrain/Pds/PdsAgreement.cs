@@ -8,20 +8,27 @@ namespace Msisf.Adapters.Terrain.Pds;
 /// <param name="whole">What they make up, e.g. "model".</param>
 internal sealed class PdsAgreement(string file, string whole)
 {
-    /// <summary>Requires that a keyword has the same value in two labels.</summary>
-    /// <param name="keyword">The keyword.</param>
-    /// <param name="first">Path of the first label, and its value.</param>
-    /// <param name="other">Path of another label, and its value.</param>
-    /// <exception cref="BadInputException">The values differ.</exception>
-    public void Require<T>(string keyword, (string Path, T Value) first, (string Path, T Value) other)
-        where T : notnull
+    /// <summary>Requires that keywords have the same values in all labels.</summary>
+    /// <param name="labels">The labels; at least one.</param>
+    /// <param name="pathOf">Path of a label.</param>
+    /// <param name="keywords">The keywords, and the value that a label has for each.</param>
+    /// <exception cref="BadInputException">Two values differ.</exception>
+    public void Require<TLabel>(
+        IReadOnlyList<TLabel> labels, Func<TLabel, string> pathOf, params IReadOnlyList<(string Keyword, Func<TLabel, object> Of)> keywords)
     {
-        if (!first.Value.Equals(other.Value))
+        TLabel first = labels[0];
+        foreach (TLabel other in labels.Skip(1))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{other.Path}: {keyword} is {other.Value}, but {first.Value} in {first.Path}, another {file} of the same {whole}. "
-                    + $"Get all {file}s of one release."));
+            foreach ((string keyword, Func<TLabel, object> of) in keywords)
+            {
+                if (!of(first).Equals(of(other)))
+                {
+                    throw new BadInputException(string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"{pathOf(other)}: {keyword} is {of(other)}, but {of(first)} in {pathOf(first)}, another {file} of "
+                            + $"the same {whole}. Get all {file}s of one release."));
+                }
+            }
         }
     }
 }

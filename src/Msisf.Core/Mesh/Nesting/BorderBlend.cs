@@ -117,21 +117,6 @@ internal sealed class BorderBlend : ITerrainGrid
     }
 
     /// <inheritdoc/>
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        double[] radii = new double[samples];
-        (double minimum, double maximum) = (double.PositiveInfinity, double.NegativeInfinity);
-        for (int line = firstLine; line < firstLine + lines; line++)
-        {
-            ReadRadii(line, firstSample, radii);
-            minimum = Math.Min(minimum, radii.Min());
-            maximum = Math.Max(maximum, radii.Max());
-        }
-
-        return (minimum, maximum);
-    }
-
-    /// <inheritdoc/>
     public void ReleasePages() => _grid.ReleasePages();
 
     /// <summary>A cell of the coarser model around the middle of this one, in its own samples, within limits.</summary>
