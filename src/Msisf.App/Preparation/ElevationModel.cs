@@ -11,11 +11,13 @@ using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 using Msisf.Core.Tracing;
+using Msisf.Synthesis;
 
 namespace Msisf.App.Preparation;
 
@@ -91,10 +93,16 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>Whether any model is synthetic, not the real Moon.</summary>
     public bool IsSynthetic => Sets.Any(set => set.IsSynthetic);
 
-    /// <summary>Names and resolutions of several models, in the order of a facet's parts; empty for one.</summary>
-    public IReadOnlyList<ElevationPart> Parts => Grid is NestedTerrain nested
-        ? [.. nested.Models.Zip(Sets, (grid, set) => new ElevationPart(grid.ProductId, set.IsSynthetic, grid.Projection.Resolution))]
+    /// <summary>
+    /// Names and resolutions of several models, in the order of a facet's parts, and of one with invented detail, whose parts follow;
+    /// empty for one without.
+    /// </summary>
+    public IReadOnlyList<ElevationPart> Parts => Grids.Count > 0
+        ? [.. Grids.Zip(Sets, (grid, set) => new ElevationPart(grid.ProductId, set.IsSynthetic, grid.Projection.Resolution))]
         : [];
+
+    /// <summary>The grids of the parts; empty for one model without invented detail.</summary>
+    private IReadOnlyList<ITerrainGrid> Grids { get; init; } = [];
 
     /// <summary>Traces single rays; created on first use.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
@@ -167,12 +175,38 @@ internal sealed class ElevationModel : IDisposable
                 NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid));
                 LdemSet[] sets = [.. nested.Models.Select(grid => opened.Single(model => ReferenceEquals(model.Grid, grid)).Set)];
                 nested.Prepare();
-                return new ElevationModel(nested, sets, [.. opened]);
+                return new ElevationModel(nested, sets, [.. opened]) { Grids = nested.Models };
             });
         }
         catch
         {
             opened.ForEach(model => model.Dispose());
+            throw;
+        }
+    }
+
+    /// <summary>The same model with invented detail; it is closed with it, also if this fails.</summary>
+    /// <param name="detail">What is invented.</param>
+    /// <param name="host">Receives log messages.</param>
+    /// <exception cref="UsageException">It is a map of a part of the Moon.</exception>
+    public ElevationModel Refined(RefineSettings detail, ProgramHost host)
+    {
+        try
+        {
+            return SurfaceOptions.Ldem.Concerned(() =>
+            {
+                IReadOnlyList<ITerrainGrid> grids = RefinedTerrain.GridsOf(Grid);
+                RefinedTerrain terrain = new(Grid, new GroundDetail(detail.Seed, grids), detail.FinestLevel);
+                host.Log.Note(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m and "
+                        + $"wider; it is not on the real Moon."));
+                return new ElevationModel(terrain, Sets, [this]) { Grids = grids };
+            });
+        }
+        catch
+        {
+            Dispose();
             throw;
         }
     }

@@ -15,11 +15,14 @@ internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) :
     public bool IsOpen => _model is not null;
 
     /// <summary>The model.</summary>
-    public ElevationModel Opened => _model ??= host.Times.Measure(Phase.Model, () => settings.Ldem.Count > 1
+    public ElevationModel Opened => _model ??= host.Times.Measure(
+        Phase.Model, () => settings.Native.Refine is { } refine ? Open().Refined(refine, host) : Open());
+
+    public void Dispose() => _model?.Dispose();
+
+    private ElevationModel Open() => settings.Ldem.Count > 1
         ? ElevationModel.OpenSeveral(settings.Ldem, host)
         : ElevationModel.Open(
             settings.Ldem.SingleOrDefault(), settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host,
-            settings.Body));
-
-    public void Dispose() => _model?.Dispose();
+            settings.Body);
 }

@@ -2,6 +2,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Metadata;
 using Msisf.Core.Tracing;
 
@@ -27,7 +28,11 @@ internal sealed class FrameDescription(
         new DrawnElevation(
             model.Grid.ProductId, model.IsSynthetic, model.Grid.Resolution, rendered.Drawn.Finest, rendered.Drawn.Coarsest)
         {
-            Parts = model.Parts,
+            Parts =
+            [
+                .. model.Parts,
+                .. rendered.Windows.Select(window => new ElevationPart(((RefinedTerrain)model.Grid).DetailName, IsSynthetic: true, window)),
+            ],
         },
         model.HeightOverTerrain(frame.Camera.PositionMoonMe),
         version,

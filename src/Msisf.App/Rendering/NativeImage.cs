@@ -3,6 +3,7 @@ using System.Runtime.InteropServices;
 using Msisf.Adapters.Render;
 using Msisf.App.Preparation;
 using Msisf.Core.Detector;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 
@@ -15,16 +16,16 @@ internal sealed class NativeImage : IDisposable
     private const int LeastOfAThread = 1 << 16;
 
     private readonly NativeDrawing _drawing;
-    private readonly GridResolution _resolution;
+    private readonly ITerrain _terrain;
     private readonly NativeFrame _drawn;
     private readonly CameraDetector? _detector;
     private readonly IGroundTruth _truth;
 
     internal NativeImage(
-        NativeDrawing drawing, GridResolution resolution, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
+        NativeDrawing drawing, ITerrain terrain, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
     {
         _drawing = drawing;
-        _resolution = resolution;
+        _terrain = terrain;
         _drawn = drawn;
         _detector = detector;
         Detected = detected;
@@ -115,10 +116,13 @@ internal sealed class NativeImage : IDisposable
         image,
         "the image",
         WriteScene: null,
-        _resolution,
-        (_resolution, _resolution),
+        _terrain.Resolution,
+        (_terrain.Resolution, _terrain.Resolution),
         _drawing.Settings.Render.KeepGroundTruth ? _truth : null,
-        Detected);
+        Detected)
+    {
+        Windows = _terrain is RefinedView view ? view.Windows : [],
+    };
 
     /// <summary>Returns the memory to the renderer for later frames.</summary>
     public void Dispose()

@@ -21,4 +21,8 @@ internal sealed record RenderedFrame(
     GridResolution Resolution,
     (GridResolution Finest, GridResolution Coarsest) Drawn,
     IGroundTruth? Truth,
-    DetectorImage? Detected = null);
+    DetectorImage? Detected = null)
+{
+    /// <summary>Resolutions of the windows of invented detail, whose parts follow those of the models.</summary>
+    public IReadOnlyList<GridResolution> Windows { get; init; } = [];
+}

@@ -21,11 +21,14 @@ public sealed class NativeRenderer
     public NativeRenderer(ITerrain terrain)
     {
         _surface = SurfaceModel.Of(terrain);
-        Resolution = terrain.Resolution;
+        Terrain = terrain;
     }
 
+    /// <summary>What is drawn.</summary>
+    public ITerrain Terrain { get; }
+
     /// <summary>Resolution of the model that is drawn, of several that of the finest.</summary>
-    public GridResolution Resolution { get; }
+    public GridResolution Resolution => Terrain.Resolution;
 
     /// <summary>
     /// Bytes of the buffers that frames have replaced by smaller or larger ones so far; they are free, but no collection may have returned

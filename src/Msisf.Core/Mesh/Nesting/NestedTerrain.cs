@@ -14,6 +14,7 @@ public sealed class NestedTerrain : ITerrain
     public const int MaxModels = 100;
 
     private readonly Lazy<SurfaceModel> _surface;
+    private readonly Lazy<IReadOnlyList<GridSurface>> _whole;
 
     /// <summary>Takes the models; nothing is read yet.</summary>
     /// <param name="models">Two or more, in any order; the coarsest is one of the whole Moon.</param>
@@ -49,6 +50,7 @@ public sealed class NestedTerrain : ITerrain
                     + $"{Models[0].ReferenceRadius:R} m: they are of different bodies. Leave one of them out."));
         }
 
+        _whole = new Lazy<IReadOnlyList<GridSurface>>(Blend);
         _surface = new Lazy<SurfaceModel>(Join);
     }
 
@@ -75,6 +77,9 @@ public sealed class NestedTerrain : ITerrain
     /// <exception cref="BadInputException">The models can't be joined.</exception>
     internal SurfaceModel Surface => _surface.Value;
 
+    /// <summary>The models with all their cells, each blended into the coarser ones along its border.</summary>
+    internal IReadOnlyList<GridSurface> Whole => _whole.Value;
+
     /// <summary>Makes the surface now, so that an error is told before any work.</summary>
     /// <exception cref="BadInputException">The models can't be joined.</exception>
     public void Prepare() => _ = Surface;
@@ -88,7 +93,7 @@ public sealed class NestedTerrain : ITerrain
         }
     }
 
-    private SurfaceModel Join()
+    private List<GridSurface> Blend()
     {
         List<GridSurface> blended = [new GridSurface(Models[0])];
         foreach (ITerrainGrid model in Models.Skip(1))
@@ -96,10 +101,15 @@ public sealed class NestedTerrain : ITerrain
             blended.Add(new GridSurface(new BorderBlend(model, new CoarserGround(blended))));
         }
 
-        GridSurface[] parts = new GridSurface[blended.Count];
+        return blended;
+    }
+
+    private SurfaceModel Join()
+    {
+        GridSurface[] parts = new GridSurface[Whole.Count];
         for (int part = parts.Length - 1; part >= 0; part--)
         {
-            parts[part] = blended[part].WithCells(KeptCells.Of(blended[part], parts[(part + 1)..]));
+            parts[part] = Whole[part].WithCells(KeptCells.Of(Whole[part], parts[(part + 1)..]));
             if (!parts[part].Kept!.IsAny)
             {
                 throw new BadInputException(
@@ -107,6 +117,6 @@ public sealed class NestedTerrain : ITerrain
             }
         }
 
-        return new SurfaceModel(parts, SeamBuilder.Join(parts));
+        return new SurfaceModel(parts, SeamBuilder.Join(parts, more: []));
     }
 }
