@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
@@ -16,18 +17,11 @@ internal sealed class NoiseOctave
 {
     private const ulong Purpose = 1;
 
-    /// <summary>
-    /// Lattice steps after which a lattice with more than these steps in a radius of the Moon repeats itself, along its three axes: the
-    /// noise takes numbers below 2^23.
-    /// </summary>
-    private const double Period = 1 << 22;
-
     private readonly double[,] _latticeFromMoon = new double[3, 3];
     private readonly double[] _origin = new double[3];
     private readonly int _latticeSeed;
     private readonly float _highlandsAmplitude;
     private readonly float _mariaExtraAmplitude;
-    private readonly bool _isPeriodic;
 
     /// <summary>Makes an octave.</summary>
     /// <param name="seed">The user's seed.</param>
@@ -37,7 +31,6 @@ internal sealed class NoiseOctave
     public NoiseOctave(ulong seed, double spacing, double highlandsAmplitude, double mariaAmplitude)
     {
         Spacing = spacing;
-        _isPeriodic = MoonConstants.ReferenceRadius / spacing > Period;
         _highlandsAmplitude = (float)highlandsAmplitude;
         _mariaExtraAmplitude = (float)(mariaAmplitude - highlandsAmplitude);
 
@@ -131,14 +124,12 @@ internal sealed class NoiseOctave
         }
     }
 
-    private Vector256<double> Lattice(int axis, ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, int first)
-    {
-        Vector256<double> place = (Vector256.Create(_latticeFromMoon[axis, 0]) * Vector256.Create(x[first..]))
-            + (Vector256.Create(_latticeFromMoon[axis, 1]) * Vector256.Create(y[first..]))
-            + (Vector256.Create(_latticeFromMoon[axis, 2]) * Vector256.Create(z[first..]))
-            + Vector256.Create(_origin[axis]);
-        return _isPeriodic ? place - (Vector256.Floor(place * (1.0 / Period)) * Period) : place;
-    }
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Vector256<double> Lattice(int axis, ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, int first) =>
+        (Vector256.Create(_latticeFromMoon[axis, 0]) * Vector256.Create(x[first..]))
+        + (Vector256.Create(_latticeFromMoon[axis, 1]) * Vector256.Create(y[first..]))
+        + (Vector256.Create(_latticeFromMoon[axis, 2]) * Vector256.Create(z[first..]))
+        + Vector256.Create(_origin[axis]);
 
     // A uniformly random rotation from four numbers in the unit ball (Marsaglia 1972), times the scale from unit sphere to lattice.
     private void Turn(ref SplitMix64 random, double scale)

@@ -67,6 +67,7 @@ internal sealed class FrameDescription(
         settings.Albedo.Band)
     {
         Parts = model.Grid.PartCount,
+        InventedDetail = rendered.Windows.Count > 0 ? ((RefinedTerrain)model.Grid).DetailName : null,
         ReferenceRadius = model.Grid.ReferenceRadius,
     };
 }

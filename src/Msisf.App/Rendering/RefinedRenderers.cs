@@ -14,6 +14,7 @@ internal sealed class RefinedRenderers(RefinedTerrain terrain)
     private readonly Lock _gate = new();
     private readonly LinkedList<(RefinedView View, Lazy<NativeRenderer> Renderer)> _renderers = [];
     private long _droppedBytes;
+    private int _dropped;
 
     /// <summary>Bytes of the buffers that the renderers have replaced so far, dropped ones included.</summary>
     public long ReplacedBytes
@@ -55,6 +56,11 @@ internal sealed class RefinedRenderers(RefinedTerrain terrain)
                 Lazy<NativeRenderer> dropped = _renderers.Last!.Value.Renderer;
                 _droppedBytes += dropped.IsValueCreated ? dropped.Value.ReplacedBytes : 0;
                 _renderers.RemoveLast();
+                if (++_dropped % Kept == 0)
+                {
+                    // Large buffers wait long for a collection of their own: a flight would have a gigabyte of them.
+                    GC.Collect(GC.MaxGeneration, GCCollectionMode.Forced, blocking: false);
+                }
             }
 
             return known.Renderer;

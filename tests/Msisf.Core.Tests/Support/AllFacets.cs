@@ -10,8 +10,12 @@ internal sealed class AllFacets
     private const double EdgeTolerance = 1e-11;
 
     public AllFacets(NestedTerrain terrain)
+        : this(terrain.Surface)
     {
-        SurfaceModel surface = terrain.Surface;
+    }
+
+    public AllFacets(SurfaceModel surface)
+    {
         List<(FacetId, Vector3D, Vector3D, Vector3D)> all = [];
         for (int part = 0; part < surface.Parts.Count; part++)
         {

@@ -121,7 +121,7 @@ public sealed class RefinedTerrain : ITerrain
             {
                 ITerrainGrid window = new DetailWindow(_detail, _tiles, place);
                 known = (place, isCoarsest, new GridSurface(
-                    isCoarsest ? new BorderBlend(window, new CoarserGround(_whole.Value)) : window));
+                    isCoarsest ? new BorderBlend(window, new CoarserGround(_whole.Value), WindowPlan.WidestBorder) : window));
             }
 
             _windows.AddFirst(known);

@@ -13,6 +13,9 @@ namespace Msisf.Core.Mesh.Refining;
 /// <param name="finestLevel">Cells are 2^this m wide at least.</param>
 internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGrid> models, int finestLevel)
 {
+    /// <summary>Samples of the border of the coarsest window in which it goes over into the models; less than the margin.</summary>
+    public const int WidestBorder = 24;
+
     /// <summary>px: the width of cells that is asked for, as for levels of detail; a window's are up to twice as wide.</summary>
     private const double CellPixels = 2.0 * DetailRule.DefaultErrorOfImage;
 
@@ -64,7 +67,8 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
             PolarStereographic map = face.Map(level);
             (double, double)[] wanted = [.. seen.Where(ground => ground.Level <= level).Select(ground => map.PixelOf(ground.Direction))];
             WindowPlace place = Around(face, level, wanted, map.PixelOf(nearest), places.Count == 0 ? null : places[^1].Cells);
-            if (_maps.Any(mesh => level > WidestIn(mesh.Grid) && Meets(mesh, place)))
+            bool isAtMapsEnd = places.Count > 0 && !HasMarginAround(place.Cells, places[^1].Cells);
+            if (isAtMapsEnd || _maps.Any(mesh => level > WidestIn(mesh.Grid) && Meets(mesh, place)))
             {
                 break; // where a finer model has data, it wins
             }
@@ -77,6 +81,10 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     }
 
     private static int WidestIn(ITerrainGrid model) => (int)Math.Floor(Math.Log2(0.5 * model.Projection.Resolution.MetresPerPixel));
+
+    private static bool HasMarginAround(CellRange outer, CellRange inner) =>
+        (inner.FirstLine / 2) - outer.FirstLine >= Margin && outer.EndLine - (inner.EndLine / 2) >= Margin
+        && (inner.FirstSample / 2) - outer.FirstSample >= Margin && outer.EndSample - (inner.EndSample / 2) >= Margin;
 
     private static bool Meets(FacetMesh mesh, WindowPlace place)
     {
