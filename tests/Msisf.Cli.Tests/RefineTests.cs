@@ -75,7 +75,7 @@ public sealed class RefineTests : IDisposable
     }
 
     private CommandLineRun Draw(string name, params string[] options) => CommandLineRun.Of(
-        [.. View.Split(' '), "--renderer", "native", "--surface", "terrain", "--gridH", "2", "--gridV", "2", .. options, "--output-dir",
+        [.. View.Split(' '), "--renderer", "native", "--exposure", "2", "--surface", "terrain", "--gridH", "2", "--gridV", "2", .. options, "--output-dir",
             _folder["out"], "--output-name", name]);
 
     private string Moon() => Synthesize("--res", "2");

@@ -9,7 +9,7 @@ namespace Msisf.App.Rendering;
 internal sealed class RefinedRenderers(RefinedTerrain terrain)
 {
     /// <summary>Renderers that are kept, with the memory of their frames; frames drawn at one time may need some each.</summary>
-    private const int Kept = 4;
+    private const int Kept = 2;
 
     private readonly Lock _gate = new();
     private readonly LinkedList<(RefinedView View, Lazy<NativeRenderer> Renderer)> _renderers = [];
@@ -59,7 +59,7 @@ internal sealed class RefinedRenderers(RefinedTerrain terrain)
                 if (++_dropped % Kept == 0)
                 {
                     // Large buffers wait long for a collection of their own: a flight would have a gigabyte of them.
-                    GC.Collect(GC.MaxGeneration, GCCollectionMode.Forced, blocking: false);
+                    GC.Collect(GC.MaxGeneration, GCCollectionMode.Forced, blocking: true);
                 }
             }
 

@@ -16,10 +16,10 @@ public sealed class RefinedTerrain : ITerrain
     public const int LeastLevel = -5;
 
     /// <summary>Views that are kept; frames near each other share one.</summary>
-    private const int KeptViews = 4;
+    private const int KeptViews = 2;
 
     /// <summary>Windows that are kept with their bounds: those of views near each other are mostly the same.</summary>
-    private const int KeptWindows = 48;
+    private const int KeptWindows = 32;
 
     private readonly ITerrain _models;
     private readonly IGroundDetail _detail;
