@@ -49,7 +49,7 @@ internal sealed class ServedModel : IDisposable
 
         return _levels.GetOrAdd(
             errorPixels ?? -1.0,
-            _ => new Lazy<NativeLevels>(() => new NativeLevels(Opened.Grid, () => Opened.DrawnLevels, errorPixels))).Value;
+            _ => new Lazy<NativeLevels>(() => new NativeLevels(Opened.DetailOf(errorPixels)))).Value;
     }
 
     /// <summary>Closes the model.</summary>
