@@ -11,7 +11,7 @@ namespace Msisf.Core.Lod;
 /// </summary>
 public sealed class NestedLevels
 {
-    /// <summary>Surfaces that are kept beside that of the models themselves; each has renderers with buffers as large as an image.</summary>
+    /// <summary>Surfaces that are kept beside that of the models themselves; each has buffers as large as an image.</summary>
     private const int MaxSurfaces = 4;
 
     private readonly Lock _gate = new();

@@ -10,7 +10,7 @@ internal static class ModelReach
     /// <summary>The angle is found up to this part of itself.</summary>
     private const double Precision = 0.05;
 
-    /// <summary>Cells of a model beside its border that do not count as covered by it: heights there are partly of coarser models.</summary>
+    /// <summary>Cells along a model's border that do not count as covering: the seam lies there.</summary>
     private const double Margin = 2.0;
 
     /// <summary>rad: lower bound of the angle, seen from the Moon's centre, from a direction to the nearest cell of a model.</summary>

@@ -17,9 +17,11 @@ internal sealed class SeamBorders
     public SeamBorders(SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges)
     {
         Groups together = new(vertices.Length);
+        bool[] isEnd = new bool[vertices.Length]; // a pole may be a corner of sides without length only
         foreach ((int from, int to) in edges)
         {
             together.Unite(from, to);
+            (isEnd[from], isEnd[to]) = (true, true);
         }
 
         _borderOf = new int[vertices.Length];
@@ -28,6 +30,11 @@ internal sealed class SeamBorders
         List<List<int>> members = [];
         for (int vertex = 0; vertex < vertices.Length; vertex++)
         {
+            if (!isEnd[vertex])
+            {
+                continue;
+            }
+
             if (!numbers.TryGetValue(together.Of(vertex), out int border))
             {
                 numbers[together.Of(vertex)] = border = members.Count;

@@ -114,7 +114,7 @@ export class Frames {
     /** A frame's options with the name of its model, as the page's choices have it, and with the size of its camera. */
     #offered({ res, ...options }) {
         const { models, cameras } = this.offers();
-        const model = models.find(({ pixels_per_degree: resolution }) => resolution === res);
+        const model = models.find(({ whole_moon: whole, pixels_per_degree: resolution }) => whole && resolution === res);
         const camera = cameras.find(({ name }) => name === options.camera);
         return {
             ...options,
