@@ -11,7 +11,15 @@ internal sealed class ModelsEndpoint(FrameService frames)
     /// <summary>Answers a request.</summary>
     public Task AnswerAsync(HttpContext context) => JsonBody.SendAsync(context.Response, new
     {
-        Models = frames.Names.Models.Select(model => new { model.Name, model.PixelsPerDegree, Synthetic = model.IsSynthetic }),
+        Models = frames.Names.Models.All.Select(model => new
+        {
+            model.Name,
+            model.Resolution.PixelsPerDegree,
+            model.Resolution.MetresPerPixel,
+            Synthetic = model.IsSynthetic,
+            WholeMoon = model.IsWholeMoon,
+        }),
+        OneSurface = frames.Names.Models.OneSurface.Select(model => model.Name),
         AlbedoMaps = frames.Names.Maps.Where(name => !IsHapke(name)),
         HapkeMaps = frames.Names.Maps.Where(IsHapke),
         Cameras = frames.Names.Cameras.Select(Described),

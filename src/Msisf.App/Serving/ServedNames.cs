@@ -1,7 +1,6 @@
 using System.Collections.Concurrent;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
-using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
@@ -25,16 +24,7 @@ internal sealed class ServedNames : IDisposable
     /// <exception cref="BadInputException">There is no elevation model.</exception>
     public ServedNames(ServeSettings settings, ProgramHost host)
     {
-        string[] folders = ElevationModel.Folders(host);
-        Models = [.. SurfaceOptions.Ldem.Concerned(() => LdemCatalog.All(settings.Ldem, folders))
-            .Select(set => new ServedModel(set, settings.Ldem, host))];
-        if (Models.Count == 0)
-        {
-            throw new BadInputException(
-                $"No elevation model in {settings.Ldem ?? string.Join(", ", folders)}. Get one with 'scripts/get-ldem.sh', or name one "
-                    + $"with {SurfaceOptions.Ldem.Name}.");
-        }
-
+        Models = new ServedModels(settings.Ldem, host);
         _maps = new Dictionary<string, string>(StringComparer.Ordinal);
         foreach (string path in AlbedoSource.Maps(host))
         {
@@ -44,8 +34,8 @@ internal sealed class ServedNames : IDisposable
         Cameras = CameraChoice.Presets(host.Installation);
     }
 
-    /// <summary>The elevation models, coarse ones first.</summary>
-    public IReadOnlyList<ServedModel> Models { get; }
+    /// <summary>The elevation models.</summary>
+    public ServedModels Models { get; }
 
     /// <summary>Names of the maps of the Moon's reflectance and of Hapke's parameters.</summary>
     public IReadOnlyCollection<string> Maps => _maps.Keys;
@@ -53,17 +43,14 @@ internal sealed class ServedNames : IDisposable
     /// <summary>The presets of cameras.</summary>
     public IReadOnlyList<CameraFile> Cameras { get; }
 
-    /// <summary>The model of a name.</summary>
-    /// <exception cref="UsageException">There is none.</exception>
-    public ServedModel Model(string name) => Models.FirstOrDefault(model => IsSame(model.Name, name))
-        ?? throw Unknown("model", name, Models.Select(model => model.Name));
-
     /// <summary>The model of a resolution, px/deg.</summary>
     /// <exception cref="UsageException">There is none.</exception>
-    public ServedModel Model(int pixelsPerDegree) => Models.FirstOrDefault(model => model.PixelsPerDegree == pixelsPerDegree)
+    public ServedModel Model(int pixelsPerDegree) => Models.All.FirstOrDefault(
+        model => model.IsWholeMoon && model.Resolution.PixelsPerDegree == pixelsPerDegree)
         ?? throw new UsageException(
             $"{SurfaceOptions.Resolution.Name} is {pixelsPerDegree}; the server has "
-                + $"{string.Join(", ", Models.Select(model => model.PixelsPerDegree))} (/v1/models).").About(SurfaceOptions.Resolution);
+                + $"{string.Join(", ", Models.All.Where(model => model.IsWholeMoon).Select(model => model.Resolution.PixelsPerDegree))} "
+                + "(/v1/models).").About(SurfaceOptions.Resolution);
 
     /// <summary>The path of a map.</summary>
     /// <param name="option">Key of the option, for the message.</param>
@@ -95,17 +82,12 @@ internal sealed class ServedNames : IDisposable
     }
 
     /// <summary>Closes the models.</summary>
-    public void Dispose()
-    {
-        foreach (ServedModel model in Models)
-        {
-            model.Dispose();
-        }
-    }
+    public void Dispose() => Models.Dispose();
 
     private static bool IsSame(string one, string other) => one.Equals(other, StringComparison.OrdinalIgnoreCase);
 
-    private static UsageException Unknown(string what, string name, IEnumerable<string> names)
+    /// <summary>The error that there is no file of a name.</summary>
+    internal static UsageException Unknown(string what, string name, IEnumerable<string> names)
     {
         string question = NearestName.Question(name, [.. names]);
         return new UsageException(

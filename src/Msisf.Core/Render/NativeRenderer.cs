@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 
@@ -22,10 +23,14 @@ public sealed class NativeRenderer
     {
         _surface = SurfaceModel.Of(terrain);
         Resolution = terrain.Resolution;
+        PartResolutions = (terrain as NestedTerrain)?.DrawnResolutions ?? [];
     }
 
-    /// <summary>Resolution of the model that is drawn, of several that of the finest.</summary>
+    /// <summary>Resolution of the model that is drawn, of several that of the finest that is there.</summary>
     public GridResolution Resolution { get; }
+
+    /// <summary>Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.</summary>
+    public IReadOnlyList<GridResolution?> PartResolutions { get; }
 
     /// <summary>
     /// Bytes of the buffers that frames have replaced by smaller or larger ones so far; they are free, but no collection may have returned

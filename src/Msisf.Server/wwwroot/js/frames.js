@@ -114,7 +114,7 @@ export class Frames {
     /** A frame's options with the name of its model, as the page's choices have it, and with the size of its camera. */
     #offered({ options: { res, ...options }, camera }) {
         const { models } = this.offers();
-        const model = models.find(({ pixels_per_degree: resolution }) => resolution === res);
+        const model = models.find(({ whole_moon: whole, pixels_per_degree: resolution }) => whole && resolution === res);
         return {
             ...options,
             ...(model ? { model: model.name } : res !== undefined && { res }),
