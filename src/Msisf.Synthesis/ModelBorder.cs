@@ -22,7 +22,7 @@ internal sealed class ModelBorder
     private readonly bool _isRing;
     private readonly int _width;
     private readonly int _columns;
-    private readonly ConcurrentDictionary<int, int[]> _distances = new();
+    private readonly ConcurrentDictionary<int, byte[]> _distances = new();
 
     /// <summary>Takes a map.</summary>
     /// <param name="model">The map.</param>
@@ -66,7 +66,7 @@ internal sealed class ModelBorder
     private int At(int down, int right)
     {
         right -= _isRing && right >= _model.Samples ? _model.Samples : 0;
-        int[] tile = _distances.GetOrAdd(
+        byte[] tile = _distances.GetOrAdd(
             (down / Side * _columns) + (right / Side),
             tile => _gaps.DistancesAround(tile / _columns * Side, tile % _columns * Side, _width + (int)WithoutWeight));
         return tile[(down % Side * Side) + (right % Side)];

@@ -20,8 +20,9 @@ internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) :
 
     public void Dispose() => _model?.Dispose();
 
+    /// <summary>With invented detail, as with levels of detail, few frames or none show the models alone.</summary>
     private ElevationModel Open() => settings.Ldem.Count > 1
-        ? ElevationModel.OpenSeveral(settings.Ldem, host)
+        ? ElevationModel.OpenSeveral(settings.Ldem, settings.LevelOfDetailError is not null || settings.Native.Refine is not null, host)
         : ElevationModel.Open(
             settings.Ldem.SingleOrDefault(), settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host,
             settings.Body);

@@ -28,11 +28,7 @@ internal sealed class FrameDescription(
         new DrawnElevation(
             model.Grid.ProductId, model.IsSynthetic, model.Grid.Resolution, rendered.Drawn.Finest, rendered.Drawn.Coarsest)
         {
-            Parts =
-            [
-                .. model.Parts,
-                .. rendered.Windows.Select(window => new ElevationPart(((RefinedTerrain)model.Grid).DetailName, IsSynthetic: true, window)),
-            ],
+            Parts = model.PartsAt(rendered.PartResolutions),
         },
         model.HeightOverTerrain(frame.Camera.PositionMoonMe),
         version,
@@ -62,12 +58,18 @@ internal sealed class FrameDescription(
     public LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
         model.Grid.ProductId,
         rendered.Resolution,
-        model.Grid.Resolution.HalvingsTo(rendered.Resolution),
+        LevelOf(rendered),
         metadata.RendererName,
         settings.Albedo.Band)
     {
         Parts = model.Grid.PartCount,
-        InventedDetail = rendered.Windows.Count > 0 ? ((RefinedTerrain)model.Grid).DetailName : null,
+        InventedDetail = rendered.PartResolutions.Count > model.Sets.Count ? (model.Grid as RefinedTerrain)?.DetailName : null,
         ReferenceRadius = model.Grid.ReferenceRadius,
     };
+
+    /// <summary>The level of detail; of several models that of the finest one that is drawn.</summary>
+    private int LevelOf(RenderedFrame rendered) =>
+        model.Grid is not RefinedTerrain && model.PartsAt(rendered.PartResolutions) is { Count: > 0 } parts
+        ? parts.Last(part => part.Drawn is not null).Resolution.HalvingsTo(rendered.Resolution)
+        : model.Grid.Resolution.HalvingsTo(rendered.Resolution);
 }

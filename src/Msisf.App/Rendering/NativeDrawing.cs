@@ -70,7 +70,7 @@ internal sealed class NativeDrawing
         try
         {
             DetectorImage? detected = detector is null ? null : Expose(detector, renderer, frame, drawn, threads, cancellation);
-            return new NativeImage(this, renderer.Terrain, frame, drawn, detector, detected);
+            return new NativeImage(this, renderer, frame, drawn, detector, detected);
         }
         catch
         {

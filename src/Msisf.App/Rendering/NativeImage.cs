@@ -3,9 +3,7 @@ using System.Runtime.InteropServices;
 using Msisf.Adapters.Render;
 using Msisf.App.Preparation;
 using Msisf.Core.Detector;
-using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Render;
-using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
 
@@ -16,16 +14,16 @@ internal sealed class NativeImage : IDisposable
     private const int LeastOfAThread = 1 << 16;
 
     private readonly NativeDrawing _drawing;
-    private readonly ITerrain _terrain;
+    private readonly NativeRenderer _renderer;
     private readonly NativeFrame _drawn;
     private readonly CameraDetector? _detector;
     private readonly IGroundTruth _truth;
 
     internal NativeImage(
-        NativeDrawing drawing, ITerrain terrain, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
+        NativeDrawing drawing, NativeRenderer renderer, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
     {
         _drawing = drawing;
-        _terrain = terrain;
+        _renderer = renderer;
         _drawn = drawn;
         _detector = detector;
         Detected = detected;
@@ -116,12 +114,12 @@ internal sealed class NativeImage : IDisposable
         image,
         "the image",
         WriteScene: null,
-        _terrain.Resolution,
-        (_terrain.Resolution, _terrain.Resolution),
+        _renderer.Resolution,
+        (_renderer.Resolution, _renderer.Resolution),
         _drawing.Settings.Render.KeepGroundTruth ? _truth : null,
         Detected)
     {
-        Windows = _terrain is RefinedView view ? view.Windows : [],
+        PartResolutions = _renderer.PartResolutions,
     };
 
     /// <summary>Returns the memory to the renderer for later frames.</summary>

@@ -23,6 +23,6 @@ internal sealed record RenderedFrame(
     IGroundTruth? Truth,
     DetectorImage? Detected = null)
 {
-    /// <summary>Resolutions of the windows of invented detail, whose parts follow those of the models.</summary>
-    public IReadOnlyList<GridResolution> Windows { get; init; } = [];
+    /// <summary>Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.</summary>
+    public IReadOnlyList<GridResolution?> PartResolutions { get; init; } = [];
 }

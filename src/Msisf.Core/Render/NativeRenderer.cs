@@ -1,6 +1,8 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 
@@ -21,14 +23,22 @@ public sealed class NativeRenderer
     public NativeRenderer(ITerrain terrain)
     {
         _surface = SurfaceModel.Of(terrain);
-        Terrain = terrain;
+        Resolution = terrain.Resolution;
+        PartResolutions = terrain switch
+        {
+            NestedTerrain nested => nested.DrawnResolutions,
+            RefinedView view => view.DrawnResolutions,
+            _ => [],
+        };
     }
 
-    /// <summary>What is drawn.</summary>
-    public ITerrain Terrain { get; }
+    /// <summary>Resolution of the model that is drawn, of several that of the finest that is there.</summary>
+    public GridResolution Resolution { get; }
 
-    /// <summary>Resolution of the model that is drawn, of several that of the finest.</summary>
-    public GridResolution Resolution => Terrain.Resolution;
+    /// <summary>
+    /// Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model. With invented detail, of any number of models, and of its windows.
+    /// </summary>
+    public IReadOnlyList<GridResolution?> PartResolutions { get; }
 
     /// <summary>
     /// Bytes of the buffers that frames have replaced by smaller or larger ones so far; they are free, but no collection may have returned

@@ -12,8 +12,9 @@ internal static class RefinedSurface
     /// <param name="models">The models with all their cells, the coarsest first.</param>
     /// <param name="windows">The windows with all their cells, the coarsest first; at least one.</param>
     /// <param name="places">Where the windows lie.</param>
+    /// <param name="seams">Keeps what fills the gaps between the models, which other windows leave as they are.</param>
     public static SurfaceModel Join(
-        IReadOnlyList<GridSurface> models, IReadOnlyList<GridSurface> windows, IReadOnlyList<WindowPlace> places)
+        IReadOnlyList<GridSurface> models, IReadOnlyList<GridSurface> windows, IReadOnlyList<WindowPlace> places, ISeamStore seams)
     {
         GridSurface coarsest = windows[0].WithCells(KeptCells.Of(windows[0], []));
         GridSurface[] parts = [.. models, .. windows];
@@ -31,7 +32,7 @@ internal static class RefinedSurface
             parts[part] = windows[window].WithCells(Without(windows[window], hole));
         }
 
-        return new SurfaceModel(parts, SeamBuilder.Join([.. parts[..models.Count], coarsest], between));
+        return new SurfaceModel(parts, SeamBuilder.Join([.. parts[..models.Count], coarsest], seams, between));
     }
 
     /// <summary>The cells of a window that the next finer one and the ring around that take, from the window's first ones.</summary>

@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Lod;
 using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
@@ -10,7 +11,7 @@ namespace Msisf.Core.Mesh.Refining;
 /// Elevation models with invented detail below their resolution, of which each frame shows as much as its pixels need
 /// (docs/invented-detail.md). Safe for several threads; a view does not depend on those before it.
 /// </summary>
-public sealed class RefinedTerrain : ITerrain
+public sealed class RefinedTerrain : ITerrain, IFrameTerrain
 {
     /// <summary>log2 of m: the narrowest cells; the vertices' lattice would be too fine for exact signs with narrower ones.</summary>
     public const int LeastLevel = -5;
@@ -26,6 +27,7 @@ public sealed class RefinedTerrain : ITerrain
     private readonly int _finestLevel;
     private readonly DetailTiles _tiles;
     private readonly WindowPlan _plan;
+    private readonly SeamMemory _seams = new();
     private readonly Lazy<IReadOnlyList<GridSurface>> _whole;
     private readonly Lock _gate = new();
     private readonly LinkedList<RefinedView> _views = [];
@@ -42,7 +44,7 @@ public sealed class RefinedTerrain : ITerrain
         (_models, _detail, _finestLevel) = (models, detail, finestLevel);
         _tiles = new DetailTiles(detail);
         _whole = new Lazy<IReadOnlyList<GridSurface>>(
-            () => models is NestedTerrain nested ? nested.Whole : [new GridSurface((ITerrainGrid)models)]);
+            () => models is NestedTerrain nested ? nested.WholeParts : [new GridSurface((ITerrainGrid)models)]);
         _plan = new WindowPlan(detail, GridsOf(models), finestLevel);
     }
 
@@ -60,6 +62,9 @@ public sealed class RefinedTerrain : ITerrain
 
     /// <summary>Number of models, and 1 for the generated ground, of which a view may show several windows or none.</summary>
     public int PartCount => _models.PartCount + 1;
+
+    /// <summary>The models, the coarsest first.</summary>
+    public IReadOnlyList<ITerrainGrid> Grids => GridsOf(_models);
 
     /// <summary>Name of the generated ground.</summary>
     public string DetailName => _detail.Name;
@@ -85,7 +90,7 @@ public sealed class RefinedTerrain : ITerrain
         lock (_gate)
         {
             RefinedView view = _views.FirstOrDefault(known => known.Places.SequenceEqual(places))
-                ?? new RefinedView(this, _models.PartCount, places, () => Join(places));
+                ?? new RefinedView(this, _models, places, () => Join(places));
             _views.Remove(view);
             _views.AddFirst(view);
             if (_views.Count > KeptViews)
@@ -98,6 +103,9 @@ public sealed class RefinedTerrain : ITerrain
     }
 
     /// <inheritdoc/>
+    ITerrain IFrameTerrain.For(PinholeCamera camera, int subsamplesPerAxis) => For(camera, subsamplesPerAxis);
+
+    /// <inheritdoc/>
     public void ReleasePages() => _models.ReleasePages();
 
     /// <summary>Distance from the Moon's centre to the ground in a direction, with all its detail, m.</summary>
@@ -105,7 +113,7 @@ public sealed class RefinedTerrain : ITerrain
 
     private SurfaceModel Join(IReadOnlyList<WindowPlace> places) => places.Count == 0
         ? SurfaceModel.Of(_models)
-        : RefinedSurface.Join(_whole.Value, [.. places.Select((place, index) => WindowAt(place, index == 0))], places);
+        : RefinedSurface.Join(_whole.Value, [.. places.Select((place, index) => WindowAt(place, index == 0))], places, _seams);
 
     /// <summary>A window; the coarsest goes over into the models along its border, as a model into coarser ones.</summary>
     private GridSurface WindowAt(WindowPlace place, bool isCoarsest)

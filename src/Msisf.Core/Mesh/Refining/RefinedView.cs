@@ -9,16 +9,20 @@ public sealed class RefinedView : ITerrain
     private readonly RefinedTerrain _terrain;
     private readonly Lazy<SurfaceModel> _surface;
 
-    internal RefinedView(RefinedTerrain terrain, int models, IReadOnlyList<WindowPlace> places, Func<SurfaceModel> join)
+    internal RefinedView(RefinedTerrain terrain, ITerrain models, IReadOnlyList<WindowPlace> places, Func<SurfaceModel> join)
     {
         (_terrain, Places) = (terrain, places);
-        PartCount = models + places.Count;
-        Windows = [.. places.Select(place => GridResolution.FromMetresPerPixel(Math.ScaleB(1.0, place.Level)))];
+        PartCount = models.PartCount + places.Count;
+        DrawnResolutions =
+        [
+            .. RefinedTerrain.GridsOf(models).Select(model => model.Projection.Resolution),
+            .. places.Select(place => GridResolution.FromMetresPerPixel(Math.ScaleB(1.0, place.Level))),
+        ];
         _surface = new Lazy<SurfaceModel>(join);
     }
 
-    /// <summary>Resolution of each window; their parts follow those of the models.</summary>
-    public IReadOnlyList<GridResolution> Windows { get; }
+    /// <summary>Resolution of each model, and of the windows, whose parts follow.</summary>
+    public IReadOnlyList<GridResolution?> DrawnResolutions { get; }
 
     /// <inheritdoc/>
     public string ProductId => _terrain.ProductId;

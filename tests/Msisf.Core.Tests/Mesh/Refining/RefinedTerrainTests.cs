@@ -202,7 +202,7 @@ public sealed class RefinedTerrainTests
     public void For_CameraOverAFinerMap_HasNoWindowOfWiderCellsThere()
     {
         RefinedView view = SceneOf("several").View;
-        Assert.Equal(Math.ScaleB(1.0, 8), view.Windows[0].MetresPerPixel); // the map's cells are 600 m wide
+        Assert.Equal(Math.ScaleB(1.0, 8), view.DrawnResolutions[2]!.Value.MetresPerPixel); // the map's cells are 600 m wide
         Assert.All(Enumerable.Range(0, 2), part => Assert.True(view.Surface.Parts[part].Kept!.IsAny));
     }
 
