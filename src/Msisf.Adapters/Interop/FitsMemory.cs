@@ -31,6 +31,9 @@ internal sealed unsafe class FitsMemory : IDisposable
         bytes.CopyTo(destination, bufferSize: 1 << 20);
     }
 
+    /// <summary>A part of the file.</summary>
+    public byte[] Copy(long start, long end) => new ReadOnlySpan<byte>((byte*)_block->Address + start, checked((int)(end - start))).ToArray();
+
     public void Dispose()
     {
         NativeMemory.Free(_block->Address);

@@ -19,6 +19,9 @@ internal sealed unsafe class FitsUnit : IDisposable
     /// <summary>CFITSIO's name for BITPIX 16 with BZERO 32768.</summary>
     private const int UnsignedShortImage = 20;
 
+    /// <summary>CFITSIO's name for a comment that stays.</summary>
+    private const string Unchanged = "&";
+
     private readonly FitsMemory _memory;
     private readonly CFitsioHandle _file;
 
@@ -225,6 +228,39 @@ internal sealed unsafe class FitsUnit : IDisposable
         _memory.CopyTo(destination, start, end);
     }
 
+    /// <summary>
+    /// Copies an image with data that CFITSIO does not have. It knows the image as one of a single pixel in each plane, which needs no
+    /// memory; the header gets the true lengths and checksums.
+    /// </summary>
+    /// <param name="destination">Receives the unit.</param>
+    /// <param name="width">NAXIS1.</param>
+    /// <param name="height">NAXIS2.</param>
+    /// <param name="data">The pixels as the file holds them.</param>
+    public void CopyTo(Stream destination, int width, int height, ReadOnlySpan<byte> data)
+    {
+        uint dataSum = FitsSum.Of(data);
+        byte[] header;
+        lock (CFitsio.Gate)
+        {
+            int status = 0;
+            PutEmptyChecksums(ref status);
+            CFitsioNative.ffmkys(_file, "DATASUM", dataSum.ToString(CultureInfo.InvariantCulture), Unchanged, ref status);
+            CFitsioNative.ffflus(_file, ref status);
+            CFitsioNative.ffghadll(_file, out long start, out long dataStart, out _, ref status);
+            CFitsio.ThrowIfFailed(status, "header");
+            header = _memory.Copy(start, dataStart);
+        }
+
+        FitsCards.SetNumber(header, "NAXIS1", width);
+        FitsCards.SetNumber(header, "NAXIS2", height);
+        byte* text = stackalloc byte[CFitsioNative.ChecksumLength];
+        CFitsioNative.ffesum(FitsSum.Of(dataSum, FitsSum.Of(header)), complement: 1, text);
+        FitsCards.SetText(header, "CHECKSUM", new ReadOnlySpan<byte>(text, CFitsioNative.ChecksumLength - 1));
+        destination.Write(header);
+        destination.Write(data);
+        destination.Write(new byte[(Block - (data.Length % Block)) % Block]);
+    }
+
     public void Dispose()
     {
         _file.Dispose();
@@ -264,15 +300,19 @@ internal sealed unsafe class FitsUnit : IDisposable
     /// <summary>Writes the checksums as ffpcks does, but without the time of day that its comments have.</summary>
     private void PutChecksums(ref int status)
     {
-        const string Unchanged = "&";
-        CFitsioNative.ffpkys(_file, "CHECKSUM", "0000000000000000", "HDU checksum", ref status);
-        CFitsioNative.ffpkys(_file, "DATASUM", "0", "data unit checksum", ref status);
-        CFitsioNative.ffflus(_file, ref status); // writes the END card behind them, and the fill behind the data
+        PutEmptyChecksums(ref status);
         CFitsioNative.ffgcks(_file, out nuint dataSum, out _, ref status);
         CFitsioNative.ffmkys(_file, "DATASUM", dataSum.ToString(CultureInfo.InvariantCulture), Unchanged, ref status);
         CFitsioNative.ffgcks(_file, out _, out nuint unitSum, ref status);
         byte* text = stackalloc byte[CFitsioNative.ChecksumLength];
         CFitsioNative.ffesum(unitSum, complement: 1, text);
         CFitsioNative.ffmkys(_file, "CHECKSUM", Encoding.ASCII.GetString(text, CFitsioNative.ChecksumLength - 1), Unchanged, ref status);
+    }
+
+    private void PutEmptyChecksums(ref int status)
+    {
+        CFitsioNative.ffpkys(_file, "CHECKSUM", "0000000000000000", "HDU checksum", ref status);
+        CFitsioNative.ffpkys(_file, "DATASUM", "0", "data unit checksum", ref status);
+        CFitsioNative.ffflus(_file, ref status); // writes the END card behind them, and the fill behind the data
     }
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.InteropServices;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Errors;
 using Msisf.Core.Layers;
@@ -12,11 +13,6 @@ namespace Msisf.Adapters.Layers;
 /// </summary>
 public static class FitsLayerWriter
 {
-    private delegate void Conversion<T>(ReadOnlySpan<double> values, Span<T> stored);
-
-    /// <summary>Pixels that are converted at once, so that they stay in the processor's cache.</summary>
-    private const int BlockPixels = 16384;
-
     /// <summary>
     /// Rows of a compressed tile. With 16 rows of 1024 px the file is as small as with more (one row: 2 % larger), and a reader can still
     /// take a part of the image alone.
@@ -50,35 +46,62 @@ public static class FitsLayerWriter
         }
 
         LayerSampler sampler = new(truth, provenance);
+        bool isCompressed = compression == LayerCompression.Gzip;
         LayerPasses.Run(
             sampler,
             layers.Layers,
-            (layer, planes) => WriteLayer(stream, sampler, layer, frame.Globe, layer.StoredType(precision), compression, planes),
+            precision,
+            isCompressed ? LayerLayout.ForCFitsio : LayerLayout.Fits,
+            layer =>
+            {
+                if (isCompressed)
+                {
+                    WriteCompressed(stream, sampler, layer, frame.Globe);
+                }
+                else
+                {
+                    WriteLayer(stream, sampler, layer, frame.Globe);
+                }
+            },
             cancellation);
     }
 
-    private static void WriteLayer(
-        Stream stream, LayerSampler sampler, Layer layer, DrawnGlobe globe, LayerType type, LayerCompression compression,
-        IReadOnlyList<double[]> planes)
+    private static void WriteLayer(Stream stream, LayerSampler sampler, StoredLayer layer, DrawnGlobe globe)
     {
-        ReadOnlySpan<long> lengths = layer.Planes > 1 ? [sampler.Width, sampler.Height, layer.Planes] : [sampler.Width, sampler.Height];
-        using FitsUnit image = FitsUnit.Image(BitsPerPixel(type), lengths);
-        PutHeader(image, layer, globe);
-        int pixels = sampler.Width * sampler.Height;
-        for (int plane = 0; plane < planes.Count; plane++)
+        using FitsUnit image = NewImage(layer, 1, 1);
+        PutHeader(image, layer.Layer, globe);
+        image.CopyTo(stream, sampler.Width, sampler.Height, layer.Bytes);
+    }
+
+    private static void WriteCompressed(Stream stream, LayerSampler sampler, StoredLayer layer, DrawnGlobe globe)
+    {
+        using FitsUnit image = NewImage(layer, sampler.Width, sampler.Height);
+        PutHeader(image, layer.Layer, globe);
+        switch (layer.Type)
         {
-            WritePlane(image, layer, type, plane * (long)pixels, planes[plane].AsSpan(0, pixels));
+            case LayerType.Real64:
+                image.Write(0, MemoryMarshal.Cast<byte, double>(layer.Bytes));
+                break;
+            case LayerType.Real32:
+                image.Write(0, MemoryMarshal.Cast<byte, float>(layer.Bytes));
+                break;
+            case LayerType.Unsigned8:
+                image.Write(0, layer.Bytes);
+                break;
+            default:
+                image.Write(0, MemoryMarshal.Cast<byte, int>(layer.Bytes));
+                break;
         }
 
-        if (compression == LayerCompression.None)
-        {
-            image.CopyTo(stream);
-            return;
-        }
-
-        using FitsUnit compressed = image.Compressed(TileRows, lengths);
+        using FitsUnit compressed = image.Compressed(TileRows, Lengths(layer, sampler.Width, sampler.Height));
         compressed.CopyTo(stream);
     }
+
+    private static FitsUnit NewImage(StoredLayer layer, int width, int height) =>
+        FitsUnit.Image(BitsPerPixel(layer.Type), Lengths(layer, width, height));
+
+    private static ReadOnlySpan<long> Lengths(StoredLayer layer, int width, int height) =>
+        layer.Layer.Planes > 1 ? (long[])[width, height, layer.Layer.Planes] : (long[])[width, height];
 
     private static void PutHeader(FitsUnit image, Layer layer, DrawnGlobe globe)
     {
@@ -102,37 +125,6 @@ public static class FitsLayerWriter
         foreach (string line in FitsText.Wrap(globe.Describe(layer.Description)))
         {
             image.PutComment(line);
-        }
-    }
-
-    private static void WritePlane(FitsUnit image, Layer layer, LayerType type, long first, ReadOnlySpan<double> values)
-    {
-        switch (type)
-        {
-            case LayerType.Real64:
-                image.Write(first, values);
-                break;
-            case LayerType.Real32:
-                WriteConverted<float>(image, first, values, (block, stored) => StoredValues.Round(layer, block, stored));
-                break;
-            case LayerType.Unsigned8:
-                WriteConverted<byte>(image, first, values, StoredValues.Convert);
-                break;
-            default:
-                WriteConverted<int>(image, first, values, StoredValues.Convert);
-                break;
-        }
-    }
-
-    private static void WriteConverted<T>(FitsUnit image, long first, ReadOnlySpan<double> values, Conversion<T> convert)
-        where T : unmanaged
-    {
-        T[] block = new T[Math.Min(BlockPixels, values.Length)];
-        for (int done = 0; done < values.Length; done += block.Length)
-        {
-            int count = Math.Min(block.Length, values.Length - done);
-            convert(values.Slice(done, count), block.AsSpan(0, count));
-            image.Write<T>(first + done, block.AsSpan(0, count));
         }
     }
 

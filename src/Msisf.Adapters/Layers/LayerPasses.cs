@@ -1,4 +1,3 @@
-using System.Buffers;
 using Msisf.Core.Layers;
 
 namespace Msisf.Adapters.Layers;
@@ -9,7 +8,7 @@ namespace Msisf.Adapters.Layers;
 internal static class LayerPasses
 {
     /// <summary>
-    /// Bytes of the planes of one pass. At 1024 x 1024 px all layers take four passes, so each pixel is looked up four times instead of
+    /// Bytes of the layers of one pass. At 1024 x 1024 px all layers take four passes, so each pixel is looked up four times instead of
     /// once a layer.
     /// </summary>
     private const long MemoryOfAPass = 64L << 20;
@@ -17,73 +16,74 @@ internal static class LayerPasses
     /// <summary>Computes layers and passes them on, one after the other.</summary>
     /// <param name="sampler">The frame.</param>
     /// <param name="layers">Which, in their order.</param>
-    /// <param name="use">
-    /// Gets a layer and its planes, <c>[y * width + x]</c>, as <see cref="LayerSampler.SampleRow"/> fills them; they may be longer
-    /// than that, and are filled anew afterwards.
-    /// </param>
+    /// <param name="precision">Of their real numbers.</param>
+    /// <param name="layout">Of their numbers in memory.</param>
+    /// <param name="use">Gets each layer; its memory is used again afterwards.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Run(
-        LayerSampler sampler, IReadOnlyList<Layer> layers, Action<Layer, IReadOnlyList<double[]>> use, CancellationToken cancellation)
-    {
-        int pixels = checked(sampler.Width * sampler.Height);
-        int planesAtOnce = (int)Math.Max(1, MemoryOfAPass / sizeof(double) / pixels);
-        List<double[]> planes = [];
-        try
-        {
-            foreach (Layer[] pass in Passes(layers, planesAtOnce))
-            {
-                while (planes.Count < pass.Sum(layer => layer.Planes))
-                {
-                    planes.Add(ArrayPool<double>.Shared.Rent(pixels));
-                }
-
-                RunPass(sampler, pass, planes, use, cancellation);
-            }
-        }
-        finally
-        {
-            planes.ForEach(plane => ArrayPool<double>.Shared.Return(plane));
-        }
-    }
-
-    private static void RunPass(
-        LayerSampler sampler, Layer[] pass, List<double[]> planes, Action<Layer, IReadOnlyList<double[]>> use,
+        LayerSampler sampler, IReadOnlyList<Layer> layers, LayerPrecision precision, LayerLayout layout, Action<StoredLayer> use,
         CancellationToken cancellation)
     {
-        Parallel.For(
-            0,
-            sampler.Height,
-            new ParallelOptions { CancellationToken = cancellation },
-            row => sampler.SampleRow(row, pass, planes, row * sampler.Width));
-        int first = 0;
-        foreach (Layer layer in pass)
+        long pixels = (long)sampler.Width * sampler.Height;
+        foreach (Layer[] pass in Passes(layers, layer => pixels * layer.Planes * StoredLayer.SizeOf(layer.StoredType(precision))))
         {
-            cancellation.ThrowIfCancellationRequested();
-            use(layer, planes.GetRange(first, layer.Planes));
-            first += layer.Planes;
+            List<StoredLayer> stored = [];
+            try
+            {
+                foreach (Layer layer in pass)
+                {
+                    stored.Add(new StoredLayer(layer, layer.StoredType(precision), layout, sampler.Width, sampler.Height));
+                }
+
+                Fill(sampler, pass, stored, cancellation);
+                foreach (StoredLayer layer in stored)
+                {
+                    cancellation.ThrowIfCancellationRequested();
+                    use(layer);
+                }
+            }
+            finally
+            {
+                stored.ForEach(layer => layer.Dispose());
+            }
         }
     }
 
-    /// <summary>As many layers at once as fit; one at least, or two that share their computation.</summary>
-    private static IEnumerable<Layer[]> Passes(IReadOnlyList<Layer> layers, int planesAtOnce)
+    private static void Fill(LayerSampler sampler, Layer[] layers, List<StoredLayer> stored, CancellationToken cancellation) => Parallel.For(
+        0,
+        sampler.Height,
+        new ParallelOptions { CancellationToken = cancellation },
+        () => layers.SelectMany(layer => Enumerable.Range(0, layer.Planes)).Select(_ => new double[sampler.Width]).ToArray(),
+        (row, _, planes) =>
+        {
+            sampler.SampleRow(row, layers, planes, start: 0);
+            int next = 0;
+            foreach (StoredLayer layer in stored)
+            {
+                for (int plane = 0; plane < layer.Layer.Planes; plane++)
+                {
+                    layer.Put(row, plane, planes[next++]);
+                }
+            }
+
+            return planes;
+        },
+        static _ => { });
+
+    /// <summary>As many layers at once as fit; one at least.</summary>
+    private static IEnumerable<Layer[]> Passes(IReadOnlyList<Layer> layers, Func<Layer, long> bytesOf)
     {
         List<Layer> pass = [];
-        for (int i = 0; i < layers.Count; i++)
+        foreach (Layer layer in layers)
         {
-            bool isPair = i + 1 < layers.Count && layers[i].ComputedWith == layers[i + 1].Name;
-            int planes = layers[i].Planes + (isPair ? layers[i + 1].Planes : 0);
-            if (pass.Count > 0 && pass.Sum(other => other.Planes) + planes > planesAtOnce)
+            if (pass.Count > 0 && pass.Sum(bytesOf) + bytesOf(layer) > MemoryOfAPass)
             {
                 yield return [.. pass];
                 pass.Clear();
             }
 
-            pass.Add(layers[i]);
-            if (isPair)
-            {
-                pass.Add(layers[++i]);
-            }
+            pass.Add(layer);
         }
 
         yield return [.. pass];

@@ -1,5 +1,3 @@
-using System.Numerics;
-using System.Runtime.InteropServices;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
 using Msisf.Core.Layers;
@@ -69,65 +67,24 @@ public static class NpyLayerWriter
         LayerPasses.Run(
             sampler,
             layers.Layers,
-            (layer, planes) => put($"{layer.Name}.npy", stream => WriteLayer(stream, sampler, layer, layer.StoredType(precision), planes)),
+            precision,
+            LayerLayout.Npy,
+            layer => put($"{layer.Layer.Name}.npy", stream => WriteLayer(stream, sampler, layer)),
             cancellation);
         put("layers.json", stream => LayersJson.Write(stream, frame, provenance, layers));
     }
 
-    private static void WriteLayer(
-        Stream stream, LayerSampler sampler, Layer layer, LayerType type, IReadOnlyList<double[]> planes)
+    private static void WriteLayer(Stream stream, LayerSampler sampler, StoredLayer layer)
     {
-        if (layer.Planes > 1)
+        if (layer.Layer.Planes > 1)
         {
-            NpyFile.WriteHead(stream, type, sampler.Height, sampler.Width, layer.Planes);
+            NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width, layer.Layer.Planes);
         }
         else
         {
-            NpyFile.WriteHead(stream, type, sampler.Height, sampler.Width);
+            NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width);
         }
 
-        double[] row = new double[sampler.Width * layer.Planes];
-        for (int y = 0; y < sampler.Height; y++)
-        {
-            for (int plane = 0; plane < layer.Planes; plane++)
-            {
-                ReadOnlySpan<double> values = planes[plane].AsSpan(y * sampler.Width, sampler.Width);
-                for (int x = 0; x < values.Length; x++)
-                {
-                    row[(x * layer.Planes) + plane] = values[x];
-                }
-            }
-
-            WriteRow(stream, layer, type, row);
-        }
-    }
-
-    private static void WriteRow(Stream stream, Layer layer, LayerType type, double[] row)
-    {
-        switch (type)
-        {
-            case LayerType.Real64:
-                stream.Write(MemoryMarshal.AsBytes<double>(row));
-                break;
-            case LayerType.Real32:
-                float[] rounded = new float[row.Length];
-                StoredValues.Round(layer, row, rounded);
-                stream.Write(MemoryMarshal.AsBytes<float>(rounded));
-                break;
-            case LayerType.Unsigned8:
-                WriteNumbers<byte>(stream, row);
-                break;
-            default:
-                WriteNumbers<int>(stream, row);
-                break;
-        }
-    }
-
-    private static void WriteNumbers<T>(Stream stream, double[] row)
-        where T : unmanaged, INumberBase<T>
-    {
-        T[] numbers = new T[row.Length];
-        StoredValues.Convert<T>(row, numbers);
-        stream.Write(MemoryMarshal.AsBytes<T>(numbers));
+        stream.Write(layer.Bytes);
     }
 }

@@ -1,4 +1,6 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
 using Msisf.Core.Layers;
 
 namespace Msisf.Adapters.Layers;
@@ -12,11 +14,7 @@ internal static class StoredValues
     /// <param name="stored">As many.</param>
     public static void Round(Layer layer, ReadOnlySpan<double> values, Span<float> stored)
     {
-        for (int i = 0; i < values.Length; i++)
-        {
-            stored[i] = (float)values[i];
-        }
-
+        Narrow(values, stored);
         if (layer.IsDirection)
         {
             stored.Replace(360.0f, 0.0f);
@@ -33,6 +31,21 @@ internal static class StoredValues
         for (int i = 0; i < values.Length; i++)
         {
             stored[i] = double.IsNaN(values[i]) ? T.CreateChecked(Layer.UndefinedNumber) : T.CreateChecked(values[i]);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // else the first rows would be converted with unoptimised vectors
+    private static void Narrow(ReadOnlySpan<double> values, Span<float> stored)
+    {
+        int i = 0;
+        for (; i <= values.Length - Vector256<float>.Count; i += Vector256<float>.Count)
+        {
+            Vector256.Narrow(Vector256.Create(values[i..]), Vector256.Create(values[(i + Vector256<double>.Count)..])).CopyTo(stored[i..]);
+        }
+
+        for (; i < values.Length; i++)
+        {
+            stored[i] = (float)values[i];
         }
     }
 }

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
 using Msisf.App.Host;
@@ -15,6 +16,7 @@ namespace Msisf.App.Serving;
 internal sealed class ServedNames : IDisposable
 {
     private readonly Dictionary<string, string> _maps;
+    private readonly ConcurrentDictionary<string, CameraFile> _camerasOfFolders = new(StringComparer.Ordinal);
 
     /// <summary>Looks for the files.</summary>
     /// <param name="settings">The server's settings.</param>
@@ -57,10 +59,27 @@ internal sealed class ServedNames : IDisposable
     public string Map(string option, string name) => name == AlbedoOptions.NoMap ? name
         : _maps.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _maps.Keys);
 
-    /// <summary>The preset of a name.</summary>
+    /// <summary>The preset of a name, or the camera file of a served folder as its frames name it.</summary>
     /// <exception cref="UsageException">There is none.</exception>
     public CameraFile Camera(string name) => Cameras.FirstOrDefault(camera => IsSame(camera.Name, name))
+        ?? _camerasOfFolders.GetValueOrDefault(name)
         ?? throw Unknown("camera", name, Cameras.Select(camera => camera.Name));
+
+    /// <summary>Looks for the camera of a folder's frames, so that requests may name it.</summary>
+    /// <param name="name">As the arguments of the frames name it.</param>
+    /// <param name="folders">Where its file may be.</param>
+    /// <returns>The camera; null if there is no such preset and no such file.</returns>
+    public CameraFile? FindCamera(string name, IEnumerable<string> folders)
+    {
+        CameraFile? camera = Cameras.FirstOrDefault(camera => IsSame(camera.Name, name))
+            ?? _camerasOfFolders.GetValueOrDefault(name);
+        if (camera is null && CameraChoice.Find(name, folders) is { } found)
+        {
+            camera = _camerasOfFolders.GetOrAdd(name, found);
+        }
+
+        return camera;
+    }
 
     /// <summary>Closes the models.</summary>
     public void Dispose() => Models.Dispose();

@@ -1,3 +1,5 @@
+using Msisf.Core.Numerics;
+
 namespace Msisf.Core.Camera;
 
 /// <summary>How wide the beam of a pixel is where it meets something.</summary>
@@ -11,15 +13,19 @@ public static class PixelBeam
     /// <param name="camera">The camera.</param>
     /// <param name="ray">The pixel's ray, as <see cref="PinholeCamera.RayThrough"/> has it.</param>
     /// <param name="rayParameter">Where on the ray: origin + parameter times direction.</param>
-    public static double SideAt(PinholeCamera camera, Ray ray, double rayParameter)
+    public static double SideAt(PinholeCamera camera, Ray ray, double rayParameter) =>
+        SideAt(camera, camera.Direction.Length, ray.Direction, ray.Direction.Length, rayParameter);
+
+    /// <summary>The same, for a caller that knows the lengths of the camera's direction and of the ray's.</summary>
+    internal static double SideAt(
+        PinholeCamera camera, double axisLength, Vector3D direction, double directionLength, double rayParameter)
     {
         if (camera.Model.IsThesis)
         {
-            double distance = camera.Direction.Length;
-            double cosine = distance / ray.Direction.Length;
+            double cosine = axisLength / directionLength;
             return rayParameter * Math.Sqrt(cosine) / camera.Height;
         }
 
-        return rayParameter * camera.PixelSide(ray.Direction);
+        return rayParameter * camera.PixelSide(direction);
     }
 }

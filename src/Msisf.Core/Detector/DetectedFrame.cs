@@ -58,8 +58,21 @@ public sealed class DetectedFrame : IGroundTruth
             return false;
         }
 
-        // Rays of the two cameras have other lengths, and a hit's parameter counts in them.
-        hit = hit with { RayParameter = hit.RayParameter * (_drawn.Camera.ImagePlaneDistance / Camera.ImagePlaneDistance) };
+        hit = hit with { RayParameter = hit.RayParameter * ParameterFactor };
         return true;
+    }
+
+    /// <summary>Rays of the two cameras have other lengths, and a hit's parameter counts in them.</summary>
+    private double ParameterFactor => _drawn.Camera.ImagePlaneDistance / Camera.ImagePlaneDistance;
+
+    /// <inheritdoc/>
+    void IGroundTruth.ReadRow(int y, TruthRow row)
+    {
+        ((IGroundTruth)_drawn).ReadRow(y + _margin, row);
+        row.Cut(_margin, Camera.Width);
+        foreach (ref double parameter in row.Points.Parameters.AsSpan(0, row.Points.Count))
+        {
+            parameter *= ParameterFactor;
+        }
     }
 }

@@ -1,13 +1,42 @@
 namespace Msisf.Core.Layers;
 
-/// <summary>Layer values of the brightness of a pixel.</summary>
+/// <summary>Layer values of the brightness of a row's pixels, also of those without surface.</summary>
 internal static class ImageValues
 {
-    public static double? RadianceFactor(PixelTruth pixel, int plane) => pixel.Brightness.RadianceFactor;
+    public static void RadianceFactor(LayerRow row, int plane, double[] values) => Copy(row, row.RadianceFactors, values);
 
-    public static double? Electrons(PixelTruth pixel, int plane) => pixel.Brightness.Electrons;
+    public static void Electrons(LayerRow row, int plane, double[] values) => Copy(row, row.Electrons, values);
 
-    public static double? Saturation(PixelTruth pixel, int plane) => pixel.Brightness.Saturation;
+    /// <summary>0 is the value of pixels without saturation.</summary>
+    public static void Saturation(LayerRow row, int plane, double[] values)
+    {
+        ReadOnlySpan<byte> saturated = row.Saturated;
+        for (int i = 0; i < saturated.Length; i++)
+        {
+            values[i] = saturated[i];
+        }
+    }
 
-    public static double? Radiance(PixelTruth pixel, int plane) => pixel.Brightness.Radiance;
+    public static void Radiance(LayerRow row, int plane, double[] values)
+    {
+        ReadOnlySpan<double> factors = row.RadianceFactors;
+        Copy(row, factors, values);
+        double ofUnit = row.RadianceOfUnitFactor ?? double.NaN;
+        for (int i = 0; i < factors.Length; i++)
+        {
+            values[i] *= ofUnit;
+        }
+    }
+
+    private static void Copy(LayerRow row, ReadOnlySpan<double> known, double[] values)
+    {
+        if (known.IsEmpty)
+        {
+            values.AsSpan(0, row.Camera.Width).Fill(double.NaN);
+        }
+        else
+        {
+            known.CopyTo(values);
+        }
+    }
 }

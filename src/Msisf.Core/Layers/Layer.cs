@@ -6,13 +6,13 @@ public sealed class Layer
     /// <summary>Value of undefined pixels in layers of whole numbers; -1 is not used, because it is a valid line of cells.</summary>
     public const int UndefinedNumber = int.MinValue;
 
-    internal Layer(string name, LayerType type, string unit, string description, LayerValue value, params string[] planeNames)
+    internal Layer(string name, LayerType type, string unit, string description, LayerValues values, params string[] planeNames)
     {
         Name = name;
         Type = type;
         Unit = unit;
         Description = description;
-        Value = value;
+        Values = values;
         PlaneNames = planeNames;
     }
 
@@ -37,7 +37,7 @@ public sealed class Layer
     /// <summary>Number of values of a pixel: 1, or one for each of <see cref="PlaneNames"/>.</summary>
     public int Planes => Math.Max(1, PlaneNames.Count);
 
-    internal LayerValue Value { get; }
+    internal LayerValues Values { get; }
 
     /// <summary>How the values are stored in a precision.</summary>
     public LayerType StoredType(LayerPrecision precision) =>
@@ -52,12 +52,6 @@ public sealed class Layer
     /// <summary>Whether the values are directions in degrees, [0, 360): in single precision those just below 360 become 0.</summary>
     public bool IsDirection { get; init; }
 
-    /// <summary>
-    /// The layer that needs the same intermediate results: the two are computed at the same time; null for none. It follows this one in
-    /// <see cref="LayerCatalogue.All"/>.
-    /// </summary>
-    public string? ComputedWith { get; init; }
-
-    /// <summary>Value of a pixel whose centre shows no surface; null where it has none.</summary>
-    internal Func<ImageBrightness, double?> EmptyValue { get; init; } = static _ => null;
+    /// <summary>Whether the layer has values also where a pixel's centre shows no surface.</summary>
+    internal bool CoversImage { get; init; }
 }

@@ -25,7 +25,6 @@ public static class LayerCatalogue
         new("latitude", LayerType.Real64, "deg", "Planetocentric latitude, -90 to 90.", SurfaceValues.Latitude)
         {
             KeepsDouble = true,
-            ComputedWith = "longitude",
         },
         new("longitude", LayerType.Real64, "deg", "East longitude, 0 to below 360; 0 on the polar axis.", SurfaceValues.Longitude)
         {
@@ -97,14 +96,14 @@ public static class LayerCatalogue
             "I/F of the image: pi times the radiance over the Sun's irradiance, mean over the pixel's samples; 0 without surface or light.",
             ImageValues.RadianceFactor)
         {
-            EmptyValue = static brightness => brightness.RadianceFactor,
+            CoversImage = true,
         },
         new(
             "radiance", LayerType.Real64, "W m-2 sr-1 nm-1",
             "Spectral radiance of the image in the band of --band. Undefined without the Sun.",
             ImageValues.Radiance)
         {
-            EmptyValue = static brightness => brightness.Radiance,
+            CoversImage = true,
         },
         new(
             "electrons", LayerType.Real64, "electron",
@@ -113,7 +112,7 @@ public static class LayerCatalogue
             ImageValues.Electrons)
         {
             NeedsDetector = true,
-            EmptyValue = static brightness => brightness.Electrons,
+            CoversImage = true,
         },
         new(
             "saturated", LayerType.Unsigned8, string.Empty,
@@ -121,7 +120,7 @@ public static class LayerCatalogue
             ImageValues.Saturation)
         {
             NeedsDetector = true,
-            EmptyValue = static brightness => brightness.Saturation,
+            CoversImage = true,
         },
     ];
 

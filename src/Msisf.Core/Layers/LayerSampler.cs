@@ -1,6 +1,6 @@
-using Msisf.Core.Camera;
+using System.Collections.Concurrent;
 using Msisf.Core.Render;
-using Msisf.Core.Tracing;
+using Msisf.Core.Render.Visibility;
 
 namespace Msisf.Core.Layers;
 
@@ -11,6 +11,7 @@ public sealed class LayerSampler
     private readonly int? _meshPixelsPerDegree;
     private readonly double _referenceRadius;
     private readonly double? _radianceOfUnitFactor;
+    private readonly ConcurrentBag<Scratch> _idle = [];
 
     /// <summary>Prepares a frame.</summary>
     /// <param name="truth">What the pixels show.</param>
@@ -31,7 +32,7 @@ public sealed class LayerSampler
     /// <summary>px.</summary>
     public int Height => _truth.Camera.Height;
 
-    /// <summary>Computes one row of some layers; each pixel is looked up once for all of them.</summary>
+    /// <summary>Computes one row of some layers; what several of them need is computed once.</summary>
     /// <param name="row">0 (top) to <see cref="Height"/> - 1.</param>
     /// <param name="layers">The layers to compute.</param>
     /// <param name="planes">
@@ -41,60 +42,41 @@ public sealed class LayerSampler
     /// <param name="start">Where the row begins in each plane.</param>
     public void SampleRow(int row, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int start)
     {
-        PinholeCamera camera = _truth.Camera;
-        PixelTruth pixel = new(_truth, _meshPixelsPerDegree, _referenceRadius);
-        (LayerValue Value, int Plane, double[] Values)[] targets = [.. Targets(layers, planes)];
-        ReadOnlySpan<double> factors = _truth.RadianceFactors;
-        ReadOnlySpan<double> electrons = _truth.Electrons;
-        ReadOnlySpan<byte> saturated = _truth.Saturated;
-        for (int column = 0; column < camera.Width; column++)
-        {
-            int index = (row * camera.Width) + column;
-            ImageBrightness brightness = new(
-                factors.IsEmpty ? null : factors[index],
-                _radianceOfUnitFactor,
-                electrons.IsEmpty ? null : electrons[index],
-                saturated.IsEmpty ? null : saturated[index]);
-            if (_truth.TryGet(column + 1, row + 1, out SurfaceHit hit, out PixelIllumination light))
-            {
-                pixel.MoveTo(camera.RayThrough(column + 1, row + 1), hit, light, brightness);
-                foreach ((LayerValue value, int plane, double[] values) in targets)
-                {
-                    values[start + column] = value(pixel, plane) ?? double.NaN;
-                }
-            }
-            else
-            {
-                FillEmpty(brightness, layers, planes, start + column);
-            }
-        }
-    }
-
-    /// <summary>Each plane with the function that computes its values.</summary>
-    private static IEnumerable<(LayerValue Value, int Plane, double[] Values)> Targets(
-        IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes)
-    {
+        Scratch scratch = _idle.TryTake(out Scratch? idle) ? idle : new Scratch(NewRow(), new double[Width + SurfaceRow.Padding]);
+        scratch.Row.MoveTo(row);
         int next = 0;
         foreach (Layer layer in layers)
         {
             for (int plane = 0; plane < layer.Planes; plane++)
             {
-                yield return (layer.Value, plane, planes[next++]);
+                layer.Values(scratch.Row, plane, scratch.Values);
+                Spread(scratch, layer, planes[next++].AsSpan(start, Width));
             }
+        }
+
+        _idle.Add(scratch);
+    }
+
+    /// <summary>Puts the values of the pixels that show the surface into their columns.</summary>
+    private static void Spread(Scratch scratch, Layer layer, Span<double> plane)
+    {
+        LayerRow row = scratch.Row;
+        if (layer.CoversImage || row.Count == plane.Length)
+        {
+            scratch.Values.AsSpan(0, plane.Length).CopyTo(plane);
+            return;
+        }
+
+        plane.Fill(layer.Type == LayerType.Unsigned8 ? (double)IlluminationState.NoSurface : double.NaN);
+        ReadOnlySpan<int> columns = row.Columns;
+        for (int i = 0; i < columns.Length; i++)
+        {
+            plane[columns[i]] = scratch.Values[i];
         }
     }
 
-    private static void FillEmpty(ImageBrightness brightness, IReadOnlyList<Layer> layers, IReadOnlyList<double[]> planes, int index)
-    {
-        int next = 0;
-        foreach (Layer layer in layers)
-        {
-            double value = layer.EmptyValue(brightness)
-                ?? (layer.Type == LayerType.Unsigned8 ? (double)IlluminationState.NoSurface : double.NaN);
-            for (int plane = 0; plane < layer.Planes; plane++)
-            {
-                planes[next++][index] = value;
-            }
-        }
-    }
+    private LayerRow NewRow() => new(_truth, _meshPixelsPerDegree, _referenceRadius, _radianceOfUnitFactor);
+
+    /// <summary>What one thread computes in.</summary>
+    private sealed record Scratch(LayerRow Row, double[] Values);
 }

@@ -3,32 +3,45 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Layers;
 
-/// <summary>Layer values of how the surface point of a pixel is lit, and of the angles to light and camera.</summary>
+/// <summary>Layer values of how the surface points of a row are lit, and of the angles to light and camera.</summary>
 internal static class LightValues
 {
-    public static double? Incidence(PixelTruth pixel, int plane) => DegreesBetween(pixel.Hit.NormalMoonMe, pixel.ToLightMoonMe);
+    public static void Incidence(LayerRow row, int plane, double[] values) =>
+        RowGeometry.FindAngles(row.Normals, row.ToLight, 1.0, row.Count, values);
 
-    public static double? Emission(PixelTruth pixel, int plane) => DegreesBetween(pixel.Hit.NormalMoonMe, -pixel.LineOfSightMoonMe);
+    public static void Emission(LayerRow row, int plane, double[] values) =>
+        RowGeometry.FindAngles(row.Normals, row.Sight, -1.0, row.Count, values);
 
-    public static double? Phase(PixelTruth pixel, int plane) => DegreesBetween(pixel.ToLightMoonMe, -pixel.LineOfSightMoonMe);
+    public static void Phase(LayerRow row, int plane, double[] values) =>
+        RowGeometry.FindAngles(row.ToLight, row.Sight, -1.0, row.Count, values);
 
     /// <summary>Illumination direction in degrees, the same as in the meta file.</summary>
-    public static double? Direction(PixelTruth pixel, int plane) =>
-        IlluminationDirection.At(
-            pixel.Camera, pixel.LineOfSightMoonMe, pixel.LineOfSightLength, pixel.Hit.PointMoonMe, pixel.Radius,
-            pixel.LightPositionMoonMe) is double angle
-            ? double.RadiansToDegrees(angle)
-            : null;
-
-    public static double? State(PixelTruth pixel, int plane) => (double)pixel.Light.State;
-
-    public static double? VisibleFraction(PixelTruth pixel, int plane) => pixel.Light.VisibleFraction;
-
-    /// <summary>Angle in degrees, [0, 180]; within 1e-15 rad of Kahan's formula in <see cref="Vector3D"/>, three times as fast.</summary>
-    private static double DegreesBetween(Vector3D u, Vector3D v)
+    public static void Direction(LayerRow row, int plane, double[] values)
     {
-        // Lengths lie between 1e-12 (a camera of the narrowest field) and 1e20, so squares neither overflow nor vanish.
-        double sine = Math.Sqrt(Vector3D.Cross(u, v).LengthSquared);
-        return double.RadiansToDegrees(Math.Atan2(sine, Vector3D.Dot(u, v)));
+        VectorRow sight = row.Sight;
+        double[] lengths = row.SightLengths;
+        double[] radii = row.Radii;
+        for (int i = 0; i < row.Count; i++)
+        {
+            double? angle = IlluminationDirection.At(
+                row.Camera, sight[i], lengths[i], row.Points[i], radii[i], row.LightPositionMoonMe);
+            values[i] = double.RadiansToDegrees(angle ?? double.NaN);
+        }
+    }
+
+    public static void State(LayerRow row, int plane, double[] values)
+    {
+        for (int i = 0; i < row.Count; i++)
+        {
+            values[i] = (double)row.Lights[i].State;
+        }
+    }
+
+    public static void VisibleFraction(LayerRow row, int plane, double[] values)
+    {
+        for (int i = 0; i < row.Count; i++)
+        {
+            values[i] = row.Lights[i].VisibleFraction;
+        }
     }
 }

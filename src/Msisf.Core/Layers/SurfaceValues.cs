@@ -1,50 +1,111 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Layers;
 
-/// <summary>Layer values of the position and shape of the surface at a pixel.</summary>
+/// <summary>Layer values of the positions and shape of the surface at a row's pixels.</summary>
 internal static class SurfaceValues
 {
     /// <summary>m, along the ray; from the ray's parameter, so it keeps its digits when the ground is near.</summary>
-    public static double? Range(PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.LineOfSightLength;
+    public static void Range(LayerRow row, int plane, double[] values)
+    {
+        ReadOnlySpan<double> lengths = row.SightLengths;
+        for (int i = 0; i < row.Count; i++)
+        {
+            values[i] = row.Parameters[i] * lengths[i];
+        }
+    }
 
     /// <summary>m, along the optical axis: the ray's direction is one image plane distance long on it.</summary>
-    public static double? Depth(PixelTruth pixel, int plane) => pixel.Hit.RayParameter * pixel.AxisLength;
+    public static void Depth(LayerRow row, int plane, double[] values)
+    {
+        for (int i = 0; i < row.Count; i++)
+        {
+            values[i] = row.Parameters[i] * row.AxisLength;
+        }
+    }
 
     /// <summary>m: see <see cref="PixelBeam"/>.</summary>
-    public static double? PixelScale(PixelTruth pixel, int plane) => PixelBeam.SideAt(
-        pixel.Camera, new Ray(pixel.Camera.PositionMoonMe, pixel.LineOfSightMoonMe), pixel.Hit.RayParameter);
-
-    public static double? Position(PixelTruth pixel, int plane) => Component(pixel.Hit.PointMoonMe, plane);
-
-    public static double? Normal(PixelTruth pixel, int plane) => Component(pixel.Hit.NormalMoonMe, plane);
-
-    public static double? Latitude(PixelTruth pixel, int plane) => double.RadiansToDegrees(pixel.Place.Latitude);
-
-    public static double? Longitude(PixelTruth pixel, int plane) => double.RadiansToDegrees(pixel.Place.Longitude);
-
-    public static double? Height(PixelTruth pixel, int plane) => pixel.Radius - pixel.ReferenceRadius;
-
-    public static double? Cell(PixelTruth pixel, int plane) => plane switch
+    public static void PixelScale(LayerRow row, int plane, double[] values)
     {
-        0 => pixel.Hit.Facet.Line,
-        1 => pixel.Hit.Facet.Sample,
-        _ => pixel.Hit.Facet.Part,
-    };
+        VectorRow sight = row.Sight;
+        double[] lengths = row.SightLengths;
+        for (int i = 0; i < row.Count; i++)
+        {
+            values[i] = PixelBeam.SideAt(row.Camera, row.AxisLength, sight[i], lengths[i], row.Parameters[i]);
+        }
+    }
+
+    public static void Position(LayerRow row, int plane, double[] values) => Copy(row.Points, plane, row.Count, values);
+
+    public static void Normal(LayerRow row, int plane, double[] values) => Copy(row.Normals, plane, row.Count, values);
+
+    /// <summary>As <see cref="Terrain.SelenographicPoint.Below"/> has it.</summary>
+    public static void Latitude(LayerRow row, int plane, double[] values)
+    {
+        VectorRow points = row.Points;
+        LaneHypot.AxisDistances(points, row.Count, values);
+        for (int i = 0; i < row.Count; i++)
+        {
+            values[i] = double.RadiansToDegrees(Math.Atan2(points.Z[i], values[i]));
+        }
+    }
+
+    /// <summary>As <see cref="Terrain.SelenographicPoint.Below"/> has it.</summary>
+    public static void Longitude(LayerRow row, int plane, double[] values)
+    {
+        VectorRow points = row.Points;
+        for (int i = 0; i < row.Count; i++)
+        {
+            values[i] = double.RadiansToDegrees(AngleReduction.FullTurnOfHalf(Math.Atan2(points.Y[i], points.X[i])));
+        }
+    }
+
+    public static void Height(LayerRow row, int plane, double[] values)
+    {
+        double[] radii = row.Radii;
+        for (int i = 0; i < row.Count; i++)
+        {
+            values[i] = radii[i] - row.ReferenceRadius;
+        }
+    }
+
+    public static void Cell(LayerRow row, int plane, double[] values)
+    {
+        ReadOnlySpan<FacetId> facets = row.Facets;
+        for (int i = 0; i < facets.Length; i++)
+        {
+            values[i] = plane switch
+            {
+                0 => facets[i].Line,
+                1 => facets[i].Sample,
+                _ => facets[i].Part,
+            };
+        }
+    }
 
     /// <summary>
     /// <see cref="TileId.Number"/> of the tile that the cell belongs to (docs/pattern-format.md); there are none on a polar map.
     /// </summary>
-    public static double? Tile(PixelTruth pixel, int plane) => pixel.MeshPixelsPerDegree is { } pixelsPerDegree
-        ? TileId.Holding(pixel.Hit.Facet, pixelsPerDegree).Number
-        : null;
-
-    private static double Component(Vector3D vector, int plane) => plane switch
+    public static void Tile(LayerRow row, int plane, double[] values)
     {
-        0 => vector.X,
-        1 => vector.Y,
-        _ => vector.Z,
-    };
+        ReadOnlySpan<FacetId> facets = row.Facets;
+        for (int i = 0; i < facets.Length; i++)
+        {
+            values[i] = row.MeshPixelsPerDegree is { } pixelsPerDegree ? TileId.Holding(facets[i], pixelsPerDegree).Number : double.NaN;
+        }
+    }
+
+    private static void Copy(VectorRow vectors, int plane, int count, double[] values)
+    {
+        double[] component = plane switch
+        {
+            0 => vectors.X,
+            1 => vectors.Y,
+            _ => vectors.Z,
+        };
+        component.AsSpan(0, count).CopyTo(values);
+    }
 }

@@ -39,9 +39,12 @@ public static class AngleReduction
 
     /// <summary>The same direction in [0, 2 pi).</summary>
     /// <param name="angle">rad, finite.</param>
-    public static double ToFullTurn(double angle)
+    public static double ToFullTurn(double angle) => FullTurnOfHalf(ToHalfTurn(angle));
+
+    /// <summary>The same direction in [0, 2 pi) of an angle that lies in [-pi, pi] already, as arctangents do.</summary>
+    /// <param name="reduced">rad, [-pi, pi].</param>
+    internal static double FullTurnOfHalf(double reduced)
     {
-        double reduced = ToHalfTurn(angle);
         double positive = reduced < 0.0 ? reduced + TurnHigh : reduced;
 
         // A tiny negative angle rounds to 2 pi; adding 0 makes -0 the plain zero.

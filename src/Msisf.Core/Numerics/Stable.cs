@@ -16,6 +16,17 @@ public static class Stable
         return difference + error;
     }
 
+    /// <summary>Eight numbers at a time, with the bits of <see cref="DifferenceOfProducts(double, double, double, double)"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Vector512<double> DifferenceOfProducts(
+        Vector512<double> a, Vector512<double> b, Vector512<double> c, Vector512<double> d)
+    {
+        Vector512<double> cd = c * d;
+        Vector512<double> error = Vector512.FusedMultiplyAdd(-c, d, cd);
+        Vector512<double> difference = Vector512.FusedMultiplyAdd(a, b, -cd);
+        return difference + error;
+    }
+
     /// <summary>The point origin + parameter * direction; each coordinate is rounded once, at the end.</summary>
     public static Vector3D PointAlong(Vector3D origin, double parameter, Vector3D direction) => new(
         Along(origin.X, parameter, direction.X), Along(origin.Y, parameter, direction.Y), Along(origin.Z, parameter, direction.Z));

@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
+using Msisf.Core.Numerics;
 using Msisf.Core.Render.Sampling;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
@@ -102,9 +103,34 @@ internal sealed class FramePass
         return true;
     }
 
+    /// <summary>Gets the surface points at the pixels' centres of a row and their illumination.</summary>
+    public void ReadRow(int y, TruthRow row)
+    {
+        VisibleSurface visible = KeptSurface();
+        row.Clear(visible.Width);
+        SurfaceRow points = row.Points;
+        visible.Read(y, points);
+        int start = (y - 1) * visible.Width;
+        for (int i = 0; i < points.Count; i++)
+        {
+            Vector3D point = new(points.X[i], points.Y[i], points.Z[i]);
+            row.Facets[i] = visible.FacetOf(y, points.Facets[i]);
+            row.Lights[i] = PixelIllumination.At(point, _sunlight.VisibleFraction(start + points.Columns[i]), Light);
+            if (_options!.Normals == NormalModel.Smooth)
+            {
+                Vector3D ofFacet = new(points.NormalX[i], points.NormalY[i], points.NormalZ[i]);
+                Vector3D normal = _light.SmoothNormal(
+                    new SurfaceHit(point, ofFacet, row.Facets[i], points.Parameters[i]), Camera.PositionMoonMe);
+                (points.NormalX[i], points.NormalY[i], points.NormalZ[i]) = (normal.X, normal.Y, normal.Z);
+            }
+        }
+    }
+
     /// <summary>Gets the surface point at a pixel's centre, with its facet's normal.</summary>
-    public bool TryGetSurface(int x, int y, out SurfaceHit hit) => _options is { KeepGroundTruth: true } && _visible is not null
-        ? _visible.TryGet(x, y, out hit)
+    public bool TryGetSurface(int x, int y, out SurfaceHit hit) => KeptSurface().TryGet(x, y, out hit);
+
+    private VisibleSurface KeptSurface() => _options is { KeepGroundTruth: true } && _visible is not null
+        ? _visible
         : throw new InvalidOperationException($"The frame was drawn without {nameof(NativeRenderOptions.KeepGroundTruth)}.");
 
     private static double Offset(int index, int across) => ((index + 0.5) / across) - 0.5;

@@ -35,4 +35,19 @@ public interface IGroundTruth
     /// <param name="light">The illumination of the point.</param>
     /// <returns>Whether the pixel shows the surface.</returns>
     bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light);
+
+    /// <summary>Gets the surface points of a row; each has the bits of <see cref="TryGet"/>.</summary>
+    /// <param name="y">1 to the image's height, down.</param>
+    /// <param name="row">Receives the points.</param>
+    internal void ReadRow(int y, TruthRow row)
+    {
+        row.Clear(Camera.Width);
+        for (int x = 1; x <= Camera.Width; x++)
+        {
+            if (TryGet(x, y, out SurfaceHit hit, out PixelIllumination light))
+            {
+                row.Add(x - 1, hit, light);
+            }
+        }
+    }
 }

@@ -39,6 +39,9 @@ public sealed class NativeFrame : IGroundTruth, IDisposable
     /// </exception>
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light) => Pass.TryGet(x, y, out hit, out light);
 
+    /// <inheritdoc/>
+    void IGroundTruth.ReadRow(int y, TruthRow row) => Pass.ReadRow(y, row);
+
     /// <summary>Gets the surface point at a pixel's centre, with its facet's normal.</summary>
     /// <inheritdoc cref="TryGet"/>
     internal bool TryGetSurface(int x, int y, out SurfaceHit hit) => Pass.TryGetSurface(x, y, out hit);

@@ -19,7 +19,7 @@ import { degrees, latitudeText, lengthText } from './text.js';
 const $ = id => document.getElementById(id);
 
 const state = new State();
-let offers = { models: [], cameras: [] };
+let offers = { models: [] };
 state.fromText(location.hash.slice(1));
 
 let crosshair = null;

@@ -1,0 +1,145 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Camera;
+using Msisf.Core.Camera.Lenses;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Layers;
+
+/// <summary>Directions and angles of a row's pixels, eight at a time.</summary>
+internal static class RowGeometry
+{
+    private static readonly int Lanes = Vector512<double>.Count;
+
+    /// <summary>The directions of the rays through the centres of pixels, with the bits of <see cref="PinholeCamera.RayThrough"/>.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="row">The row, from 0.</param>
+    /// <param name="columns">The columns, from 0.</param>
+    /// <param name="directions">Receives the directions.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would else be computed with unoptimised vectors
+    public static void FindDirections(PinholeCamera camera, int row, ReadOnlySpan<int> columns, VectorRow directions)
+    {
+        double y = row + 1;
+        double height = camera.Height;
+        bool hasLens = camera.Model.Lens is not null;
+        Vector3D middle = camera.Direction + ((1.0 + height - (2.0 * y)) / (2.0 * height) * camera.Up);
+        double width = camera.Width;
+        Span<double> xs = stackalloc double[Lanes];
+        for (int i = 0; i < columns.Length; i += Lanes)
+        {
+            for (int lane = 0; lane < Lanes; lane++)
+            {
+                xs[lane] = columns[Math.Min(i + lane, columns.Length - 1)] + 1;
+            }
+
+            Vector512<double> x = Vector512.Create<double>(xs);
+            if (hasLens)
+            {
+                LanePoints ideal = camera.Model.ToIdeal(x, Vector512.Create(y));
+                (LaneVector.All(camera.LensAxis) + (ideal.X * LaneVector.All(camera.LensRight)) + (ideal.Y * LaneVector.All(camera.LensDown)))
+                    .Store(directions, i);
+                continue;
+            }
+
+            Vector512<double> right =
+                ((Vector512.Create(2.0) * x) - Vector512<double>.One - Vector512.Create(width)) / Vector512.Create(2.0 * width);
+            (LaneVector.All(middle) + (right * LaneVector.All(camera.Right))).Store(directions, i);
+        }
+    }
+
+    /// <summary>A vector less multiples of a row's vectors.</summary>
+    /// <param name="whole">The vector.</param>
+    /// <param name="factors">The multiples.</param>
+    /// <param name="vectors">The row's vectors.</param>
+    /// <param name="count">How many.</param>
+    /// <param name="rest">Receives the differences.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public static void FindRest(Vector3D whole, double[] factors, VectorRow vectors, int count, VectorRow rest)
+    {
+        for (int i = 0; i < count; i += Lanes)
+        {
+            (LaneVector.All(whole) - (LaneVector.Load(factors, i) * LaneVector.Load(vectors, i))).Store(rest, i);
+        }
+    }
+
+    /// <summary>
+    /// Angles between two rows of vectors in degrees, [0, 180]; within 1e-15 rad of Kahan's formula in <see cref="Vector3D"/>, three times
+    /// as fast.
+    /// </summary>
+    /// <param name="u">The one row.</param>
+    /// <param name="v">The other one.</param>
+    /// <param name="sign">1, or -1 for the angles to the opposite of <paramref name="v"/>.</param>
+    /// <param name="count">Number of vectors.</param>
+    /// <param name="degrees">Receives the angles.</param>
+    public static void FindAngles(VectorRow u, VectorRow v, double sign, int count, double[] degrees)
+    {
+        Span<double> cosines = stackalloc double[Block];
+        for (int first = 0; first < count; first += Block)
+        {
+            int length = Math.Min(Block, count - first);
+            FindSines(u, v, sign, first, length, degrees, cosines);
+            for (int i = 0; i < length; i++)
+            {
+                degrees[first + i] = double.RadiansToDegrees(Math.Atan2(degrees[first + i], cosines[i]));
+            }
+        }
+    }
+
+    /// <summary>
+    /// Angles between two rows of vectors in degrees, right to the last digits at 0 and 180 too (<see cref="Vector3D.AngleBetween(Vector3D,
+    /// Vector3D)"/>).
+    /// </summary>
+    /// <param name="u">The one row.</param>
+    /// <param name="uLengths">Lengths of its vectors.</param>
+    /// <param name="v">The other one.</param>
+    /// <param name="vLengths">Lengths of its vectors.</param>
+    /// <param name="count">Number of vectors.</param>
+    /// <param name="degrees">Receives the angles.</param>
+    public static void FindExactAngles(VectorRow u, double[] uLengths, VectorRow v, double[] vLengths, int count, double[] degrees)
+    {
+        Span<double> sums = stackalloc double[Block];
+        for (int first = 0; first < count; first += Block)
+        {
+            int length = Math.Min(Block, count - first);
+            FindDifferences(u, uLengths, v, vLengths, first, length, degrees, sums);
+            for (int i = 0; i < length; i++)
+            {
+                degrees[first + i] = double.RadiansToDegrees(2.0 * Math.Atan2(degrees[first + i], sums[i]));
+            }
+        }
+    }
+
+    /// <summary>Pixels whose angles are computed at once; a multiple of eight.</summary>
+    private const int Block = 256;
+
+    /// <summary>Lengths lie between 1e-12 (a camera of the narrowest field) and 1e20, so squares neither overflow nor vanish.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private static void FindSines(
+        VectorRow u, VectorRow v, double sign, int first, int count, double[] sines, Span<double> cosines)
+    {
+        for (int i = 0; i < count; i += Lanes)
+        {
+            LaneVector a = LaneVector.Load(u, first + i);
+            LaneVector b = Vector512.Create(sign) * LaneVector.Load(v, first + i);
+            LaneVector cross = LaneVector.Cross(a, b);
+            LaneVector.Store(Vector512.Sqrt(LaneVector.Dot(cross, cross)), sines, first + i);
+            LaneVector.Dot(a, b).CopyTo(cosines[i..]);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private static void FindDifferences(
+        VectorRow u, double[] uLengths, VectorRow v, double[] vLengths, int first, int count, double[] differences, Span<double> sums)
+    {
+        for (int i = 0; i < count; i += Lanes)
+        {
+            LaneVector a = LaneVector.Load(vLengths, first + i) * LaneVector.Load(u, first + i);
+            LaneVector b = LaneVector.Load(uLengths, first + i) * LaneVector.Load(v, first + i);
+            LaneVector difference = a - b;
+            LaneVector sum = a + b;
+            LaneVector.Store(
+                LaneHypot.Of(LaneHypot.Of(difference.X, difference.Y), difference.Z), differences, first + i);
+            LaneHypot.Of(LaneHypot.Of(sum.X, sum.Y), sum.Z).CopyTo(sums[i..]);
+        }
+    }
+}
