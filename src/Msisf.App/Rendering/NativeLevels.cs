@@ -20,6 +20,11 @@ internal sealed class NativeLevels(IFrameTerrain terrain)
     public long ReplacedBytes =>
         _renderers.Where(pair => pair.Value.IsValueCreated).Sum(pair => pair.Value.Value.ReplacedBytes);
 
+    /// <summary>Releases the memory of renderers that have drawn nothing for some calls: a descent leaves its levels behind.</summary>
+    /// <returns>Whether any was released.</returns>
+    public bool ReleaseUnused() =>
+        _renderers.Where(pair => pair.Value.IsValueCreated).Count(pair => pair.Value.Value.ReleaseIfUnused()) > 0;
+
     /// <summary>The renderer for a frame.</summary>
     public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) => _renderers.GetValue(
         terrain.For(camera.Footprint, subsamplesPerAxis), static drawn => new Lazy<NativeRenderer>(() => new NativeRenderer(drawn))).Value;
