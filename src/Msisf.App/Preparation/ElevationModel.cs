@@ -224,6 +224,12 @@ internal sealed class ElevationModel : IDisposable
         GeoTiffGrid grid = GeoTiffGrid.Open(path, host.Environment("MSISF_GDAL"));
         LdemSet set = LdemSet.OfMap(grid.ToLabel());
         Tell(set, host.Log);
+        if (grid.WarpedFrom is not null)
+        {
+            host.Log.Note(
+                $"Its projection ({grid.WarpedFrom}) is warped to {grid.Projection.Resolution}: heights are bilinear between its pixels.");
+        }
+
         return new ElevationModel(grid, set, grid);
     });
 
