@@ -13,10 +13,16 @@ require_own_folders
 
 # The suites, scripts/suites/NAME.sh; of xunit each project by itself. The longest first, so that none runs alone at the
 # end. A new suite is added here, and what it needs to install_parts below; a new project is found by itself.
-suites=('xunit Msisf.Stress.Tests' php scripts 'xunit Msisf.Integration.Tests' 'xunit Msisf.Core.Tests' 'xunit Msisf.Viewer.Tests' style python)
+early=('xunit Msisf.Core.Tests' style) # need no published program
+suites=('xunit Msisf.Stress.Tests' php scripts 'xunit Msisf.Integration.Tests' 'xunit Msisf.Viewer.Tests' 'xunit Msisf.Server.Tests' python)
 for project in $(test_projects); do
-    [[ " ${suites[*]} " == *" $project "* ]] || suites+=("xunit $project")
+    [[ " ${early[*]} ${suites[*]} " == *" $project "* ]] || suites+=("xunit $project")
 done
+
+# run_suites NUMBER SUITE...: so many at a time. Each shows its output when it has ended.
+run_suites() {
+    printf '%s\n' "${@:2}" | xargs -P "$1" -I '{}' bash scripts/lib/run-suite.sh '{}' || true
+}
 
 MSISF_RESULTS=$(mktemp)
 export MSISF_RESULTS
@@ -31,18 +37,24 @@ ensure_dotnet
 export UseSharedCompilation=true
 # Optimized, or the tests take twice as long; the assertions of debug builds stay.
 check build 'dotnet build' dotnet build MSISF.sln -v quiet -nologo -p:Optimize=true
-check build 'scripts/build.sh' scripts/build.sh
-if [ "$(count failed build)" -gt 0 ]; then
-    export MSISF_BUILD_FAILED=1
-fi
-dotnet build-server shutdown --vbcscompiler >/dev/null 2>&1 || true # it would stay for ten minutes, with its memory
+note_failed_build() {
+    if [ "$(count failed build)" -gt 0 ]; then
+        export MSISF_BUILD_FAILED=1
+    fi
+}
+note_failed_build
 scripts/get-ldem.sh --real-only || warn 'going on without the elevation model: its tests are skipped'
 scripts/get-cspice.sh || warn 'going on without CSPICE: its tests are skipped'
+run_suites 2 "${early[@]}" &
+check build 'scripts/build.sh' scripts/build.sh
+note_failed_build
+dotnet build-server shutdown --vbcscompiler >/dev/null 2>&1 || true # it would stay for ten minutes, with its memory
 
 # Side by side, two more than there are cores: many tests wait for other programs.
-say "Running ${#suites[@]} suites side by side; each shows its output when it has ended."
-printf '%s\n' "${suites[@]}" | xargs -P $(($(getconf _NPROCESSORS_ONLN) + 2)) -I '{}' bash scripts/lib/run-suite.sh '{}' || true
-for suite in "${suites[@]}"; do
+say "Running ${#suites[@]} more suites side by side; each shows its output when it has ended."
+run_suites $(($(getconf _NPROCESSORS_ONLN) + 2)) "${suites[@]}"
+wait
+for suite in "${early[@]}" "${suites[@]}"; do
     cat "$MSISF_RESULTS.$suite" >>"$MSISF_RESULTS" || record failed "$suite" 'it was not started'
 done
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Suite: the set-up scripts themselves. Every function test_* of tests/scripts/*.test.sh runs in a shell and an empty
-# folder of its own; exit code 77 means skipped, and the last line printed then says why.
+# folder of its own; exit code 77 means skipped, and the last line printed then says why. Two files run at a time.
+# scripts.sh [FILE ...]: these files only, one after the other.
 set -euo pipefail
 . scripts/lib/common.sh
 . scripts/lib/results.sh
@@ -28,7 +29,11 @@ run_test() {
     rm -rf "$folder" "$log"
 }
 
-for file in tests/scripts/*.test.sh; do
+if [ $# -eq 0 ]; then
+    printf '%s\n' tests/scripts/*.test.sh | xargs -P 2 -n 1 bash scripts/suites/scripts.sh
+    exit
+fi
+for file in "$@"; do
     while IFS= read -r test; do
         run_test "$file" "$test"
     done < <(sed -n 's/^\(test_[A-Za-z0-9_]*\)().*/\1/p' "$file")

@@ -58,6 +58,7 @@ internal sealed class FoldersEndpoint
                 Mjd = frame.State.Time.Days,
                 Utc = frame.State.Time.ToIsoUtc(),
                 State = frame.State.ToNumbers(),
+                Camera = frame.Camera is { } camera ? ModelsEndpoint.Described(camera) : null,
                 Options = frame.Options.ToDictionary(option => option.Key, option => JsonValue(option.Value)),
                 Image = UrlOf(frame, "image"),
                 Annotated = UrlOf(frame, "annotated"),

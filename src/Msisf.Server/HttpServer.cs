@@ -53,6 +53,7 @@ internal sealed class HttpServer : IAsyncDisposable
     /// <exception cref="MsisfException">There is no elevation model, or the address can't be listened on.</exception>
     public static async Task<HttpServer> StartAsync(ServeSettings settings, ProgramHost host)
     {
+        ServerThreads.Reserve();
         FrameService frames = new(settings, host);
         WebApplicationBuilder builder = WebApplication.CreateEmptyBuilder(
             new WebApplicationOptions { ContentRootPath = AppContext.BaseDirectory });

@@ -1,4 +1,5 @@
 using Microsoft.AspNetCore.Http;
+using Msisf.Adapters.Camera;
 using Msisf.App.Settings;
 
 namespace Msisf.Server;
@@ -10,22 +11,33 @@ internal sealed class ModelsEndpoint(FrameService frames)
     /// <summary>Answers a request.</summary>
     public Task AnswerAsync(HttpContext context) => JsonBody.SendAsync(context.Response, new
     {
-        Models = frames.Names.Models.Select(model => new { model.Name, model.PixelsPerDegree, Synthetic = model.IsSynthetic }),
+        Models = frames.Names.Models.All.Select(model => new
+        {
+            model.Name,
+            model.Resolution.PixelsPerDegree,
+            model.Resolution.MetresPerPixel,
+            Synthetic = model.IsSynthetic,
+            WholeMoon = model.IsWholeMoon,
+        }),
+        OneSurface = frames.Names.Models.OneSurface.Select(model => model.Name),
         AlbedoMaps = frames.Names.Maps.Where(name => !IsHapke(name)),
         HapkeMaps = frames.Names.Maps.Where(IsHapke),
-        Cameras = frames.Names.Cameras.Select(camera => new
-        {
-            camera.Name,
-            camera.Model.Width,
-            camera.Model.Height,
-            FieldOfView = camera.FieldOfViewDegrees,
-            camera.Description,
-        }),
+        Cameras = frames.Names.Cameras.Select(Described),
         Catalogues = frames.Settings.Catalogues.Keys.Select(name => new { Name = name }),
         Reflectances = NativeOptions.Reflectance.Words,
         Layers = NativeOptions.Layers.Words,
         frames.Settings.MaxPixels,
     });
+
+    /// <summary>A camera as the answers have it.</summary>
+    public static object Described(CameraFile camera) => new
+    {
+        camera.Name,
+        camera.Model.Width,
+        camera.Model.Height,
+        FieldOfView = camera.FieldOfViewDegrees,
+        camera.Description,
+    };
 
     private static bool IsHapke(string name) => name.StartsWith("WAC_HAPKEPARAM", StringComparison.OrdinalIgnoreCase);
 }

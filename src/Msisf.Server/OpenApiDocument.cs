@@ -73,7 +73,12 @@ internal static class OpenApiDocument
     {
         JsonObject properties = new()
         {
-            ["model"] = new JsonObject { ["type"] = "string", ["description"] = "Elevation model, a name of /v1/models" },
+            ["model"] = new JsonObject
+            {
+                ["anyOf"] = new JsonArray(
+                    new JsonObject { ["type"] = "string" }, ListOf(new JsonObject { ["type"] = "string" })),
+                ["description"] = "Elevation model, a name of /v1/models; a list of names draws them as one surface",
+            },
         };
         foreach (OptionSpec option in JsonOptions.OptionsOfFrame())
         {

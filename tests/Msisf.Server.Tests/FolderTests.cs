@@ -33,9 +33,38 @@ public class FolderTests
         Assert.Equal(16, second.GetProperty("options").GetProperty("width").GetInt32());
         Assert.Equal(JsonValueKind.Null, second.GetProperty("annotated").ValueKind);
         Assert.Equal(await File.ReadAllBytesAsync(Path.Combine(folder["run"], "MoonSurfIllumSim_step_00002.png")), image);
-        string body = JsonSerializer.Serialize(second.GetProperty("options"))[1..^1];
-        Assert.Equal(image, await server.RenderAsync($"\"fixed-state\": {second.GetProperty("state").GetRawText()}, {body}"));
+        Assert.Equal(image, await server.RenderAsync(BodyOf(second)));
         await server.DisposeAsync();
+    }
+
+    /// <summary>A frame names its camera file with a checksum; another file of that name is not taken for it.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task FolderOfACameraFile_Frames_AreDrawnAnewWithThatFileOnly()
+    {
+        using TemporaryFolder folder = new();
+        string camera = folder.Write("own.yaml", "width: 24\nheight: 16\nfield-of-view: 20\n");
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "--renderer", "native", "--position", "10,20.5,300000", "--time", "55289", "--camera", camera, "--reflectance", "lambert",
+            "--batch", "--output-dir", folder["run"],
+        ]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        using RunningServer server = await RunningServer.StartAsync((ViewOptions.Folders, folder["run"]));
+
+        JsonElement frame = (await JsonAsync(server, "/v1/folders/run")).GetProperty("frames")[0];
+        byte[] drawn = await server.RenderAsync(BodyOf(frame));
+        folder.Write("own.yaml", "width: 24\nheight: 16\nfield-of-view: 21\n");
+        using RunningServer later = await RunningServer.StartAsync((ViewOptions.Folders, folder["run"]));
+        JsonElement other = (await JsonAsync(later, "/v1/folders/run")).GetProperty("frames")[0];
+        using HttpResponseMessage refused = await later.PostAsync("/v1/render", $"{{{BodyOf(other)}}}");
+
+        Assert.Equal(24, frame.GetProperty("camera").GetProperty("width").GetInt32());
+        Assert.Equal(20.0, frame.GetProperty("camera").GetProperty("field_of_view").GetDouble());
+        Assert.Equal(await server.Client.GetByteArrayAsync(frame.GetProperty("image").GetString()), drawn);
+        Assert.Equal(JsonValueKind.Null, other.GetProperty("camera").ValueKind);
+        Assert.Equal(HttpStatusCode.BadRequest, refused.StatusCode);
+        await server.DisposeAsync();
+        await later.DisposeAsync();
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -83,6 +112,10 @@ public class FolderTests
         Assert.Equal(HttpStatusCode.OK, answer.StatusCode);
         return await RunningServer.JsonOf(answer);
     }
+
+    /// <summary>A request for a frame of a folder, without its braces.</summary>
+    private static string BodyOf(JsonElement frame) =>
+        $"\"fixed-state\": {frame.GetProperty("state").GetRawText()}, {JsonSerializer.Serialize(frame.GetProperty("options"))[1..^1]}";
 
     private static double Length(JsonElement state)
     {

@@ -67,6 +67,17 @@ public sealed class LimitTests
         await server.DisposeAsync();
     }
 
+    /// <summary>Requests are answered while all cores draw: threads for them don't come one by one.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task Start_ThreadsForAnswers_AreMoreThanThoseThatDraw()
+    {
+        using RunningServer server = await RunningServer.StartAsync();
+
+        ThreadPool.GetMinThreads(out int threads, out _);
+        Assert.True(threads >= 5 * Environment.ProcessorCount, $"{threads} threads start at once");
+        await server.DisposeAsync();
+    }
+
     /// <summary>Stopping lets a running frame end.</summary>
     [RequiresFact(Part.Ldem4)]
     public async Task EndOfInput_FinishesWhatRuns()

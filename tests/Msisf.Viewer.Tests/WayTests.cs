@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Microsoft.Playwright;
 using Msisf.TestSupport;
@@ -46,6 +47,40 @@ public class WayTests(Chromium chromium, ViewerServer server)
         await viewer.PointAsync(150, 200);
         Assert.Equal(texts, await TextsAsync(viewer));
         Assert.True(viewer.Images >= 3, $"{viewer.Images} images came by the stream");
+    }
+
+    /// <summary>The rate that a person sees while the mouse turns the Moon; in the long form the one that is promised (docs/viewer.md).</summary>
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task Drag_512x512_ShowsEnoughPicturesASecond()
+    {
+        int steps = TestLength.IsLong ? 120 : 30;
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(
+            chromium, server, $"{OverClavius}&fit=false&width=512&height=512", 1100, 700);
+        LocatorBoundingBoxResult box = (await viewer.Page.Locator("#picture").BoundingBoxAsync())!;
+        (float x, float y) = (box.X + (box.Width / 2), box.Y + (box.Height / 2));
+        List<int> rates = [];
+        await viewer.MoveAsync(async () =>
+        {
+            await viewer.Page.Mouse.MoveAsync(x, y);
+            await viewer.Page.Mouse.DownAsync();
+            for (int step = 0; step < steps; step++)
+            {
+                await viewer.Page.Mouse.MoveAsync(x + (100.0F * float.Sin(0.1F * step)), y + (0.3F * step));
+                await Task.Delay(TimeSpan.FromMilliseconds(16));
+                Match status = Regex.Match(
+                    await viewer.Page.Locator("#status").InnerTextAsync(), "^Moving: 512 × 512, ([0-9]+) pictures in the last second");
+                if (status.Success)
+                {
+                    rates.Add(int.Parse(status.Groups[1].Value, CultureInfo.InvariantCulture));
+                }
+            }
+
+            await viewer.Page.Mouse.UpAsync();
+        });
+
+        int least = TestLength.IsLong ? 15 : 1;
+        int median = rates.Order().ElementAt(rates.Count / 2);
+        Assert.True(median >= least, $"{median} pictures a second, {least} are promised");
     }
 
     [RequiresFact(Part.Chromium, Part.Ldem4, Part.Numpy)]

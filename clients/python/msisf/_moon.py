@@ -35,7 +35,7 @@ class Moon:
     Args:
         address: Of a running server, e.g. "http://127.0.0.1:8810" or the path of its Unix socket; None to start one.
         token: Of the server's --token-file.
-        model: Elevation model, a name of ``models()``; None for the first.
+        model: Elevation model, a name of ``models()``; a list of names draws them as one surface; None for the first.
         camera: For images that name none.
         program: Path of msis, to start it; None to look for it.
         serve: Options of msis serve, e.g. ["--ldem", "models"].
@@ -49,7 +49,7 @@ class Moon:
         address: Optional[str] = None,
         *,
         token: Optional[str] = None,
-        model: Optional[str] = None,
+        model: Union[str, Sequence[str], None] = None,
         camera: AnyCamera = Camera(),
         program: Optional[str] = None,
         serve: Sequence[str] = (),
@@ -61,7 +61,7 @@ class Moon:
         self._camera = camera
         self._options = _named(options)
         if model is not None:
-            self._options["model"] = model
+            self._options["model"] = model if isinstance(model, str) else list(model)
         self._local = threading.local()
         self._http = Http(address or (self._process.address if self._process else ""), token, timeout, context)
 

@@ -52,12 +52,13 @@ internal static class OriginXml
         CultureInfo.InvariantCulture,
         $"    <ElevationModel product=\"{XmlText.EscapeAttribute(model.ProductId)}\" synthetic=\"{(model.IsSynthetic ? "yes" : "no")}\""
             + $" drawnFinest=\"{model.FinestDrawn.NumberText}\" drawnCoarsest=\"{model.CoarsestDrawn.NumberText}\" "
-            + $"unit=\"{model.Resolution.Unit}\" />");
+            + $"unit=\"{model.FinestDrawn.Unit}\" />");
 
     private static string Part(ElevationPart part, int number) => string.Create(
         CultureInfo.InvariantCulture,
         $"    <ElevationPart part=\"{number}\" product=\"{XmlText.EscapeAttribute(part.ProductId)}\" "
             + $"synthetic=\"{(part.IsSynthetic ? "yes" : "no")}\" resolution=\"{part.Resolution.NumberText}\" "
+            + $"drawn=\"{part.Drawn?.NumberText ?? "no"}\" "
             + $"unit=\"{part.Resolution.Unit}\" />");
 
     private static IEnumerable<string> Camera(CameraMatrix camera) =>

@@ -37,7 +37,8 @@ internal sealed class ElevationModel : IDisposable
     private readonly Lazy<ElevationSummary> _summary;
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
-    private readonly Lazy<TerrainLevels?> _drawnLevels;
+    private readonly Lazy<TerrainLevels> _drawnLevels;
+    private readonly Lazy<NestedLevels> _nestedLevels;
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
     private ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
@@ -50,7 +51,7 @@ internal sealed class ElevationModel : IDisposable
             ? ElevationSummary.Build(image)
             : ElevationSummaryFile.Open(image.Set.FileBeside(SummaryExtension), _source.Value, image));
         _levels = new Lazy<ModelLevels>(openLevels);
-        _drawnLevels = new Lazy<TerrainLevels?>(() => Levels);
+        _drawnLevels = new Lazy<TerrainLevels>(() => Levels);
     }
 
     private ElevationModel(ITerrainGrid grid, LdemSet set, IDisposable file)
@@ -66,8 +67,14 @@ internal sealed class ElevationModel : IDisposable
         _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(grid));
         _summary = new Lazy<ElevationSummary>(() => throw NotWholeMoon());
         _levels = new Lazy<ModelLevels>(() => throw NotWholeMoon());
-        _drawnLevels = new Lazy<TerrainLevels?>(() => grid is ITerrainGrid map ? MapLevels.Open(map) : null);
+        _drawnLevels = new Lazy<TerrainLevels>(() => MapLevels.Open((ITerrainGrid)grid));
+        _nestedLevels = new Lazy<NestedLevels>(() => throw new InvalidOperationException("This is one model."));
     }
+
+    private ElevationModel(NestedTerrain nested, IReadOnlyList<ElevationModel> models)
+        : this(nested, [.. models.Select(model => model.Set)], models) =>
+        _nestedLevels = new Lazy<NestedLevels>(() => new NestedLevels(
+            nested, [.. models.Select(model => model.LevelsInScene(models.Count))]));
 
     /// <summary>The samples; of several models the surface that they make together.</summary>
     public ITerrain Grid { get; }
@@ -92,8 +99,10 @@ internal sealed class ElevationModel : IDisposable
     public bool IsSynthetic => Sets.Any(set => set.IsSynthetic);
 
     /// <summary>Names and resolutions of several models, in the order of a facet's parts; empty for one.</summary>
-    public IReadOnlyList<ElevationPart> Parts => Grid is NestedTerrain nested
-        ? [.. nested.Models.Zip(Sets, (grid, set) => new ElevationPart(grid.ProductId, set.IsSynthetic, grid.Projection.Resolution))]
+    /// <param name="drawn">The resolution at which each is drawn; null for one that is left out.</param>
+    public IReadOnlyList<ElevationPart> PartsAt(IReadOnlyList<GridResolution?> drawn) => Grid is NestedTerrain nested
+        ? [.. nested.Models.Select((grid, part) => new ElevationPart(
+            grid.ProductId, Sets[part].IsSynthetic, grid.Projection.Resolution, drawn[part]))]
         : [];
 
     /// <summary>Traces single rays; created on first use.</summary>
@@ -102,11 +111,13 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>A model of the whole Moon and its coarser levels of detail; opened on first use.</summary>
     public LodLevels Levels => _levels.Value.Levels;
 
-    /// <summary>
-    /// The model, of the whole Moon or of a part, and its coarser levels of detail, opened on first use; null for several models, which
-    /// have none.
-    /// </summary>
-    public TerrainLevels? DrawnLevels => _drawnLevels.Value;
+    /// <summary>What frames show of the model, or of several; levels of detail are opened at the first frame.</summary>
+    /// <param name="errorPixels">
+    /// px: how far coarser levels may shift a point in the image; null to draw from the full model always.
+    /// </param>
+    public IFrameTerrain DetailOf(double? errorPixels) => errorPixels is not double error ? new FullDetail(Grid)
+        : Grid is NestedTerrain ? new SceneDetail(_nestedLevels.Value, error)
+        : new ModelDetail(_drawnLevels.Value, error);
 
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
@@ -147,9 +158,10 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>Opens several models that make one surface.</summary>
     /// <param name="paths">Labels or images.</param>
+    /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them all frames need the models themselves.</param>
     /// <param name="host">Receives log messages.</param>
     /// <exception cref="MsisfException">A model can't be opened, or they don't fit together.</exception>
-    public static ElevationModel OpenSeveral(IReadOnlyList<string> paths, ProgramHost host)
+    public static ElevationModel OpenSeveral(IReadOnlyList<string> paths, bool hasLevels, ProgramHost host)
     {
         List<ElevationModel> opened = [];
         try
@@ -164,10 +176,11 @@ internal sealed class ElevationModel : IDisposable
 
             return SurfaceOptions.Ldem.Concerned(() =>
             {
-                NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid));
-                LdemSet[] sets = [.. nested.Models.Select(grid => opened.Single(model => ReferenceEquals(model.Grid, grid)).Set)];
-                nested.Prepare();
-                return new ElevationModel(nested, sets, [.. opened]);
+                SeamFiles files = new([.. opened.Select(model => model.Set)], CacheFolder.Of(host), host.Log.Warning);
+                NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files));
+                nested.Prepare(hasLevels);
+                return new ElevationModel(
+                    nested, [.. nested.Models.Select(grid => opened.Single(model => ReferenceEquals(model.Grid, grid)))]);
             });
         }
         catch
@@ -176,6 +189,11 @@ internal sealed class ElevationModel : IDisposable
             throw;
         }
     }
+
+    /// <summary>The model and its levels as a part of a scene: they share the memory, and leave places without data to coarser models.</summary>
+    private TerrainLevels LevelsInScene(int models) => IsWholeMoon
+        ? Levels
+        : MapLevels.Open((ITerrainGrid)Grid, TerrainLevels.DefaultCacheBytes / models, keepsGaps: true);
 
     /// <summary>Whether <see cref="Open"/> finds a model of a resolution if no path is given.</summary>
     /// <exception cref="BadInputException">There is one, but its parts don't make up a whole Moon.</exception>
@@ -206,6 +224,12 @@ internal sealed class ElevationModel : IDisposable
         GeoTiffGrid grid = GeoTiffGrid.Open(path, host.Environment("MSISF_GDAL"));
         LdemSet set = LdemSet.OfMap(grid.ToLabel());
         Tell(set, host.Log);
+        if (grid.WarpedFrom is not null)
+        {
+            host.Log.Note(
+                $"Its projection ({grid.WarpedFrom}) is warped to {grid.Projection.Resolution}: heights are bilinear between its pixels.");
+        }
+
         return new ElevationModel(grid, set, grid);
     });
 

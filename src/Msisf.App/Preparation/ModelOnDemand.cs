@@ -16,7 +16,7 @@ internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) :
 
     /// <summary>The model.</summary>
     public ElevationModel Opened => _model ??= host.Times.Measure(Phase.Model, () => settings.Ldem.Count > 1
-        ? ElevationModel.OpenSeveral(settings.Ldem, host)
+        ? ElevationModel.OpenSeveral(settings.Ldem, settings.LevelOfDetailError is not null, host)
         : ElevationModel.Open(
             settings.Ldem.SingleOrDefault(), settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host,
             settings.Body));

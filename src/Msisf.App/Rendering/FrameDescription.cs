@@ -27,7 +27,7 @@ internal sealed class FrameDescription(
         new DrawnElevation(
             model.Grid.ProductId, model.IsSynthetic, model.Grid.Resolution, rendered.Drawn.Finest, rendered.Drawn.Coarsest)
         {
-            Parts = model.Parts,
+            Parts = model.PartsAt(rendered.PartResolutions),
         },
         model.HeightOverTerrain(frame.Camera.PositionMoonMe),
         version,
@@ -57,11 +57,16 @@ internal sealed class FrameDescription(
     public LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
         model.Grid.ProductId,
         rendered.Resolution,
-        model.Grid.Resolution.HalvingsTo(rendered.Resolution),
+        LevelOf(rendered),
         metadata.RendererName,
         settings.Albedo.Band)
     {
         Parts = model.Grid.PartCount,
         ReferenceRadius = model.Grid.ReferenceRadius,
     };
+
+    /// <summary>The level of detail; of several models that of the finest one that is drawn.</summary>
+    private int LevelOf(RenderedFrame rendered) => model.PartsAt(rendered.PartResolutions) is { Count: > 0 } parts
+        ? parts.Last(part => part.Drawn is not null).Resolution.HalvingsTo(rendered.Resolution)
+        : model.Grid.Resolution.HalvingsTo(rendered.Resolution);
 }

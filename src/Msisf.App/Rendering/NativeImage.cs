@@ -4,7 +4,6 @@ using Msisf.Adapters.Render;
 using Msisf.App.Preparation;
 using Msisf.Core.Detector;
 using Msisf.Core.Render;
-using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
 
@@ -15,16 +14,16 @@ internal sealed class NativeImage : IDisposable
     private const int LeastOfAThread = 1 << 16;
 
     private readonly NativeDrawing _drawing;
-    private readonly GridResolution _resolution;
+    private readonly NativeRenderer _renderer;
     private readonly NativeFrame _drawn;
     private readonly CameraDetector? _detector;
     private readonly IGroundTruth _truth;
 
     internal NativeImage(
-        NativeDrawing drawing, GridResolution resolution, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
+        NativeDrawing drawing, NativeRenderer renderer, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
     {
         _drawing = drawing;
-        _resolution = resolution;
+        _renderer = renderer;
         _drawn = drawn;
         _detector = detector;
         Detected = detected;
@@ -115,10 +114,13 @@ internal sealed class NativeImage : IDisposable
         image,
         "the image",
         WriteScene: null,
-        _resolution,
-        (_resolution, _resolution),
+        _renderer.Resolution,
+        (_renderer.Resolution, _renderer.Resolution),
         _drawing.Settings.Render.KeepGroundTruth ? _truth : null,
-        Detected);
+        Detected)
+    {
+        PartResolutions = _renderer.PartResolutions,
+    };
 
     /// <summary>Returns the memory to the renderer for later frames.</summary>
     public void Dispose()

@@ -1,4 +1,4 @@
-using System.Collections.Concurrent;
+using System.Runtime.CompilerServices;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Render;
@@ -7,43 +7,29 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>The native renderers of a run: one for the model, and one for each coarser level that a frame needs. Thread-safe.</summary>
-internal sealed class NativeLevels
+/// <summary>
+/// The native renderers of a run: one for each terrain that a frame needs, as long as that is kept. Thread-safe.
+/// </summary>
+/// <param name="terrain">Chooses the terrain of a frame.</param>
+internal sealed class NativeLevels(IFrameTerrain terrain)
 {
-    private readonly ConcurrentDictionary<int, Lazy<NativeRenderer>> _renderers = new();
-    private readonly ConcurrentDictionary<int, Lazy<TerrainTracer>> _tracers = new();
-    private readonly ITerrain _grid;
-    private readonly TerrainLevels? _levels;
-    private readonly DetailRule? _rule;
-
-    /// <summary>Prepares the renderers of a model.</summary>
-    /// <param name="grid">The model.</param>
-    /// <param name="levels">Opens its coarser levels, if it has any.</param>
-    /// <param name="errorPixels">
-    /// px: how far coarser levels may shift a point in the image; null to draw from the full model always.
-    /// </param>
-    public NativeLevels(ITerrain grid, Func<TerrainLevels?> levels, double? errorPixels)
-    {
-        _grid = grid;
-        _levels = errorPixels is null ? null : levels();
-        _rule = _levels is not null && errorPixels is double error ? new DetailRule(_levels, error) : null;
-    }
+    private readonly ConditionalWeakTable<ITerrain, Lazy<NativeRenderer>> _renderers = [];
+    private readonly ConditionalWeakTable<ITerrain, Lazy<TerrainTracer>> _tracers = [];
 
     /// <summary>Bytes of the buffers that the renderers have replaced so far (<see cref="NativeRenderer.ReplacedBytes"/>).</summary>
     public long ReplacedBytes =>
-        _renderers.Values.Where(renderer => renderer.IsValueCreated).Sum(renderer => renderer.Value.ReplacedBytes);
+        _renderers.Where(pair => pair.Value.IsValueCreated).Sum(pair => pair.Value.Value.ReplacedBytes);
+
+    /// <summary>Releases the memory of renderers that have drawn nothing for some calls: a descent leaves its levels behind.</summary>
+    /// <returns>Whether any was released.</returns>
+    public bool ReleaseUnused() =>
+        _renderers.Where(pair => pair.Value.IsValueCreated).Count(pair => pair.Value.Value.ReleaseIfUnused()) > 0;
 
     /// <summary>The renderer for a frame.</summary>
-    public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) =>
-        _renderers.GetOrAdd(
-            LevelFor(camera, subsamplesPerAxis), level => new Lazy<NativeRenderer>(() => new NativeRenderer(GridOf(level)))).Value;
+    public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) => _renderers.GetValue(
+        terrain.For(camera.Footprint, subsamplesPerAxis), static drawn => new Lazy<NativeRenderer>(() => new NativeRenderer(drawn))).Value;
 
     /// <summary>Traces single rays through the surface that a frame shows.</summary>
-    public ITerrainTracer TracerFor(PinholeCamera camera, int subsamplesPerAxis) => _tracers.GetOrAdd(
-        LevelFor(camera, subsamplesPerAxis), level => new Lazy<TerrainTracer>(() => new TerrainTracer(GridOf(level)))).Value;
-
-    private int LevelFor(PinholeCamera camera, int subsamplesPerAxis) =>
-        _rule?.LevelOfImage(camera.Footprint, subsamplesPerAxis) ?? 0;
-
-    private ITerrain GridOf(int level) => level == 0 ? _grid : _levels!.Grid(level);
+    public ITerrainTracer TracerFor(PinholeCamera camera, int subsamplesPerAxis) => _tracers.GetValue(
+        terrain.For(camera.Footprint, subsamplesPerAxis), static drawn => new Lazy<TerrainTracer>(() => new TerrainTracer(drawn))).Value;
 }

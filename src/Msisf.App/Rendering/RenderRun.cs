@@ -164,7 +164,7 @@ internal sealed class RenderRun
 
     private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files)
     {
-        NativeLevels levels = new(model.Grid, () => model.DrawnLevels, _settings.LevelOfDetailError);
+        NativeLevels levels = new(model.DetailOf(_settings.LevelOfDetailError));
         return new NativeFrameRenderer(new NativeDrawing(_settings.Native, model.Grid, maps, levels, _times), files, _times);
     }
 

@@ -21,4 +21,8 @@ internal sealed record RenderedFrame(
     GridResolution Resolution,
     (GridResolution Finest, GridResolution Coarsest) Drawn,
     IGroundTruth? Truth,
-    DetectorImage? Detected = null);
+    DetectorImage? Detected = null)
+{
+    /// <summary>Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.</summary>
+    public IReadOnlyList<GridResolution?> PartResolutions { get; init; } = [];
+}

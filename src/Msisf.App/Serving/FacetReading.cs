@@ -4,4 +4,7 @@ namespace Msisf.App.Serving;
 /// <param name="Line">Line of its cell, 0 for the northernmost; -1 is the fan around the north pole.</param>
 /// <param name="Sample">Sample of its cell, from 0.</param>
 /// <param name="Half">Which of the two facets of the cell.</param>
-internal sealed record FacetReading(int Line, int Sample, int Half);
+/// <param name="Part">
+/// The model, from 0 for the coarsest of several; their number stands for the seams between them. 0 of one.
+/// </param>
+internal sealed record FacetReading(int Line, int Sample, int Half, int Part);

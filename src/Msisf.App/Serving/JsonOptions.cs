@@ -36,7 +36,6 @@ internal sealed class JsonOptions
     {
         _names = names;
         _values[RendererOptions.Renderer.Name] = new OptionValue([RendererOptions.Renderer.WordOf(RendererKind.Native)]);
-        Put(SurfaceOptions.Ldem, settings.Ldem);
         Put(LightOptions.Kernels, settings.Kernels);
     }
 
@@ -86,27 +85,47 @@ internal sealed class JsonOptions
     {
         OptionValues values = new(_values);
         int pixelsPerDegree = SurfaceOptions.Resolution.Read(values);
-        if (_model is { } named && values.IsGiven(SurfaceOptions.Resolution) && named.PixelsPerDegree != pixelsPerDegree)
+        bool hasResolution = values.IsGiven(SurfaceOptions.Resolution);
+        if (_model is { IsSeveral: false } named && hasResolution && named.Resolution.PixelsPerDegree != pixelsPerDegree)
         {
             throw new UsageException(
-                $"'{ModelKey}' {named.Name} has {named.PixelsPerDegree} px/deg, but {SurfaceOptions.Resolution.Name} is {pixelsPerDegree}. "
+                $"'{ModelKey}' {named.Name} has {named.Resolution}, but {SurfaceOptions.Resolution.Name} is {pixelsPerDegree}. "
                     + "Leave one out.").About(SurfaceOptions.Resolution);
         }
 
-        ServedModel model = _model ?? (values.IsGiven(SurfaceOptions.Resolution) ? _names.Model(pixelsPerDegree) : _names.Models[0]);
-        Put(SurfaceOptions.Resolution, model.PixelsPerDegree.ToString(CultureInfo.InvariantCulture));
+        if (_model is { IsSeveral: true } && hasResolution)
+        {
+            throw new UsageException(
+                $"{SurfaceOptions.Resolution.Name} has no meaning with several models: each has its own resolution. Leave it out.")
+                .About(SurfaceOptions.Resolution);
+        }
+
+        ServedModel model = _model
+            ?? (hasResolution ? _names.Model(pixelsPerDegree) : _names.Models.All.First(served => served.IsWholeMoon));
+        if (model.Ldem.Count > 0)
+        {
+            _values[SurfaceOptions.Ldem.Name] = new OptionValue(model.Ldem);
+        }
+
+        if (!model.IsSeveral)
+        {
+            Put(SurfaceOptions.Resolution, model.Resolution.NumberText);
+        }
+
         values = new OptionValues(_values);
         return new RequestedFrame(
             model,
             needsPlace ? CameraSettingsReader.Read(values) : CameraSettingsReader.ReadIfGiven(values, CameraOptions.BatchFile),
-            RenderSettingsReader.Read(values, name => _camera ?? _names.Camera(name)));
+            RenderSettingsReader.Read(values, name => _camera ?? _names.Camera(name), known: model.Resolution));
     }
 
     private void Add(string key, JsonElement value)
     {
         if (key == ModelKey)
         {
-            _model = _names.Model(JsonText.Of(value, $"'{ModelKey}'"));
+            _model = _names.Models.Named(value.ValueKind == JsonValueKind.Array
+                ? [.. value.EnumerateArray().Select(name => JsonText.Of(name, $"'{ModelKey}'"))]
+                : [JsonText.Of(value, $"'{ModelKey}'")]);
         }
         else if (key == ImageOptions.Camera.Key && value.ValueKind == JsonValueKind.Object)
         {

@@ -9,7 +9,7 @@ namespace Msisf.App.Serving;
 /// <param name="Settings">The other options.</param>
 internal sealed record RequestedFrame(ServedModel Model, CameraSettings? Place, RenderSettings Settings)
 {
-    private readonly Lazy<string> _sessionKey = new(() => KeyOf(Settings));
+    private readonly Lazy<string> _sessionKey = new(() => $"{Model.Name} {KeyOf(Settings)}");
 
     /// <summary>Tells sessions apart: all options but those that say where the camera is.</summary>
     public string SessionKey => _sessionKey.Value;

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Metadata;
@@ -60,9 +61,14 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
 
         Dictionary<string, string> options = files.TryGetValue("meta", out string? meta) ? Options(MetaFileCommand.Read(meta) ?? []) : [];
         return options.Remove(CameraOptions.FixedState.Key, out string? state) && StateOf(state) is { } known
-            ? new ServedFrame(record.Step, known, options, files)
+            ? new ServedFrame(record.Step, known, options, files, CameraOf(options))
             : null;
     }
+
+    /// <summary>A camera file lies with the frames, or where a run is usually started.</summary>
+    private CameraFile? CameraOf(Dictionary<string, string> options) => options.TryGetValue(ImageOptions.Camera.Key, out string? camera)
+        ? names.FindCamera(camera, [folder, Path.Combine(folder, ".."), ".", "input"])
+        : null;
 
     private static SpacecraftState? StateOf(string text)
     {

@@ -1,12 +1,14 @@
 using System.Collections.Concurrent;
-using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Rendering;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Serving;
 
-/// <summary>An elevation model that frames are drawn from again and again; opened at the first frame. Thread-safe.</summary>
+/// <summary>
+/// An elevation model, or several as one surface, that frames are drawn from again and again; opened at the first frame. Thread-safe.
+/// </summary>
 internal sealed class ServedModel : IDisposable
 {
     /// <summary>Number of errors of levels of detail for which renderers are kept; clients choose the error.</summary>
@@ -15,28 +17,66 @@ internal sealed class ServedModel : IDisposable
     private readonly Lazy<ElevationModel> _model;
     private readonly ConcurrentDictionary<double, Lazy<NativeLevels>> _levels = new();
 
-    /// <param name="set">The model's labels.</param>
-    /// <param name="ldem">The user's <c>--ldem</c>, or null.</param>
+    /// <summary>Names a model.</summary>
+    /// <param name="name">Name of its product.</param>
+    /// <param name="resolution">Its resolution.</param>
+    /// <param name="isSynthetic">Whether it is synthetic.</param>
+    /// <param name="isWholeMoon">Whether it is of the whole Moon.</param>
+    /// <param name="path">Its label, or the file itself.</param>
+    /// <param name="ldem">The <c>--ldem</c> that means it; null if a run finds it without.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
-    public ServedModel(LdemSet set, string? ldem, ProgramHost host)
+    public ServedModel(
+        string name, GridResolution resolution, bool isSynthetic, bool isWholeMoon, string path, string? ldem, ProgramHost host)
+        : this(
+            name, resolution, isSynthetic, ldem is null ? [] : [ldem],
+            () => ElevationModel.Open(ldem, resolution, isSparing: false, host)) =>
+        (IsWholeMoon, Path) = (isWholeMoon, path);
+
+    private ServedModel(
+        string name, GridResolution resolution, bool isSynthetic, IReadOnlyList<string> ldem, Func<ElevationModel> open)
     {
-        Name = set.ProductId;
-        PixelsPerDegree = set.PixelsPerDegree;
-        IsSynthetic = set.IsSynthetic;
-        _model = new Lazy<ElevationModel>(() => ElevationModel.Open(ldem, set.PixelsPerDegree, isSparing: false, host));
+        (Name, Resolution, IsSynthetic, Ldem) = (name, resolution, isSynthetic, ldem);
+        _model = new Lazy<ElevationModel>(open);
     }
 
-    /// <summary>Name of the model: that of its product, e.g. "LDEM_64".</summary>
+    /// <summary>Name of the model: that of its product, e.g. "LDEM_64"; of several their names with "+" between them.</summary>
     public string Name { get; }
 
-    /// <summary>Samples a degree.</summary>
-    public int PixelsPerDegree { get; }
+    /// <summary>Its resolution; of several that of the finest.</summary>
+    public GridResolution Resolution { get; }
 
-    /// <summary>Whether this is a synthetic model.</summary>
+    /// <summary>Whether this is a synthetic model, or one of several is.</summary>
     public bool IsSynthetic { get; }
+
+    /// <summary>Whether it is of the whole Moon.</summary>
+    public bool IsWholeMoon { get; private init; } = true;
+
+    /// <summary>Its label, or the file itself; empty for several.</summary>
+    public string Path { get; private init; } = string.Empty;
+
+    /// <summary>The <c>--ldem</c> of a run that draws it; empty if the run finds it without.</summary>
+    public IReadOnlyList<string> Ldem { get; }
+
+    /// <summary>Whether it is several models.</summary>
+    public bool IsSeveral => Ldem.Count > 1;
 
     /// <summary>The model.</summary>
     public ElevationModel Opened => _model.Value;
+
+    /// <summary>Several models as one surface.</summary>
+    /// <param name="models">Two or more.</param>
+    /// <param name="name">Its name.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    public static ServedModel Of(IReadOnlyList<ServedModel> models, string name, ProgramHost host)
+    {
+        string[] paths = [.. models.Select(model => model.Path)];
+        return new ServedModel(
+            name,
+            models.MinBy(model => model.Resolution.MetresPerPixel)!.Resolution,
+            models.Any(model => model.IsSynthetic),
+            paths,
+            () => ElevationModel.OpenSeveral(paths, hasLevels: true, host));
+    }
 
     /// <summary>The renderers of the model; they keep what they have read.</summary>
     /// <param name="errorPixels">px: how far coarser levels may shift a point in the image; null to draw from the full model.</param>
@@ -49,7 +89,7 @@ internal sealed class ServedModel : IDisposable
 
         return _levels.GetOrAdd(
             errorPixels ?? -1.0,
-            _ => new Lazy<NativeLevels>(() => new NativeLevels(Opened.Grid, () => Opened.DrawnLevels, errorPixels))).Value;
+            _ => new Lazy<NativeLevels>(() => new NativeLevels(Opened.DetailOf(errorPixels)))).Value;
     }
 
     /// <summary>Closes the model.</summary>

@@ -1,6 +1,6 @@
+using System.Collections.Concurrent;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
-using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
@@ -16,6 +16,7 @@ namespace Msisf.App.Serving;
 internal sealed class ServedNames : IDisposable
 {
     private readonly Dictionary<string, string> _maps;
+    private readonly ConcurrentDictionary<string, CameraFile> _camerasOfFolders = new(StringComparer.Ordinal);
 
     /// <summary>Looks for the files.</summary>
     /// <param name="settings">The server's settings.</param>
@@ -23,16 +24,7 @@ internal sealed class ServedNames : IDisposable
     /// <exception cref="BadInputException">There is no elevation model.</exception>
     public ServedNames(ServeSettings settings, ProgramHost host)
     {
-        string[] folders = ElevationModel.Folders(host);
-        Models = [.. SurfaceOptions.Ldem.Concerned(() => LdemCatalog.All(settings.Ldem, folders))
-            .Select(set => new ServedModel(set, settings.Ldem, host))];
-        if (Models.Count == 0)
-        {
-            throw new BadInputException(
-                $"No elevation model in {settings.Ldem ?? string.Join(", ", folders)}. Get one with 'scripts/get-ldem.sh', or name one "
-                    + $"with {SurfaceOptions.Ldem.Name}.");
-        }
-
+        Models = new ServedModels(settings.Ldem, host);
         _maps = new Dictionary<string, string>(StringComparer.Ordinal);
         foreach (string path in AlbedoSource.Maps(host))
         {
@@ -42,8 +34,8 @@ internal sealed class ServedNames : IDisposable
         Cameras = CameraChoice.Presets(host.Installation);
     }
 
-    /// <summary>The elevation models, coarse ones first.</summary>
-    public IReadOnlyList<ServedModel> Models { get; }
+    /// <summary>The elevation models.</summary>
+    public ServedModels Models { get; }
 
     /// <summary>Names of the maps of the Moon's reflectance and of Hapke's parameters.</summary>
     public IReadOnlyCollection<string> Maps => _maps.Keys;
@@ -51,17 +43,14 @@ internal sealed class ServedNames : IDisposable
     /// <summary>The presets of cameras.</summary>
     public IReadOnlyList<CameraFile> Cameras { get; }
 
-    /// <summary>The model of a name.</summary>
-    /// <exception cref="UsageException">There is none.</exception>
-    public ServedModel Model(string name) => Models.FirstOrDefault(model => IsSame(model.Name, name))
-        ?? throw Unknown("model", name, Models.Select(model => model.Name));
-
     /// <summary>The model of a resolution, px/deg.</summary>
     /// <exception cref="UsageException">There is none.</exception>
-    public ServedModel Model(int pixelsPerDegree) => Models.FirstOrDefault(model => model.PixelsPerDegree == pixelsPerDegree)
+    public ServedModel Model(int pixelsPerDegree) => Models.All.FirstOrDefault(
+        model => model.IsWholeMoon && model.Resolution.PixelsPerDegree == pixelsPerDegree)
         ?? throw new UsageException(
             $"{SurfaceOptions.Resolution.Name} is {pixelsPerDegree}; the server has "
-                + $"{string.Join(", ", Models.Select(model => model.PixelsPerDegree))} (/v1/models).").About(SurfaceOptions.Resolution);
+                + $"{string.Join(", ", Models.All.Where(model => model.IsWholeMoon).Select(model => model.Resolution.PixelsPerDegree))} "
+                + "(/v1/models).").About(SurfaceOptions.Resolution);
 
     /// <summary>The path of a map.</summary>
     /// <param name="option">Key of the option, for the message.</param>
@@ -70,23 +59,35 @@ internal sealed class ServedNames : IDisposable
     public string Map(string option, string name) => name == AlbedoOptions.NoMap ? name
         : _maps.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _maps.Keys);
 
-    /// <summary>The preset of a name.</summary>
+    /// <summary>The preset of a name, or the camera file of a served folder as its frames name it.</summary>
     /// <exception cref="UsageException">There is none.</exception>
     public CameraFile Camera(string name) => Cameras.FirstOrDefault(camera => IsSame(camera.Name, name))
+        ?? _camerasOfFolders.GetValueOrDefault(name)
         ?? throw Unknown("camera", name, Cameras.Select(camera => camera.Name));
 
-    /// <summary>Closes the models.</summary>
-    public void Dispose()
+    /// <summary>Looks for the camera of a folder's frames, so that requests may name it.</summary>
+    /// <param name="name">As the arguments of the frames name it.</param>
+    /// <param name="folders">Where its file may be.</param>
+    /// <returns>The camera; null if there is no such preset and no such file.</returns>
+    public CameraFile? FindCamera(string name, IEnumerable<string> folders)
     {
-        foreach (ServedModel model in Models)
+        CameraFile? camera = Cameras.FirstOrDefault(camera => IsSame(camera.Name, name))
+            ?? _camerasOfFolders.GetValueOrDefault(name);
+        if (camera is null && CameraChoice.Find(name, folders) is { } found)
         {
-            model.Dispose();
+            camera = _camerasOfFolders.GetOrAdd(name, found);
         }
+
+        return camera;
     }
+
+    /// <summary>Closes the models.</summary>
+    public void Dispose() => Models.Dispose();
 
     private static bool IsSame(string one, string other) => one.Equals(other, StringComparison.OrdinalIgnoreCase);
 
-    private static UsageException Unknown(string what, string name, IEnumerable<string> names)
+    /// <summary>The error that there is no file of a name.</summary>
+    internal static UsageException Unknown(string what, string name, IEnumerable<string> names)
     {
         string question = NearestName.Question(name, [.. names]);
         return new UsageException(

@@ -52,7 +52,7 @@ internal sealed record SurfaceReading(
             light.VisibleFraction,
             PixelBeam.SideAt(camera, ray, hit.RayParameter),
             double.RadiansToDegrees(Vector3D.AngleBetween(hit.NormalMoonMe, point)),
-            new FacetReading(hit.Facet.Line, hit.Facet.Sample, (int)hit.Facet.Half));
+            new FacetReading(hit.Facet.Line, hit.Facet.Sample, (int)hit.Facet.Half, hit.Facet.Part));
     }
 
     private static string WordOf(IlluminationState state) => state switch

@@ -61,6 +61,37 @@ internal static class CameraChoice
     public static string TextOf(CameraFile camera) =>
         camera.IsPreset ? camera.Name : $"{camera.Name}{ChecksumMark}{camera.Sha256[..ShownDigits]}";
 
+    /// <summary>Looks for the file that the arguments of a frame name (<see cref="TextOf"/>).</summary>
+    /// <param name="text">Its name, with the beginning of its checksum.</param>
+    /// <param name="folders">Where it may be.</param>
+    /// <returns>The camera; null if none of the folders has this very file.</returns>
+    public static CameraFile? Find(string text, IEnumerable<string> folders)
+    {
+        int mark = text.LastIndexOf(ChecksumMark);
+        if (mark < 0 || Path.GetFileName(text) != text)
+        {
+            return null;
+        }
+
+        foreach (string path in folders.Select(folder => Path.Combine(folder, text[..mark])).Where(File.Exists))
+        {
+            try
+            {
+                CameraFile camera = CameraFileReader.Read(path);
+                if (TextOf(camera) == text)
+                {
+                    return camera;
+                }
+            }
+            catch (BadInputException)
+            {
+                // Another file of that name: none of the frame's.
+            }
+        }
+
+        return null;
+    }
+
     private static CameraFile Open(string given, Installation installation)
     {
         if (Preset(given, installation) is { } preset)

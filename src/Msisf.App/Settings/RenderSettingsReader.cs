@@ -18,8 +18,10 @@ internal static class RenderSettingsReader
     /// <param name="values">The options.</param>
     /// <param name="openCamera">Opens the camera of a name; null for a preset or a file.</param>
     /// <param name="gdalPath">MSISF_GDAL, or null.</param>
+    /// <param name="known">Resolution of the model, so that its files need not be asked; null if it is not known.</param>
     /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
-    public static RenderSettings Read(OptionValues values, Func<string, CameraFile>? openCamera = null, string? gdalPath = null)
+    public static RenderSettings Read(
+        OptionValues values, Func<string, CameraFile>? openCamera = null, string? gdalPath = null, GridResolution? known = null)
     {
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
@@ -27,7 +29,7 @@ internal static class RenderSettingsReader
         RendererOptions.Check(values);
         AlbedoSettings albedo = AlbedoOptions.Read(values);
         CameraFile? camera = CameraChoice.Read(values, openCamera);
-        GridResolution resolution = ModelChoice.ResolutionOf(values, renderer, gdalPath);
+        GridResolution resolution = known ?? ModelChoice.ResolutionOf(values, renderer, gdalPath);
         RenderSettings settings = new()
         {
             Camera = camera,

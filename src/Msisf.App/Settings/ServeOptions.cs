@@ -100,7 +100,7 @@ internal static partial class ServeOptions
             MaxPixels.Read(values),
             Queue.Read(values),
             TimeSpan.FromSeconds(TimeLimit.Read(values)),
-            SurfaceOptions.Ldem.ReadIfGiven(values),
+            SurfaceOptions.Ldem.ReadAll(values),
             LightOptions.Kernels.ReadIfGiven(values))
         {
             Folders = NamedPaths.Read(ViewOptions.Folders, values),

@@ -8,11 +8,11 @@ namespace Msisf.App.Settings;
 /// <param name="MaxPixels">Pixels of the largest image.</param>
 /// <param name="Queue">Number of requests that may wait.</param>
 /// <param name="TimeLimit">Longest time of a request.</param>
-/// <param name="Ldem">Elevation model, or folder of models; null for those that a run finds.</param>
+/// <param name="Ldem">Elevation models, or folders of models; empty for those that a run finds.</param>
 /// <param name="Kernels">SPICE meta-kernel; null for that of the installation.</param>
 internal sealed record ServeSettings(
     ListenAddress Listen, string? Token, (string Path, string Key)? Certificate, IReadOnlyList<string> Hosts, int MaxPixels, int Queue,
-    TimeSpan TimeLimit, string? Ldem, string? Kernels)
+    TimeSpan TimeLimit, IReadOnlyList<string> Ldem, string? Kernels)
 {
     /// <summary>Output folders and batch files of the viewer's time line, by name.</summary>
     public IReadOnlyDictionary<string, string> Folders { get; init; } = new Dictionary<string, string>();

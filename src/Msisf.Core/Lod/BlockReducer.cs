@@ -23,14 +23,19 @@ public sealed class BlockReducer
     private readonly int _halvings;
     private readonly LodLayout[] _layouts;
     private readonly double _reference;
+    private readonly bool _keepsGaps;
 
     /// <summary>Takes a model to reduce.</summary>
     /// <param name="finer">
     /// The model; 2 to the power of <paramref name="halvings"/> must divide the resolution of one in simple cylindrical projection.
     /// </param>
     /// <param name="halvings">At least 1.</param>
-    public BlockReducer(ITerrainGrid finer, int halvings)
+    /// <param name="keepsGaps">
+    /// Whether samples may be without data: a mean is of those that have some, and NaN where none has.
+    /// </param>
+    public BlockReducer(ITerrainGrid finer, int halvings, bool keepsGaps = false)
     {
+        _keepsGaps = keepsGaps && finer.MayHaveGaps;
         ArgumentOutOfRangeException.ThrowIfLessThan(halvings, 1);
         _finer = finer;
         _reference = finer.ReferenceRadius;
@@ -81,7 +86,15 @@ public sealed class BlockReducer
     {
         if (halvings == 0)
         {
-            _finer.ReadRadii(line, firstSample, radii);
+            if (_keepsGaps)
+            {
+                ReadWithGaps(line, firstSample, radii);
+            }
+            else
+            {
+                _finer.ReadRadii(line, firstSample, radii);
+            }
+
             return;
         }
 
@@ -113,8 +126,51 @@ public sealed class BlockReducer
         }
     }
 
+    private void ReadWithGaps(int line, int firstSample, Span<double> radii)
+    {
+        bool[] gaps = ArrayPool<bool>.Shared.Rent(radii.Length);
+        Span<bool> isGap = gaps.AsSpan(0, radii.Length);
+        _finer.ReadGaps(line, firstSample, isGap);
+        radii.Fill(double.NaN);
+        for (int start = isGap.IndexOf(false); start < radii.Length && start >= 0;)
+        {
+            int count = isGap[start..].IndexOf(true);
+            int end = count < 0 ? radii.Length : start + count;
+            _finer.ReadRadii(line, firstSample + start, radii[start..end]);
+            int next = isGap[end..].IndexOf(false);
+            start = next < 0 ? radii.Length : end + next;
+        }
+
+        ArrayPool<bool>.Shared.Return(gaps);
+    }
+
+    private void HalveWithGaps(ReadOnlySpan<double> north, ReadOnlySpan<double> south, Span<double> radii)
+    {
+        for (int i = 0; i < radii.Length; i++)
+        {
+            double sum = 0.0;
+            int count = 0;
+            foreach (double radius in (ReadOnlySpan<double>)[north[2 * i], south[2 * i], north[(2 * i) + 1], south[(2 * i) + 1]])
+            {
+                if (!double.IsNaN(radius))
+                {
+                    sum += radius;
+                    count++;
+                }
+            }
+
+            radii[i] = count == 0 ? double.NaN : _reference + (float)((sum / count) - _reference);
+        }
+    }
+
     private void Halve(ReadOnlySpan<double> north, ReadOnlySpan<double> south, Span<double> radii)
     {
+        if (_keepsGaps)
+        {
+            HalveWithGaps(north, south, radii);
+            return;
+        }
+
         int i = 0;
         if (Avx2.IsSupported)
         {

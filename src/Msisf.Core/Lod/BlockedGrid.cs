@@ -1,6 +1,7 @@
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
+using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -12,8 +13,10 @@ public abstract class BlockedGrid : ITerrainGrid
     /// <summary>Describes the level.</summary>
     /// <param name="source">The model: its name and limits are the level's.</param>
     /// <param name="halvings">How many times the model's resolution is halved.</param>
-    protected BlockedGrid(ITerrainGrid source, int halvings)
+    /// <param name="keepsGaps">Whether it has no data where the model has none; without it such a place is an error.</param>
+    protected BlockedGrid(ITerrainGrid source, int halvings, bool keepsGaps = false)
     {
+        MayHaveGaps = keepsGaps && source.MayHaveGaps;
         ProductId = source.ProductId;
         ReferenceRadius = source.ReferenceRadius;
 
@@ -50,6 +53,9 @@ public abstract class BlockedGrid : ITerrainGrid
     /// <inheritdoc/>
     public (double Min, double Max) RadiusLimits { get; }
 
+    /// <inheritdoc/>
+    public bool MayHaveGaps { get; }
+
     /// <summary>The level's blocks.</summary>
     protected LodLayout Layout { get; }
 
@@ -65,8 +71,31 @@ public abstract class BlockedGrid : ITerrainGrid
             int count = Math.Min(radii.Length, end - firstSample);
             CopyRadii(
                 HeightsOf(row, Layout.ColumnOf(firstSample)).Slice(LodLayout.IndexInBlock(line, firstSample), count), radii);
+            if (MayHaveGaps && HasNaN(radii[..count]))
+            {
+                throw new BadInputException($"{ProductId}, line {line + 1} of a coarser level: no data there.");
+            }
+
             radii = radii[count..];
             firstSample = firstSample + count == window.EndSample ? window.FirstSample : firstSample + count;
+        }
+    }
+
+    /// <inheritdoc/>
+    public void ReadGaps(int line, int firstSample, Span<bool> isGap)
+    {
+        if (!MayHaveGaps)
+        {
+            isGap.Clear();
+            return;
+        }
+
+        Layout.CheckRange(line, 1, firstSample, isGap.Length);
+        for (int i = 0; i < isGap.Length; i++)
+        {
+            int sample = firstSample + i < Layout.Window.EndSample ? firstSample + i : firstSample + i - Layout.Window.Samples;
+            isGap[i] = float.IsNaN(
+                HeightsOf(Layout.RowOf(line), Layout.ColumnOf(sample))[LodLayout.IndexInBlock(line, sample)]);
         }
     }
 
@@ -104,6 +133,19 @@ public abstract class BlockedGrid : ITerrainGrid
     /// <param name="column">From the left.</param>
     /// <returns><see cref="LodLayout.BlockSamples"/> heights, m over the reference radius, <see cref="LodLayout.Side"/> a line.</returns>
     protected abstract ReadOnlySpan<float> HeightsOf(int row, int column);
+
+    private static bool HasNaN(ReadOnlySpan<double> radii)
+    {
+        foreach (double radius in radii)
+        {
+            if (double.IsNaN(radius))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
 
     private void CopyRadii(ReadOnlySpan<float> heights, Span<double> radii)
     {

@@ -66,6 +66,10 @@ public sealed class DetailRule
     /// <param name="metresPerPixel">Width that a pixel covers, m.</param>
     public double WidestCell(double metresPerPixel) => ErrorsPerCell * _errorPixels * metresPerPixel;
 
+    /// <summary>m: width of the cells of a level, on the reference sphere, where they are widest.</summary>
+    /// <param name="level">0 for the model itself.</param>
+    public double CellOf(int level) => Math.ScaleB(_finestCell, level);
+
     /// <summary>m: how far the edge of a shadow may move for a pixel of this size.</summary>
     /// <param name="metresPerPixel">Width that a pixel covers, m.</param>
     public double MaxShift(double metresPerPixel) => _errorPixels * metresPerPixel;

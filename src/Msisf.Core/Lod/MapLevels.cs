@@ -23,7 +23,11 @@ public sealed class MapLevels : TerrainLevels
     /// <summary>Takes a map; nothing is read or computed yet.</summary>
     /// <param name="map">The map.</param>
     /// <param name="cacheBytes">Memory for computed blocks, all levels together.</param>
-    public static MapLevels Open(ITerrainGrid map, long cacheBytes = DefaultCacheBytes)
+    /// <param name="keepsGaps">
+    /// Whether levels have places without data, for coarser models to fill; a coarse sample has none only if none of its samples has.
+    /// Without it such a place is an error.
+    /// </param>
+    public static MapLevels Open(ITerrainGrid map, long cacheBytes = DefaultCacheBytes, bool keepsGaps = false)
     {
         // The lines of polar maps are long: each line of a block lies on pages of its own, and the system maps fifteen neighbours with it.
         const int SamplesBetweenReleases = SparingSamplesBetweenReleases;
@@ -31,7 +35,7 @@ public sealed class MapLevels : TerrainLevels
         List<ITerrainGrid> levels = [map];
         while (HasNext(levels[^1]))
         {
-            levels.Add(new ReducedGrid(map, levels.Count, levels[^1] as ReducedGrid, cache, SamplesBetweenReleases));
+            levels.Add(new ReducedGrid(map, levels.Count, levels[^1] as ReducedGrid, cache, SamplesBetweenReleases, keepsGaps));
         }
 
         return new MapLevels(levels);

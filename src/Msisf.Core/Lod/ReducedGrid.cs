@@ -27,15 +27,17 @@ public class ReducedGrid : BlockedGrid
     /// </param>
     /// <param name="cache">Bounds the memory.</param>
     /// <param name="samplesBetweenReleases">Number of samples of the model that are read before their memory is released.</param>
-    internal ReducedGrid(ITerrainGrid source, int halvings, ReducedGrid? below, LodCache cache, int samplesBetweenReleases)
-        : base(source, halvings)
+    /// <param name="keepsGaps">Whether it has no data where the model has none; without it such a place is an error.</param>
+    internal ReducedGrid(
+        ITerrainGrid source, int halvings, ReducedGrid? below, LodCache cache, int samplesBetweenReleases, bool keepsGaps = false)
+        : base(source, halvings, keepsGaps)
     {
         _cache = cache;
         _source = source;
         _blocksBetweenReleases = Math.Max(1, (samplesBetweenReleases / LodLayout.BlockSamples) >> (2 * halvings));
         _below = below;
-        _fromSource = new BlockReducer(source, halvings);
-        _fromBelow = below is null ? null : new BlockReducer(below, 1);
+        _fromSource = new BlockReducer(source, halvings, keepsGaps);
+        _fromBelow = below is null ? null : new BlockReducer(below, 1, keepsGaps);
         _rows = new LodBlock?[]?[Layout.BlockRows];
     }
 

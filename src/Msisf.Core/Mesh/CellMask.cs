@@ -26,6 +26,15 @@ internal sealed class CellMask
         _states = new BlockState[BlockRows * _columns];
     }
 
+    /// <summary>A mask that keeps no cell.</summary>
+    public static CellMask NoneOf(FacetMesh mesh)
+    {
+        CellMask mask = new(mesh);
+        Array.Fill(mask._states, BlockState.Empty);
+        mask.Seal();
+        return mask;
+    }
+
     /// <summary>What of a block is kept.</summary>
     public enum BlockState : byte
     {
@@ -48,8 +57,8 @@ internal sealed class CellMask
     /// <summary>Rectangles that together are the kept cells of all partial blocks; complete after <see cref="Seal"/>.</summary>
     public IReadOnlyList<CellRange> Pieces => _pieces;
 
-    /// <summary>Whether any cell is kept.</summary>
-    public bool IsAny => Array.Exists(_states, state => state != BlockState.Empty);
+    /// <summary>Whether any cell is kept; known after <see cref="Seal"/>.</summary>
+    public bool IsAny { get; private set; } = true;
 
     /// <summary>What of a block is kept.</summary>
     public BlockState StateOf(int row, int column) => _states[(row * _columns) + column];
@@ -123,6 +132,8 @@ internal sealed class CellMask
                 _rows.Remove(block);
             }
         }
+
+        IsAny = Array.Exists(_states, state => state != BlockState.Empty);
     }
 
     /// <summary>Divides the kept cells of a block into rectangles: runs of a row, as far down as they repeat.</summary>

@@ -41,6 +41,9 @@ internal sealed class GridSurface
     /// <summary>The cells that finer models leave; null for all.</summary>
     public CellMask? Kept { get; }
 
+    /// <summary>Whether a frame shows nothing of the model.</summary>
+    public bool IsLeftOut => Kept is { IsAny: false };
+
     /// <summary>The same model with some of its cells.</summary>
     public GridSurface WithCells(CellMask kept) => new(this, kept);
 

@@ -30,7 +30,7 @@ public static class TerrainHeight
     {
         Vector3D direction = positionMoonMe.Normalized();
         return terrain is NestedTerrain nested
-            ? RadiusOn(nested.Surface, direction)
+            ? RadiusOn(nested, direction)
             : RadiusOn(new FacetMesh((ITerrainGrid)terrain), direction) ?? terrain.ReferenceRadius;
     }
 
@@ -79,12 +79,15 @@ public static class TerrainHeight
         return (radius, nearest);
     }
 
-    /// <summary>Distance from the Moon's centre to the facet of a surface of several models, m.</summary>
-    private static double RadiusOn(SurfaceModel surface, Vector3D direction)
+    /// <summary>
+    /// Distance from the Moon's centre to the facet of a surface of several models, m. The seams are needed only where no model has it well
+    /// inside one of its cells.
+    /// </summary>
+    private static double RadiusOn(NestedTerrain terrain, Vector3D direction)
     {
         double nearest = double.NegativeInfinity;
         double radius = double.NaN;
-        foreach (GridSurface part in surface.Parts)
+        foreach (GridSurface part in terrain.Parts.Where(part => !part.IsLeftOut))
         {
             CellRange cells = CellsAround(part.Mesh, direction) ?? default;
             for (int line = cells.FirstLine; line < cells.EndLine; line++)
@@ -102,6 +105,12 @@ public static class TerrainHeight
             }
         }
 
+        if (nearest > WellInside)
+        {
+            return radius;
+        }
+
+        SurfaceModel surface = terrain.Surface;
         for (int block = 0; block < surface.Seams.Blocks.Count; block++)
         {
             if (Vector3D.Dot(surface.Seams.Blocks[block].Box.Up, direction) >= surface.Seams.Blocks[block].Box.CapRadius.Cosine)

@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 
@@ -12,9 +13,13 @@ namespace Msisf.Core.Render;
 /// </summary>
 public sealed class NativeRenderer
 {
+    /// <summary>Calls of <see cref="ReleaseIfUnused"/> without a frame between them after which the memory is released.</summary>
+    private const int TurnsUntilRelease = 1;
+
     private readonly SurfaceModel _surface;
     private readonly ConcurrentBag<FramePass> _idle = [];
     private long _replacedBytes;
+    private int _turnsWithoutFrame;
 
     /// <summary>Makes a renderer; nothing of the model is read yet.</summary>
     /// <param name="terrain">The elevation model, or several.</param>
@@ -22,10 +27,14 @@ public sealed class NativeRenderer
     {
         _surface = SurfaceModel.Of(terrain);
         Resolution = terrain.Resolution;
+        PartResolutions = (terrain as NestedTerrain)?.DrawnResolutions ?? [];
     }
 
-    /// <summary>Resolution of the model that is drawn, of several that of the finest.</summary>
+    /// <summary>Resolution of the model that is drawn, of several that of the finest that is there.</summary>
     public GridResolution Resolution { get; }
+
+    /// <summary>Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.</summary>
+    public IReadOnlyList<GridResolution?> PartResolutions { get; }
 
     /// <summary>
     /// Bytes of the buffers that frames have replaced by smaller or larger ones so far; they are free, but no collection may have returned
@@ -45,6 +54,7 @@ public sealed class NativeRenderer
         PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation = default)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(threads, 1);
+        Volatile.Write(ref _turnsWithoutFrame, 0);
         if (!_idle.TryTake(out FramePass? pass))
         {
             pass = new FramePass(_surface);
@@ -54,5 +64,18 @@ public sealed class NativeRenderer
         pass.Draw(camera, light, options, threads, cancellation);
         Interlocked.Add(ref _replacedBytes, pass.ReplacedBytes - before);
         return new NativeFrame(pass, _idle.Add);
+    }
+
+    /// <summary>Releases the memory that is kept for later frames, if there was none for some turns.</summary>
+    /// <returns>Whether any was released.</returns>
+    public bool ReleaseIfUnused()
+    {
+        if (Interlocked.Increment(ref _turnsWithoutFrame) <= TurnsUntilRelease || _idle.IsEmpty)
+        {
+            return false;
+        }
+
+        _idle.Clear();
+        return true;
     }
 }

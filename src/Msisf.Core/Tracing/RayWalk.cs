@@ -95,6 +95,11 @@ internal ref struct RayWalk
             for (_partNumber = 0; _partNumber < _surface.Parts.Count; _partNumber++)
             {
                 _part = _surface.Parts[_partNumber];
+                if (_part.IsLeftOut)
+                {
+                    continue;
+                }
+
                 _wedge = new CellWedge(_part.Geometry, _start, _unitDirection);
                 _sagitta = _part.Geometry.Sagitta;
                 VisitIfMet(_part.Mesh.Cells, piece, level: SquareLayout.GroupLevel);

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using Msisf.Core.Lod;
 using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Terrain;
 using Msisf.TestSupport;
@@ -9,11 +10,15 @@ namespace Msisf.Core.Tests.Support;
 internal static class NestedScenes
 {
     private static readonly ConcurrentDictionary<string, Lazy<NestedTerrain>> Made = new(StringComparer.Ordinal);
+    private static readonly ConcurrentDictionary<string, Lazy<NestedLevels>> Levels = new(StringComparer.Ordinal);
     private static readonly ConcurrentDictionary<string, Lazy<AllFacets>> Collected = new(StringComparer.Ordinal);
 
-    /// <summary>The names.</summary>
+    /// <summary>The names; a level of each model may follow, the coarsest first, or a hyphen for one that is left out.</summary>
     public static IReadOnlyList<string> Names { get; } =
-        ["polar", "north", "five", "beside-the-pole", "band", "crossing", "gaps", "piece", "one-corner-at-the-pole"];
+    [
+        "polar", "north", "five", "beside-the-pole", "band", "crossing", "gaps", "piece", "one-corner-at-the-pole",
+        "five at 0-102", "crossing at 021", "gaps at 02",
+    ];
 
     /// <summary>The models of a scene, in no order.</summary>
     public static IReadOnlyList<ITerrainGrid> ModelsOf(string name)
@@ -51,7 +56,16 @@ internal static class NestedScenes
 
     /// <summary>A scene, made once for all tests.</summary>
     public static NestedTerrain Named(string name) =>
-        Made.GetOrAdd(name, static made => new(() => new NestedTerrain(ModelsOf(made)))).Value;
+        Made.GetOrAdd(name, static made => new(() => made.Split(" at ") is [string scene, string levels]
+            ? LevelsOf(scene).Terrain([.. levels.Select(level => level == '-' ? (int?)null : level - '0')])
+            : new NestedTerrain(ModelsOf(made), new SeamMemory()))).Value;
+
+    /// <summary>The levels of a scene.</summary>
+    public static NestedLevels LevelsOf(string name) => Levels.GetOrAdd(name, static made => new(() => NewLevelsOf(Named(made)))).Value;
+
+    /// <summary>The levels of a surface; nothing is kept of other tests.</summary>
+    public static NestedLevels NewLevelsOf(NestedTerrain scene) => new(scene, [.. scene.Models.Select(
+        TerrainLevels (model) => model is IElevationGrid moon ? LodLevels.Open(moon) : MapLevels.Open(model, keepsGaps: true))]);
 
     /// <summary>All facets of a scene, collected once for all tests.</summary>
     public static AllFacets FacetsOf(string name) => Collected.GetOrAdd(name, static made => new(() => new AllFacets(Named(made)))).Value;

@@ -29,7 +29,7 @@ internal sealed class BorderBlend : ITerrainGrid
     private readonly int _columns;
     private readonly bool[] _isBlended;
     private readonly DataGaps _gaps;
-    private readonly ConcurrentDictionary<int, double[]> _tiles = new();
+    private readonly ConcurrentDictionary<int, Tile> _tiles = new();
 
     /// <summary>Prepares a model; of one with gaps all samples are looked at.</summary>
     /// <param name="grid">The model, which is not of the whole Moon.</param>
@@ -104,8 +104,7 @@ internal sealed class BorderBlend : ITerrainGrid
             Span<double> part = radii.Slice(done, count);
             if (_isBlended[tile])
             {
-                double[] blended = _tiles.GetOrAdd(tile, Blend);
-                blended.AsSpan((down % Side * Side) + (right % Side), count).CopyTo(part);
+                ReadBlended(_tiles.GetOrAdd(tile, NewTile), down, right, part);
             }
             else
             {
@@ -130,37 +129,47 @@ internal sealed class BorderBlend : ITerrainGrid
         return Math.Clamp(Math.Min(window.Lines, window.Samples) / 4, 1, width);
     }
 
-    private double[] Blend(int tile)
+    private Tile NewTile(int tile)
     {
-        int firstDown = tile / _columns * Side;
-        int firstRight = tile % _columns * Side;
-        GridWindow window = Window;
-        int[] distances = _gaps.DistancesAround(firstDown, firstRight, Width);
         double[] radii = new double[Side * Side];
-        int lines = Math.Min(Side, window.Lines - firstDown);
-        int samples = Math.Min(Side, window.Samples - firstRight);
-        for (int row = 0; row < lines; row++)
-        {
-            for (int column = 0; column < samples; column++)
-            {
-                int distance = distances[(row * Side) + column];
-                double t = Math.Clamp((distance - 1) / (double)Width, 0.0, 1.0);
-                double weight = t * t * (3.0 - (2.0 * t));
-                (int line, int sample) = (window.FirstLine + firstDown + row, window.FirstSample + firstRight + column);
-                Span<double> own = radii.AsSpan((row * Side) + column, 1);
-                if (weight > 0.0)
-                {
-                    _grid.ReadRadii(line, sample, own);
-                }
+        Array.Fill(radii, double.NaN);
+        return new Tile(radii, _gaps.DistancesAround(tile / _columns * Side, tile % _columns * Side, Width));
+    }
 
-                if (weight < 1.0)
-                {
-                    double coarse = _coarser.RadiusAt(Projection.DirectionOf(line, sample));
-                    own[0] = (weight * own[0]) + ((1.0 - weight) * coarse);
-                }
+    /// <summary>Each sample is computed when it is first read: a seam needs the outermost ones only. Threads compute the same.</summary>
+    private void ReadBlended(Tile tile, int down, int right, Span<double> radii)
+    {
+        int start = (down % Side * Side) + (right % Side);
+        for (int i = 0; i < radii.Length; i++)
+        {
+            ref double known = ref tile.Radii[start + i];
+            double radius = Volatile.Read(ref known);
+            if (double.IsNaN(radius))
+            {
+                radius = Blend(Window.FirstLine + down, Window.FirstSample + right + i, tile.Distances[start + i]);
+                Volatile.Write(ref known, radius);
             }
+
+            radii[i] = radius;
+        }
+    }
+
+    private double Blend(int line, int sample, int distance)
+    {
+        double t = Math.Clamp((distance - 1) / (double)Width, 0.0, 1.0);
+        double weight = t * t * (3.0 - (2.0 * t));
+        Span<double> own = stackalloc double[1];
+        own[0] = 0.0;
+        if (weight > 0.0)
+        {
+            _grid.ReadRadii(line, sample, own);
         }
 
-        return radii;
+        return weight < 1.0
+            ? (weight * own[0]) + ((1.0 - weight) * _coarser.RadiusAt(Projection.DirectionOf(line, sample)))
+            : own[0];
     }
+
+    /// <summary>Samples of a tile that are known, the others NaN, and their distances from places without data.</summary>
+    private sealed record Tile(double[] Radii, byte[] Distances);
 }

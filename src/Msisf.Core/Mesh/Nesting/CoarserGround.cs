@@ -9,7 +9,8 @@ internal sealed class CoarserGround
 
     /// <summary>Takes the models.</summary>
     /// <param name="coarser">The models, the coarsest first; that is one of the whole Moon.</param>
-    public CoarserGround(IEnumerable<GridSurface> coarser) => _meshes = [.. coarser.Select(part => part.Mesh).Reverse()];
+    public CoarserGround(IEnumerable<GridSurface> coarser) =>
+        _meshes = [.. coarser.Where(part => !part.IsLeftOut).Select(part => part.Mesh).Reverse()];
 
     /// <summary>Minimum and maximum radius of the models' samples, m.</summary>
     public (double Min, double Max) RadiusLimits =>

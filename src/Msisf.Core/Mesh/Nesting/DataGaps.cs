@@ -73,16 +73,36 @@ internal sealed class DataGaps
     /// <param name="firstDown">The tile's first line, from the model's first.</param>
     /// <param name="firstRight">Its first sample, from the model's first.</param>
     /// <param name="width">Samples.</param>
-    public int[] DistancesAround(int firstDown, int firstRight, int width)
+    public byte[] DistancesAround(int firstDown, int firstRight, int width) =>
+        _gaps.Count == 0 ? DistancesFromSides(firstDown, firstRight, width) : DistancesFromGaps(firstDown, firstRight, width);
+
+    private byte[] DistancesFromSides(int firstDown, int firstRight, int width)
+    {
+        byte[] own = new byte[Side * Side];
+        for (int row = 0; row < Side; row++)
+        {
+            int vertical = Math.Min(firstDown + row + 1, _window.Lines - firstDown - row);
+            for (int column = 0; column < Side; column++)
+            {
+                int right = firstRight + column;
+                int distance = _isRing ? vertical : Math.Min(vertical, Math.Min(right + 1, _window.Samples - right));
+                own[(row * Side) + column] = (byte)Math.Clamp(distance, 0, width + 1);
+            }
+        }
+
+        return own;
+    }
+
+    private byte[] DistancesFromGaps(int firstDown, int firstRight, int width)
     {
         int around = width + 1;
         int side = Side + (2 * around);
-        int[] distances = new int[side * side];
+        byte[] distances = new byte[side * side];
         for (int row = 0; row < side; row++)
         {
             for (int column = 0; column < side; column++)
             {
-                At(row, column) = HasData(firstDown + row - around, firstRight + column - around) ? around : 0;
+                At(row, column) = HasData(firstDown + row - around, firstRight + column - around) ? (byte)around : (byte)0;
             }
         }
 
@@ -108,7 +128,7 @@ internal sealed class DataGaps
             }
         }
 
-        int[] own = new int[Side * Side];
+        byte[] own = new byte[Side * Side];
         for (int row = 0; row < Side; row++)
         {
             distances.AsSpan(((row + around) * side) + around, Side).CopyTo(own.AsSpan(row * Side));
@@ -116,13 +136,13 @@ internal sealed class DataGaps
 
         return own;
 
-        ref int At(int row, int column) => ref distances[(row * side) + column];
+        ref byte At(int row, int column) => ref distances[(row * side) + column];
 
         void Lower(int row, int column, int besideRow, int besideColumn)
         {
             if (besideRow >= 0 && besideRow < side && besideColumn >= 0 && besideColumn < side)
             {
-                At(row, column) = Math.Min(At(row, column), At(besideRow, besideColumn) + 1);
+                At(row, column) = (byte)Math.Min(At(row, column), At(besideRow, besideColumn) + 1);
             }
         }
     }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh.Nesting;
@@ -13,12 +14,16 @@ public sealed class NestedTerrain : ITerrain
     /// <summary>Maximum number of models.</summary>
     public const int MaxModels = 100;
 
+    private readonly IReadOnlyList<ITerrainGrid?> _drawn;
+    private readonly Lazy<NestedParts> _parts;
     private readonly Lazy<SurfaceModel> _surface;
+    private readonly ISeamStore? _seams;
 
     /// <summary>Takes the models; nothing is read yet.</summary>
     /// <param name="models">Two or more, in any order; the coarsest is one of the whole Moon.</param>
+    /// <param name="seams">Keeps the seams for another time; null to make them each time.</param>
     /// <exception cref="BadInputException">They are no such models.</exception>
-    public NestedTerrain(IEnumerable<ITerrainGrid> models)
+    public NestedTerrain(IEnumerable<ITerrainGrid> models, ISeamStore? seams = null)
     {
         Models = [.. models.OrderByDescending(model => model.Projection.Resolution.MetresPerPixel)
             .ThenByDescending(model => model.ProductId, StringComparer.Ordinal)];
@@ -49,6 +54,22 @@ public sealed class NestedTerrain : ITerrain
                     + $"{Models[0].ReferenceRadius:R} m: they are of different bodies. Leave one of them out."));
         }
 
+        _seams = seams;
+        _drawn = Models;
+        _parts = new Lazy<NestedParts>(() => NestedParts.OfAll(Models));
+        _surface = new Lazy<SurfaceModel>(Join);
+    }
+
+    /// <summary>The surface of the same models at levels of detail.</summary>
+    /// <param name="scene">The models themselves.</param>
+    /// <param name="levels">The level of each model; null for one that is left out. The first is there.</param>
+    /// <param name="alike">A surface whose first models may be at the same levels: what these have computed is used again.</param>
+    internal NestedTerrain(NestedTerrain scene, IReadOnlyList<ITerrainGrid?> levels, NestedTerrain alike)
+    {
+        Models = [.. scene.Models.Zip(levels, (model, level) => level ?? model)];
+        _seams = scene._seams;
+        _drawn = levels;
+        _parts = new Lazy<NestedParts>(() => NestedParts.OfLevels(Models, levels, alike.WholeParts, alike.CountSame(levels)));
         _surface = new Lazy<SurfaceModel>(Join);
     }
 
@@ -65,7 +86,10 @@ public sealed class NestedTerrain : ITerrain
     public string ProductId => string.Join('+', Models.Select(model => model.ProductId));
 
     /// <inheritdoc/>
-    public GridResolution Resolution => Models[^1].Projection.Resolution;
+    public GridResolution Resolution => _drawn.Last(level => level is not null)!.Projection.Resolution;
+
+    /// <summary>The resolution at which each model is drawn; null for one that is left out, because a coarser one is as fine.</summary>
+    public IReadOnlyList<GridResolution?> DrawnResolutions => [.. _drawn.Select(level => level?.Projection.Resolution)];
 
     /// <inheritdoc/>
     public (double Min, double Max) RadiusLimits =>
@@ -75,9 +99,26 @@ public sealed class NestedTerrain : ITerrain
     /// <exception cref="BadInputException">The models can't be joined.</exception>
     internal SurfaceModel Surface => _surface.Value;
 
-    /// <summary>Makes the surface now, so that an error is told before any work.</summary>
+    /// <summary>The models with the cells that the surface has of them; without the seams, which take long.</summary>
+    /// <exception cref="BadInputException">Nothing would be seen of a model.</exception>
+    internal IReadOnlyList<GridSurface> Parts => _parts.Value.Kept;
+
+    /// <summary>The models with all their cells.</summary>
+    internal IReadOnlyList<GridSurface> WholeParts => _parts.Value.Whole;
+
+    /// <summary>
+    /// Distance from the Moon's centre to the ground in a direction, of the finest model there, m; in a seam about that of the surface.
+    /// </summary>
+    internal double GroundRadius(Vector3D direction) => new CoarserGround(WholeParts).RadiusAt(direction);
+
+    /// <summary>Number of first models that another surface has at the same levels.</summary>
+    internal int CountSame(IReadOnlyList<ITerrainGrid?> levels) =>
+        _drawn.Zip(levels).TakeWhile(pair => ReferenceEquals(pair.First, pair.Second)).Count();
+
+    /// <summary>Looks at the models now, so that an error is told before any work.</summary>
+    /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them the surface of the models is made too.</param>
     /// <exception cref="BadInputException">The models can't be joined.</exception>
-    public void Prepare() => _ = Surface;
+    public void Prepare(bool hasLevels) => _ = hasLevels ? (object)Parts : Surface;
 
     /// <inheritdoc/>
     public void ReleasePages()
@@ -88,25 +129,5 @@ public sealed class NestedTerrain : ITerrain
         }
     }
 
-    private SurfaceModel Join()
-    {
-        List<GridSurface> blended = [new GridSurface(Models[0])];
-        foreach (ITerrainGrid model in Models.Skip(1))
-        {
-            blended.Add(new GridSurface(new BorderBlend(model, new CoarserGround(blended))));
-        }
-
-        GridSurface[] parts = new GridSurface[blended.Count];
-        for (int part = parts.Length - 1; part >= 0; part--)
-        {
-            parts[part] = blended[part].WithCells(KeptCells.Of(blended[part], parts[(part + 1)..]));
-            if (!parts[part].Kept!.IsAny)
-            {
-                throw new BadInputException(
-                    $"Of {Models[part].ProductId} nothing would be seen: finer models cover all of it. Leave it out.");
-            }
-        }
-
-        return new SurfaceModel(parts, SeamBuilder.Join(parts));
-    }
+    private SurfaceModel Join() => new(Parts, SeamBuilder.Join(Parts, _seams));
 }

@@ -13,6 +13,12 @@ internal sealed class SeamBuilder
     /// </summary>
     private const double MaxSteps = 1 << 26;
 
+    /// <summary>
+    /// Rows of blocks between releases of memory: along the sides of a large map each line is on pages of its own, and the system maps
+    /// fifteen neighbours with it.
+    /// </summary>
+    private const int RowsBetweenReleases = 16;
+
     private readonly IReadOnlyList<GridSurface> _parts;
     private readonly Dictionary<Vector3D, int> _numbers = [];
     private readonly List<SeamVertex> _vertices = [];
@@ -22,17 +28,24 @@ internal sealed class SeamBuilder
 
     /// <summary>Makes the seams of models.</summary>
     /// <param name="parts">The models with their cells; the coarsest is one of the whole Moon.</param>
+    /// <param name="store">Keeps what fills the gaps; null to make all of it.</param>
     /// <exception cref="BadInputException">The models can't be joined.</exception>
-    public static SeamMesh Join(IReadOnlyList<GridSurface> parts)
+    public static SeamMesh Join(IReadOnlyList<GridSurface> parts, ISeamStore? store = null)
     {
         SeamBuilder builder = new(parts);
         for (int part = 0; part < parts.Count; part++)
         {
-            builder.AddBorders(part);
+            if (!parts[part].IsLeftOut)
+            {
+                builder.AddBorders(part);
+            }
         }
 
         SeamVertex[] vertices = [.. builder._vertices];
-        int[] corners = InPlaces(vertices, new SeamFront(vertices, builder._edges).Fill());
+        int[] filling = store is null
+            ? new SeamFront(vertices, builder._edges).Fill()
+            : SeamFiller.Fill(parts, vertices, builder._edges, store);
+        int[] corners = InPlaces(vertices, filling);
         builder.Check(vertices, corners);
         return new SeamMesh(vertices, corners);
     }
@@ -50,6 +63,11 @@ internal sealed class SeamBuilder
                 {
                     AddBorders(number, part, new CellBlock(row, column).Cells(part.Mesh));
                 }
+            }
+
+            if (row % RowsBetweenReleases == RowsBetweenReleases - 1)
+            {
+                part.Grid.ReleasePages();
             }
         }
     }
@@ -167,7 +185,25 @@ internal sealed class SeamBuilder
             (vertices[corners[3 * facet]].Position + vertices[corners[(3 * facet) + 1]].Position
                 + vertices[corners[(3 * facet) + 2]].Position) / 3.0))];
         Array.Sort(places, order);
+        for (int start = 0, end; start < order.Length; start = end)
+        {
+            for (end = start + 1; end < order.Length && places[end] == places[start]; end++)
+            {
+            }
+
+            // Those at one place lie in the order of their vertices, in which order ever they were found.
+            order.AsSpan(start, end - start).Sort((one, other) => VerticesOf(one).CompareTo(VerticesOf(other)));
+        }
+
         return [.. order.SelectMany(facet => corners.AsSpan(3 * facet, 3).ToArray())];
+
+        (int, int, int) VerticesOf(int facet)
+        {
+            (int a, int b, int c) = (corners[3 * facet], corners[(3 * facet) + 1], corners[(3 * facet) + 2]);
+            int least = Math.Min(a, Math.Min(b, c));
+            int most = Math.Max(a, Math.Max(b, c));
+            return (least, most, a + b + c - least - most);
+        }
     }
 
     /// <summary>A number whose order keeps places that are near each other together: the bits of the three coordinates in turn.</summary>

@@ -55,6 +55,11 @@ internal sealed class CasterSearch
         _groups.Clear();
         for (int part = 0; part < _surface.Parts.Count; part++)
         {
+            if (_surface.Parts[part].IsLeftOut)
+            {
+                continue;
+            }
+
             BoundsLayout layout = _surface.Parts[part].Bounds.Layout;
             int top = layout.Levels - 1;
             FindGroups(part, top, new NodeRange(0, layout.Rows(top), 0, layout.Columns(top)), bounds);

@@ -43,6 +43,11 @@ internal sealed class BlockCuller
         _candidates.Clear();
         for (int part = 0; part < _surface.Parts.Count; part++)
         {
+            if (_surface.Parts[part].IsLeftOut)
+            {
+                continue;
+            }
+
             BoundsLayout layout = _surface.Parts[part].Bounds.Layout;
             int top = layout.Levels - 1;
             for (int row = 0; row < layout.Rows(top); row++)

@@ -19,7 +19,7 @@ import { degrees, latitudeText, lengthText } from './text.js';
 const $ = id => document.getElementById(id);
 
 const state = new State();
-let offers = { models: [], cameras: [] };
+let offers = { models: [] };
 state.fromText(location.hash.slice(1));
 
 let crosshair = null;
@@ -195,10 +195,16 @@ $('readings-copy').addEventListener('click', () => navigator.clipboard.writeText
 $('help-open').addEventListener('click', () => $('help').showModal());
 window.addEventListener('hashchange', () => state.fromText(location.hash.slice(1)));
 
+/** What the page offers: each model of the whole Moon, and the maps of parts in the one around them as one surface. */
+function modelChoices({ models, one_surface: surface = [] }) {
+    const whole = models.filter(model => model.whole_moon).map(({ name, pixels_per_degree: resolution }) => (
+        { value: name, label: `${name} (${resolution} px/deg)` }));
+    return surface.length ? [...whole, { value: surface.join('+'), label: `${surface.join(' + ')} as one surface` }] : whole;
+}
+
 async function start() {
     offers = await getJson('/v1/models');
-    Panel.offer($('model'), offers.models.map(({ name, pixels_per_degree: resolution }) => (
-        { value: name, label: `${name} (${resolution} px/deg)` })));
+    Panel.offer($('model'), modelChoices(offers));
     Panel.offer($('reflectance'), (offers.reflectances ?? []).map(item => ({ value: item.name ?? item })));
     Panel.offer($('catalogue'), (offers.catalogues ?? []).map(({ name }) => ({ value: name })));
     await frames.offer();

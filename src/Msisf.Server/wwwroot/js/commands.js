@@ -7,9 +7,13 @@ const quoted = text => (/^[\w.,:/+-]+$/.test(text) ? text : `'${text.replaceAll(
 /** The command that draws a frame; models are {name, pixels_per_degree}. */
 export function commandLine(frame, models) {
     const { 'fixed-state': state, model, ...options } = frame;
+    const several = (model ?? '').split('+');
     const used = models.find(({ name }) => name === model) ?? models[0];
     const words = ['msis', '--renderer', 'native', '--fixed-state', `'{${state.map(String).join(',')}}'`];
-    for (const [name, value] of Object.entries({ ...options, ...(used && { res: used.pixels_per_degree }) })) {
+    if (several.length > 1) {
+        words.push(...several.flatMap(name => ['--ldem', quoted(`${name}.LBL`)])); // the page does not know the folders
+    }
+    for (const [name, value] of Object.entries({ ...options, ...(used && several.length < 2 && { res: used.pixels_per_degree }) })) {
         words.push(`--${name}`, quoted(String(value)));
     }
     return words.join(' ');

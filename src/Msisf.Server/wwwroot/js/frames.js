@@ -17,7 +17,7 @@ export class Frames {
     #isShowing = false;
     #isPlaying = false;
 
-    /** @param offers answers the server's models and cameras. */
+    /** @param offers answers the server's models. */
     constructor(state, picture, offers, onProblem) {
         Object.assign(this, { state, picture, offers, onProblem });
         this.flight = new Flight(state, states => this.open(this.#ofStates(states)), onProblem);
@@ -98,7 +98,7 @@ export class Frames {
             return;
         }
         if (frame.meta) {
-            this.state.adopt(this.#offered(frame.options));
+            this.state.adopt(this.#offered(frame));
         }
         this.#isShowing = true;
         this.state.look(viewOf(frame.state), bitmap !== null);
@@ -112,10 +112,9 @@ export class Frames {
     }
 
     /** A frame's options with the name of its model, as the page's choices have it, and with the size of its camera. */
-    #offered({ res, ...options }) {
-        const { models, cameras } = this.offers();
-        const model = models.find(({ pixels_per_degree: resolution }) => resolution === res);
-        const camera = cameras.find(({ name }) => name === options.camera);
+    #offered({ options: { res, ...options }, camera }) {
+        const { models } = this.offers();
+        const model = models.find(({ whole_moon: whole, pixels_per_degree: resolution }) => whole && resolution === res);
         return {
             ...options,
             ...(model ? { model: model.name } : res !== undefined && { res }),

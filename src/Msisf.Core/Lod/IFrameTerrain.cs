@@ -1,0 +1,13 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Lod;
+
+/// <summary>Chooses the terrain that a frame is drawn from; the choice follows from the frame alone. Safe for several threads.</summary>
+public interface IFrameTerrain
+{
+    /// <summary>The terrain of a frame; mostly the same object for frames that need the same.</summary>
+    /// <param name="footprint">Of the image's pixels.</param>
+    /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
+    ITerrain For(PixelFootprint footprint, int subsamplesPerAxis);
+}

@@ -1,0 +1,18 @@
+namespace Msisf.Server;
+
+/// <summary>Threads of the server's process.</summary>
+internal static class ServerThreads
+{
+    /// <summary>
+    /// Threads for each core: one draws, up to three wait for others of their frame, and one answers. With the default of one for
+    /// each core, a request may wait for seconds while frames are drawn, because further threads come one by one.
+    /// </summary>
+    private const int OfACore = 5;
+
+    /// <summary>Makes as many threads as are needed at once start at once.</summary>
+    public static void Reserve()
+    {
+        ThreadPool.GetMinThreads(out int workers, out int completions);
+        ThreadPool.SetMinThreads(Math.Max(workers, OfACore * Environment.ProcessorCount), completions);
+    }
+}
