@@ -190,7 +190,9 @@ internal sealed class ElevationModel : IDisposable
         }
     }
 
-    /// <summary>The model and its levels as a part of a scene: they share the memory, and leave places without data to coarser models.</summary>
+    /// <summary>
+    /// The model and its levels as a part of a scene: they share the memory, and leave places without data to coarser models.
+    /// </summary>
     private TerrainLevels LevelsInScene(int models) => IsWholeMoon
         ? Levels
         : MapLevels.Open((ITerrainGrid)Grid, TerrainLevels.DefaultCacheBytes / models, keepsGaps: true);

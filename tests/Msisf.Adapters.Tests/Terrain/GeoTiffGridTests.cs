@@ -94,7 +94,10 @@ public sealed class GeoTiffGridTests : IDisposable
 
         GridWindow window = grid.Window;
         (int Line, int Sample)[] places =
-            [.. Enumerable.Range(3, 5).Select(i => (window.FirstLine + (window.Lines * i / 10), window.FirstSample + (window.Samples * i / 10)))];
+        [
+            .. Enumerable.Range(3, 5).Select(
+                i => (window.FirstLine + (window.Lines * i / 10), window.FirstSample + (window.Samples * i / 10))),
+        ];
         const string Script = """
             import sys
             from osgeo import osr
