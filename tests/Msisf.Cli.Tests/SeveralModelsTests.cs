@@ -72,7 +72,7 @@ public sealed class SeveralModelsTests : IDisposable
 
     [Theory]
     [InlineData("MOON MAP --res 4", 1, "--res has no meaning with several --ldem")]
-    [InlineData("MOON MAP --renderer povray", 1, "only the native renderer draws")]
+    [InlineData("MOON MAP --renderer povray --list-patterns", 1, "only one model of the whole Moon has tiles")]
     [InlineData("MOON MAP MAP", 1, "is given twice")]
     [InlineData("MAP OTHER", 2, "the coarsest of several elevation models, is not of the whole Moon")]
     [InlineData("MOON FOLDER", 2, "a folder; of several --ldem each names")]

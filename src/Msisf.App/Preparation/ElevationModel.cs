@@ -317,5 +317,6 @@ internal sealed class ElevationModel : IDisposable
     }
 
     private UsageException NotWholeMoon() => new(
-        $"{Set.Location}: a map of a part of the Moon has no tiles and patterns. Take a model of the whole Moon for them.");
+        $"{Set.Location}: only one model of the whole Moon has tiles; a map of a part of it, or several models, have none. Take such a "
+            + $"model for them.");
 }

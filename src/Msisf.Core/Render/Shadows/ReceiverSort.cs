@@ -6,7 +6,7 @@ namespace Msisf.Core.Render.Shadows;
 /// Reads the receivers of a frame, chooses light space for them and sorts them into a grid. Only their bins are kept from the first reading
 /// to the sorting: what is sorted is computed again, which is as quick as to fetch it from memory.
 /// </summary>
-internal sealed class ReceiverSort
+internal sealed class ReceiverSort : IReceiverBounds
 {
     /// <summary>Spacing, in rows of the image, of the rows that are read first to choose light space and its bins.</summary>
     private const int ScoutSpacing = 16;
@@ -27,6 +27,12 @@ internal sealed class ReceiverSort
 
     /// <summary>Bounds of all receivers in the grid, m; empty if there are none.</summary>
     public LightBox Box { get; private set; }
+
+    /// <inheritdoc/>
+    public double MaxDepth => Grid.MaxDepth();
+
+    /// <inheritdoc/>
+    public double MaxDepthIn(in LightBox box) => Grid.MaxDepth(Grid.BinsOf(in box));
 
     /// <summary>Reads the receivers and finds their number and maximum depth in each bin of the grid.</summary>
     /// <param name="receivers">The points that may be lit.</param>
