@@ -38,9 +38,8 @@ internal static class RowGeometry
             if (hasLens)
             {
                 LanePoints ideal = camera.Model.ToIdeal(x, Vector512.Create(y));
-                LaneVector ray = LaneVector.All(camera.LensAxis)
-                    + (ideal.X * LaneVector.All(camera.LensRight)) + (ideal.Y * LaneVector.All(camera.LensDown));
-                ray.Store(directions, i);
+                LaneVector alongRow = LaneVector.All(camera.LensAxis) + (ideal.X * LaneVector.All(camera.LensRight));
+                (alongRow + (ideal.Y * LaneVector.All(camera.LensDown))).Store(directions, i);
                 continue;
             }
 

@@ -23,7 +23,7 @@ internal sealed class ReceiverGrid
     private LightAxis _u;
     private LightAxis _v;
     private int[] _bins = [];
-    private Bin[][] _parts = [];
+    private ReceiverBin[][] _parts = [];
     private byte[] _isWanted = [];
     private bool _wantsAll;
     private int[] _starts = [];
@@ -89,12 +89,12 @@ internal sealed class ReceiverGrid
 
         if (_parts.Length < parts || _parts[0].Length < room)
         {
-            _parts = [.. Enumerable.Range(0, Math.Max(parts, _parts.Length)).Select(_ => new Bin[room])];
+            _parts = [.. Enumerable.Range(0, Math.Max(parts, _parts.Length)).Select(_ => new ReceiverBin[room])];
         }
 
-        foreach (Bin[] part in _parts)
+        foreach (ReceiverBin[] part in _parts)
         {
-            Array.Fill(part, Bin.Empty, 0, Size * Size);
+            Array.Fill(part, ReceiverBin.Empty, 0, Size * Size);
         }
     }
 
@@ -110,7 +110,6 @@ internal sealed class ReceiverGrid
     {
         int count = row.Count;
         Span<float> depths = stackalloc float[LaneCount];
-        Bin[] part = _parts[number];
         ref int bins = ref _bins[start]; // a row has whole vectors of them
         Vector512<double> minU = Vector512.Create(double.PositiveInfinity);
         Vector512<double> minV = minU;
@@ -132,19 +131,7 @@ internal sealed class ReceiverGrid
             Vector512<long> whole = Vector512.ConvertToInt64Native(all);
             Vector512.Narrow(whole, whole).GetLower().StoreUnsafe(ref bins, (nuint)i);
             Vector512.Narrow(w, w).GetLower().CopyTo(depths);
-            for (int lane = 0; lane < Math.Min(LaneCount, count - i); lane++)
-            {
-                int index = Unsafe.Add(ref bins, i + lane);
-                if (index < 0)
-                {
-                    hide(row.Columns[i + lane]);
-                    continue;
-                }
-
-                ref Bin bin = ref part[index];
-                bin.Count++;
-                bin.Depth = float.MaxNative(bin.Depth, depths[lane]);
-            }
+            ReceiverBin.Count(_parts[number], _bins.AsSpan(start + i, Math.Min(LaneCount, count - i)), depths, row.Columns.AsSpan(i), hide);
         }
 
         return new LightBox(Lanes.Min(minU), -Lanes.Min(-maxU), Lanes.Min(minV), -Lanes.Min(-maxV));
@@ -158,9 +145,9 @@ internal sealed class ReceiverGrid
         {
             _starts[bin] = next;
             float max = float.NegativeInfinity;
-            foreach (Bin[] part in _parts)
+            foreach (ReceiverBin[] part in _parts)
             {
-                (part[bin].Count, next) = (next, next + part[bin].Count);
+                (part[bin].Receivers, next) = (next, next + part[bin].Receivers);
                 max = Math.Max(max, part[bin].Depth);
             }
 
@@ -230,14 +217,14 @@ internal sealed class ReceiverGrid
     /// <param name="firstPixel">Index of the row's first pixel.</param>
     public void Sort(ReceiverRow row, int start, int part, int firstPixel)
     {
-        Bin[] next = _parts[part];
+        ReceiverBin[] next = _parts[part];
         ReadOnlySpan<int> bins = _bins.AsSpan(start, row.Count);
         for (int i = 0; i < bins.Length; i++)
         {
             int bin = bins[i];
             if (bin >= 0 && (_wantsAll || _isWanted[bin] != 0))
             {
-                int place = next[bin].Count++;
+                int place = next[bin].Receivers++;
                 U[place] = row.U[i];
                 V[place] = row.V[i];
                 W[place] = row.W[i];
@@ -286,9 +273,9 @@ internal sealed class ReceiverGrid
             _starts[bin] = next;
             if (_isWanted[bin] != 0)
             {
-                foreach (Bin[] part in _parts)
+                foreach (ReceiverBin[] part in _parts)
                 {
-                    part[bin].Count -= first - next;
+                    part[bin].Receivers -= first - next;
                 }
 
                 next += end - first;
@@ -310,16 +297,4 @@ internal sealed class ReceiverGrid
     }
 
     private static int SizeFor(int receivers) => Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MaxBins);
-
-    /// <summary>What one thread finds of a bin for its group of rows.</summary>
-    private struct Bin
-    {
-        /// <summary>Number of receivers; after <see cref="Place"/>, the index of the next one to be stored.</summary>
-        public int Count;
-
-        /// <summary>Maximum depth of the receivers, m.</summary>
-        public float Depth;
-
-        public static Bin Empty => new() { Depth = float.NegativeInfinity };
-    }
 }
