@@ -1,6 +1,7 @@
 using System.Buffers;
 using System.Buffers.Binary;
 using System.Collections.Concurrent;
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
@@ -143,6 +144,7 @@ internal sealed class RowShader
 
     private RowReflection Take() => _idle.TryTake(out RowReflection? idle) ? idle : new RowReflection(_surface);
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
     private static void AddReflected(
         PixelSunlight sunlight, int start, ReadOnlySpan<double> reflected, double weight, Span<double> factors)
     {
