@@ -72,7 +72,7 @@ public sealed class SeveralModelsTests : IDisposable
 
     [Theory]
     [InlineData("MOON MAP --res 4", 1, "--res has no meaning with several --ldem")]
-    [InlineData("MOON MAP --renderer povray", 1, "only the native renderer draws")]
+    [InlineData("MOON MAP --renderer povray --list-patterns", 1, "only one model of the whole Moon has tiles")]
     [InlineData("MOON MAP MAP", 1, "is given twice")]
     [InlineData("MAP OTHER", 2, "the coarsest of several elevation models, is not of the whole Moon")]
     [InlineData("MOON FOLDER", 2, "a folder; of several --ldem each names")]
@@ -129,14 +129,17 @@ public sealed class SeveralModelsTests : IDisposable
             File.ReadAllBytes(Path.Combine(_folder["out"], "exact.png")), File.ReadAllBytes(Path.Combine(_folder["out"], "near.png")));
     }
 
-    /// <summary>The two pieces of 5 m, 500 and 200 m wide, lie 180 km from the pole in cells of 7.6 km; a synthetic map lies between.</summary>
+    /// <summary>
+    /// The two pieces of 5 m, 500 and 200 m wide, lie 180 km from the pole in cells of 7.6 km; a synthetic map lies between.
+    /// </summary>
     [RequiresFact(Part.Ldem4, Part.PolarPieces, Part.GdalLibrary)]
     public void Run_RealPiecesInAModelOfTheWholeMoon_AreDrawnAsGroundOfTheirOwn()
     {
         string between = Synthesize("--projection", "polar-south", "--map-scale", "2000");
         string[] models =
         [
-            "--ldem", TestParts.Ldem4Label!, "--ldem", between, "--ldem", TestParts.PolarPiece("NPB")!, "--ldem", TestParts.PolarPiece("NPC")!,
+            "--ldem", TestParts.Ldem4Label!, "--ldem", between,
+            "--ldem", TestParts.PolarPiece("NPB")!, "--ldem", TestParts.PolarPiece("NPC")!,
         ];
         CommandLineRun run = CommandLineRun.Of(
             ["--renderer", "native", .. models, "--position=-84.1525,90.3228,2000", "--time", "2026-01-10T00:00:00Z", "--ignore-sun",

@@ -5,7 +5,7 @@ using Xunit;
 namespace Msisf.Server.Tests;
 
 /// <summary>A server with a model of the whole Moon and a map of the surroundings of the south pole.</summary>
-public sealed class ServerOfSeveral : IAsyncLifetime
+public sealed class ServerOfSeveral : IAsyncLifetime, IDisposable
 {
     private readonly TemporaryFolder _folder = new();
 
@@ -28,8 +28,9 @@ public sealed class ServerOfSeveral : IAsyncLifetime
     {
         await Running.DisposeAsync();
         Running.Dispose();
-        _folder.Dispose();
     }
+
+    public void Dispose() => _folder.Dispose();
 
     private string Synthesize(params string[] options)
     {

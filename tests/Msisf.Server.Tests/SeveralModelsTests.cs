@@ -28,8 +28,8 @@ public sealed class SeveralModelsTests(ServerOfSeveral server) : IClassFixture<S
     {
         using TemporaryFolder folder = new();
         CommandLineRun run = CommandLineRun.Of(
-            ["--fixed-state", $"{{{State}}}", "--ignore-sun", "--batch", "--width", "40", "--height", "40", "--fov", "60", "--grid", "2", "--reflectance", "lambert",
-             "--surface", "terrain", "--renderer", "native", "--ldem", server.Map, "--ldem", server.Moon,
+            ["--fixed-state", $"{{{State}}}", "--ignore-sun", "--batch", "--width", "40", "--height", "40", "--fov", "60", "--grid", "2",
+             "--reflectance", "lambert", "--surface", "terrain", "--renderer", "native", "--ldem", server.Map, "--ldem", server.Moon,
              "--lod", option.Contains("off", StringComparison.Ordinal) ? "off" : "auto", "--output-dir", folder.Path]);
         Assert.True(run.ExitCode == 0, run.Error);
         byte[] expected = File.ReadAllBytes(Assert.Single(Directory.GetFiles(folder.Path, $"*_00001.{extension}")));

@@ -91,7 +91,8 @@ internal sealed class NativeDrawing
     }
 
     /// <summary>
-    /// Returns the memory of buffers to the system that few frames needed: those over a pole, at the terminator, or of a level that was left.
+    /// Returns the memory of buffers to the system that few frames needed: those over a pole, at the terminator, or of a level that was
+    /// left.
     /// </summary>
     private void ReturnReplaced()
     {

@@ -22,8 +22,16 @@ internal sealed class NativeLevels(IFrameTerrain terrain)
 
     /// <summary>Releases the memory of renderers that have drawn nothing for some calls: a descent leaves its levels behind.</summary>
     /// <returns>Whether any was released.</returns>
-    public bool ReleaseUnused() =>
-        _renderers.Where(pair => pair.Value.IsValueCreated).Count(pair => pair.Value.Value.ReleaseIfUnused()) > 0;
+    public bool ReleaseUnused()
+    {
+        bool isAny = false;
+        foreach ((_, Lazy<NativeRenderer> renderer) in _renderers)
+        {
+            isAny |= renderer.IsValueCreated && renderer.Value.ReleaseIfUnused();
+        }
+
+        return isAny;
+    }
 
     /// <summary>The renderer for a frame.</summary>
     public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) => _renderers.GetValue(
