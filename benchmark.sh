@@ -4,7 +4,7 @@
 # As root, or as a user with sudo. Under 20 minutes, and a quarter of an hour and 6 GB more in benchmark/ at the first run. Leave
 # the machine alone meanwhile.
 #     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]] [--validate]
-# --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., from-nothing, sequence).
+# --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., from-nothing, sequence, descent).
 # With one of the two the results stay in benchmark/, and docs/ is left alone.
 # --micro: micro-benchmarks of single parts instead, into benchmark/micro/.
 # --stress: the stress tests at full length instead, into docs/accuracy.md, docs/accuracy-tables.md and docs/benchmark/; with

@@ -19,10 +19,10 @@ internal sealed class BenchmarkOptions
             ? names.Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
             : isQuick
                 ? Scenes.QuickNames
-                : [.. Scenes.All.Select(scene => scene.Name), Scenes.FromNothing, Scenes.Sequence, Scenes.Detector];
+                : [.. Scenes.All.Select(scene => scene.Name), Scenes.FromNothing, Scenes.Sequence, Scenes.Descent, Scenes.Detector];
         Chosen = [.. Names.Where(
             name =>
-                name is not (Scenes.Sequence or Scenes.FromNothing or Scenes.Detector))
+                name is not (Scenes.Sequence or Scenes.Descent or Scenes.FromNothing or Scenes.Detector))
             .Select(Scenes.Named).Select(scene => isQuick ? Quick(scene) : scene)];
     }
 
@@ -46,6 +46,8 @@ internal sealed class BenchmarkOptions
 
     public bool HasSequence => Names.Contains(Scenes.Sequence);
 
+    public bool HasDescent => Names.Contains(Scenes.Descent);
+
     public bool HasDetector => Names.Contains(Scenes.Detector);
 
     public bool HasFromNothing => Names.Contains(Scenes.FromNothing);
@@ -54,6 +56,7 @@ internal sealed class BenchmarkOptions
     public IEnumerable<string> ModelNames =>
         Chosen.Select(scene => scene.Model)
             .Concat(HasSequence ? [GridResolution.FromPixelsPerDegree(Repeats.SequencePixelsPerDegree)] : [])
+            .Concat(HasDescent ? [GridResolution.FromPixelsPerDegree(4)] : [])
             .Concat(HasFromNothing ? [FromNothing.Image.Model] : [])
             .Distinct()
             .OrderBy(model => model.PixelsPerDegree is null)

@@ -52,8 +52,7 @@ public sealed class PolarMapRunTests(PolarMapRunTests.Map map) : IClassFixture<P
 
     [Theory]
     [InlineData("--renderer native --res 4", 1, "--res contradicts --ldem ")]
-    [InlineData("", 1, "is a map of a part of the Moon, which POV-Ray can't draw")]
-    [InlineData("--list-patterns", 1, "is a map of a part of the Moon, which POV-Ray can't draw")]
+    [InlineData("--list-patterns", 1, "only one model of the whole Moon has tiles")]
     public void Run_WhatAMapCannot_IsRefused(string options, int exitCode, string message)
     {
         CommandLineRun run = CommandLineRun.Of(

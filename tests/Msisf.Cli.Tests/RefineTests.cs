@@ -25,7 +25,7 @@ public sealed class RefineTests : IDisposable
         string xml = File.ReadAllText(Path.Combine(_folder["out"], "a.xml"));
         Assert.Contains("<ElevationPart part=\"0\" product=\"LDEM_2_SYNTHETIC\"", xml, StringComparison.Ordinal);
         Assert.Contains(
-            "<ElevationPart part=\"1\" product=\"REFINE_7\" synthetic=\"yes\" resolution=\"4096\" unit=\"m/px\" />", xml,
+            "<ElevationPart part=\"1\" product=\"REFINE_7\" synthetic=\"yes\" resolution=\"4096\" drawn=\"4096\" unit=\"m/px\" />", xml,
             StringComparison.Ordinal);
         Assert.Contains(" --refine 7 --refine-cell 256 ", xml, StringComparison.Ordinal);
         Assert.DoesNotContain("tile=", xml, StringComparison.Ordinal);

@@ -16,7 +16,7 @@ public sealed class SeveralModelsTests : IDisposable
     [Fact]
     public void Run_MapInAModelOfTheWholeMoon_IsDrawn()
     {
-        CommandLineRun run = Draw("a", "--ldem", Moon(), "--ldem", Map());
+        CommandLineRun run = Draw("a", "--ldem", Moon(), "--ldem", Map(), "--lod", "off");
 
         Assert.Equal((0, string.Empty), (run.ExitCode, run.ExitCode == 0 ? string.Empty : run.Error));
         string xml = File.ReadAllText(Path.Combine(_folder["out"], "a.xml"));
@@ -52,7 +52,7 @@ public sealed class SeveralModelsTests : IDisposable
     public void Run_LayerCell_HasThePartAsThirdPlane()
     {
         CommandLineRun run = Draw(
-            "a", "--ldem", Moon(), "--ldem", Map(), "--layers", "cell,tile", "--layers-format", "npy");
+            "a", "--ldem", Moon(), "--ldem", Map(), "--layers", "cell,tile", "--layers-format", "npy", "--lod", "off");
         Assert.True(run.ExitCode == 0, run.Error);
         byte[] cell = File.ReadAllBytes(Path.Combine(_folder["out"], "a.cell.npy"));
         Assert.Contains("'shape': (40, 40, 3,)", System.Text.Encoding.ASCII.GetString(cell, 0, 128), StringComparison.Ordinal);
@@ -72,7 +72,7 @@ public sealed class SeveralModelsTests : IDisposable
 
     [Theory]
     [InlineData("MOON MAP --res 4", 1, "--res has no meaning with several --ldem")]
-    [InlineData("MOON MAP --renderer povray", 1, "only the native renderer draws")]
+    [InlineData("MOON MAP --renderer povray --list-patterns", 1, "only one model of the whole Moon has tiles")]
     [InlineData("MOON MAP MAP", 1, "is given twice")]
     [InlineData("MAP OTHER", 2, "the coarsest of several elevation models, is not of the whole Moon")]
     [InlineData("MOON FOLDER", 2, "a folder; of several --ldem each names")]
@@ -110,9 +110,50 @@ public sealed class SeveralModelsTests : IDisposable
         Assert.False(Directory.Exists(_folder["out"]));
     }
 
+    /// <summary>
+    /// From 3,200 km with 40 px a cell may be 32 km wide: the model of 15 km will do. From 30 km nothing is coarser than it must be.
+    /// </summary>
+    [Fact]
+    public void Run_LevelsOfDetail_DrawWhatTheFrameNeeds()
+    {
+        string[] models = ["--ldem", Moon(), "--ldem", Map()];
+        CommandLineRun far = Draw("far", [.. models, "--lod", "auto"]);
+        CommandLineRun near = Near("near", models, "auto");
+        CommandLineRun exact = Near("exact", models, "off");
+
+        Assert.True(far.ExitCode + near.ExitCode + exact.ExitCode == 0, far.Error + near.Error + exact.Error);
+        Assert.Contains("resolution=\"10000\" drawn=\"no\" unit=\"m/px\"", Meta("far"), StringComparison.Ordinal);
+        Assert.DoesNotContain("<Facet part=\"1\"", Meta("far"), StringComparison.Ordinal);
+        Assert.Contains("resolution=\"10000\" drawn=\"10000\" unit=\"m/px\"", Meta("near"), StringComparison.Ordinal);
+        Assert.Equal(
+            File.ReadAllBytes(Path.Combine(_folder["out"], "exact.png")), File.ReadAllBytes(Path.Combine(_folder["out"], "near.png")));
+    }
+
+    /// <summary>
+    /// The two pieces of 5 m, 500 and 200 m wide, lie 180 km from the pole in cells of 7.6 km; a synthetic map lies between.
+    /// </summary>
+    [RequiresFact(Part.Ldem4, Part.PolarPieces, Part.GdalLibrary)]
+    public void Run_RealPiecesInAModelOfTheWholeMoon_AreDrawnAsGroundOfTheirOwn()
+    {
+        string between = Synthesize("--projection", "polar-south", "--map-scale", "2000");
+        string[] models =
+        [
+            "--ldem", TestParts.Ldem4Label!, "--ldem", between,
+            "--ldem", TestParts.PolarPiece("NPB")!, "--ldem", TestParts.PolarPiece("NPC")!,
+        ];
+        CommandLineRun run = CommandLineRun.Of(
+            ["--renderer", "native", .. models, "--position=-84.1525,90.3228,2000", "--time", "2026-01-10T00:00:00Z", "--ignore-sun",
+             "--surface", "terrain", "--gridH", "4", "--gridV", "4", "--width", "40", "--height", "40", "--fov", "40", "--batch",
+             "--output-dir", _folder["out"], "--output-name", "piece"]);
+
+        Assert.True(run.ExitCode == 0, run.Error);
+        string xml = Meta("piece");
+        Assert.Contains("product=\"NPB_final_adj_5mpp_surf_piece_1km_2_12\"", xml, StringComparison.Ordinal);
+        Assert.Contains("<Facet part=\"3\"", xml, StringComparison.Ordinal); // NPB, the first by name, counts as the finer one
+    }
+
     [Theory]
     [InlineData("patterns")]
-    [InlineData("serve")]
     public void Run_CommandsOfOneModel_RefuseSeveral(string command)
     {
         CommandLineRun run = CommandLineRun.Of([command, "--ldem", "a.LBL", "--ldem", "b.LBL"]);
@@ -123,6 +164,12 @@ public sealed class SeveralModelsTests : IDisposable
     private CommandLineRun Draw(string name, params string[] options) => CommandLineRun.Of(
         [.. View.Split(' '), "--renderer", "native", "--surface", "terrain", "--gridH", "2", "--gridV", "2", .. options, "--output-dir",
             _folder["out"], "--output-name", name]);
+
+    private CommandLineRun Near(string name, string[] models, string levels) => CommandLineRun.Of(
+        ["--renderer", "native", .. models, "--lod", levels, "--position=-81,20,30000", "--time", "2026-01-10T00:00:00Z", "--ignore-sun",
+            "--batch", "--width", "40", "--height", "40", "--fov", "60", "--output-dir", _folder["out"], "--output-name", name]);
+
+    private string Meta(string name) => File.ReadAllText(Path.Combine(_folder["out"], $"{name}.xml"));
 
     private string Moon() => Synthesize("--res", "2");
 

@@ -34,10 +34,12 @@ public sealed class RunningServer : IAsyncLifetime, IDisposable
     internal static async Task<RunningServer> StartAsync(params (OptionSpec Option, string Value)[] options)
     {
         RunningServer running = new();
+        (OptionSpec Option, string Value)[] defaults =
+            [(ServeOptions.Listen, "127.0.0.1:0"), (SurfaceOptions.Ldem, Path.GetDirectoryName(TestParts.Ldem4Label) ?? string.Empty)];
         OptionValues values = new(
-            options.Append((ServeOptions.Listen, "127.0.0.1:0")).DistinctBy(pair => pair.Item1.Name)
-                .Append((SurfaceOptions.Ldem, Path.GetDirectoryName(TestParts.Ldem4Label)!))
-                .Select(pair => KeyValuePair.Create(pair.Item1.Name, new OptionValue([pair.Item2]))));
+            options.Concat(defaults.Where(given => options.All(option => option.Option != given.Option)))
+                .GroupBy(pair => pair.Option.Name, pair => pair.Value)
+                .Select(option => KeyValuePair.Create(option.Key, new OptionValue([.. option]))));
         ProgramHost host = ServerHost.Create(
             TextWriter.Null, new ConsoleLog(running._log), TimeProvider.System, Environment.GetEnvironmentVariable);
         running._server = await HttpServer.StartAsync(ServeOptions.Read(values), host);

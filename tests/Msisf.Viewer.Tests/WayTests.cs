@@ -49,7 +49,9 @@ public class WayTests(Chromium chromium, ViewerServer server)
         Assert.True(viewer.Images >= 3, $"{viewer.Images} images came by the stream");
     }
 
-    /// <summary>The rate that a person sees while the mouse turns the Moon; in the long form the one that is promised (docs/viewer.md).</summary>
+    /// <summary>
+    /// The rate that a person sees while the mouse turns the Moon; in the long form the one that is promised (docs/viewer.md).
+    /// </summary>
     [RequiresFact(Part.Chromium, Part.Ldem4)]
     public async Task Drag_512x512_ShowsEnoughPicturesASecond()
     {

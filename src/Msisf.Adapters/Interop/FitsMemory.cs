@@ -32,7 +32,8 @@ internal sealed unsafe class FitsMemory : IDisposable
     }
 
     /// <summary>A part of the file.</summary>
-    public byte[] Copy(long start, long end) => new ReadOnlySpan<byte>((byte*)_block->Address + start, checked((int)(end - start))).ToArray();
+    public byte[] Copy(long start, long end) =>
+        new ReadOnlySpan<byte>((byte*)_block->Address + start, checked((int)(end - start))).ToArray();
 
     public void Dispose()
     {

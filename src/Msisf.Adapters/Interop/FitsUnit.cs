@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Interop;
@@ -18,9 +17,6 @@ internal sealed unsafe class FitsUnit : IDisposable
 
     /// <summary>CFITSIO's name for BITPIX 16 with BZERO 32768.</summary>
     private const int UnsignedShortImage = 20;
-
-    /// <summary>CFITSIO's name for a comment that stays.</summary>
-    private const string Unchanged = "&";
 
     private readonly FitsMemory _memory;
     private readonly CFitsioHandle _file;
@@ -219,7 +215,7 @@ internal sealed unsafe class FitsUnit : IDisposable
         lock (CFitsio.Gate)
         {
             int status = 0;
-            PutChecksums(ref status);
+            FitsChecksums.Put(_file, ref status);
             CFitsioNative.ffflus(_file, ref status);
             CFitsioNative.ffghadll(_file, out start, out _, out end, ref status);
             CFitsio.ThrowIfFailed(status, "checksums");
@@ -243,9 +239,7 @@ internal sealed unsafe class FitsUnit : IDisposable
         lock (CFitsio.Gate)
         {
             int status = 0;
-            PutEmptyChecksums(ref status);
-            CFitsioNative.ffmkys(_file, "DATASUM", dataSum.ToString(CultureInfo.InvariantCulture), Unchanged, ref status);
-            CFitsioNative.ffflus(_file, ref status);
+            FitsChecksums.PutDataSum(_file, dataSum, ref status);
             CFitsioNative.ffghadll(_file, out long start, out long dataStart, out _, ref status);
             CFitsio.ThrowIfFailed(status, "header");
             header = _memory.Copy(start, dataStart);
@@ -295,24 +289,5 @@ internal sealed unsafe class FitsUnit : IDisposable
 
             CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffcrimll));
         }
-    }
-
-    /// <summary>Writes the checksums as ffpcks does, but without the time of day that its comments have.</summary>
-    private void PutChecksums(ref int status)
-    {
-        PutEmptyChecksums(ref status);
-        CFitsioNative.ffgcks(_file, out nuint dataSum, out _, ref status);
-        CFitsioNative.ffmkys(_file, "DATASUM", dataSum.ToString(CultureInfo.InvariantCulture), Unchanged, ref status);
-        CFitsioNative.ffgcks(_file, out _, out nuint unitSum, ref status);
-        byte* text = stackalloc byte[CFitsioNative.ChecksumLength];
-        CFitsioNative.ffesum(unitSum, complement: 1, text);
-        CFitsioNative.ffmkys(_file, "CHECKSUM", Encoding.ASCII.GetString(text, CFitsioNative.ChecksumLength - 1), Unchanged, ref status);
-    }
-
-    private void PutEmptyChecksums(ref int status)
-    {
-        CFitsioNative.ffpkys(_file, "CHECKSUM", "0000000000000000", "HDU checksum", ref status);
-        CFitsioNative.ffpkys(_file, "DATASUM", "0", "data unit checksum", ref status);
-        CFitsioNative.ffflus(_file, ref status); // writes the END card behind them, and the fill behind the data
     }
 }

@@ -10,13 +10,15 @@ internal sealed unsafe class GdalImage : IDisposable
     private readonly GdalNative _gdal;
     private readonly string _path;
     private readonly nint _band;
+    private readonly GdalImage? _source;
     private nint _image;
 
-    private GdalImage(GdalNative gdal, string path, nint image)
+    private GdalImage(GdalNative gdal, string path, nint image, GdalImage? source = null)
     {
         _gdal = gdal;
         _path = path;
         _image = image;
+        _source = source;
         Width = gdal.GDALGetRasterXSize(image);
         Height = gdal.GDALGetRasterYSize(image);
         _band = gdal.GDALGetRasterBand(image, 1);
@@ -69,13 +71,18 @@ internal sealed unsafe class GdalImage : IDisposable
     }
 
     /// <summary>Unit of the values as the file names it; empty if it names none.</summary>
-    public string Unit => Marshal.PtrToStringUTF8((nint)_gdal.GDALGetRasterUnitType(_band)) ?? string.Empty;
+    public string Unit => _source?.Unit ?? Marshal.PtrToStringUTF8((nint)_gdal.GDALGetRasterUnitType(_band)) ?? string.Empty;
 
     /// <summary>Factor and offset by which a stored number is a value: 1 and 0 if the file has none.</summary>
     public (double Factor, double Offset) Scale
     {
         get
         {
+            if (_source is not null)
+            {
+                return _source.Scale;
+            }
+
             int isThere = 0;
             double factor = _gdal.GDALGetRasterScale(_band, &isThere);
             factor = isThere != 0 ? factor : 1.0;
@@ -100,6 +107,31 @@ internal sealed unsafe class GdalImage : IDisposable
         _gdal.VSIFree(words);
         _gdal.OSRDestroySpatialReference(reference);
         return projection;
+    }
+
+    /// <summary>The image in another projection, computed where it is read.</summary>
+    /// <param name="words">Arguments of gdalwarp.</param>
+    /// <returns>The image, to be closed before this one; null if GDAL can't bring it there.</returns>
+    public GdalImage? Warped(IEnumerable<string> words)
+    {
+        nint[] texts = [.. ((string[])["-of", "VRT", .. words]).Select(Marshal.StringToCoTaskMemUTF8), 0];
+        nint options;
+        fixed (nint* start = texts)
+        {
+            options = _gdal.GDALWarpAppOptionsNew((byte**)start, 0);
+        }
+
+        Array.ForEach(texts, Marshal.FreeCoTaskMem);
+        if (options == 0)
+        {
+            return null;
+        }
+
+        nint source = _image;
+        byte nameless = 0;
+        nint warped = _gdal.GDALWarp(&nameless, 0, 1, &source, options, null);
+        _gdal.GDALWarpAppOptionsFree(options);
+        return warped == 0 ? null : new GdalImage(_gdal, _path, warped, this);
     }
 
     /// <summary>Reads a rectangle.</summary>

@@ -40,6 +40,9 @@ internal sealed unsafe class GdalNative
     internal readonly delegate* unmanaged[Cdecl]<byte*, nint> OSRNewSpatialReference;
     internal readonly delegate* unmanaged[Cdecl]<nint, byte**, int> OSRExportToProj4;
     internal readonly delegate* unmanaged[Cdecl]<nint, void> OSRDestroySpatialReference;
+    internal readonly delegate* unmanaged[Cdecl]<byte**, nint, nint> GDALWarpAppOptionsNew;
+    internal readonly delegate* unmanaged[Cdecl]<nint, void> GDALWarpAppOptionsFree;
+    internal readonly delegate* unmanaged[Cdecl]<byte*, nint, int, nint*, nint, int*, nint> GDALWarp;
     internal readonly delegate* unmanaged[Cdecl]<void*, void> VSIFree;
     internal readonly delegate* unmanaged[Cdecl]<byte*> CPLGetLastErrorMsg;
     internal readonly delegate* unmanaged[Cdecl]<nint, nint> CPLSetErrorHandler;
@@ -69,6 +72,9 @@ internal sealed unsafe class GdalNative
         OSRNewSpatialReference = (delegate* unmanaged[Cdecl]<byte*, nint>)Find(nameof(OSRNewSpatialReference));
         OSRExportToProj4 = (delegate* unmanaged[Cdecl]<nint, byte**, int>)Find(nameof(OSRExportToProj4));
         OSRDestroySpatialReference = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(OSRDestroySpatialReference));
+        GDALWarpAppOptionsNew = (delegate* unmanaged[Cdecl]<byte**, nint, nint>)Find(nameof(GDALWarpAppOptionsNew));
+        GDALWarpAppOptionsFree = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(GDALWarpAppOptionsFree));
+        GDALWarp = (delegate* unmanaged[Cdecl]<byte*, nint, int, nint*, nint, int*, nint>)Find(nameof(GDALWarp));
         VSIFree = (delegate* unmanaged[Cdecl]<void*, void>)Find(nameof(VSIFree));
         CPLGetLastErrorMsg = (delegate* unmanaged[Cdecl]<byte*>)Find(nameof(CPLGetLastErrorMsg));
         CPLSetErrorHandler = (delegate* unmanaged[Cdecl]<nint, nint>)Find(nameof(CPLSetErrorHandler));

@@ -50,7 +50,8 @@ internal static class LayerPasses
         }
     }
 
-    private static void Fill(LayerSampler sampler, Layer[] layers, List<StoredLayer> stored, CancellationToken cancellation) => Parallel.For(
+    private static void Fill(
+        LayerSampler sampler, Layer[] layers, List<StoredLayer> stored, CancellationToken cancellation) => Parallel.For(
         0,
         sampler.Height,
         new ParallelOptions { CancellationToken = cancellation },

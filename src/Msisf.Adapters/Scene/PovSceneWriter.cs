@@ -1,7 +1,6 @@
 using System.Globalization;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
-using Msisf.Core.Tiles;
 
 namespace Msisf.Adapters.Scene;
 
@@ -65,12 +64,11 @@ public static class PovSceneWriter
     /// <summary>Writes one scene.</summary>
     /// <param name="writer">Where to; LF line ends are written whatever its setting.</param>
     /// <param name="scene">What.</param>
-    /// <param name="patternFileName">File name, without folder, of a part's mesh.</param>
-    public static void Write(TextWriter writer, RenderScene scene, Func<SurfacePart, string> patternFileName)
+    public static void Write(TextWriter writer, RenderScene scene)
     {
         writer.Write(string.Create(
             CultureInfo.InvariantCulture,
-            $"// povray +W{scene.Camera.Width} +H{scene.Camera.Height} +L<pattern-repository>/{scene.PixelsPerDegree} <this file>\n"));
+            $"// povray +W{scene.Camera.Width} +H{scene.Camera.Height} +L<pattern-repository>/{scene.PatternFolder} <this file>\n"));
         writer.Write("#version 3.7;\n\n");
         if (scene.Light.IsSun)
         {
@@ -91,9 +89,9 @@ public static class PovSceneWriter
         }
 
         writer.Write("}\n");
-        foreach (SurfacePart part in scene.Parts)
+        foreach (string pattern in scene.Patterns)
         {
-            writer.Write($"\n#include \"{patternFileName(part)}\"");
+            writer.Write($"\n#include \"{pattern}\"");
         }
 
         writer.Write("\n");

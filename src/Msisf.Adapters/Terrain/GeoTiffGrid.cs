@@ -17,6 +17,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// <summary>Blocks that are kept, 256 MB; beyond that all are dropped.</summary>
     private const int MaxBlocks = 1024;
 
+    private readonly GdalImage _file;
     private readonly GdalImage _image;
     private readonly string _path;
     private readonly GeoTiffPlacement _placement;
@@ -27,9 +28,13 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     private float[]?[]?[] _blocks;
     private int _blockCount;
 
-    private GeoTiffGrid(string path, GdalImage image, GeoTiffPlacement placement)
+    /// <param name="path">The file.</param>
+    /// <param name="file">It.</param>
+    /// <param name="image">It, or the warped one.</param>
+    /// <param name="placement">Where the pixels of the image lie.</param>
+    private GeoTiffGrid(string path, GdalImage file, GdalImage image, GeoTiffPlacement placement)
     {
-        (_path, _image, _placement) = (path, image, placement);
+        (_path, _file, _image, _placement) = (path, file, image, placement);
         ProductId = Path.GetFileNameWithoutExtension(path);
         double metres = image.Unit.ToUpperInvariant() switch
         {
@@ -65,6 +70,12 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// <summary>m: radius of the sphere over which the file has its heights.</summary>
     public double SphereRadius => _placement.SphereRadius;
 
+    /// <summary>
+    /// The projection of the file, in PROJ's form, if its pixels lie on no grid that is read: the samples are then bilinear between
+    /// pixels. Null if they are its pixels.
+    /// </summary>
+    public string? WarpedFrom { get; private init; }
+
     /// <summary>Whether a path is that of a TIFF, by its name.</summary>
     public static bool IsNameOf(string path) =>
         Path.GetExtension(path).ToUpperInvariant() is ".TIF" or ".TIFF";
@@ -83,16 +94,24 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
             throw new BadInputException($"{path}: there is no such file. Name an elevation model.");
         }
 
-        GdalImage image = GdalImage.Open(path, libraryPath);
+        GdalImage file = GdalImage.Open(path, libraryPath);
+        GdalImage? warped = null;
         try
         {
-            GeoTiffPlacement placement = GeoTiffPlacement.Of(
-                path, image.Width, image.Height, image.GeoTransform(), image.Projection());
-            return new GeoTiffGrid(path, image, placement);
+            if (PlacementOf(path, file, out string otherForm) is { } own)
+            {
+                return new GeoTiffGrid(path, file, file, own);
+            }
+
+            warped = GeoTiffWarp.Of(file);
+            return warped is not null && PlacementOf(path, warped, out _) is { } placement
+                ? new GeoTiffGrid(path, file, warped, placement) { WarpedFrom = file.Projection() }
+                : throw new BadInputException(otherForm);
         }
         catch
         {
-            image.Dispose();
+            warped?.Dispose();
+            file.Dispose();
             throw;
         }
     }
@@ -147,7 +166,14 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     }
 
     /// <summary>Closes the file.</summary>
-    public void Dispose() => _image.Dispose();
+    public void Dispose()
+    {
+        _image.Dispose();
+        _file.Dispose();
+    }
+
+    private static GeoTiffPlacement? PlacementOf(string path, GdalImage image, out string otherForm) =>
+        GeoTiffPlacement.Find(path, image.Width, image.Height, image.GeoTransform(), image.Projection(), out otherForm);
 
     private int ColumnOf(int sample)
     {

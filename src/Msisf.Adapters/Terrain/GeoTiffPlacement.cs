@@ -25,9 +25,13 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
     /// <param name="height">Number of rows.</param>
     /// <param name="transform">GDAL's six numbers; null if there are none.</param>
     /// <param name="projection">The projection; null if there is none.</param>
-    /// <exception cref="BadInputException">It is incomplete, of another body, or of a kind that is not read.</exception>
-    public static GeoTiffPlacement Of(string path, int width, int height, double[]? transform, string? projection)
+    /// <param name="otherForm">Why there is none; empty if there is one.</param>
+    /// <returns>The placement; null if the pixels lie on the Moon, but on no grid that is read.</returns>
+    /// <exception cref="BadInputException">It is incomplete, of another body, or out of bounds.</exception>
+    public static GeoTiffPlacement? Find(
+        string path, int width, int height, double[]? transform, string? projection, out string otherForm)
     {
+        otherForm = string.Empty;
         if (projection is null)
         {
             throw new BadInputException(
@@ -50,27 +54,32 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
                     + $"Rewrite it with gdalwarp.");
         }
 
-        return proj.Name switch
+        switch (proj.Name)
         {
-            "stere" => Polar(path, proj, radius, (left, top, across, -down), (width, height)),
-            "eqc" or "longlat" => Cylindrical(path, proj, radius, (left, top, across, -down), (width, height)),
-            _ => throw new BadInputException(
-                $"{path}: its projection (+proj={proj.Name}) is not read. Warp it to a polar stereographic map: "
-                    + $"gdalwarp -t_srs '+proj=stere +lat_0=-90 +R=1737400' (or +lat_0=90)."),
-        };
+            case "stere":
+                return Polar(path, proj, radius, (left, top, across, -down), (width, height), out otherForm);
+            case "eqc" or "longlat":
+                return Cylindrical(path, proj, radius, (left, top, across, -down), (width, height), out otherForm);
+            default:
+                otherForm = $"{path}: its projection (+proj={proj.Name}) is not read. Warp it to a polar stereographic map: "
+                    + $"gdalwarp -t_srs '+proj=stere +lat_0=-90 +R=1737400' (or +lat_0=90).";
+                return null;
+        }
     }
 
-    private static GeoTiffPlacement Polar(
-        string path, ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size)
+    private static GeoTiffPlacement? Polar(
+        string path, ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size,
+        out string otherForm)
     {
+        otherForm = string.Empty;
         double latitude = proj.Number("lat_0") ?? double.NaN;
         double unit = proj.MetresPerUnit;
         if (Math.Abs(latitude) != 90.0 || (proj.Number("lon_0") ?? 0.0) != 0.0 || double.IsNaN(unit)
             || Math.Abs((map.Down / map.Across) - 1.0) > SameScale)
         {
-            throw new BadInputException(
-                $"{path}: its projection ({proj}) is not polar stereographic with longitude 0 along the y axis, square pixels and metres. "
-                    + $"Warp it: gdalwarp -t_srs '+proj=stere +lat_0=-90 +R=1737400' (or +lat_0=90).");
+            otherForm = $"{path}: its projection ({proj}) is not polar stereographic with longitude 0 along the y axis, square pixels and "
+                + $"metres. Warp it: gdalwarp -t_srs '+proj=stere +lat_0=-90 +R=1737400' (or +lat_0=90).";
+            return null;
         }
 
         // A map that is true to scale at another latitude is one that is smaller by this factor.
@@ -95,9 +104,11 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
         return new GeoTiffPlacement(projection, new GridWindow(0, size.Height, 0, size.Width), radius);
     }
 
-    private static GeoTiffPlacement Cylindrical(
-        string path, ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size)
+    private static GeoTiffPlacement? Cylindrical(
+        string path, ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size,
+        out string otherForm)
     {
+        otherForm = string.Empty;
         // Degrees a map unit.
         double unit = proj.Name == "longlat" ? 1.0 : double.RadiansToDegrees(proj.MetresPerUnit / radius);
         double resolution = Math.Round(1.0 / (map.Across * unit));
@@ -113,10 +124,11 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
             || Math.Round(firstLine) < 0.0 || Math.Round(firstLine) + size.Height > 180.0 * resolution
             || (!isRing && Math.Round(firstSample) + size.Width > turn) || (isRing && size.Height == 180.0 * resolution))
         {
-            throw new BadInputException(
+            otherForm =
                 $"{path}: cylindrical maps are read if they have a whole number of pixels a degree on the grid of the whole Moon, do not "
                     + $"cross the prime meridian (or go all around), and are not of the whole Moon, for which msis takes PDS3 models. "
-                    + $"Warp it, e.g. with gdalwarp -t_srs '+proj=longlat +R=1737400' -te ... -tr ..., or to a polar stereographic map.");
+                    + $"Warp it, e.g. with gdalwarp -t_srs '+proj=longlat +R=1737400' -te ... -tr ..., or to a polar stereographic map.";
+            return null;
         }
 
         GridWindow window = isRing

@@ -34,7 +34,7 @@ internal sealed class AsciiWriter
     }
 
     /// <summary>Writes a number without leading zeros, '-' if it is negative.</summary>
-    public void Write(int number)
+    public void Write(long number)
     {
         Reserve();
         Utf8Formatter.TryFormat(number, _buffer.AsSpan(_used), out int written);
@@ -50,7 +50,7 @@ internal sealed class AsciiWriter
     }
 
     /// <summary>Writes three numbers as POV-Ray's vector.</summary>
-    public void WriteVector(int a, int b, int c)
+    public void WriteVector(long a, long b, long c)
     {
         Write("<"u8);
         Write(a);

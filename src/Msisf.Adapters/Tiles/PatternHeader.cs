@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using System.Text;
+using Msisf.Core.Blocks;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Adapters.Tiles;
@@ -43,14 +44,53 @@ internal static class PatternHeader
                 + $"vertices={vertices} faces={faces} bytes="));
     }
 
+    /// <summary>The same of a block of a surface; the hash is over all that the file holds.</summary>
+    /// <param name="blocks">The surface.</param>
+    /// <param name="block">The block.</param>
+    /// <param name="meshes">Its meshes.</param>
+    public static byte[] WithoutLength(SceneBlocks blocks, SceneBlock block, IReadOnlyList<BlockMesh> meshes)
+    {
+        string place = blocks.ProductIdOf(block) is { } product
+            ? string.Create(
+                CultureInfo.InvariantCulture,
+                $"product={BlockPatterns.NameOf(product)} model={block.Part} block={block.Row}_{block.Column}")
+            : string.Create(CultureInfo.InvariantCulture, $"seams={block.Column}");
+        return Encoding.ASCII.GetBytes(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{Mark}{FormatVersion} format=mesh2 {place} sides={(blocks.IsClosed ? "both" : "outside")} meshes={meshes.Count} "
+                + $"facets-sha256={Hash(meshes)} vertices={meshes.Sum(mesh => mesh.VertexCount)} "
+                + $"faces={meshes.Sum(mesh => mesh.FaceCount)} bytes="));
+    }
+
+    /// <summary>
+    /// SHA-256 over each mesh: lattice and origin, offsets, vertex numbers, as little-endian integers of 64, 32 and 32 bits.
+    /// </summary>
+    private static string Hash(IEnumerable<BlockMesh> meshes)
+    {
+        RequireLittleEndian();
+        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        foreach (BlockMesh mesh in meshes)
+        {
+            hash.AppendData(MemoryMarshal.AsBytes<long>([mesh.LatticeExponent, mesh.Origin.X, mesh.Origin.Y, mesh.Origin.Z]));
+            hash.AppendData(MemoryMarshal.AsBytes<int>(mesh.Offsets));
+            hash.AppendData(MemoryMarshal.AsBytes<int>(mesh.Faces));
+        }
+
+        return Convert.ToHexStringLower(hash.GetHashAndReset());
+    }
+
     /// <summary>SHA-256 over the radii as little-endian doubles in vertex order, in small hexadecimal digits.</summary>
     private static string Hash(double[] radii)
     {
+        RequireLittleEndian();
+        return Convert.ToHexStringLower(SHA256.HashData(MemoryMarshal.AsBytes<double>(radii)));
+    }
+
+    private static void RequireLittleEndian()
+    {
         if (!BitConverter.IsLittleEndian)
         {
-            throw new PlatformNotSupportedException("The hash of a pattern is taken over little-endian doubles.");
+            throw new PlatformNotSupportedException("The hash of a pattern is taken over little-endian numbers.");
         }
-
-        return Convert.ToHexStringLower(SHA256.HashData(MemoryMarshal.AsBytes<double>(radii)));
     }
 }

@@ -39,7 +39,11 @@ public sealed class PatternRepository : IDisposable
     }
 
     /// <summary>The folder of a resolution's patterns.</summary>
-    public string FolderOf(int pixelsPerDegree) => Path.Combine(_root, pixelsPerDegree.ToString(CultureInfo.InvariantCulture));
+    public string FolderOf(int pixelsPerDegree) => FolderOf(pixelsPerDegree.ToString(CultureInfo.InvariantCulture));
+
+    /// <summary>A folder of the repository.</summary>
+    /// <param name="name">Its name.</param>
+    internal string FolderOf(string name) => Path.Combine(_root, name);
 
     /// <summary>The file of a tile's pattern.</summary>
     public string PathOf(TileId tile, int pixelsPerDegree) => PathOf(SurfacePart.Whole(tile), pixelsPerDegree);
@@ -70,7 +74,7 @@ public sealed class PatternRepository : IDisposable
     {
         TileMeshBuilder builder = new(grid);
         int resolution = grid.PixelsPerDegree;
-        IEnumerable<PatternOrder> orders = tiles.Distinct().Order().Select(tile => new PatternOrder(
+        IEnumerable<PatternOrder> orders = tiles.Distinct().Order().Select(tile => new TilePatternOrder(
             PathOf(tile, resolution),
             TileMeshLayout.For(tile, resolution, options.MarginSamples(resolution)),
             builder,
@@ -89,7 +93,7 @@ public sealed class PatternRepository : IDisposable
     public PatternSet EnsureParts(
         IEnumerable<SurfacePart> parts, LevelMeshBuilders builders, int maxParallelism, CancellationToken cancellation)
     {
-        IEnumerable<PatternOrder> orders = parts.Distinct().Order().Select(part => new PatternOrder(
+        IEnumerable<PatternOrder> orders = parts.Distinct().Order().Select(part => new TilePatternOrder(
             PathOf(part, builders.PixelsPerDegree),
             TileMeshLayout.For(part, builders.PixelsPerDegree),
             builders.Of(part.Level),
@@ -107,7 +111,13 @@ public sealed class PatternRepository : IDisposable
         }
     }
 
-    private PatternSet Ensure(
+    /// <summary>Makes the patterns of a folder that are missing, damaged, or made of other samples.</summary>
+    /// <param name="orders">The patterns, each once.</param>
+    /// <param name="folder">Their folder.</param>
+    /// <param name="maxParallelism">How many to work on at once, at least 1.</param>
+    /// <param name="progress">Is told, from any thread, how many are ready.</param>
+    /// <param name="cancellation">Stops between two patterns.</param>
+    internal PatternSet Ensure(
         PatternOrder[] orders, string folder, int maxParallelism, IProgress<int>? progress, CancellationToken cancellation)
     {
         int written = new PatternMaker(() => ClaimsIn(folder), maxParallelism, _longestWait, cancellation).Ensure(orders, progress);

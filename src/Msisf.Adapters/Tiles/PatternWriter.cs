@@ -1,3 +1,4 @@
+using Msisf.Core.Blocks;
 using Msisf.Core.Mesh;
 using Msisf.Core.Tiles;
 
@@ -13,6 +14,12 @@ public static class PatternWriter
 
     private const long DecimalsInKilometre = 10_000_000_000;
 
+    /// <summary>2^10 m are a unit of a mesh.</summary>
+    private const int UnitExponent = 10;
+
+    /// <summary>Steps of 2^-7 m.</summary>
+    private const int TileLatticeExponent = 7;
+
     /// <summary>Writes a pattern.</summary>
     /// <param name="output">A stream that can seek; the pattern begins at its position.</param>
     /// <param name="mesh">The mesh.</param>
@@ -21,54 +28,84 @@ public static class PatternWriter
     public static void Write(Stream output, TileMesh mesh, string productId, PatternFormat format) =>
         Write(output, mesh, PatternHeader.WithoutLength(mesh.Layout, mesh.Radii, mesh.SkirtFootRadius, productId, format), format);
 
+    /// <summary>Writes a pattern of a block whose header is known.</summary>
+    /// <param name="output">As above.</param>
+    /// <param name="meshes">The meshes.</param>
+    /// <param name="headerWithoutLength">The header.</param>
+    /// <param name="isOneSided">Whether the facets are met from outside only, because there are ways to their other side.</param>
+    internal static void Write(Stream output, IReadOnlyList<BlockMesh> meshes, byte[] headerWithoutLength, bool isOneSided) => Write(
+        output,
+        headerWithoutLength,
+        writer =>
+        {
+            foreach (BlockMesh mesh in meshes)
+            {
+                WriteMesh2(writer, mesh.Offsets, mesh.Faces, mesh.Origin, mesh.LatticeExponent, isOneSided);
+            }
+        });
+
     /// <summary>Writes a pattern whose header is known.</summary>
-    internal static void Write(Stream output, TileMesh mesh, byte[] headerWithoutLength, PatternFormat format)
+    internal static void Write(Stream output, TileMesh mesh, byte[] headerWithoutLength, PatternFormat format) => Write(
+        output,
+        headerWithoutLength,
+        writer =>
+        {
+            if (format == PatternFormat.Mesh2)
+            {
+                LatticePoint origin = mesh.Origin;
+                WriteMesh2(
+                    writer, mesh.Offsets, mesh.Faces, (origin.X, origin.Y, origin.Z), TileLatticeExponent, isOneSided: false);
+            }
+            else
+            {
+                WriteMesh(writer, mesh);
+            }
+        });
+
+    private static void Write(Stream output, byte[] headerWithoutLength, Action<AsciiWriter> writeMesh)
     {
         long start = output.Position;
         AsciiWriter writer = new(output);
         writer.Write(headerWithoutLength);
         writer.Write(0, PatternHeader.LengthDigits);
         writer.Write("\n"u8);
-        if (format == PatternFormat.Mesh2)
-        {
-            WriteMesh2(writer, mesh);
-        }
-        else
-        {
-            WriteMesh(writer, mesh);
-        }
-
+        writeMesh(writer);
         writer.Flush();
         WriteLength(output, start + headerWithoutLength.Length, writer.Length);
     }
 
     /// <summary>
-    /// Writes whole steps, scaled by the local k = 2^-17: exact as 32-bit floats, and of the size of kilometres. Without the factor POV-Ray
-    /// 3.7 would see nothing from more than 10^7 steps = 78 km away (its MAX_DISTANCE counts in the mesh's own units).
+    /// Writes whole steps of 2^-n m, scaled by the local k = 2^(-10 - n): exact as 32-bit floats, and in units of 1.024 km. Without the
+    /// factor POV-Ray 3.7 would see nothing from more than 10^7 steps = 78 km away (its MAX_DISTANCE counts in the mesh's own units).
     /// </summary>
-    private static void WriteMesh2(AsciiWriter writer, TileMesh mesh)
+    /// <remarks>What POV-Ray calls the inside is the side from which the corners are counter-clockwise.</remarks>
+    private static void WriteMesh2(
+        AsciiWriter writer, int[] offsets, int[] faces, (long X, long Y, long Z) origin, int latticeExponent, bool isOneSided)
     {
-        writer.Write("#local k=1/131072;\nmesh2{\nvertex_vectors{"u8);
-        writer.Write(mesh.VertexCount);
-        for (int i = 0; i < mesh.Offsets.Length; i += 3)
+        writer.Write("#local k=1/"u8);
+        writer.Write(1L << (UnitExponent + latticeExponent));
+        writer.Write(";\nmesh2{\nvertex_vectors{"u8);
+        writer.Write(offsets.Length / 3);
+        for (int i = 0; i < offsets.Length; i += 3)
         {
             writer.Write(",\n"u8);
-            writer.WriteVector(mesh.Offsets[i], mesh.Offsets[i + 1], mesh.Offsets[i + 2]);
+            writer.WriteVector(offsets[i], offsets[i + 1], offsets[i + 2]);
             writer.Write("*k"u8);
         }
 
         writer.Write("}\nface_indices{"u8);
-        writer.Write(mesh.FaceCount);
-        for (int i = 0; i < mesh.Faces.Length; i += 3)
+        writer.Write(faces.Length / 3);
+        for (int i = 0; i < faces.Length; i += 3)
         {
             writer.Write(",\n"u8);
-            writer.WriteVector(mesh.Faces[i], mesh.Faces[i + 1], mesh.Faces[i + 2]);
+            writer.WriteVector(faces[i], faces[isOneSided ? i + 2 : i + 1], faces[isOneSided ? i + 1 : i + 2]);
         }
 
-        LatticePoint origin = mesh.Origin;
         writer.Write("}\ntranslate "u8);
         writer.WriteVector(origin.X, origin.Y, origin.Z);
-        writer.Write("*k\nscale 1.024\ntexture{moon}\n}\n"u8);
+        writer.Write("*k\nscale 1.024\ntexture{moon}\n"u8);
+        writer.Write(isOneSided ? "interior_texture{pigment{rgbt 1}}\n"u8 : ""u8);
+        writer.Write("}\n"u8);
     }
 
     private static void WriteMesh(AsciiWriter writer, TileMesh mesh)

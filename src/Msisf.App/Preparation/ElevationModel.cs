@@ -203,7 +203,9 @@ internal sealed class ElevationModel : IDisposable
         }
     }
 
-    /// <summary>The model and its levels as a part of a scene: they share the memory, and leave places without data to coarser models.</summary>
+    /// <summary>
+    /// The model and its levels as a part of a scene: they share the memory, and leave places without data to coarser models.
+    /// </summary>
     private TerrainLevels LevelsInScene(int models) => IsWholeMoon
         ? Levels
         : MapLevels.Open((ITerrainGrid)Grid, TerrainLevels.DefaultCacheBytes / models, keepsGaps: true);
@@ -266,6 +268,12 @@ internal sealed class ElevationModel : IDisposable
         GeoTiffGrid grid = GeoTiffGrid.Open(path, host.Environment("MSISF_GDAL"));
         LdemSet set = LdemSet.OfMap(grid.ToLabel());
         Tell(set, host.Log);
+        if (grid.WarpedFrom is not null)
+        {
+            host.Log.Note(
+                $"Its projection ({grid.WarpedFrom}) is warped to {grid.Projection.Resolution}: heights are bilinear between its pixels.");
+        }
+
         return new ElevationModel(grid, set, grid);
     });
 
@@ -351,5 +359,6 @@ internal sealed class ElevationModel : IDisposable
     }
 
     private UsageException NotWholeMoon() => new(
-        $"{Set.Location}: a map of a part of the Moon has no tiles and patterns. Take a model of the whole Moon for them.");
+        $"{Set.Location}: only one model of the whole Moon has tiles; a map of a part of it, or several models, have none. Take such a "
+            + $"model for them.");
 }

@@ -25,6 +25,19 @@ internal sealed class NativeLevels(IFrameTerrain terrain)
     public long ReplacedBytes =>
         _renderers.Where(pair => pair.Value.IsValueCreated).Sum(pair => pair.Value.Value.ReplacedBytes);
 
+    /// <summary>Releases the memory of renderers that have drawn nothing for some calls: a descent leaves its levels behind.</summary>
+    /// <returns>Whether any was released.</returns>
+    public bool ReleaseUnused()
+    {
+        bool isAny = false;
+        foreach ((_, Lazy<NativeRenderer> renderer) in _renderers)
+        {
+            isAny |= renderer.IsValueCreated && renderer.Value.ReleaseIfUnused();
+        }
+
+        return isAny;
+    }
+
     /// <summary>The renderer for a frame.</summary>
     public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) => _renderers.GetValue(
         terrain.For(camera, subsamplesPerAxis), MakeRenderer).Value;

@@ -22,9 +22,7 @@ internal static class PatternRun
     {
         using EphemerisSource ephemeris = new(settings, host);
         using PreparedRun run = PreparedRun.Of(camera, settings, ephemeris, host, cancellation);
-        ElevationModel model = run.Model;
-        using ScenePatterns patterns = new(
-            new PatternRepository(settings.PatternRepository), new LevelMeshBuilders(model.WholeMoon, () => model.Levels));
+        using ISceneSurface surface = SceneSurfaces.Of(run.Model, settings);
         int made = 0;
         using (IRunProgress progress = host.Progress.Start("Patterns of frames", run.Frames.Count, settings.Unattended))
         {
@@ -32,14 +30,14 @@ internal static class PatternRun
                 new() { MaxDegreeOfParallelism = settings.Jobs ?? Environment.ProcessorCount, CancellationToken = cancellation };
             await Parallel.ForEachAsync(run.Frames, parallel, (frame, stop) =>
             {
-                Interlocked.Add(ref made, patterns.Ensure(model.SelectParts(frame, settings.LevelOfDetailError), stop));
+                Interlocked.Add(ref made, surface.Select(frame, threads: 1, stop).Ensure(stop));
                 progress.Advance(frame.Name);
                 return ValueTask.CompletedTask;
             }).ConfigureAwait(false);
         }
 
-        host.Log.Note($"{made} of {patterns.Count} patterns made, the others were there.");
-        return patterns.Folder;
+        host.Log.Note($"{made} of {surface.Count} patterns made, the others were there.");
+        return surface.Folder;
     }
 
     /// <summary>Makes all patterns of the whole Moon.</summary>

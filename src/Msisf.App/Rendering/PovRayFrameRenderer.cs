@@ -7,13 +7,11 @@ using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
-using Msisf.Core.Terrain;
-using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
 
 /// <summary>
-/// Renders frames with POV-Ray: selects the surface parts, makes their patterns and the scene, runs POV-Ray, and writes the files.
+/// Renders frames with POV-Ray: selects the meshes, makes their patterns and the scene, runs POV-Ray, and writes the files.
 /// </summary>
 internal sealed class PovRayFrameRenderer : IFrameRenderer
 {
@@ -31,7 +29,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
 
     private readonly RenderSettings _settings;
     private readonly ElevationModel _model;
-    private readonly ScenePatterns _patterns;
+    private readonly ISceneSurface _surface;
     private readonly PovRayProcess _povRay;
     private readonly PovAlbedo? _albedo;
     private readonly ProcessSlots _processes;
@@ -40,7 +38,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
 
     /// <param name="settings">Settings of the run.</param>
     /// <param name="model">The elevation model.</param>
-    /// <param name="patterns">The scenes' meshes; disposed with this object.</param>
+    /// <param name="surface">The same as meshes; disposed with this object.</param>
     /// <param name="povRay">Starts POV-Ray.</param>
     /// <param name="albedo">The map of the surface's reflectance; null for even grey.</param>
     /// <param name="processes">Maximum number of POV-Ray processes at once; the meshes of the next frame are made while they run.</param>
@@ -50,7 +48,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     public PovRayFrameRenderer(
         RenderSettings settings,
         ElevationModel model,
-        ScenePatterns patterns,
+        ISceneSurface surface,
         PovRayProcess povRay,
         PovAlbedo? albedo,
         int processes,
@@ -60,7 +58,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     {
         _settings = settings;
         _model = model;
-        _patterns = patterns;
+        _surface = surface;
         _povRay = povRay;
         _albedo = albedo;
         _processes = new ProcessSlots(processes, smallProcesses);
@@ -75,32 +73,33 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// <inheritdoc/>
     public async Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation)
     {
-        double? error = _settings.LevelOfDetailError;
-        IReadOnlyList<SurfacePart> parts = _times.Measure(Phase.Selection, () => _model.SelectParts(frame, error));
-        int made = _times.Measure(Phase.Patterns, () => _patterns.Ensure(parts, cancellation));
-        long faces = _patterns.CountFaces(parts);
+        ISceneMeshes meshes = _times.Measure(Phase.Selection, () => _surface.Select(frame, threads, cancellation));
+        int made = _times.Measure(Phase.Patterns, () => meshes.Ensure(cancellation));
+        long faces = meshes.Faces;
         IReadOnlyList<PixelRows> strips = PixelRows.Strips(
-            frame.Camera.Height, error is null ? 1 : StripsFor(faces, threads), PovRayProcess.BlockRows);
+            frame.Camera.Height, _settings.LevelOfDetailError is null ? 1 : StripsFor(faces, threads), PovRayProcess.BlockRows);
         PovRayJob[] jobs = strips.Count == 1
-            ? [JobOf(frame, parts, null, threads)]
-            : Jobs(frame, parts, strips, threads / strips.Count, cancellation);
+            ? [JobOf(frame, meshes.FileNames, null, threads)]
+            : Jobs(frame, meshes, strips, threads / strips.Count, cancellation);
 
         // Waits for another frame's POV-Ray, which has --timeout as its limit.
         using (await _processes.TakeAsync(faces <= MaxFacesOfSmallScene, cancellation).ConfigureAwait(false))
         {
             using Stream image = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);
-            void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, parts), _patterns.FileNameOf);
+            void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, meshes.FileNames));
             RenderedFrame rendered = new(
-                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.WholeMoon.PixelsPerDegree, LevelsOf(parts),
-                TruthOf(frame));
-            return new FrameOutputs(_files.Write(frame, rendered, cancellation), parts.Count, made);
+                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.Grid.Resolution, meshes.Levels, TruthOf(frame))
+            {
+                PartResolutions = meshes.PartResolutions,
+            };
+            return new FrameOutputs(_files.Write(frame, rendered, cancellation), meshes.FileNames.Count, made);
         }
     }
 
     /// <inheritdoc/>
     public void Dispose()
     {
-        _patterns.Dispose();
+        _surface.Dispose();
         _processes.Dispose();
     }
 
@@ -110,26 +109,20 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// </summary>
     private static int StripsFor(long faces, int threads) => (int)Math.Clamp(faces / MinFacesOfStrip, 1, threads);
 
-    /// <summary>
-    /// Makes one POV-Ray job per strip. Each strip uses parts selected for the whole image: parts selected for one strip could be coarser
-    /// where shadows fall outside its rows, and the pixels would depend on the number of strips.
-    /// </summary>
+    /// <summary>Makes one POV-Ray job per strip.</summary>
     private PovRayJob[] Jobs(
-        Frame frame, IReadOnlyList<SurfacePart> parts, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
+        Frame frame, ISceneMeshes meshes, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
     {
-        IReadOnlyList<SurfacePart>[] ofStrips = _times.Measure(
+        IReadOnlyList<string>[] ofStrips = _times.Measure(
             Phase.Selection,
-            () => strips.AsParallel().AsOrdered().WithCancellation(cancellation).Select(rows =>
-            {
-                PartArea area = new(_model.SelectParts(frame, _settings.LevelOfDetailError, rows));
-                return (IReadOnlyList<SurfacePart>)[.. parts.Where(area.Overlaps)];
-            }).ToArray());
+            () => strips.AsParallel().AsOrdered().WithCancellation(cancellation)
+                .Select(rows => meshes.FileNamesFor(rows, cancellation)).ToArray());
         return [.. strips.Zip(ofStrips).Select(strip => JobOf(frame, strip.Second, strip.First, threads))];
     }
 
-    private PovRayJob JobOf(Frame frame, IReadOnlyList<SurfacePart> parts, PixelRows? rows, int threads) => new(
-        writer => PovSceneWriter.Write(writer, SceneOf(frame, parts), _patterns.FileNameOf),
-        _patterns.Folder,
+    private PovRayJob JobOf(Frame frame, IReadOnlyList<string> patterns, PixelRows? rows, int threads) => new(
+        writer => PovSceneWriter.Write(writer, SceneOf(frame, patterns)),
+        _surface.Folder,
         _settings.OutputFolder,
         frame.Camera.Width,
         frame.Camera.Height,
@@ -138,8 +131,8 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _settings.PovOptions,
         _settings.Timeout);
 
-    private RenderScene SceneOf(Frame frame, IReadOnlyList<SurfacePart> parts) =>
-        new(frame.Camera, frame.Light, _model.WholeMoon.PixelsPerDegree, parts, _albedo?.For(frame.Camera));
+    private RenderScene SceneOf(Frame frame, IReadOnlyList<string> patterns) =>
+        new(frame.Camera, frame.Light, _surface.FolderName, patterns, _albedo?.For(frame.Camera));
 
     /// <returns>The whole image as PNG; its bytes do not depend on the number of strips.</returns>
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)
@@ -159,11 +152,6 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _times.Add(Phase.Trace, images.Max(strip => strip.Times.TraceSeconds) ?? 0.0);
         return image;
     }
-
-    /// <summary>px/deg of the finest and the coarsest part; those of the model if the image shows none.</summary>
-    private (GridResolution Finest, GridResolution Coarsest) LevelsOf(IReadOnlyList<SurfacePart> parts) => (
-        _model.WholeMoon.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Min(),
-        _model.WholeMoon.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Max());
 
     private TracedFrameTruth? TruthOf(Frame frame) =>
         _settings.Surface == PixelSurface.Terrain ? new TracedFrameTruth(frame.Camera, frame.Light, _model.Tracer) : null;

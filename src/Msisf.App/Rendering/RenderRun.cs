@@ -6,7 +6,6 @@ using Msisf.Adapters.Layers;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
-using Msisf.Adapters.Tiles;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Preview;
@@ -16,7 +15,6 @@ using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
-using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;
 
@@ -156,10 +154,9 @@ internal sealed class RenderRun
     private PovRayFrameRenderer PovRay(ElevationModel model, OpenedAlbedoMap? map, FrameFiles files, int processes, int smallProcesses)
     {
         PovRayProcess povRay = new(FindPovRay());
-        ScenePatterns patterns = new(
-            new PatternRepository(_settings.PatternRepository), new LevelMeshBuilders(model.WholeMoon, () => model.Levels));
-        PovAlbedo? albedo = map is null ? null : new PovAlbedo(map, patterns.Folder);
-        return new PovRayFrameRenderer(_settings, model, patterns, povRay, albedo, processes, smallProcesses, files, _times);
+        ISceneSurface surface = SceneSurfaces.Of(model, _settings);
+        PovAlbedo? albedo = map is null ? null : new PovAlbedo(map, surface.Folder);
+        return new PovRayFrameRenderer(_settings, model, surface, povRay, albedo, processes, smallProcesses, files, _times);
     }
 
     private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files)

@@ -1,7 +1,6 @@
 using Msisf.Adapters.Terrain;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
-using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Settings;
@@ -12,13 +11,12 @@ internal static class ModelChoice
     /// <summary>The resolution of the run's model: a map of a part has its own.</summary>
     /// <exception cref="UsageException">The options contradict the map that --ldem names.</exception>
     /// <param name="values">The options.</param>
-    /// <param name="renderer">The renderer, which must be able to draw the model.</param>
     /// <param name="gdalPath">MSISF_GDAL, or null.</param>
-    public static GridResolution ResolutionOf(OptionValues values, RendererKind renderer, string? gdalPath)
+    public static GridResolution ResolutionOf(OptionValues values, string? gdalPath)
     {
         if (SurfaceOptions.Ldem.ReadAll(values) is { Count: > 1 } several)
         {
-            return ResolutionOfSeveral(several, values, renderer, gdalPath);
+            return ResolutionOfSeveral(several, values, gdalPath);
         }
 
         if (SurfaceOptions.Ldem.ReadIfGiven(values) is not { } path || ResolutionOfMap(path, gdalPath) is not { } resolution)
@@ -33,28 +31,17 @@ internal static class ModelChoice
                 .About(SurfaceOptions.Resolution, SurfaceOptions.Ldem);
         }
 
-        return renderer == RendererKind.Native ? resolution : throw new UsageException(
-            $"--ldem {path} is a map of a part of the Moon, which POV-Ray can't draw: patterns are made of a whole one. "
-                + $"Add --renderer native, or take a model of the whole Moon.")
-            .About(SurfaceOptions.Ldem, RendererOptions.Renderer);
+        return resolution;
     }
 
     /// <summary>The resolution of the finest of several models.</summary>
-    private static GridResolution ResolutionOfSeveral(
-        IReadOnlyList<string> paths, OptionValues values, RendererKind renderer, string? gdalPath)
+    private static GridResolution ResolutionOfSeveral(IReadOnlyList<string> paths, OptionValues values, string? gdalPath)
     {
         if (SurfaceOptions.Resolution.ReadIfGiven(values) is not null)
         {
             throw new UsageException(
                 $"{SurfaceOptions.Resolution.Name} has no meaning with several --ldem: each model has its own resolution. Leave it out.")
                 .About(SurfaceOptions.Resolution, SurfaceOptions.Ldem);
-        }
-
-        if (renderer != RendererKind.Native)
-        {
-            throw new UsageException(
-                "Several --ldem make one surface that only the native renderer draws. Add --renderer native, or give one model.")
-                .About(SurfaceOptions.Ldem, RendererOptions.Renderer);
         }
 
         if (paths.GroupBy(Path.GetFullPath).FirstOrDefault(same => same.Count() > 1) is { } twice)

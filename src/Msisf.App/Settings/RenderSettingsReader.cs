@@ -29,7 +29,7 @@ internal static class RenderSettingsReader
         RendererOptions.Check(values);
         AlbedoSettings albedo = AlbedoOptions.Read(values);
         CameraFile? camera = CameraChoice.Read(values, openCamera);
-        GridResolution resolution = known ?? ModelChoice.ResolutionOf(values, renderer, gdalPath);
+        GridResolution resolution = known ?? ModelChoice.ResolutionOf(values, gdalPath);
         RenderSettings settings = new()
         {
             Camera = camera,

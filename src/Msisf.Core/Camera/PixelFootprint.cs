@@ -38,4 +38,15 @@ public sealed class PixelFootprint
         double cos = Math.Clamp(Vector3D.Dot(toCentre, _forward) / distance, _cosCorner, 1.0);
         return Math.Max(0.0, distance - ball.Radius) * Tangent * cos * cos;
     }
+
+    /// <summary>Limits of <see cref="MinWidth"/> for all balls that lie in one and hold a point of a line, m.</summary>
+    /// <param name="ball">Centre (m, MOON_ME) and radius (m).</param>
+    /// <param name="from">One end of the line, m, MOON_ME.</param>
+    /// <param name="to">The other end.</param>
+    internal (double Min, double Max) LimitsOfMinWidth((Vector3D CentreMoonMe, double Radius) ball, Vector3D from, Vector3D to)
+    {
+        double nearest = Math.Max(0.0, (ball.CentreMoonMe - PositionMoonMe).Length - ball.Radius);
+        double farthest = Math.Max((from - PositionMoonMe).Length, (to - PositionMoonMe).Length);
+        return (nearest * Tangent * _cosCorner * _cosCorner, farthest * Tangent);
+    }
 }

@@ -7,10 +7,11 @@ internal static class ImageValues
 
     public static void Electrons(LayerRow row, int plane, double[] values) => Copy(row, row.Electrons, values);
 
-    /// <summary>0 is the value of pixels without saturation.</summary>
+    /// <summary>0 also without a detector.</summary>
     public static void Saturation(LayerRow row, int plane, double[] values)
     {
         ReadOnlySpan<byte> saturated = row.Saturated;
+        values.AsSpan(0, row.Camera.Width).Clear();
         for (int i = 0; i < saturated.Length; i++)
         {
             values[i] = saturated[i];

@@ -61,7 +61,9 @@ internal sealed class LayerRow
     /// <summary>Position of the Sun, or of the lamp that replaces it, m.</summary>
     public Vector3D LightPositionMoonMe => _frame.LightPositionMoonMe;
 
-    /// <summary>px/deg: resolution of the grid whose cells <see cref="Facets"/> count; null if it is not one of latitude and longitude.</summary>
+    /// <summary>
+    /// px/deg: resolution of the grid whose cells <see cref="Facets"/> count; null if it is not one of latitude and longitude.
+    /// </summary>
     public int? MeshPixelsPerDegree { get; }
 
     /// <summary>m: radius of the sphere over which heights are counted.</summary>

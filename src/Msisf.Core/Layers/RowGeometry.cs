@@ -11,7 +11,9 @@ internal static class RowGeometry
 {
     private static readonly int Lanes = Vector512<double>.Count;
 
-    /// <summary>The directions of the rays through the centres of pixels, with the bits of <see cref="PinholeCamera.RayThrough"/>.</summary>
+    /// <summary>
+    /// The directions of the rays through the centres of pixels, with the bits of <see cref="PinholeCamera.RayThrough"/>.
+    /// </summary>
     /// <param name="camera">The camera.</param>
     /// <param name="row">The row, from 0.</param>
     /// <param name="columns">The columns, from 0.</param>
@@ -36,8 +38,8 @@ internal static class RowGeometry
             if (hasLens)
             {
                 LanePoints ideal = camera.Model.ToIdeal(x, Vector512.Create(y));
-                (LaneVector.All(camera.LensAxis) + (ideal.X * LaneVector.All(camera.LensRight)) + (ideal.Y * LaneVector.All(camera.LensDown)))
-                    .Store(directions, i);
+                LaneVector alongRow = LaneVector.All(camera.LensAxis) + (ideal.X * LaneVector.All(camera.LensRight));
+                (alongRow + (ideal.Y * LaneVector.All(camera.LensDown))).Store(directions, i);
                 continue;
             }
 

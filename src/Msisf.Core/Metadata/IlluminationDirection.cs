@@ -55,6 +55,6 @@ public static class IlluminationDirection
 
         // A lens turns the direction as it turns a short line at the point.
         (right, down) = camera.DirectionInImage(lineOfSightMoonMe, right, down);
-        return AngleReduction.ToFullTurn(Math.Atan2(right, down));
+        return AngleReduction.FullTurnOfHalf(Math.Atan2(right, down));
     }
 }

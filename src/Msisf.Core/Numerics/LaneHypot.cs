@@ -45,7 +45,9 @@ internal static class LaneHypot
     }
 
     /// <summary>The square root of the sum of two squares.</summary>
-    /// <remarks>The algorithm of <see cref="double.Hypot"/>, which is that of AMD's AOCL-LibM: the larger square with twice the digits.</remarks>
+    /// <remarks>
+    /// The algorithm of <see cref="double.Hypot"/>, which is that of AMD's AOCL-LibM: the larger square with twice the digits.
+    /// </remarks>
     public static Vector512<double> Of(Vector512<double> x, Vector512<double> y)
     {
         Vector512<double> a = Vector512.Abs(x);

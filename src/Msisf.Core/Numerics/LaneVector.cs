@@ -12,7 +12,8 @@ internal readonly record struct LaneVector(Vector512<double> X, Vector512<double
 {
     /// <summary>Eight times the same vector.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static LaneVector All(Vector3D vector) => new(Vector512.Create(vector.X), Vector512.Create(vector.Y), Vector512.Create(vector.Z));
+    public static LaneVector All(Vector3D vector) =>
+        new(Vector512.Create(vector.X), Vector512.Create(vector.Y), Vector512.Create(vector.Z));
 
     /// <summary>Reads eight vectors of a row, without range checks.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -49,7 +49,10 @@ public readonly record struct Vector3D(double X, double Y, double Z)
     /// <summary>Dot product.</summary>
     public static double Dot(Vector3D u, Vector3D v) => (u.X * v.X) + (u.Y * v.Y) + (u.Z * v.Z);
 
-    /// <summary>Cross product, right-handed; each component with one rounding (<see cref="Stable.DifferenceOfProducts(double, double, double, double)"/>).</summary>
+    /// <summary>
+    /// Cross product, right-handed; each component with one rounding (<see cref="Stable.DifferenceOfProducts(double, double, double,
+    /// double)"/>).
+    /// </summary>
     public static Vector3D Cross(Vector3D u, Vector3D v) => new(
         Stable.DifferenceOfProducts(u.Y, v.Z, u.Z, v.Y),
         Stable.DifferenceOfProducts(u.Z, v.X, u.X, v.Z),

@@ -22,6 +22,7 @@ internal sealed class FramePass
     private readonly PixelSunlight _sunlight = new();
     private double[] _radianceFactors = [];
     private NativeRenderOptions? _options;
+    private bool _isFirstSample;
 
     public FramePass(SurfaceModel surface)
     {
@@ -55,7 +56,7 @@ internal sealed class FramePass
             _radianceFactors = new double[pixels];
         }
 
-        _radianceFactors.AsSpan(0, pixels).Clear();
+        _isFirstSample = true;
         int across = options.SubsamplesPerAxis;
         double weight = 1.0 / (across * across);
 
@@ -110,11 +111,11 @@ internal sealed class FramePass
         row.Clear(visible.Width);
         SurfaceRow points = row.Points;
         visible.Read(y, points);
+        visible.ReadFacets(y, points, row.Facets);
         int start = (y - 1) * visible.Width;
         for (int i = 0; i < points.Count; i++)
         {
             Vector3D point = new(points.X[i], points.Y[i], points.Z[i]);
-            row.Facets[i] = visible.FacetOf(y, points.Facets[i]);
             row.Lights[i] = PixelIllumination.At(point, _sunlight.VisibleFraction(start + points.Columns[i]), Light);
             if (_options!.Normals == NormalModel.Smooth)
             {
@@ -138,6 +139,8 @@ internal sealed class FramePass
     private void DrawSample(double offsetX, double offsetY, double weight, int threads, CancellationToken cancellation)
     {
         _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
-        _light.Run(_visible, Light, _options!, weight, _sunlight, _radianceFactors, threads, cancellation);
+        SampleWeight sample = new(weight, IsFirst: _isFirstSample);
+        _light.Run(_visible, Light, _options!, sample, _sunlight, _radianceFactors, threads, cancellation);
+        _isFirstSample = false;
     }
 }

@@ -14,9 +14,13 @@ namespace Msisf.Core.Render;
 /// </summary>
 public sealed class NativeRenderer
 {
+    /// <summary>Calls of <see cref="ReleaseIfUnused"/> without a frame between them after which the memory is released.</summary>
+    private const int TurnsUntilRelease = 1;
+
     private readonly SurfaceModel _surface;
     private readonly ConcurrentBag<FramePass> _idle = [];
     private long _replacedBytes;
+    private int _turnsWithoutFrame;
 
     /// <summary>Makes a renderer; nothing of the model is read yet.</summary>
     /// <param name="terrain">The elevation model, or several.</param>
@@ -58,6 +62,7 @@ public sealed class NativeRenderer
         PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation = default)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(threads, 1);
+        Volatile.Write(ref _turnsWithoutFrame, 0);
         if (!_idle.TryTake(out FramePass? pass))
         {
             pass = new FramePass(_surface);
@@ -67,5 +72,18 @@ public sealed class NativeRenderer
         pass.Draw(camera, light, options, threads, cancellation);
         Interlocked.Add(ref _replacedBytes, pass.ReplacedBytes - before);
         return new NativeFrame(pass, _idle.Add);
+    }
+
+    /// <summary>Releases the memory that is kept for later frames, if there was none for some turns.</summary>
+    /// <returns>Whether any was released.</returns>
+    public bool ReleaseIfUnused()
+    {
+        if (Interlocked.Increment(ref _turnsWithoutFrame) <= TurnsUntilRelease || _idle.IsEmpty)
+        {
+            return false;
+        }
+
+        _idle.Clear();
+        return true;
     }
 }

@@ -4,7 +4,6 @@ using Msisf.Adapters.Scene;
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
-using Msisf.Core.Tiles;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Scene;
@@ -78,8 +77,7 @@ public sealed class PovSceneWriterTests
     private static string Write(SceneLight light)
     {
         using StringWriter writer = new();
-        SurfacePart[] parts = [SurfacePart.Whole(new TileId(-5, 355)), SurfacePart.Whole(new TileId(0, 0))];
-        PovSceneWriter.Write(writer, new RenderScene(Camera, light, 4, parts), part => $"{part.NameText}.inc");
+        PovSceneWriter.Write(writer, new RenderScene(Camera, light, "4", ["lat_-5_0_lon_355_360.inc", "lat_0_5_lon_0_5.inc"]));
         return writer.ToString();
     }
 

@@ -75,6 +75,61 @@ public sealed class GeoTiffGridTests : IDisposable
         Assert.StartsWith($"{path}, line 124, sample 1: no data there. Fill the hole", exception.Message, StringComparison.Ordinal);
     }
 
+    /// <summary>The map's values are linear in its coordinates, and so is what is bilinear between them; places come from PROJ.</summary>
+    [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
+    [InlineData("+proj=ortho +lat_0=-80 +lon_0=20", true)]
+    [InlineData("+proj=stere +lat_0=90 +lon_0=30", true)]
+    [InlineData("+proj=eqc +lat_ts=20 +lat_0=20 +lon_0=30", false)]
+    [InlineData("+proj=lcc +lat_1=35 +lat_2=45 +lat_0=40 +lon_0=200", false)]
+    public void Open_OtherProjection_IsBilinearBetweenThePixels(string projection, bool isPolar)
+    {
+        string path = Write(
+            string.Empty,
+            $"system.ImportFromProj4('{projection} +R=1737400'); data.SetProjection(system.ExportToWkt()); "
+                + "data.SetGeoTransform([-500.0, 5.0, 0.0, 700.0, 0.0, -5.0])");
+        using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
+        Assert.Contains(projection.Split(' ')[0], grid.WarpedFrom, StringComparison.Ordinal);
+        Assert.Equal(isPolar, grid.Projection is PolarStereographic);
+        Assert.True(grid.MayHaveGaps);
+
+        GridWindow window = grid.Window;
+        (int Line, int Sample)[] places =
+        [
+            .. Enumerable.Range(3, 5).Select(
+                i => (window.FirstLine + (window.Lines * i / 10), window.FirstSample + (window.Samples * i / 10))),
+        ];
+        const string Script = """
+            import sys
+            from osgeo import osr
+            system, degrees = osr.SpatialReference(), osr.SpatialReference()
+            system.ImportFromProj4(sys.argv[1] + ' +R=1737400')
+            degrees.ImportFromProj4('+proj=longlat +R=1737400')
+            for one in (system, degrees):
+                one.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+            transform = osr.CoordinateTransformation(degrees, system)
+            for place in sys.argv[2].split(';'):
+                longitude, latitude = (float(word) for word in place.split(','))
+                x, y, _ = transform.TransformPoint(longitude, latitude)
+                print(repr((700.0 - y) / 5.0 - 0.5 + ((x + 500.0) / 5.0 - 0.5) / 1024))
+            """;
+        string given = string.Join(';', places.Select(place =>
+        {
+            SelenographicPoint point = SelenographicPoint.Below(grid.Projection.DirectionOf(place.Line, place.Sample));
+            return string.Create(
+                CultureInfo.InvariantCulture,
+                $"{double.RadiansToDegrees(point.Longitude):R},{double.RadiansToDegrees(point.Latitude):R}");
+        }));
+        string[] values = ChildRun.Of(TestParts.Python!, ["-c", Script, projection, given], _folder.Path).Succeeded().Output
+            .Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        double[] radius = new double[1];
+        for (int i = 0; i < places.Length; i++)
+        {
+            grid.ReadRadii(places[i].Line, places[i].Sample, radius);
+            Assert.Equal(
+                1_737_400.0 + double.Parse(values[i], CultureInfo.InvariantCulture), radius[0], 1e-3); // GDAL interpolates floats
+        }
+    }
+
     [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
     [InlineData("data.SetProjection('')", "has no coordinate system")]
     [InlineData("system.ImportFromEPSG(3031); data.SetProjection(system.ExportToWkt())", "is not one on a sphere of the Moon")]

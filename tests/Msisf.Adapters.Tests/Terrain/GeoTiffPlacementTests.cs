@@ -16,7 +16,7 @@ public sealed class GeoTiffPlacementTests
     [Fact]
     public void Of_PolarPiece_HasTheCentreOfGdalinfo()
     {
-        GeoTiffPlacement placement = GeoTiffPlacement.Of("a.tif", 200, 200, Piece, South);
+        GeoTiffPlacement placement = Of("a.tif", 200, 200, Piece, South);
         SelenographicPoint centre = SelenographicPoint.Below(placement.Projection.DirectionOf(99.5, 99.5));
         Assert.Equal(-(84.0 + (9.0 / 60.0) + (5.10 / 3600.0)), double.RadiansToDegrees(centre.Latitude), 2e-6);
         Assert.Equal(90.0 + (19.0 / 60.0) + (22.04 / 3600.0), double.RadiansToDegrees(centre.Longitude), 2e-6);
@@ -33,7 +33,7 @@ public sealed class GeoTiffPlacementTests
     public void Of_OtherSphereOrScale_ChangesTheScale(string from, string to, double scale)
     {
         PolarStereographic map = Assert.IsType<PolarStereographic>(
-            GeoTiffPlacement.Of("a.tif", 200, 200, Piece, South.Replace(from, to, StringComparison.Ordinal)).Projection);
+            Of("a.tif", 200, 200, Piece, South.Replace(from, to, StringComparison.Ordinal)).Projection);
         Assert.Equal(scale, map.MetresPerPixel, 1e-9);
         Assert.Equal((-100.5, -35400.5), (Math.Round(map.LineOffset, 6), Math.Round(map.SampleOffset, 6)));
     }
@@ -41,7 +41,7 @@ public sealed class GeoTiffPlacementTests
     [Fact]
     public void Of_FalseOrigin_MovesThePole()
     {
-        PolarStereographic map = Assert.IsType<PolarStereographic>(GeoTiffPlacement.Of(
+        PolarStereographic map = Assert.IsType<PolarStereographic>(Of(
             "a.tif", 200, 200, Piece, South.Replace("+x_0=0 +y_0=0", "+x_0=200000 +y_0=500", StringComparison.Ordinal)).Projection);
         Assert.Equal((-200.5, 4599.5), (map.LineOffset, map.SampleOffset));
     }
@@ -51,7 +51,7 @@ public sealed class GeoTiffPlacementTests
     [InlineData("+proj=longlat +a=1737400 +b=1737400 +lon_0=0", 1440, 480, 120, 0, 720)]
     public void Of_BandAllAround_IsARing(string projection, int width, int height, int line, int sample, int ringStart)
     {
-        GeoTiffPlacement placement = GeoTiffPlacement.Of("a.tif", width, height, Band, projection);
+        GeoTiffPlacement placement = Of("a.tif", width, height, Band, projection);
         Assert.Equal(new Equirectangular(4), placement.Projection);
         Assert.Equal(new GridWindow(line, line + height, sample, sample + width), placement.Window);
         Assert.Equal(ringStart, placement.RingStart);
@@ -61,7 +61,7 @@ public sealed class GeoTiffPlacementTests
     public void Of_EquirectangularMetres_AreDegrees()
     {
         double pixel = 1_737_400.0 * Math.PI / 180.0 / 16.0;
-        GeoTiffPlacement placement = GeoTiffPlacement.Of(
+        GeoTiffPlacement placement = Of(
             "a.tif", 100, 50, [-20.0 * 16.0 * pixel, pixel, 0.0, 10.0 * 16.0 * pixel, 0.0, -pixel],
             "+proj=eqc +lat_ts=0 +lat_0=0 +lon_0=180 +x_0=0 +y_0=0 +R=1737400 +units=m");
         Assert.Equal(new Equirectangular(16), placement.Projection);
@@ -113,10 +113,14 @@ public sealed class GeoTiffPlacementTests
     [Fact]
     public void Of_NoTransform_IsRefused() => AssertRefused(200, 200, null, South, "has no place on the map");
 
+    /// <summary>The placement; what is in another form is warped, or refused with these words.</summary>
+    private static GeoTiffPlacement Of(string path, int width, int height, double[]? transform, string? projection) =>
+        GeoTiffPlacement.Find(path, width, height, transform, projection, out string otherForm) ?? throw new BadInputException(otherForm);
+
     private static void AssertRefused(int width, int height, double[]? transform, string? projection, string message)
     {
         BadInputException exception = Assert.Throws<BadInputException>(
-            () => GeoTiffPlacement.Of("a.tif", width, height, transform, projection));
+            () => Of("a.tif", width, height, transform, projection));
         Assert.StartsWith("a.tif: ", exception.Message, StringComparison.Ordinal);
         Assert.Contains(message, exception.Message, StringComparison.Ordinal);
         Assert.DoesNotContain('\n', exception.Message);

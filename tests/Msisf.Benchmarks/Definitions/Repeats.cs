@@ -9,6 +9,7 @@ namespace Msisf.Benchmarks.Definitions;
 /// <param name="SequenceFrames">Frames of the sequence.</param>
 /// <param name="SequencePixelsPerDegree">Resolution of the sequence's model.</param>
 /// <param name="LayeredFrames">Frames of the sequence with all layers.</param>
+/// <param name="DescentFrames">Frames of the descent.</param>
 internal sealed record Repeats(
     int FirstFrames,
     int Images,
@@ -17,10 +18,11 @@ internal sealed record Repeats(
     int CheckedPixels,
     int SequenceFrames,
     int SequencePixelsPerDegree,
-    int LayeredFrames)
+    int LayeredFrames,
+    int DescentFrames)
 {
-    public static Repeats Full { get; } = new(5, 2, 20, 25, 1000, 1000, 64, 20);
+    public static Repeats Full { get; } = new(5, 2, 20, 25, 1000, 1000, 64, 20, 1000);
 
     /// <summary>Shows that the benchmark works, no more.</summary>
-    public static Repeats Quick { get; } = new(3, 0, 5, 5, 100, 20, 4, 2);
+    public static Repeats Quick { get; } = new(3, 0, 5, 5, 100, 20, 4, 2, 20);
 }

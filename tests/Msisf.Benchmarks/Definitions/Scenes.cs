@@ -8,6 +8,9 @@ internal static class Scenes
     /// <summary>The name of the sequence, which is chosen like a scene.</summary>
     public const string Sequence = "sequence";
 
+    /// <summary>The descent through nested models.</summary>
+    public const string Descent = "descent";
+
     /// <summary>The name of the first image from nothing but the model's file.</summary>
     public const string FromNothing = "from-nothing";
 
@@ -117,8 +120,8 @@ internal static class Scenes
     /// <exception cref="BenchmarkException">There is none; the message has the names.</exception>
     public static Scene Named(string name) => All.FirstOrDefault(scene => scene.Name == name)
         ?? throw new BenchmarkException(
-            $"there is no scene {name}; there are {string.Join(", ", All.Select(scene => scene.Name))}, {FromNothing}, {Sequence} "
-                + $"and {Detector}.");
+            $"there is no scene {name}; there are {string.Join(", ", All.Select(scene => scene.Name))}, {FromNothing}, {Sequence}, "
+                + $"{Descent} and {Detector}.");
 
     private static Scene Landing(string name, string height, double altitude, IReadOnlyList<Setting> settings) => new()
     {

@@ -6,6 +6,9 @@ internal static class SequenceTargets
     /// <summary>With images and meta files.</summary>
     public const double FramesPerSecond = 80.0;
 
+    /// <summary>Of the descent.</summary>
+    public const double DescentFramesPerSecond = 20.0;
+
     /// <summary>With all layers on top.</summary>
     public const double LayeredFramesPerSecond = 1.0;
 

@@ -9,6 +9,7 @@ namespace Msisf.Benchmarks.Measures;
 /// <param name="FromNothing">Null if it was not asked for.</param>
 /// <param name="Sequence">Null if it was not asked for.</param>
 /// <param name="Layers">As the sequence, with all layers.</param>
+/// <param name="Descent">Null if it was not asked for.</param>
 /// <param name="Detector">Null if it was not asked for.</param>
 internal sealed record BenchmarkResult(
     string Machine,
@@ -17,4 +18,5 @@ internal sealed record BenchmarkResult(
     FromNothingResult? FromNothing,
     SequenceResult? Sequence,
     SequenceResult? Layers,
+    SequenceResult? Descent,
     DetectorResult? Detector);

@@ -39,6 +39,13 @@ internal sealed class BenchmarkRun
 
         IReadOnlyList<SceneResult> scenes = NativeFrames();
         (SequenceResult? plain, SequenceResult? layered) = _options.HasSequence ? Sequence() : default;
+        SequenceResult? descent = null;
+        if (_options.HasDescent)
+        {
+            Say(FormattableString.Invariant($"descent: {_options.Repeats.DescentFrames} frames"));
+            descent = new Descent(_bench).Run(_options.Repeats.DescentFrames);
+        }
+
         DetectorResult? detector = null;
         if (_options.HasDetector)
         {
@@ -50,7 +57,7 @@ internal sealed class BenchmarkRun
             CultureInfo.InvariantCulture,
             $"{Machine.Describe()} Load before and after the run: {loadBefore} and {Machine.Load()}. "
                 + $"The run took {Stopwatch.GetElapsedTime(_start).TotalMinutes:F1} minutes.");
-        return new BenchmarkResult(machine, scenes, fronts, fromNothing, plain, layered, detector);
+        return new BenchmarkResult(machine, scenes, fronts, fromNothing, plain, layered, descent, detector);
     }
 
     private List<SceneFront> Fronts()

@@ -33,6 +33,7 @@ internal static class FigureList
         .. result.Scenes.SelectMany(Of),
         .. result.Sequence is null ? [] : Of(Scenes.Sequence, result.Sequence),
         .. result.Layers is null ? [] : Of("sequence with layers", result.Layers),
+        .. result.Descent is null ? [] : Of(Scenes.Descent, result.Descent),
         .. result.Detector is null ? [] : Of(result.Detector),
     ];
 

@@ -32,7 +32,7 @@ internal static class MarkdownReport
             Append(text, "Its further frames in one process, ms to draw one; minimum / median.", FurtherFrames(result.Scenes));
         }
 
-        if (result.Sequence is not null)
+        if (result.Sequence is not null || result.Descent is not null)
         {
             Append(text, "Sequences: one process, from its start to its end.", Sequences(result));
         }
@@ -112,7 +112,7 @@ internal static class MarkdownReport
             "files", "frames", "frames/s", "first tenth", "last tenth", "slowest tenth", "MB/s", "peak memory, MB",
             "own memory, first and last tenth, MB");
         foreach ((string files, SequenceResult? sequence) in ((string, SequenceResult?)[])[("PNG, XML", result.Sequence), (
-            "and all layers, FITS", result.Layers)])
+            "and all layers, FITS", result.Layers), ("descent through five maps, PNG, XML", result.Descent)])
         {
             if (sequence is not null)
             {

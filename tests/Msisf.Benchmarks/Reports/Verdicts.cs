@@ -7,8 +7,13 @@ namespace Msisf.Benchmarks.Reports;
 internal static class Verdicts
 {
     public static IEnumerable<Verdict> Of(BenchmarkResult result) =>
-        [.. FrontVerdicts.Of(result), .. result.Scenes.SelectMany(
-            scene => Of(scene, result)), .. OfSequence(result.Sequence), .. OfLayers(result.Layers), .. OfDetector(result.Detector)];
+        [
+            .. FrontVerdicts.Of(result), .. result.Scenes.SelectMany(scene => Of(scene, result)),
+            .. OfSequence(result.Sequence, "orbit", SequenceTargets.FramesPerSecond, isAlike: true),
+            .. OfLayers(result.Layers),
+            .. OfSequence(result.Descent, "descent", SequenceTargets.DescentFramesPerSecond, isAlike: false),
+            .. OfDetector(result.Detector),
+        ];
 
     private static IEnumerable<Verdict> Of(SceneResult result, BenchmarkResult all)
     {
@@ -33,22 +38,26 @@ internal static class Verdicts
         }
     }
 
-    private static IEnumerable<Verdict> OfSequence(SequenceResult? sequence)
+    private static IEnumerable<Verdict> OfSequence(SequenceResult? sequence, string name, double framesPerSecond, bool isAlike)
     {
         if (sequence is null)
         {
             yield break;
         }
 
-        string about = FormattableString.Invariant($"orbit of {sequence.Frames} frames");
+        string about = FormattableString.Invariant($"{name} of {sequence.Frames} frames");
         yield return AtLeast(
-            about, "images and meta files", SequenceTargets.FramesPerSecond, sequence.FramesPerSecond, Unit.FramesPerSecond);
-        yield return AtLeast(
-            about,
-            FormattableString.Invariant($"rate of the last {sequence.WindowFrames} to that of the first"),
-            SequenceTargets.MinLastToFirst,
-            sequence.LastRate / sequence.FirstRate,
-            Unit.Times);
+            about, "images and meta files", framesPerSecond, sequence.FramesPerSecond, Unit.FramesPerSecond);
+        if (isAlike)
+        {
+            yield return AtLeast(
+                about,
+                FormattableString.Invariant($"rate of the last {sequence.WindowFrames} to that of the first"),
+                SequenceTargets.MinLastToFirst,
+                sequence.LastRate / sequence.FirstRate,
+                Unit.Times);
+        }
+
         if (sequence.FirstMemory is { } early && sequence.LastMemory is { } late)
         {
             double growth = (double)late.OwnBytes / early.OwnBytes;

@@ -1,4 +1,5 @@
 using Msisf.Core.Lod;
+using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
@@ -42,7 +43,13 @@ public sealed class NestedLevelsTests
             _ = levels.Terrain(before).Surface;
         }
 
-        Assert.Equal(new AllFacets(alone).Facets, new AllFacets(levels.Terrain(wanted)).Facets);
+        NestedTerrain later = levels.Terrain(wanted);
+        Assert.Equal(CornersOf(alone.Surface.Seams), CornersOf(later.Surface.Seams));
+        for (int part = 1; part < 5; part++)
+        {
+            Assert.Equal(RadiiOf(alone.Parts[part]), RadiiOf(later.Parts[part]));
+            Assert.Equal(alone.Parts[part].Kept!.Pieces, later.Parts[part].Kept!.Pieces);
+        }
     }
 
     [Fact]
@@ -109,4 +116,14 @@ public sealed class NestedLevelsTests
     [InlineData("gaps", 0, 1, true)]
     public void Covers_ModelsOfAScene_AreAsTheyLie(string name, int coarser, int finer, bool covers) =>
         Assert.Equal(covers, NestedScenes.LevelsOf(name).Covers(coarser, finer));
+
+    private static List<(Vector3D, Vector3D, Vector3D)> CornersOf(SeamMesh seams) =>
+        [.. Enumerable.Range(0, seams.Count).Select(seams.CornersOf)];
+
+    private static double[][] RadiiOf(GridSurface part) => [.. Enumerable.Range(0, part.Grid.Lines).Select(line =>
+    {
+        double[] radii = new double[part.Grid.Samples];
+        part.Grid.ReadRadii(line, 0, radii);
+        return radii;
+    })];
 }

@@ -1,6 +1,7 @@
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tests.Support;
 
@@ -9,13 +10,9 @@ internal sealed class AllFacets
 {
     private const double EdgeTolerance = 1e-11;
 
-    public AllFacets(NestedTerrain terrain)
-        : this(terrain.Surface)
+    public AllFacets(ITerrain terrain)
     {
-    }
-
-    public AllFacets(SurfaceModel surface)
-    {
+        SurfaceModel surface = SurfaceModel.Of(terrain);
         List<(FacetId, Vector3D, Vector3D, Vector3D)> all = [];
         for (int part = 0; part < surface.Parts.Count; part++)
         {
@@ -52,8 +49,13 @@ internal sealed class AllFacets
         }
     }
 
+    private AllFacets(IReadOnlyList<(FacetId Facet, Vector3D A, Vector3D B, Vector3D C)> facets) => Facets = facets;
+
     /// <summary>The facets with their corners, m, counter-clockwise seen from outside.</summary>
     public IReadOnlyList<(FacetId Facet, Vector3D A, Vector3D B, Vector3D C)> Facets { get; }
+
+    /// <summary>Those facets of which a condition holds.</summary>
+    public AllFacets Where(Func<(FacetId Facet, Vector3D A, Vector3D B, Vector3D C), bool> isThere) => new([.. Facets.Where(isThere)]);
 
     /// <summary>The first facet that a ray enters from outside, not counting hits before so many lengths of the direction.</summary>
     public (FacetId Facet, Vector3D Point, double T)? FirstHit(Vector3D origin, Vector3D direction, double minT = 0.0)

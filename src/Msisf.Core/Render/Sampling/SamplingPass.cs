@@ -107,8 +107,8 @@ internal sealed class SamplingPass(SurfaceModel surface)
             _factors = new double[room];
         }
 
-        _factors.AsSpan(0, room).Clear();
-        work.Lights.Run(_rows, work.Light, work.Options, weight: 1.0, _sunlight, _factors, work.Threads, work.Cancellation);
+        work.Lights.Run(
+            _rows, work.Light, work.Options, new SampleWeight(1.0, IsFirst: true), _sunlight, _factors, work.Threads, work.Cancellation);
         WorkerTeam.Run(work.Threads, count, (_, index) =>
         {
             Collect(_parts[index], FactorsOf(index), work, bands.First + index);

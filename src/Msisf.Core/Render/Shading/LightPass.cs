@@ -32,19 +32,19 @@ internal sealed class LightPass
     /// <param name="points">The points.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="options">Reflectance law, Sun and kind of normals.</param>
-    /// <param name="weight">Weight of the points in the sum; 0 to find the light only.</param>
+    /// <param name="weight">Weight of the points in the sum.</param>
     /// <param name="sunlight">Receives the light on each point.</param>
     /// <param name="radianceFactors">Radiance factors (I/F), row by row; those of the points are added.</param>
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
     public void Run(
-        ISurfaceRows points, SceneLight light, NativeRenderOptions options, double weight, PixelSunlight sunlight,
+        ISurfaceRows points, SceneLight light, NativeRenderOptions options, SampleWeight weight, PixelSunlight sunlight,
         double[] radianceFactors, int threads, CancellationToken cancellation)
     {
         bool hasDisc = HasDisc(light, options);
         sunlight.Prepare(points.Width * points.Height, hasDisc);
-        FindLight(points, light, options, weight > 0.0, sunlight, threads, cancellation);
-        if (weight > 0.0)
+        FindLight(points, light, options, weight.Share > 0.0, sunlight, threads, cancellation);
+        if (weight.Share > 0.0)
         {
             _shader.Shade(points, light, sunlight, options, weight, radianceFactors, threads, cancellation);
         }

@@ -1,5 +1,7 @@
+using System.Buffers;
 using System.Buffers.Binary;
 using System.Collections.Concurrent;
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
@@ -77,7 +79,7 @@ internal sealed class RowShader
     /// <param name="sunlight">The light on each pixel.</param>
     /// <param name="options">Reflectance law and kind of normals.</param>
     /// <param name="weight">Weight of the sample in the mean over a pixel.</param>
-    /// <param name="radianceFactors">Radiance factor (I/F) of each pixel, row by row; the sample's part is added.</param>
+    /// <param name="radianceFactors">Radiance factor (I/F) of each pixel, row by row; receives the sample's part.</param>
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
     public void Shade(
@@ -85,7 +87,7 @@ internal sealed class RowShader
         SceneLight light,
         PixelSunlight sunlight,
         NativeRenderOptions options,
-        double weight,
+        SampleWeight weight,
         double[] radianceFactors,
         int threads,
         CancellationToken cancellation)
@@ -96,20 +98,25 @@ internal sealed class RowShader
         {
             int start = row * visible.Width;
             Span<double> factors = radianceFactors.AsSpan(start, visible.Width);
+            if (weight.IsFirst)
+            {
+                factors.Clear(); // here and not for the whole image before, because the row then stays in the processor's cache
+            }
+
             if (isFlat)
             {
-                AddFlat(sunlight, start, options.Reflectance, weight, factors);
+                AddFlat(sunlight, start, options.Reflectance, weight.Share, factors);
                 return;
             }
 
             if (isReflected)
             {
-                AddReflected(sunlight, start, weight, factors);
+                AddReflected(sunlight, start, _reflected.AsSpan(start, visible.Width), weight.Share, factors);
                 return;
             }
 
             RowReflection reflection = Take();
-            reflection.TakeLit(visible, row, light, sunlight, options.Normals, weight);
+            reflection.TakeLit(visible, row, light, sunlight, options.Normals, weight.Share);
             reflection.FindFactors(visible.View.Camera, light, options);
             SunlitPoints points = reflection.Points;
             for (int i = 0; i < points.Count; i++)
@@ -137,11 +144,12 @@ internal sealed class RowShader
 
     private RowReflection Take() => _idle.TryTake(out RowReflection? idle) ? idle : new RowReflection(_surface);
 
-    private void AddReflected(PixelSunlight sunlight, int start, double weight, Span<double> factors)
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    private static void AddReflected(
+        PixelSunlight sunlight, int start, ReadOnlySpan<double> reflected, double weight, Span<double> factors)
     {
         ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(start, factors.Length);
         ReadOnlySpan<byte> hidden = sunlight.Hidden.AsSpan(start, factors.Length);
-        ReadOnlySpan<double> reflected = _reflected.AsSpan(start, factors.Length);
         int column = 0;
         for (; column <= factors.Length - Vector512<double>.Count; column += Vector512<double>.Count)
         {
@@ -177,6 +185,19 @@ internal sealed class RowShader
     private static void AddFlat(PixelSunlight sunlight, int start, IReflectance law, double weight, Span<double> factors)
     {
         ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(start, factors.Length);
+        if (sunlight.VisibleFractions.Length == 0 && law is LambertReflectance { Albedo: var albedo })
+        {
+            double[] reflected = ArrayPool<double>.Shared.Rent(factors.Length);
+            for (int column = 0; column < cosines.Length; column++)
+            {
+                reflected[column] = albedo * cosines[column];
+            }
+
+            AddReflected(sunlight, start, reflected.AsSpan(0, factors.Length), weight, factors);
+            ArrayPool<double>.Shared.Return(reflected);
+            return;
+        }
+
         ReadOnlySpan<byte> hidden = sunlight.Hidden.AsSpan(start, factors.Length);
         bool isPoint = sunlight.VisibleFractions.Length == 0;
         for (int column = 0; column < factors.Length; column++)

@@ -60,21 +60,55 @@ internal sealed class SunwardPoints : IReceiverRows
     {
         Scratch scratch = Take();
         Scatter(row, scratch);
+        int count = CopyFacing(scratch.Row, scratch.Cosines, x, y, z, columns);
+        _idle.Add(scratch);
+        return count;
+    }
+
+    /// <inheritdoc/>
+    public int ReadAgain(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns)
+    {
+        Scratch scratch = Take();
         SurfaceRow points = scratch.Row;
-        ReadOnlySpan<double> cosines = scratch.Cosines;
+        _visible.Read(row + 1, points, withNormals: false);
+        ReadOnlySpan<double> cosines = _cosIncidence.AsSpan(row * _visible.Width, _visible.Width);
+        if (points.Count < cosines.Length)
+        {
+            scratch.EnsureRoom(points.Count);
+            for (int i = 0; i < points.Count; i++)
+            {
+                scratch.Cosines[i] = cosines[points.Columns[i]];
+            }
+
+            cosines = scratch.Cosines;
+        }
+
+        int count = CopyFacing(points, cosines, x, y, z, columns);
+        _idle.Add(scratch);
+        return count;
+    }
+
+    /// <summary>Copies the points that face the Sun, run by run.</summary>
+    private int CopyFacing(
+        SurfaceRow points, ReadOnlySpan<double> cosines, Span<double> x, Span<double> y, Span<double> z, Span<int> columns)
+    {
         int count = 0;
         for (int i = 0; i < points.Count; i++)
         {
-            if (cosines[i] > _minCosine)
+            int first = i;
+            while (i < points.Count && cosines[i] > _minCosine)
             {
-                x[count] = points.X[i];
-                y[count] = points.Y[i];
-                z[count] = points.Z[i];
-                columns[count++] = points.Columns[i];
+                i++;
             }
+
+            int run = i - first;
+            points.X.AsSpan(first, run).CopyTo(x[count..]);
+            points.Y.AsSpan(first, run).CopyTo(y[count..]);
+            points.Z.AsSpan(first, run).CopyTo(z[count..]);
+            points.Columns.AsSpan(first, run).CopyTo(columns[count..]);
+            count += run;
         }
 
-        _idle.Add(scratch);
         return count;
     }
 

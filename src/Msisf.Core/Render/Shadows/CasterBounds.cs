@@ -7,8 +7,7 @@ namespace Msisf.Core.Render.Shadows;
 internal sealed class CasterBounds
 {
     private readonly LightFrame _frame;
-    private readonly ReceiverGrid _grid;
-    private readonly LightBox _receivers;
+    private readonly IReceiverBounds _receivers;
     private readonly double _slope;
     private readonly double _deepest;
     private readonly double _turnCosine;
@@ -17,13 +16,12 @@ internal sealed class CasterBounds
     /// <param name="receivers">The receivers.</param>
     /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
     /// <param name="maxRadius">Upper bound of the terrain's distance from the Moon's centre, m; less than the Sun's distance.</param>
-    public CasterBounds(ReceiverSort receivers, double slope, double maxRadius)
+    public CasterBounds(IReceiverBounds receivers, double slope, double maxRadius)
     {
         _frame = receivers.Frame;
-        _grid = receivers.Grid;
-        _receivers = receivers.Box;
+        _receivers = receivers;
         _slope = slope;
-        _deepest = receivers.Grid.MaxDepth();
+        _deepest = receivers.MaxDepth;
 
         // Upper bound of the sine of the angle between the direction from a point of the terrain to a point of the Sun and the direction
         // from the Moon's centre to the Sun's centre: the parallax plus the angular radius of the disc.
@@ -42,8 +40,8 @@ internal sealed class CasterBounds
         }
 
         (LightBox box, double minDepth, _) = LightBounds.Of(_frame, node);
-        LightBox shaded = LightBox.Intersection(_receivers, box.Widened(_slope * Math.Max(0.0, _deepest - minDepth)));
-        return !shaded.IsEmpty && minDepth < _grid.MaxDepth(_grid.BinsOf(in shaded));
+        LightBox shaded = LightBox.Intersection(_receivers.Box, box.Widened(_slope * Math.Max(0.0, _deepest - minDepth)));
+        return !shaded.IsEmpty && minDepth < _receivers.MaxDepthIn(in shaded);
     }
 
     /// <summary>Whether, somewhere in a cap, the Sun may be low enough for a facet of the maximum slope to face away from it.</summary>

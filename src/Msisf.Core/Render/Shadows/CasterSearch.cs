@@ -49,7 +49,7 @@ internal sealed class CasterSearch
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
     /// <returns>The blocks; the list is valid until the next search.</returns>
-    public IReadOnlyList<CellBlock> Find(ReceiverSort receivers, double slope, int threads, CancellationToken cancellation)
+    public IReadOnlyList<CellBlock> Find(IReceiverBounds receivers, double slope, int threads, CancellationToken cancellation)
     {
         CasterBounds bounds = new(receivers, slope, _maxRadius);
         _groups.Clear();

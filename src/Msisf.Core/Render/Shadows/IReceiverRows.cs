@@ -1,7 +1,7 @@
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>The receivers of an image, row by row: the surface points of pixels whose facet faces the Sun.</summary>
-/// <remarks>Each row is read once for each frame; several threads read different rows at the same time.</remarks>
+/// <remarks>Several threads read different rows at the same time. No row is kept: each is computed anew where it is needed again.</remarks>
 internal interface IReceiverRows
 {
     /// <summary>Number of rows of the image.</summary>
@@ -10,7 +10,7 @@ internal interface IReceiverRows
     /// <summary>Maximum number of receivers in a row: the image's number of columns.</summary>
     int Width { get; }
 
-    /// <summary>Reads the receivers of a row, in any order.</summary>
+    /// <summary>Reads the receivers of a row, in any order; once for each row of a frame.</summary>
     /// <param name="row">Row of the image, 0 to <see cref="Rows"/> - 1.</param>
     /// <param name="x">MOON_ME x, m, from the Moon's centre; room for <see cref="Width"/>, as in the other spans.</param>
     /// <param name="y">MOON_ME y, m.</param>
@@ -18,4 +18,8 @@ internal interface IReceiverRows
     /// <param name="columns">Columns of the image, 0 to <see cref="Width"/> - 1.</param>
     /// <returns>Number of receivers.</returns>
     int Read(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns);
+
+    /// <summary>Reads a row that was read before, in the same order.</summary>
+    /// <inheritdoc cref="Read"/>
+    int ReadAgain(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns) => Read(row, x, y, z, columns);
 }

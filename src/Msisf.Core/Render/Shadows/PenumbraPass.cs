@@ -53,18 +53,19 @@ internal sealed class PenumbraPass
 
         LightSource sun = new(disc.CentreMoonMe, disc.Slope);
         NightZone night = new(_search.SolidRadius, sun.Slope);
-        _receivers.Read(receivers, sun, night, threads, cancellation);
+        void Hide(int pixel) => hidden[pixel] = SunDisc.All;
+        _receivers.Read(receivers, sun, night, Hide, threads, cancellation);
         IReadOnlyList<CellBlock> blocks = _receivers.Box.IsEmpty ? [] : _search.Find(_receivers, sun.Slope, threads, cancellation);
         DarkZones? dark = _findsDarkZones ?? _darkZones.Pays(_receivers, sun.Slope, blocks.Count)
             ? _darkZones.Find(_receivers, sun.Slope, blocks.Count, threads, cancellation)
             : null;
         if (dark is not null)
         {
-            _receivers.LeaveOut(dark.Whole, night, receivers.Rows, threads, cancellation);
+            _receivers.LeaveOut(receivers, dark.Whole, night, Hide, threads, cancellation);
         }
 
         _receivers.Grid.WantAll();
-        _receivers.Sort(receivers, pixel => hidden[pixel] = SunDisc.All, threads, cancellation);
+        _receivers.Sort(receivers, threads, cancellation);
         if (_receivers.Box.IsEmpty)
         {
             return;

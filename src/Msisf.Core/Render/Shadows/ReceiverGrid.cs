@@ -23,7 +23,7 @@ internal sealed class ReceiverGrid
     private LightAxis _u;
     private LightAxis _v;
     private int[] _bins = [];
-    private Part[] _parts = [];
+    private ReceiverBin[][] _parts = [];
     private byte[] _isWanted = [];
     private bool _wantsAll;
     private int[] _starts = [];
@@ -63,7 +63,7 @@ internal sealed class ReceiverGrid
     /// <param name="box">Bounds of most receivers; a wrong estimate makes the search slower but not wrong.</param>
     /// <param name="receivers">Approximate number of receivers.</param>
     /// <param name="parts">Number of groups of rows that are counted and sorted at the same time.</param>
-    /// <param name="length">Length of the arrays of <see cref="ReceiverRows"/>.</param>
+    /// <param name="length">Maximum number of receivers, with whole vectors in each row.</param>
     public void Lay(LightBox box, int receivers, int parts, int length)
     {
         if (_bins.Length < length)
@@ -87,32 +87,30 @@ internal sealed class ReceiverGrid
             _isWanted = new byte[room];
         }
 
-        if (_parts.Length < parts || _parts[0].Counts.Length < room)
+        if (_parts.Length < parts || _parts[0].Length < room)
         {
-            _parts = [.. Enumerable.Range(0, Math.Max(parts, _parts.Length)).Select(_ => new Part(new int[room], new float[room]))];
+            _parts = [.. Enumerable.Range(0, Math.Max(parts, _parts.Length)).Select(_ => new ReceiverBin[room])];
         }
 
-        foreach (Part part in _parts)
+        foreach (ReceiverBin[] part in _parts)
         {
-            Array.Clear(part.Counts, 0, Size * Size);
-            Array.Fill(part.Depths, float.NegativeInfinity, 0, Size * Size);
+            Array.Fill(part, ReceiverBin.Empty, 0, Size * Size);
         }
     }
 
     /// <summary>Finds the bins of a row's receivers and leaves out the receivers in the night zone.</summary>
-    /// <param name="rows">The receivers.</param>
-    /// <param name="row">Row of the image.</param>
-    /// <param name="part">Index of the group of rows that this row belongs to; only one thread at a time may work on a group.</param>
+    /// <param name="row">The receivers.</param>
+    /// <param name="start">Where the row begins among all receivers, with whole vectors in each row.</param>
+    /// <param name="number">Index of the group of rows that this row belongs to; only one thread at a time may work on a group.</param>
     /// <param name="night">The zone in which every point is in shadow.</param>
     /// <param name="dark">A second zone in which every point is in shadow; null for none.</param>
+    /// <param name="hide">Called with the column of each receiver in one of the zones.</param>
     /// <returns>Bounds of the receivers that are not left out.</returns>
-    public LightBox Count(ReceiverRows rows, int row, int part, NightZone night, DarkZone? dark)
+    public LightBox Count(ReceiverRow row, int start, int number, NightZone night, DarkZone? dark, Action<int> hide)
     {
-        int start = rows.Start(row);
-        int count = rows.Count(row);
-        Span<long> lanes = stackalloc long[LaneCount];
+        int count = row.Count;
         Span<float> depths = stackalloc float[LaneCount];
-        (int[] counts, float[] max) = _parts[part];
+        ref int bins = ref _bins[start]; // a row has whole vectors of them
         Vector512<double> minU = Vector512.Create(double.PositiveInfinity);
         Vector512<double> minV = minU;
         Vector512<double> maxU = -minU;
@@ -120,28 +118,20 @@ internal sealed class ReceiverGrid
         Vector512<double> size = Vector512.Create((double)Size);
         for (int i = 0; i < count; i += LaneCount)
         {
-            Vector512<double> u = Vector512.LoadUnsafe(ref rows.U[0], (nuint)(start + i));
-            Vector512<double> v = Vector512.LoadUnsafe(ref rows.V[0], (nuint)(start + i));
-            Vector512<double> w = Vector512.LoadUnsafe(ref rows.W[0], (nuint)(start + i));
+            Vector512<double> u = Vector512.LoadUnsafe(ref row.U[0], (nuint)i);
+            Vector512<double> v = Vector512.LoadUnsafe(ref row.V[0], (nuint)i);
+            Vector512<double> w = Vector512.LoadUnsafe(ref row.W[0], (nuint)i);
             Vector512<double> isNight = night.Holds(u, v, w) | (dark?.Holds(u, v, w) ?? Vector512<double>.Zero);
             Vector512<double> isOut = isNight | Vector512.GreaterThanOrEqual(Lanes.Numbers, Vector512.Create((double)(count - i)));
             minU = Vector512.ConditionalSelect(isOut, minU, Vector512.MinNative(minU, u));
             minV = Vector512.ConditionalSelect(isOut, minV, Vector512.MinNative(minV, v));
             maxU = Vector512.ConditionalSelect(isOut, maxU, Vector512.MaxNative(maxU, u));
             maxV = Vector512.ConditionalSelect(isOut, maxV, Vector512.MaxNative(maxV, v));
-            Vector512<double> bins = Vector512.ConditionalSelect(isNight, Vector512.Create(-1.0), (_v.BinsOf(v) * size) + _u.BinsOf(u));
-            Vector512.ConvertToInt64Native(bins).CopyTo(lanes);
+            Vector512<double> all = Vector512.ConditionalSelect(isNight, Vector512.Create(-1.0), (_v.BinsOf(v) * size) + _u.BinsOf(u));
+            Vector512<long> whole = Vector512.ConvertToInt64Native(all);
+            Vector512.Narrow(whole, whole).GetLower().StoreUnsafe(ref bins, (nuint)i);
             Vector512.Narrow(w, w).GetLower().CopyTo(depths);
-            for (int lane = 0; lane < Math.Min(LaneCount, count - i); lane++)
-            {
-                int bin = (int)lanes[lane];
-                _bins[start + i + lane] = bin;
-                if (bin >= 0)
-                {
-                    counts[bin]++;
-                    max[bin] = Math.Max(max[bin], depths[lane]);
-                }
-            }
+            ReceiverBin.Count(_parts[number], _bins.AsSpan(start + i, Math.Min(LaneCount, count - i)), depths, row.Columns.AsSpan(i), hide);
         }
 
         return new LightBox(Lanes.Min(minU), -Lanes.Min(-maxU), Lanes.Min(minV), -Lanes.Min(-maxV));
@@ -155,10 +145,10 @@ internal sealed class ReceiverGrid
         {
             _starts[bin] = next;
             float max = float.NegativeInfinity;
-            foreach ((int[] counts, float[] depths) in _parts)
+            foreach (ReceiverBin[] part in _parts)
             {
-                (counts[bin], next) = (next, next + counts[bin]);
-                max = Math.Max(max, depths[bin]);
+                (part[bin].Receivers, next) = (next, next + part[bin].Receivers);
+                max = Math.Max(max, part[bin].Depth);
             }
 
             _depths.Bins[bin] = MathF.BitIncrement(max);
@@ -199,30 +189,46 @@ internal sealed class ReceiverGrid
     /// <summary>Marks all bins for sorting.</summary>
     public void WantAll() => _wantsAll = true;
 
+    /// <summary>Whether <see cref="Sort"/> may have something to do for a row.</summary>
+    /// <param name="start">The same place as in <see cref="Count"/>.</param>
+    /// <param name="count">Number of the row's receivers.</param>
+    public bool Wants(int start, int count)
+    {
+        if (_wantsAll)
+        {
+            return count > 0;
+        }
+
+        foreach (int bin in _bins.AsSpan(start, count))
+        {
+            if (bin >= 0 && _isWanted[bin] != 0)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
     /// <summary>Puts a row's receivers into their bins if these are marked.</summary>
-    /// <param name="rows">The receivers.</param>
-    /// <param name="row">Row of the image.</param>
+    /// <param name="row">The receivers, in the same order as in <see cref="Count"/>.</param>
+    /// <param name="start">The same place as in <see cref="Count"/>.</param>
     /// <param name="part">The same index as in <see cref="Count"/>.</param>
     /// <param name="firstPixel">Index of the row's first pixel.</param>
-    /// <param name="hide">Called with the pixel of each receiver in the night zone.</param>
-    public void Sort(ReceiverRows rows, int row, int part, int firstPixel, Action<int> hide)
+    public void Sort(ReceiverRow row, int start, int part, int firstPixel)
     {
-        int[] next = _parts[part].Counts;
-        int start = rows.Start(row);
-        for (int i = start; i < start + rows.Count(row); i++)
+        ReceiverBin[] next = _parts[part];
+        ReadOnlySpan<int> bins = _bins.AsSpan(start, row.Count);
+        for (int i = 0; i < bins.Length; i++)
         {
-            int bin = _bins[i];
-            if (bin < 0)
+            int bin = bins[i];
+            if (bin >= 0 && (_wantsAll || _isWanted[bin] != 0))
             {
-                hide(firstPixel + rows.Columns[i]);
-            }
-            else if (_wantsAll || _isWanted[bin] != 0)
-            {
-                int place = next[bin]++;
-                U[place] = rows.U[i];
-                V[place] = rows.V[i];
-                W[place] = rows.W[i];
-                Pixels[place] = firstPixel + rows.Columns[i];
+                int place = next[bin].Receivers++;
+                U[place] = row.U[i];
+                V[place] = row.V[i];
+                W[place] = row.W[i];
+                Pixels[place] = firstPixel + row.Columns[i];
             }
         }
     }
@@ -267,9 +273,9 @@ internal sealed class ReceiverGrid
             _starts[bin] = next;
             if (_isWanted[bin] != 0)
             {
-                foreach (Part part in _parts)
+                foreach (ReceiverBin[] part in _parts)
                 {
-                    part.Counts[bin] -= first - next;
+                    part[bin].Receivers -= first - next;
                 }
 
                 next += end - first;
@@ -291,9 +297,4 @@ internal sealed class ReceiverGrid
     }
 
     private static int SizeFor(int receivers) => Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MaxBins);
-
-    /// <summary>The counts and depths of the bins that one thread finds for its group of rows.</summary>
-    /// <param name="Counts">Number of receivers in each bin; after <see cref="Place"/>, the index of the next one to be stored.</param>
-    /// <param name="Depths">Maximum depth of the receivers in each bin, m.</param>
-    private sealed record Part(int[] Counts, float[] Depths);
 }

@@ -55,7 +55,8 @@ internal sealed class ShadowPass
         }
 
         LightSource sun = new(sunMoonMe, Slope: 0.0);
-        _receivers.Read(receivers, sun, new NightZone(_search.SolidRadius, sun.Slope), threads, cancellation);
+        NightZone night = new(_search.SolidRadius, sun.Slope);
+        _receivers.Read(receivers, sun, night, pixel => hidden[pixel] = 1, threads, cancellation);
         IReadOnlyList<CellBlock> blocks = _receivers.Box.IsEmpty ? [] : _search.Find(_receivers, sun.Slope, threads, cancellation);
         if (blocks.Count <= FewBlocks)
         {
@@ -66,7 +67,7 @@ internal sealed class ShadowPass
             _receivers.Grid.WantAll();
         }
 
-        _receivers.Sort(receivers, pixel => hidden[pixel] = 1, threads, cancellation);
+        _receivers.Sort(receivers, threads, cancellation);
         WorkerTeam.Run(threads, blocks.Count, (worker, item) => _scans[worker].Cast(blocks[item], _receivers, hidden), cancellation);
         Statistics = new ShadowStatistics(
             _receivers.Grid.Length, _search.Groups, blocks.Count, _scans.Sum(scan => scan.Strips), _scans.Sum(scan => scan.Tries));

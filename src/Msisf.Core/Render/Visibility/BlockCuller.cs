@@ -36,10 +36,9 @@ internal sealed class BlockCuller
     }
 
     /// <summary>Returns the blocks that may be visible, always in the same order; the list is valid until the next call.</summary>
-    public List<VisibleBlock> Find(ImageView view, int threads, CancellationToken cancellation)
+    public List<VisibleBlock> Find(ViewFrustum frustum, int threads, CancellationToken cancellation)
     {
-        ViewFrustum frustum = view.Frustum();
-        MoonHorizon horizon = new(view.Camera.PositionMoonMe, _surface.SolidRadius(_limits.Min));
+        MoonHorizon horizon = new(frustum.CameraMoonMe, _surface.SolidRadius(_limits.Min));
         _candidates.Clear();
         for (int part = 0; part < _surface.Parts.Count; part++)
         {

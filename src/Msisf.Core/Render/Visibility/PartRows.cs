@@ -41,10 +41,10 @@ internal sealed class PartRows : ISurfaceRows
     }
 
     /// <inheritdoc/>
-    public void Read(int y, SurfaceRow row)
+    public void Read(int y, SurfaceRow row, bool withNormals = true)
     {
         (PixelParts parts, int first) = _rows[y - 1];
-        _resolver.Resolve(parts, first, Math.Min(RowLength, parts.Count - first), row);
+        _resolver.Resolve(parts, first, Math.Min(RowLength, parts.Count - first), row, withNormals);
     }
 
     /// <inheritdoc/>

@@ -64,18 +64,19 @@ internal sealed class RowResolver
     /// <param name="band">The band of the row.</param>
     /// <param name="row">The row, from 0.</param>
     /// <param name="pixels">Receives the pixels.</param>
-    public void Resolve(Band band, int row, SurfaceRow pixels)
+    /// <param name="withNormals">Whether the normals get the length 1; without, they are not to be used.</param>
+    public void Resolve(Band band, int row, SurfaceRow pixels, bool withNormals)
     {
         pixels.EnsureWidth(band.Width);
         Gather(band, row, pixels);
         PinholeCamera camera = _view.Camera;
         if (_lens is null)
         {
-            Locate(pixels, camera.Direction + (UpOf(row) * camera.Up), camera.Right, vertical: null);
+            Locate(pixels, camera.Direction + (UpOf(row) * camera.Up), camera.Right, vertical: null, withNormals);
         }
         else
         {
-            Locate(pixels, camera.LensAxis, camera.LensRight, camera.LensDown);
+            Locate(pixels, camera.LensAxis, camera.LensRight, camera.LensDown, withNormals);
         }
     }
 
@@ -84,7 +85,8 @@ internal sealed class RowResolver
     /// <param name="first">The first one that is wanted.</param>
     /// <param name="count">How many.</param>
     /// <param name="points">Receives them, in their order; their columns count from 0.</param>
-    public void Resolve(PixelParts parts, int first, int count, SurfaceRow points)
+    /// <param name="withNormals">Whether the normals get the length 1; without, they are not to be used.</param>
+    public void Resolve(PixelParts parts, int first, int count, SurfaceRow points, bool withNormals)
     {
         points.EnsureWidth(count);
         for (int i = 0; i < count; i++)
@@ -102,11 +104,11 @@ internal sealed class RowResolver
         PinholeCamera camera = _view.Camera;
         if (camera.Model.Lens is null)
         {
-            Locate(points, camera.Direction, camera.Right, camera.Up);
+            Locate(points, camera.Direction, camera.Right, camera.Up, withNormals);
         }
         else
         {
-            Locate(points, camera.LensAxis, camera.LensRight, camera.LensDown);
+            Locate(points, camera.LensAxis, camera.LensRight, camera.LensDown, withNormals);
         }
     }
 
@@ -117,8 +119,9 @@ internal sealed class RowResolver
     /// <param name="middle">The direction of a ray with the factors 0.</param>
     /// <param name="right">The vector that X multiplies.</param>
     /// <param name="vertical">The vector that Z multiplies; null if the directions differ only by the vector to the right.</param>
+    /// <param name="withNormals">Whether the normals get the length 1.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
-    private void Locate(SurfaceRow pixels, Vector3D middle, Vector3D right, Vector3D? vertical)
+    private void Locate(SurfaceRow pixels, Vector3D middle, Vector3D right, Vector3D? vertical, bool withNormals)
     {
         Vector3D anchor = _view.Anchor;
         Vector3D position = _view.Camera.PositionMoonMe - anchor;
@@ -163,6 +166,11 @@ internal sealed class RowResolver
             (Vector512.Create(anchor.X) + (nearX + (correction * directionX))).StoreUnsafe(ref x, i);
             (Vector512.Create(anchor.Y) + (nearY + (correction * directionY))).StoreUnsafe(ref y, i);
             (Vector512.Create(anchor.Z) + (nearZ + (correction * directionZ))).StoreUnsafe(ref z, i);
+            if (!withNormals)
+            {
+                continue;
+            }
+
             Vector512<double> perLength = Vector512<double>.One / Vector512.Sqrt((nx * nx) + (ny * ny) + (nz * nz));
             (perLength * nx).StoreUnsafe(ref normalX, i);
             (perLength * ny).StoreUnsafe(ref normalY, i);

@@ -50,7 +50,7 @@ internal sealed class VisibilityPass
     {
         LensSamples? lens = LensOf(camera, offsetX, offsetY, threads, cancellation);
         ImageView view = new(camera, offsetX, offsetY, lens);
-        List<VisibleBlock> blocks = _culler.Find(view, threads, cancellation);
+        List<VisibleBlock> blocks = _culler.Find(view.Frustum(), threads, cancellation);
         (Blocks, Lens) = (blocks, lens);
         _result.Begin(view, lens);
         while (_workers.Count < threads)

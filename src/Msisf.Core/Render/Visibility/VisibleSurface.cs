@@ -51,14 +51,27 @@ internal sealed class VisibleSurface : ISurfaceRows
     }
 
     /// <inheritdoc/>
-    public void Read(int y, SurfaceRow row)
+    public void Read(int y, SurfaceRow row, bool withNormals = true)
     {
         Band band = BandOf(y, out int index);
-        _resolver.Resolve(band, index, row);
+        _resolver.Resolve(band, index, row, withNormals);
     }
 
     /// <inheritdoc/>
     public FacetId FacetOf(int y, int number) => BandOf(y, out _).Records[number].Facet;
+
+    /// <summary>The facets of a row that was read.</summary>
+    /// <param name="y">1 to the height.</param>
+    /// <param name="row">The row.</param>
+    /// <param name="facets">Receives the facet of each point.</param>
+    public void ReadFacets(int y, SurfaceRow row, Span<FacetId> facets)
+    {
+        ReadOnlySpan<FacetRecord> records = BandOf(y, out _).Records.AsSpan();
+        for (int i = 0; i < row.Count; i++)
+        {
+            facets[i] = records[row.Facets[i]].Facet;
+        }
+    }
 
     /// <summary>Tells which pixels of a row show the same facet.</summary>
     /// <param name="y">1 to the height.</param>

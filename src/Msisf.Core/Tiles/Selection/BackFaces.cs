@@ -26,7 +26,6 @@ internal sealed class BackFaces
     private readonly Vector3D _viewpoint;
     private readonly PolarBounds[]?[] _facets;
     private readonly List<PolarBounds> _found = [];
-    private readonly int _blocksPerTile;
     private int _blocksToRead = MaxBlocksRead;
 
     /// <param name="table">Bounds from the viewpoint.</param>
@@ -39,13 +38,12 @@ internal sealed class BackFaces
         _summary = summary;
         _viewpoint = viewpoint;
         _patch = patch;
-        _blocksPerTile = summary.Levels[1].Subdivisions * summary.Levels[1].Subdivisions;
-        _facets = new PolarBounds[TileId.Count * _blocksPerTile][];
+        _facets = new PolarBounds[TileId.Count * table.BlocksPerTile][];
     }
 
     /// <summary>Bounds of the facets of a tile's block that may be turned away.</summary>
     public ReadOnlySpan<PolarBounds> Of(TileId tile, int block) =>
-        _facets[(tile.Number * _blocksPerTile) + block] ??= Find(tile, block, _table.Blocks(tile)[block]);
+        _facets[(tile.Number * _table.BlocksPerTile) + block] ??= Find(tile, block, _table.Exact(tile, block));
 
     /// <summary>Whether the viewpoint's elevation over a node's ground may be lower than the slope of its steepest facet.</summary>
     public bool MayBeIn(in TerrainNode node, in PolarBounds bounds)

@@ -82,7 +82,7 @@ internal sealed class DspsaRun
     {
         List<TileId> inFrame = TilesInFrame();
         SunView? sun = _sunPosition is Vector3D position
-            ? new SunView(position, _summary, _patch, inFrame.Where(tile => !_walk.IsHidden(_view.Bounds(_tiles.NodeOf(tile)))))
+            ? new SunView(position, _summary, _patch, inFrame.Where(tile => !IsHidden(tile)))
             : null;
         Sun = sun;
         List<TileId> newlyKept = [];
@@ -126,8 +126,54 @@ internal sealed class DspsaRun
         Array.Fill(_reasons, TileReason.OutsideFrame);
         TileId[] possible = [.. TileId.FromNorth.Where(
             tile => !_summary.IsOnDemand || MayBeSeen(0, tile.RowFromNorth, tile.Column, ref _reasons[tile.Number]))];
-        _summary.Read(possible);
-        return [.. possible.Where(tile => _frame.Classify(_tiles.NodeOf(tile).Ball()) != FrustumSide.Outside)];
+        _summary.Read(possible.Where(_walk.ReadsWhole));
+        return [.. possible.Where(IsInFrame)];
+    }
+
+    /// <summary>Whether the tile's ball is in the image; it is read only if the limits of the model leave that open.</summary>
+    /// <remarks>
+    /// The ball is centred on the cap's axis, at a distance that lies between those of the limits, and reaches the cap's rim.
+    /// </remarks>
+    private bool IsInFrame(TileId tile)
+    {
+        TerrainNode unread = _tiles.NodeUnread(tile);
+        if (unread.IsUnread)
+        {
+            if (_frame.Classify(unread.Ball()) == FrustumSide.Outside)
+            {
+                return false;
+            }
+
+            double radius = unread.MinRadius * unread.Cap.SinRadius;
+            Vector3D lowest = unread.MinRadius * unread.Cap.CosRadius * unread.Cap.Centre;
+            Vector3D highest = unread.MaxRadius * unread.Cap.CosRadius * unread.Cap.Centre;
+            if (_frame.Classify((lowest, radius)) != FrustumSide.Outside && _frame.Classify((highest, radius)) != FrustumSide.Outside)
+            {
+                return true;
+            }
+        }
+
+        return _frame.Classify(_tiles.NodeOf(tile).Ball()) != FrustumSide.Outside;
+    }
+
+    /// <summary>Whether the tile's bounds say that it is hidden; it is read only if the limits of the model leave that open.</summary>
+    private bool IsHidden(TileId tile)
+    {
+        TerrainNode unread = _tiles.NodeUnread(tile);
+        if (unread.IsUnread)
+        {
+            if (_walk.IsHidden(_view.Bounds(unread)))
+            {
+                return true;
+            }
+
+            if (!_walk.IsHidden(_view.Bounds(unread with { MaxRadius = unread.MinRadius })))
+            {
+                return false;
+            }
+        }
+
+        return _walk.IsHidden(_view.Bounds(_tiles.NodeOf(tile)));
     }
 
     /// <summary>

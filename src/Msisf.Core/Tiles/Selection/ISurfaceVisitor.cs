@@ -7,7 +7,10 @@ namespace Msisf.Core.Tiles.Selection;
 internal interface ISurfaceVisitor
 {
     /// <summary>A node that may be seen.</summary>
-    /// <param name="node">Its place and bounds.</param>
+    /// <param name="node">
+    /// Its place and bounds. Those of a node that is not of the finest level may be the model's limits
+    /// (<see cref="TerrainNode.IsUnread"/>), so that it is not read where its parts can be asked.
+    /// </param>
     /// <param name="bounds">Bounds of the node from the camera.</param>
     /// <param name="certain">Whether it is certainly seen: wholly in the image, and too near for the horizon map to hide it.</param>
     /// <param name="place">Its place in the summary's tree.</param>
@@ -34,6 +37,9 @@ internal enum Visit
 
     /// <summary>Skip the parts of this node.</summary>
     Skip,
+
+    /// <summary>Ask again with the bounds that the node has when it is read; only for one with the limits of the model.</summary>
+    Read,
 
     /// <summary>End the walk.</summary>
     Stop,

@@ -21,6 +21,7 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
     private readonly BoundsTable _table;
     private readonly BackFaces _facets;
     private readonly double _limb;
+    private readonly bool _isOnDemand;
     private readonly AzimuthIndex<TileId> _soughtTiles = new(Bins);
     private readonly AzimuthIndex<PolarBounds> _backFaces = new(Bins);
     private int _facetBudget = MaxFacets;
@@ -33,6 +34,7 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
     public OccluderVisitor(ElevationSummary summary, ViewFrustum frame, BoundsTable table, TerrainPatch patch, IReadOnlyList<TileId> dark)
     {
         _table = table;
+        _isOnDemand = summary.IsOnDemand;
         _facets = new BackFaces(table, summary, frame.CameraMoonMe, patch);
 
         // Beyond the limb of a sphere as high as the highest terrain, facets are assumed to be turned away.
@@ -40,25 +42,36 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
         AzimuthIndex<TileId> asked = new(Bins);
         foreach (TileId tile in dark)
         {
-            asked.Add(tile, table[tile]);
+            asked.Add(tile, table.Possible(tile));
         }
 
         bool IsPossible(in TerrainNode node, in PolarBounds bounds) =>
             bounds.Near < _limb && SharesRay(asked, bounds) && _facets.MayBeIn(node, bounds)
                 && frame.Classify(node.Ball()) != FrustumSide.Outside;
 
+        bool IsAnyBlockPossible(TileId tile)
+        {
+            for (int block = 0; block < table.BlocksPerTile; block++)
+            {
+                (int row, int column) = summary.Levels[1].PlaceOf(tile, block);
+                if (IsPossible(summary.Levels[1].NodeOfLimits(row, column), table.Possible(tile, block)))
+                {
+                    return true;
+                }
+            }
+
+            return false;
+        }
+
         SummaryLevel tiles = summary.Levels[0];
         foreach (TileId tile in TileId.FromNorth)
         {
-            if (!IsPossible(tiles.NodeUnread(tile), table.Unread(tile)))
+            bool isPossible = summary.IsOnDemand
+                ? IsPossible(tiles.NodeOfLimits(tile.RowFromNorth, tile.Column), table.Possible(tile)) && IsAnyBlockPossible(tile)
+                : IsPossible(tiles.NodeOf(tile), table.Possible(tile));
+            if (isPossible)
             {
-                continue;
-            }
-
-            TerrainNode node = tiles.NodeOf(tile);
-            if (IsPossible(node, table[tile]))
-            {
-                NoteBackFaces(tile, table.Blocks(tile));
+                NoteBackFaces(tile, asked);
             }
         }
     }
@@ -75,7 +88,7 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
         _soughtTiles.Clear();
         foreach (TileId tile in tiles)
         {
-            _soughtTiles.Add(tile, _table[tile]);
+            _soughtTiles.Add(tile, _table.Possible(tile));
         }
     }
 
@@ -84,6 +97,11 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
         if (!AnyBehind(bounds))
         {
             return Visit.Skip;
+        }
+
+        if (node.IsUnread && place.Depth > 0 && _facetBudget <= 0)
+        {
+            return Visit.Read; // too wide for the last word
         }
 
         Covers = place.Depth > 0 && _facetBudget <= 0;
@@ -103,7 +121,7 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
     /// <summary>
     /// Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles hide each other in long chains.
     /// </summary>
-    public bool MayLeaveBeforeLimb(TileId tile) => FirstExit(_table[tile]) < _limb;
+    public bool MayLeaveBeforeLimb(TileId tile) => FirstExit(_table.Possible(tile)) < _limb && FirstExit(_table.Exact(tile)) < _limb;
 
     private bool SharesRay(AzimuthIndex<TileId> index, in PolarBounds bounds)
     {
@@ -111,7 +129,7 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
         {
             foreach (TileId tile in index[bin])
             {
-                if (_table[tile].CanShareRayWith(bounds))
+                if (_table.Possible(tile).CanShareRayWith(bounds))
                 {
                     return true;
                 }
@@ -121,11 +139,12 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
         return false;
     }
 
-    private void NoteBackFaces(TileId tile, ReadOnlySpan<PolarBounds> blocks)
+    private void NoteBackFaces(TileId tile, AzimuthIndex<TileId> asked)
     {
-        for (int block = 0; block < blocks.Length; block++)
+        for (int block = 0; block < _table.BlocksPerTile; block++)
         {
-            if (!(blocks[block].Near < _limb))
+            ref readonly PolarBounds possible = ref _table.Possible(tile, block);
+            if (!(possible.Near < _limb) || (_isOnDemand && !SharesRay(asked, possible)))
             {
                 continue;
             }
@@ -144,7 +163,8 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
         {
             foreach (TileId tile in _soughtTiles[bin])
             {
-                if (_table[tile].Far > exit && _table[tile].CanShareRayWith(target) && AnyBlockBehind(tile, target, exit))
+                PolarBounds possible = _table.Possible(tile);
+                if (possible.Far > exit && possible.CanShareRayWith(target) && AnyBlockBehind(tile, target, exit))
                 {
                     return true;
                 }
@@ -156,9 +176,10 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
 
     private bool AnyBlockBehind(TileId tile, in PolarBounds target, double exit)
     {
-        foreach (ref readonly PolarBounds block in _table.Blocks(tile))
+        for (int block = 0; block < _table.BlocksPerTile; block++)
         {
-            if (block.Far > exit && block.CanShareRayWith(target))
+            ref readonly PolarBounds possible = ref _table.Possible(tile, block);
+            if (possible.Far > exit && possible.CanShareRayWith(target) && _table.Exact(tile, block).CanShareRayWith(target))
             {
                 return true;
             }

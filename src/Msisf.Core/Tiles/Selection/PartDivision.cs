@@ -55,7 +55,7 @@ internal sealed class PartDivision
     {
         TileId[] kept = [.. selection.Kept.Select(choice => choice.Tile)];
         // what only throws shadows is asked part by part
-        TileId[] divided = [.. kept.Where(tile => !_run.IsSeen(tile) || _subdivisionsAt(LevelOf(NodeOf(tile))) > 1)];
+        TileId[] divided = [.. kept.Where(tile => !_run.IsSeen(tile) || _subdivisionsAt(LevelOf(tile)) > 1)];
         foreach (TileId tile in divided.Where(_run.IsSeen))
         {
             _run.Walk(tile, _seen);
@@ -63,7 +63,7 @@ internal sealed class PartDivision
 
         AddTargets(kept.Except(divided), divided);
         KeepDarkBlocks(kept);
-        _parts.AddRange(kept.Except(divided).Select(tile => SurfacePart.Whole(tile, LevelOf(NodeOf(tile)))));
+        _parts.AddRange(kept.Except(divided).Select(tile => SurfacePart.Whole(tile, LevelOf(tile))));
         foreach (TileId tile in divided)
         {
             FillDemands(tile);
@@ -74,8 +74,32 @@ internal sealed class PartDivision
         return _parts;
     }
 
-    /// <summary>The coarsest level allowed for the visible ground of a piece of the surface.</summary>
-    private int LevelOf(in TerrainNode node) => _rule.LevelOfPixel(_footprint.MinWidth(node.Ball()));
+    /// <summary>The coarsest level allowed for the visible ground of a tile.</summary>
+    private int LevelOf(TileId tile) => LevelOf(tile, _tiles.NodeUnread(tile).Cap, subdivisions: 1);
+
+    /// <summary>
+    /// The coarsest level allowed for the visible ground of a tile within a cap, whose heights are bounded by those of the tile; or a
+    /// coarser one that needs smaller parts too. The tile is read only if the limits of the model leave that open.
+    /// </summary>
+    /// <param name="tile">The tile.</param>
+    /// <param name="cap">The place.</param>
+    /// <param name="subdivisions">Number of parts along the tile's edge beyond which the level does not matter.</param>
+    private int LevelOf(TileId tile, SphericalCap cap, int subdivisions)
+    {
+        TerrainNode unread = _tiles.NodeUnread(tile) with { Cap = cap };
+        if (unread.IsUnread)
+        {
+            (double min, double max) = _footprint.LimitsOfMinWidth(
+                unread.Ball(), unread.MinRadius * cap.Centre, unread.MaxRadius * cap.Centre);
+            int coarsest = _rule.LevelOfPixel(max);
+            if (coarsest == _rule.LevelOfPixel(min) || _subdivisionsAt(coarsest) > subdivisions)
+            {
+                return coarsest;
+            }
+        }
+
+        return _rule.LevelOfPixel(_footprint.MinWidth((NodeOf(tile) with { Cap = cap }).Ball()));
+    }
 
     /// <summary>
     /// Notes ground that is seen and may be lit. Ground that is certainly dark is left out, because a missing shadow does not change it.
@@ -141,14 +165,14 @@ internal sealed class PartDivision
 
     private TerrainNode NodeOf(TileId tile) => _tiles.NodeOf(tile);
 
-    /// <summary>Place of a part; its heights are bounded by those of its tile.</summary>
-    private TerrainNode NodeOf(SurfacePart part)
+    /// <summary>The cap that holds a part.</summary>
+    private SphericalCap CapOf(SurfacePart part)
     {
         int cells = _tiles.TileCells / part.Subdivisions;
         int line = part.Tile.FirstLine(_pixelsPerDegree) + (part.Row * cells);
         int sample = part.Tile.FirstSample(_pixelsPerDegree) + (part.Column * cells);
         CellRange range = new(line == 0 ? -1 : line, line + cells, sample, sample + cells);
-        return NodeOf(part.Tile) with { Cap = MeshBounds.CapOf(range, _tiles.Lines, 2 * _tiles.Lines) };
+        return MeshBounds.CapOf(range, _tiles.Lines, 2 * _tiles.Lines);
     }
 
     private void FillDemands(TileId tile)
@@ -156,8 +180,16 @@ internal sealed class PartDivision
         bool[] seen = _seen.Of(tile);
         for (int block = 0; block < _demands.Length; block++)
         {
-            _demands[block] = seen[block] ? null : _shadows?.Of(_finest.NodeOf(tile, block));
+            _demands[block] = seen[block] ? null : DemandOn(tile, block);
         }
+    }
+
+    /// <summary>What shadows demand of a block; it is read only if its shadow may fall on a target with some height of the model.</summary>
+    private (double WidestCell, double MaxDeviation)? DemandOn(TileId tile, int block)
+    {
+        (int row, int column) = _finest.PlaceOf(tile, block);
+        TerrainNode unread = _finest.NodeUnread(row, column);
+        return _shadows is null || (unread.IsUnread && _shadows.Of(unread) is null) ? null : _shadows.Of(_finest.Node(row, column));
     }
 
     private void Divide(SurfacePart square)
@@ -169,7 +201,7 @@ internal sealed class PartDivision
         }
 
         int level = isSeen
-            ? LevelOf(NodeOf(square))
+            ? LevelOf(square.Tile, CapOf(square), square.Subdivisions)
             : CasterLevel(square, widestCell, deviation);
         if (_subdivisionsAt(level) <= square.Subdivisions)
         {

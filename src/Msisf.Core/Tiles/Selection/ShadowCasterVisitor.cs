@@ -41,7 +41,7 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
         _newlyKept = newlyKept;
         foreach (TileId tile in TileId.FromNorth)
         {
-            _tiles.Add(tile, sun.Table.Unread(tile));
+            _tiles.Add(tile, sun.Table.Possible(tile));
         }
 
         _candidates = [.. summary.Levels.Select(_ => new List<TileId>())];
@@ -59,13 +59,13 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
         found.Clear();
         if (place.Depth == 0)
         {
-            AddAllCasting(found, fromSun);
+            AddAllCasting(found, fromSun, node.IsUnread);
         }
         else
         {
             foreach (TileId tile in _candidates[place.Depth - 1])
             {
-                AddIfCasting(found, tile, fromSun);
+                AddIfCasting(found, tile, fromSun, node.IsUnread);
             }
         }
 
@@ -99,7 +99,7 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
     {
         foreach (TileId tile in _candidates[^1])
         {
-            if (!_kept[tile.Number] && IsBefore(_sun.Table[tile], target) && AnyFacetCasts(tile, target))
+            if (!_kept[tile.Number] && IsBefore(_sun.Table.Possible(tile), target) && AnyFacetCasts(tile, target))
             {
                 _kept[tile.Number] = true;
                 _newlyKept.Add(tile);
@@ -110,7 +110,7 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
     private static bool IsBefore(in PolarBounds caster, in PolarBounds target) =>
         caster.Near < target.Far && caster.CanShareRayWith(target);
 
-    private void AddAllCasting(List<TileId> found, in PolarBounds target)
+    private void AddAllCasting(List<TileId> found, in PolarBounds target, bool isUnread)
     {
         _question++;
         foreach (int bin in _tiles.Bins(target))
@@ -120,16 +120,16 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
                 if (_asked[tile.Number] != _question)
                 {
                     _asked[tile.Number] = _question;
-                    AddIfCasting(found, tile, target);
+                    AddIfCasting(found, tile, target, isUnread);
                 }
             }
         }
     }
 
-    private void AddIfCasting(List<TileId> found, TileId tile, in PolarBounds target)
+    /// <summary>Adds a tile if it may cast a shadow; for a target that is not read, nothing of the tile is read either.</summary>
+    private void AddIfCasting(List<TileId> found, TileId tile, in PolarBounds target, bool isUnread)
     {
-        if (!_kept[tile.Number] && IsBefore(_sun.Table.Unread(tile), target) && IsBefore(_sun.Table[tile], target)
-            && AnyFacetCasts(tile, target))
+        if (!_kept[tile.Number] && IsBefore(_sun.Table.Possible(tile), target) && (isUnread || AnyFacetCasts(tile, target)))
         {
             found.Add(tile);
         }
@@ -140,10 +140,9 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
     /// </summary>
     private bool AnyFacetCasts(TileId tile, in PolarBounds target)
     {
-        ReadOnlySpan<PolarBounds> blocks = _sun.Table.Blocks(tile);
-        for (int block = 0; block < blocks.Length; block++)
+        for (int block = 0; block < _sun.Table.BlocksPerTile; block++)
         {
-            if (!IsBefore(blocks[block], target))
+            if (!IsBefore(_sun.Table.Possible(tile, block), target) || !IsBefore(_sun.Table.Exact(tile, block), target))
             {
                 continue;
             }

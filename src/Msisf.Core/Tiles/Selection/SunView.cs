@@ -34,7 +34,7 @@ internal sealed class SunView
         HorizonMap limits = survey.EmptyMap(0.0, 0.0);
         foreach (TileId tile in tiles)
         {
-            PolarBounds bounds = Table[tile];
+            PolarBounds bounds = Table.Possible(tile); // arcs and azimuths, which no height changes
             if (bounds.Near < limits.LastArc && !limits.NeverHides(bounds))
             {
                 Note(bounds);

@@ -20,6 +20,7 @@ internal sealed class SurfaceWalk
     private readonly Vector3D _camera;
     private readonly TerrainPatch _patch;
     private readonly double _slack;
+    private bool _readsWhole;
 
     /// <param name="summary">Bounds of the terrain.</param>
     /// <param name="frame">The image.</param>
@@ -47,10 +48,19 @@ internal sealed class SurfaceWalk
     /// </summary>
     public int NodesVisited { get; private set; }
 
+    /// <summary>
+    /// Whether the walk of a tile takes the exact bounds of all its nodes, for which all of it is read: where it is in the image as a
+    /// whole, or all is known. Of another tile a small part may be in the image, so only nodes of the finest level are read.
+    /// </summary>
+    public bool ReadsWhole(TileId tile) =>
+        !_summary.IsOnDemand
+        || _frame.Classify(_summary.Levels[0].NodeOfLimits(tile.RowFromNorth, tile.Column).Ball()) == FrustumSide.Inside;
+
     /// <summary>Walks one tile.</summary>
     public void Walk(TileId tile, ISurfaceVisitor visitor)
     {
         MetFrame = false;
+        _readsWhole = ReadsWhole(tile);
         Enter(0, tile.RowFromNorth, tile.Column, inside: false, visitor);
     }
 
@@ -112,7 +122,9 @@ internal sealed class SurfaceWalk
     {
         NodesVisited++;
         SummaryLevel level = _summary.Levels[depth];
-        TerrainNode node = level.Node(row, column);
+        TerrainNode node = _readsWhole || depth + 1 == _summary.Levels.Count
+            ? level.Node(row, column)
+            : level.NodeOfLimits(row, column);
         if (!inside)
         {
             FrustumSide side = _frame.Classify(node.Ball());
@@ -131,7 +143,15 @@ internal sealed class SurfaceWalk
             return true;
         }
 
-        Visit wanted = visitor.Node(node, bounds, inside && _horizon.NeverHides(bounds), new NodePlace(depth, row, column));
+        bool certain = inside && _horizon.NeverHides(bounds);
+        NodePlace place = new(depth, row, column);
+        Visit wanted = visitor.Node(node, bounds, certain, place);
+        if (wanted == Visit.Read)
+        {
+            node = level.Node(row, column);
+            wanted = visitor.Node(node, _view.Bounds(node), certain, place);
+        }
+
         if (wanted != Visit.Descend)
         {
             return wanted != Visit.Stop;

@@ -37,8 +37,11 @@ public sealed class RefinedTerrainTests
 
     public static TheoryData<string> Names => [.. Cases.Select(scene => scene.Name)];
 
+    /// <summary>Scenes of which every facet is looked at, which takes some seconds each: the hardest ones, or all.</summary>
+    public static TheoryData<string> NamesOfSome => [.. Cases.Select(scene => scene.Name).TakeLast(TestLength.Of(1, 5))];
+
     [Theory]
-    [MemberData(nameof(Names))]
+    [MemberData(nameof(NamesOfSome))]
     public void Surface_AllFacets_AreOneClosedSurfaceThatFacesOutwards(string name)
     {
         AllFacets all = SceneOf(name).Facets.Value;
@@ -67,7 +70,7 @@ public sealed class RefinedTerrainTests
     }
 
     [Theory]
-    [MemberData(nameof(Names))]
+    [MemberData(nameof(NamesOfSome))]
     public void Trace_AnyPixel_IsAsBruteForce(string name)
     {
         Scene scene = SceneOf(name);
@@ -118,7 +121,7 @@ public sealed class RefinedTerrainTests
         }
 
         Assert.True(wrong.Count == 0, $"{wrong.Count}:{Environment.NewLine}{string.Join(Environment.NewLine, wrong.Take(10))}");
-        Assert.True(parts.Count(part => part >= scene.View.PartCount - scene.View.Places.Count) > 3, "Some windows and seams are seen.");
+        Assert.True(parts.Count(part => part >= scene.View.PartCount - scene.View.Places.Count) > 1, "Windows or seams are seen.");
     }
 
     [Fact]
@@ -258,7 +261,7 @@ public sealed class RefinedTerrainTests
         RenderScenes.RenderSceneCase scene = Cases.Single(known => known.Name == made);
         PinholeCamera camera = scene.Camera(terrain, Size, Size);
         RefinedView view = terrain.For(camera, 1);
-        return new Scene(view, camera, scene.Sun, new Lazy<AllFacets>(() => new AllFacets(view.Surface)));
+        return new Scene(view, camera, scene.Sun, new Lazy<AllFacets>(() => new AllFacets(view)));
     })).Value;
 
     private sealed record Scene(RefinedView View, PinholeCamera Camera, Vector3D Sun, Lazy<AllFacets> Facets);

@@ -19,7 +19,7 @@ public sealed class SunwardPointsTests
     [InlineData("oblique-20km", 0.0)]
     [InlineData("half-sky", 0.0)]
     [InlineData("grazing-sun", -0.005)]
-    public void Read_AllRows_GivesThePointsAndCosinesOfThePlainFormula(string scene, double minCosine)
+    public void Read_AllRowsTwice_GivesThePointsAndCosinesOfThePlainFormula(string scene, double minCosine)
     {
         IElevationGrid grid = FunctionGrid.Rugged(4);
         RenderScenes.RenderSceneCase given = RenderScenes.Named(scene);
@@ -50,6 +50,9 @@ public sealed class SunwardPointsTests
                 Assert.True(cosine <= minCosine || point == hit.PointMoonMe, $"{column}, {row}");
             }
 
+            double[] again = new double[Side];
+            Assert.Equal(count, points.ReadAgain(row, again, y, z, columns));
+            Assert.Equal(x[..count], again[..count]);
             sunward += count;
         }
 

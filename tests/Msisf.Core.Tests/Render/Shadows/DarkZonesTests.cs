@@ -44,6 +44,7 @@ public sealed class DarkZonesTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixt
             new PointReceivers([.. points.Select(point => point.Position)], 50),
             new LightSource(disc.CentreMoonMe, disc.Slope),
             new NightZone(search.SolidRadius, disc.Slope),
+            hide: _ => { },
             threads: 2,
             default);
         search.Find(receivers, disc.Slope, threads: 2, default); // reads the blocks

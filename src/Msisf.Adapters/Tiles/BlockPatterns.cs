@@ -1,0 +1,76 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
+using Msisf.Core.Blocks;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Adapters.Tiles;
+
+/// <summary>
+/// The pattern files of the blocks of one surface, in a folder of the repository that has the name of its models. Thread-safe.
+/// </summary>
+public sealed class BlockPatterns
+{
+    /// <summary>Characters of a folder's or file's part that names models; file systems allow 255 in all.</summary>
+    private const int MaxNameLength = 120;
+
+    private readonly PatternRepository _repository;
+    private readonly SceneBlocks _blocks;
+
+    /// <summary>Takes the surface.</summary>
+    /// <param name="repository">The repository.</param>
+    /// <param name="blocks">The surface's blocks.</param>
+    /// <param name="terrain">The same surface.</param>
+    public BlockPatterns(PatternRepository repository, SceneBlocks blocks, ITerrain terrain)
+    {
+        _repository = repository;
+        _blocks = blocks;
+        FolderName = NameOf(terrain.ProductId);
+    }
+
+    /// <summary>Name of the folder in the repository.</summary>
+    public string FolderName { get; }
+
+    /// <summary>The folder.</summary>
+    public string Folder => _repository.FolderOf(FolderName);
+
+    /// <summary>File name of a block's pattern, without folder.</summary>
+    public string FileNameOf(SceneBlock block) => _blocks.ProductIdOf(block) is { } product
+        ? string.Create(
+            CultureInfo.InvariantCulture, $"pattern_{block.Part}_{NameOf(product)}_block_{block.Row}_{block.Column}.inc")
+        : string.Create(CultureInfo.InvariantCulture, $"pattern_{block.Part}_seams_{block.Column}.inc");
+
+    /// <summary>Makes the patterns that are missing, damaged, or made of other samples.</summary>
+    /// <param name="blocks">The blocks.</param>
+    /// <param name="maxParallelism">How many to work on at once, at least 1.</param>
+    /// <param name="cancellation">Stops between two patterns.</param>
+    /// <exception cref="BadInputException">A file that this program has not made has a pattern's name, or a model is damaged.</exception>
+    /// <exception cref="ExternalPartException">The repository can't be read or written.</exception>
+    public PatternSet Ensure(IEnumerable<SceneBlock> blocks, int maxParallelism, CancellationToken cancellation) => _repository.Ensure(
+        [.. blocks.Select(block => new BlockPatternOrder(Path.Combine(Folder, FileNameOf(block)), _blocks, block))],
+        Folder,
+        maxParallelism,
+        progress: null,
+        cancellation);
+
+    /// <summary>
+    /// The name of models as a part of a file's name: letters, digits, '.', '-' and '_'; a long one ends with its checksum.
+    /// </summary>
+    internal static string NameOf(string productId)
+    {
+        StringBuilder name = new(productId.Replace("+", "_and_", StringComparison.Ordinal));
+        for (int i = 0; i < name.Length; i++)
+        {
+            name[i] = char.IsAsciiLetterOrDigit(name[i]) || (i > 0 && name[i] is '.' or '-') ? name[i] : '_';
+        }
+
+        if (name.Length <= MaxNameLength)
+        {
+            return name.ToString();
+        }
+
+        string checksum = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(productId)))[..16];
+        return $"{name.ToString()[..(MaxNameLength - checksum.Length - 1)]}_{checksum}";
+    }
+}

@@ -1,0 +1,27 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Terrain;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>The meshes that a frame needs.</summary>
+internal interface ISceneMeshes
+{
+    /// <summary>File names of the patterns, without folder, in the order in which they are included.</summary>
+    IReadOnlyList<string> FileNames { get; }
+
+    /// <summary>Number of triangles; where a model ends, an upper bound.</summary>
+    long Faces { get; }
+
+    /// <summary>Resolution of the finest and of the coarsest level of detail; those of the model if the image shows none.</summary>
+    (GridResolution Finest, GridResolution Coarsest) Levels { get; }
+
+    /// <summary>Of several models the resolution at which each is drawn; empty for one model.</summary>
+    IReadOnlyList<GridResolution?> PartResolutions { get; }
+
+    /// <summary>Makes the patterns that are missing.</summary>
+    /// <returns>Number of patterns that were made.</returns>
+    int Ensure(CancellationToken cancellation);
+
+    /// <summary>File names of the patterns that some rows of the image need.</summary>
+    IReadOnlyList<string> FileNamesFor(PixelRows rows, CancellationToken cancellation);
+}

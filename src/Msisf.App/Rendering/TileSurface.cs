@@ -1,0 +1,76 @@
+using System.Globalization;
+using Msisf.Adapters.Tiles;
+using Msisf.App.Preparation;
+using Msisf.Core.Camera;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>One model of the whole Moon, of which scenes include tiles or parts of tiles at levels of detail. Thread-safe.</summary>
+internal sealed class TileSurface : ISceneSurface
+{
+    private readonly ElevationModel _model;
+    private readonly double? _errorPixels;
+    private readonly PatternRepository _repository;
+    private readonly LevelMeshBuilders _builders;
+    private readonly ReadyPatterns<SurfacePart> _ready = new();
+
+    /// <param name="model">The model.</param>
+    /// <param name="errorPixels">px: how far levels of detail may shift a point in the image; null for whole tiles without levels.</param>
+    /// <param name="repository">The folder of the patterns; disposed with this object.</param>
+    public TileSurface(ElevationModel model, double? errorPixels, PatternRepository repository)
+    {
+        _model = model;
+        _errorPixels = errorPixels;
+        _repository = repository;
+        _builders = new LevelMeshBuilders(model.WholeMoon, () => model.Levels);
+    }
+
+    /// <inheritdoc/>
+    public string Folder => _repository.FolderOf(_builders.PixelsPerDegree);
+
+    /// <inheritdoc/>
+    public string FolderName => _builders.PixelsPerDegree.ToString(CultureInfo.InvariantCulture);
+
+    /// <inheritdoc/>
+    public int Count => _ready.Count;
+
+    /// <inheritdoc/>
+    public ISceneMeshes Select(Frame frame, int threads, CancellationToken cancellation) =>
+        new Meshes(this, frame, _model.SelectParts(frame, _errorPixels));
+
+    /// <inheritdoc/>
+    public void Dispose() => _repository.Dispose();
+
+    private sealed class Meshes(TileSurface surface, Frame frame, IReadOnlyList<SurfacePart> parts) : ISceneMeshes
+    {
+        public IReadOnlyList<string> FileNames { get; } = NamesOf(surface, parts);
+
+        public long Faces =>
+            parts.Sum(part => (long)TileMesh.CountsOf(TileMeshLayout.For(part, surface._builders.PixelsPerDegree)).Faces);
+
+        public (GridResolution Finest, GridResolution Coarsest) Levels => (
+            surface._builders.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Min(),
+            surface._builders.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Max());
+
+        public IReadOnlyList<GridResolution?> PartResolutions => [];
+
+        public int Ensure(CancellationToken cancellation) => surface._ready.Ensure(
+            parts,
+            unknown => surface._repository.EnsureParts(unknown, surface._builders, Environment.ProcessorCount, cancellation));
+
+        /// <summary>
+        /// Parts selected for the whole image: those selected for one strip could be coarser where shadows fall outside its rows, and the
+        /// pixels would depend on the number of strips.
+        /// </summary>
+        public IReadOnlyList<string> FileNamesFor(PixelRows rows, CancellationToken cancellation)
+        {
+            PartArea area = new(surface._model.SelectParts(frame, surface._errorPixels, rows));
+            return NamesOf(surface, parts.Where(area.Overlaps));
+        }
+
+        private static string[] NamesOf(TileSurface surface, IEnumerable<SurfacePart> parts) =>
+            [.. parts.Select(part => Path.GetFileName(surface._repository.PathOf(part, surface._builders.PixelsPerDegree)))];
+    }
+}

@@ -1,0 +1,185 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Shadows;
+using Msisf.Core.Render.Visibility;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tiles;
+
+namespace Msisf.Core.Blocks;
+
+/// <summary>
+/// The surface of any terrain as blocks of facets for a scene of POV-Ray: which of them an image needs, and their meshes
+/// (docs/pattern-format.md). Safe for several threads.
+/// </summary>
+public sealed class SceneBlocks
+{
+    /// <summary>
+    /// rad: maximum width of a square, so that its vertices are less than <see cref="BlockMesh.OffsetLimit"/> steps of 2^-7 m from its
+    /// middle.
+    /// </summary>
+    private const double MaxWidth = 5.0 * Math.PI / 180.0;
+
+    private readonly SurfaceModel _surface;
+    private readonly int[] _sides;
+
+    /// <summary>Takes a terrain; of several models the seams are made if they were not yet.</summary>
+    public SceneBlocks(ITerrain terrain)
+    {
+        _surface = SurfaceModel.Of(terrain);
+        _sides = [.. _surface.Parts.Select(part => SideOf(part.Geometry.CellAngle))];
+    }
+
+    /// <summary>Whether the surface goes around the whole Moon, so that no ray can meet it from below.</summary>
+    public bool IsClosed => _surface.IsClosed;
+
+    /// <summary>PRODUCT_ID of a block's model; null for seams.</summary>
+    public string? ProductIdOf(SceneBlock block) =>
+        block.Part < _surface.Parts.Count ? _surface.Parts[block.Part].Grid.ProductId : null;
+
+    /// <summary>
+    /// Selects the blocks that an image needs: all that may be seen, and all that may throw a shadow on these. A ray of the image, one
+    /// pixel wider all around, first meets the same facet from outside as with the whole surface, and so does a ray from there to the Sun.
+    /// </summary>
+    /// <param name="camera">The camera, without a lens.</param>
+    /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it casts no visible shadow.</param>
+    /// <param name="rows">The rows of the image that matter; null for all.</param>
+    /// <param name="threads">Maximum number of threads.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <returns>The blocks in order.</returns>
+    /// <exception cref="BadInputException">The Sun is not outside the terrain, or a model is damaged.</exception>
+    public IReadOnlyList<SceneBlock> Select(
+        PinholeCamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows, int threads, CancellationToken cancellation)
+    {
+        ViewFrustum frustum = new(camera, Dspsa.AntialiasingPixels, rows);
+        CellBlock[] seen = [.. new BlockCuller(_surface).Find(frustum, threads, cancellation).Select(visible => visible.Block)];
+        HashSet<CellBlock> needed = [.. seen.Select(Whole)];
+        if (sunPositionMoonMe is Vector3D sun)
+        {
+            CasterSearch search = new(_surface);
+            search.Check(sun);
+            BlockTargets targets = new(_surface, needed, sun);
+            if (!targets.Box.IsEmpty)
+            {
+                needed.UnionWith(search.Find(targets, slope: 0.0, threads, cancellation).Select(Whole));
+            }
+        }
+
+        return [.. needed.SelectMany(SquaresOf).Order()];
+    }
+
+    /// <summary>Number of facets of blocks; at poles, and beside finer models, an upper bound.</summary>
+    public long CountFaces(IEnumerable<SceneBlock> blocks) => blocks.Sum(block => block.Part == _surface.Parts.Count
+        ? _surface.Seams.FacetsOf(block.Column)
+        : 2L * CellsOf(block).Lines * CellsOf(block).Samples);
+
+    /// <summary>The meshes of a block: one, or several where facets of seams reach far.</summary>
+    /// <exception cref="BadInputException">The model can't be read, or a mesh is too large for its lattice.</exception>
+    public IReadOnlyList<BlockMesh> MeshesOf(SceneBlock block) => block.Part == _surface.Parts.Count
+        ? [.. MeshesOfSeams(block.Column * SeamMesh.BlockFacets, _surface.Seams.FacetsOf(block.Column))]
+        : [MeshOfCells(block)];
+
+    private static int SideOf(double cellAngle)
+    {
+        int side = CellBlock.Size;
+        while (side > 1 && side * cellAngle > MaxWidth)
+        {
+            side /= 2;
+        }
+
+        return side;
+    }
+
+    private static CellBlock Whole(CellBlock block) => block with { Piece = 0 };
+
+    private CellRange CellsOf(SceneBlock block)
+    {
+        CellRange all = _surface.Parts[block.Part].Mesh.Cells;
+        int side = _sides[block.Part];
+        return new CellRange(
+            all.FirstLine + (block.Row * side),
+            Math.Min(all.FirstLine + ((block.Row + 1) * side), all.EndLine),
+            all.FirstSample + (block.Column * side),
+            Math.Min(all.FirstSample + ((block.Column + 1) * side), all.EndSample));
+    }
+
+    /// <summary>The squares of a block of cells that have facets; a block of seams is one.</summary>
+    private IEnumerable<SceneBlock> SquaresOf(CellBlock block)
+    {
+        if (block.Part == _surface.Parts.Count)
+        {
+            yield return new SceneBlock(block.Part, 0, block.Column);
+            yield break;
+        }
+
+        CellMask? kept = _surface.Parts[block.Part].Kept;
+        int squares = CellBlock.Size / _sides[block.Part];
+        for (int square = 0; square < squares * squares; square++)
+        {
+            SceneBlock found = new(
+                block.Part, (block.Row * squares) + (square / squares), (block.Column * squares) + (square % squares));
+            CellRange cells = CellsOf(found);
+            if (cells.Lines > 0 && cells.Samples > 0 && kept?.HasAny(cells) != false)
+            {
+                yield return found;
+            }
+        }
+    }
+
+    private BlockMesh MeshOfCells(SceneBlock block)
+    {
+        GridSurface part = _surface.Parts[block.Part];
+        CellRange cells = CellsOf(block);
+        BlockMeshBuilder mesh = new(part.Geometry.StepsPerMetre);
+        double[] radii = new double[cells.Samples + 1];
+        Vector3D[] north = [];
+        for (int line = cells.FirstLine; line <= cells.EndLine; line++)
+        {
+            part.Mesh.ReadRadii(line, cells.FirstSample, radii);
+            Vector3D[] south = new Vector3D[radii.Length];
+            for (int i = 0; i < radii.Length; i++)
+            {
+                south[i] = part.Vertex(line, cells.FirstSample + i, radii[i]);
+            }
+
+            for (int i = 0; line > cells.FirstLine && i < cells.Samples; i++)
+            {
+                if (part.Has(line - 1, cells.FirstSample + i))
+                {
+                    CellCorners corners = new(north[i], north[i + 1], south[i], south[i + 1]);
+                    mesh.Add(corners.Facet(FacetHalf.SouthWest));
+                    mesh.Add(corners.Facet(FacetHalf.NorthEast));
+                }
+            }
+
+            north = south;
+        }
+
+        return mesh.Build();
+    }
+
+    /// <summary>The meshes of some facets of seams, each of as many as its lattice can hold.</summary>
+    private IEnumerable<BlockMesh> MeshesOfSeams(int first, int count)
+    {
+        SeamMesh seams = _surface.Seams;
+        double stepsPerMetre = 0.0;
+        for (int corner = 3 * first; corner < 3 * (first + count); corner++)
+        {
+            SeamVertex vertex = seams.VertexOf(corner / 3, corner % 3);
+            stepsPerMetre = Math.Max(stepsPerMetre, _surface.Parts[vertex.Part].Geometry.StepsPerMetre);
+        }
+
+        BlockMeshBuilder mesh = new(stepsPerMetre);
+        for (int facet = first; facet < first + count; facet++)
+        {
+            mesh.Add(seams.CornersOf(facet));
+        }
+
+        return mesh.IsInReach || count == 1
+            ? [mesh.Build()]
+            : MeshesOfSeams(first, count / 2).Concat(MeshesOfSeams(first + (count / 2), count - (count / 2)));
+    }
+}

@@ -1,0 +1,65 @@
+using System.Buffers.Binary;
+using Msisf.Adapters.Interop;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Interop;
+
+public class FitsUnitTests
+{
+    /// <summary>CFITSIO's own way, with all pixels in its memory, is the reference.</summary>
+    [RequiresTheory(Part.CFitsio)]
+    [InlineData(7, 5, 1)]
+    [InlineData(60, 36, 1)] // 8640 bytes: whole blocks of a FITS file
+    [InlineData(1023, 3, 3)]
+    [InlineData(1, 1, 2)]
+    public void CopyTo_DataFromElsewhere_GivesTheBytesOfCFitsio(int width, int height, int planes)
+    {
+        Random random = new(20120222);
+        int[] numbers = [.. Enumerable.Range(0, width * height * planes).Select(_ => random.Next(int.MinValue, int.MaxValue))];
+        byte[] data = new byte[sizeof(int) * numbers.Length];
+        for (int i = 0; i < numbers.Length; i++)
+        {
+            BinaryPrimitives.WriteInt32BigEndian(data.AsSpan(sizeof(int) * i), numbers[i]);
+        }
+
+        using MemoryStream expected = new();
+        using (FitsUnit whole = FitsUnit.Image(32, LengthsOf(width, height, planes)))
+        {
+            whole.Put("EXTNAME", "CELL", "layer");
+            whole.Write<int>(0, numbers);
+            whole.CopyTo(expected);
+        }
+
+        using MemoryStream actual = new();
+        using (FitsUnit header = FitsUnit.Image(32, LengthsOf(1, 1, planes)))
+        {
+            header.Put("EXTNAME", "CELL", "layer");
+            header.CopyTo(actual, width, height, data);
+        }
+
+        Assert.Equal(expected.ToArray(), actual.ToArray());
+    }
+
+    [RequiresFact(Part.CFitsio)]
+    public void CopyTo_OddNumberOfBytes_GivesTheBytesOfCFitsio()
+    {
+        byte[] data = [.. Enumerable.Range(0, 33 * 11).Select(i => (byte)(3 * i))];
+        using MemoryStream expected = new();
+        using (FitsUnit whole = FitsUnit.Image(8, 33, 11))
+        {
+            whole.Write<byte>(0, data);
+            whole.CopyTo(expected);
+        }
+
+        using MemoryStream actual = new();
+        using (FitsUnit header = FitsUnit.Image(8, 1, 1))
+        {
+            header.CopyTo(actual, 33, 11, data);
+        }
+
+        Assert.Equal(expected.ToArray(), actual.ToArray());
+    }
+
+    private static long[] LengthsOf(int width, int height, int planes) => planes > 1 ? [width, height, planes] : [width, height];
+}
