@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Lod;
 using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
@@ -7,7 +6,9 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh.Refining;
 
-/// <summary>Chooses the windows of a frame: of each level one around the ground that needs cells of that level or finer ones. Immutable.</summary>
+/// <summary>
+/// Chooses the windows of a frame: of each level one around the ground that needs cells of that level or finer ones. Immutable.
+/// </summary>
 /// <param name="detail">The ground.</param>
 /// <param name="models">The models, the coarsest first.</param>
 /// <param name="finestLevel">Cells are 2^this m wide at least.</param>
@@ -16,8 +17,8 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     /// <summary>Samples of the border of the coarsest window in which it goes over into the models; less than the margin.</summary>
     public const int WidestBorder = 24;
 
-    /// <summary>px: the width of cells that is asked for, as for levels of detail; a window's are up to twice as wide.</summary>
-    private const double CellPixels = 2.0 * DetailRule.DefaultErrorOfImage;
+    /// <summary>px: the width of cells that is asked for, as of levels of detail by default; a window's are up to twice as wide.</summary>
+    private const double CellPixels = 0.7;
 
     /// <summary>Rays along each side of the image that look for the ground.</summary>
     private const int RaysPerAxis = 9;
@@ -28,7 +29,9 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     /// <summary>Cells along a side of a window at most, before it is extended to whole blocks.</summary>
     private const int MostCells = 768;
 
-    /// <summary>Cells of a window around what needs it: ground beside the image throws shadows into it, and the border is blended.</summary>
+    /// <summary>
+    /// Cells of a window around what needs it: ground beside the image throws shadows into it, and the border is blended.
+    /// </summary>
     private const int Margin = 32;
 
     /// <summary>Sides of windows lie on multiples of so many cells, so that cameras near each other see the same windows.</summary>
