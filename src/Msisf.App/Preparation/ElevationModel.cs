@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using System.Globalization;
 using Msisf.Adapters.Lod;
+using Msisf.Adapters.Synthesis;
 using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
 using Msisf.App.Settings;
@@ -17,7 +18,6 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 using Msisf.Core.Tracing;
-using Msisf.Synthesis;
 
 namespace Msisf.App.Preparation;
 
@@ -127,7 +127,7 @@ internal sealed class ElevationModel : IDisposable
     /// <param name="errorPixels">
     /// px: how far coarser levels may shift a point in the image; null to draw from the full model always.
     /// </param>
-    public IFrameTerrain DetailOf(double? errorPixels) => Grid is RefinedTerrain refined ? refined
+    public IFrameTerrain DetailOf(double? errorPixels) => Grid is RefinedTerrain refined ? new RefinedDetail(refined)
         : errorPixels is not double error ? new FullDetail(Grid)
         : Grid is NestedTerrain ? new SceneDetail(_nestedLevels.Value, error)
         : new ModelDetail(_drawnLevels.Value, error);
@@ -149,7 +149,7 @@ internal sealed class ElevationModel : IDisposable
         {
             return SurfaceOptions.Ldem.Concerned(() =>
             {
-                RefinedTerrain terrain = new(Grid, new GroundDetail(detail.Seed, RefinedTerrain.GridsOf(Grid)), detail.FinestLevel);
+                RefinedTerrain terrain = new(Grid, InventedGround.Of(detail.Seed, RefinedTerrain.GridsOf(Grid)), detail.FinestLevel);
                 host.Log.Note(string.Create(
                     CultureInfo.InvariantCulture,
                     $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m "

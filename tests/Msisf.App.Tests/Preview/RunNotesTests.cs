@@ -66,6 +66,9 @@ public sealed class RunNotesTests
             Notes(4, ByDay(1), Of(2, Day with { X = MoonConstants.ReferenceRadius + (0.1 * Height) }, NadirPointing.MoonFromCamera(Day))));
     }
 
+    [Fact]
+    public void Write_WideCellsWithInventedDetail_SaysNothing() => Assert.Empty(Notes(4, isRefined: true, ByDay(1)));
+
     [Theory]
     [InlineData(55289.0, 55300.0, null)]
     [InlineData(55289.0, 55400.0, "111 days before the first frame")]
@@ -74,7 +77,7 @@ public sealed class RunNotesTests
     public void Write_AFarEpoch_SaysHowFar(double epoch, double time, string? away)
     {
         CameraSettings orbit = CameraSettingsReader.Read(Given.Options($"--kepler-set {{2E6,0,0,0,0,0}} --epoch {epoch} --time {time}"));
-        RunNotes notes = new(64, hasSeveral: false);
+        RunNotes notes = new(64, hasSeveral: false, isRefined: false);
         notes.Add(Of(1, Day, NadirPointing.MoonFromCamera(Day)) with { Time = new ModifiedJulianDate(time) }, View(ByDay(1)));
         ListLog log = new();
 
@@ -95,9 +98,11 @@ public sealed class RunNotesTests
 
     private static FramePreview View(Frame frame) => FramePreview.Of(frame.Camera, frame.Light, terrain: null);
 
-    private static string[] Notes(int pixelsPerDegree, params Frame[] frames)
+    private static string[] Notes(int pixelsPerDegree, params Frame[] frames) => Notes(pixelsPerDegree, isRefined: false, frames);
+
+    private static string[] Notes(int pixelsPerDegree, bool isRefined, params Frame[] frames)
     {
-        RunNotes notes = new(pixelsPerDegree, hasSeveral: false);
+        RunNotes notes = new(pixelsPerDegree, hasSeveral: false, isRefined);
         foreach (Frame frame in frames)
         {
             notes.Add(frame, View(frame));

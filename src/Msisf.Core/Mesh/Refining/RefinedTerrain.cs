@@ -1,6 +1,5 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
-using Msisf.Core.Lod;
 using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
@@ -11,7 +10,7 @@ namespace Msisf.Core.Mesh.Refining;
 /// Elevation models with invented detail below their resolution, of which each frame shows as much as its pixels need
 /// (docs/invented-detail.md). Safe for several threads; a view does not depend on those before it.
 /// </summary>
-public sealed class RefinedTerrain : ITerrain, IFrameTerrain
+public sealed class RefinedTerrain : ITerrain
 {
     /// <summary>log2 of m: the narrowest cells; the vertices' lattice would be too fine for exact signs with narrower ones.</summary>
     public const int LeastLevel = -5;
@@ -101,9 +100,6 @@ public sealed class RefinedTerrain : ITerrain, IFrameTerrain
             return view;
         }
     }
-
-    /// <inheritdoc/>
-    ITerrain IFrameTerrain.For(PinholeCamera camera, int subsamplesPerAxis) => For(camera, subsamplesPerAxis);
 
     /// <inheritdoc/>
     public void ReleasePages() => _models.ReleasePages();

@@ -1,4 +1,3 @@
-using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh.Refining;

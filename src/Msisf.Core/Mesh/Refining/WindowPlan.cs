@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Lod;
 using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
@@ -18,8 +17,8 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     /// <summary>Samples of the border of the coarsest window in which it goes over into the models; less than the margin.</summary>
     public const int WidestBorder = 24;
 
-    /// <summary>px: the width of cells that is asked for, as for levels of detail; a window's are up to twice as wide.</summary>
-    private const double CellPixels = 2.0 * DetailRule.DefaultErrorOfImage;
+    /// <summary>px: the width of cells that is asked for, as of levels of detail by default; a window's are up to twice as wide.</summary>
+    private const double CellPixels = 0.7;
 
     /// <summary>Rays along each side of the image that look for the ground.</summary>
     private const int RaysPerAxis = 9;
