@@ -143,7 +143,7 @@ internal sealed class ElevationModel : IDisposable
         if (!set.IsWholeMoon)
         {
             LdemBandImage band = SurfaceOptions.Ldem.Concerned(() => LdemBandImage.Open(set));
-            Tell(set, host.Log);
+            ModelOpening.Tell(set, host.Log);
             host.Log.Note(string.Create(
                 CultureInfo.InvariantCulture,
                 $"It covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} "
@@ -152,8 +152,8 @@ internal sealed class ElevationModel : IDisposable
         }
 
         LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(() => LdemImage.Open(set)));
-        Tell(set, host.Log);
-        return new ElevationModel(image, host.Log, () => OpenLevels(image, isSparing, host));
+        ModelOpening.Tell(set, host.Log);
+        return new ElevationModel(image, host.Log, () => ModelOpening.OpenLevels(image, isSparing, host));
     }
 
     /// <summary>Opens several models that make one surface.</summary>
@@ -217,7 +217,7 @@ internal sealed class ElevationModel : IDisposable
             ?? throw new BadInputException($"{path}: was a polar map when the options were read, and is none any more.");
         LdemMapImage image = LdemMapImage.Open(label);
         LdemSet set = LdemSet.OfMap(label);
-        Tell(set, host.Log);
+        ModelOpening.Tell(set, host.Log);
         return new ElevationModel(image, set, image);
     });
 
@@ -225,7 +225,7 @@ internal sealed class ElevationModel : IDisposable
     {
         GeoTiffGrid grid = GeoTiffGrid.Open(path, host.Environment("MSISF_GDAL"));
         LdemSet set = LdemSet.OfMap(grid.ToLabel());
-        Tell(set, host.Log);
+        ModelOpening.Tell(set, host.Log);
         if (grid.WarpedFrom is not null)
         {
             host.Log.Note(
@@ -234,34 +234,6 @@ internal sealed class ElevationModel : IDisposable
 
         return new ElevationModel(grid, set, grid);
     });
-
-    private static void Tell(LdemSet set, ILog log)
-    {
-        log.Note(set.IsSynthetic
-            ? $"Elevation: {set.ProductId}, a SYNTHETIC model, not the real {set.Body.Name} ({set.Description})."
-            : $"Elevation: {set.ProductId} ({set.Description}).");
-        if (set.Parts[0].Offset != set.ReferenceRadius)
-        {
-            log.Note(string.Create(
-                CultureInfo.InvariantCulture,
-                $"Its heights are over a sphere of {set.Parts[0].Offset / 1000.0:R} km; they are turned into heights over "
-                    + $"{MoonConstants.ReferenceRadius / 1000.0:R} km."));
-        }
-    }
-
-    private static ModelLevels OpenLevels(LdemImage image, bool isSparing, ProgramHost host)
-    {
-        ModelLevels levels = ModelLevels.Open(
-            image,
-            CacheFolder.Of(host),
-            samplesBetweenReleases: isSparing ? LodLevels.SparingSamplesBetweenReleases : LodLevels.DefaultSamplesBetweenReleases);
-        if (levels.Warning is not null)
-        {
-            host.Log.Warning(levels.Warning);
-        }
-
-        return levels;
-    }
 
     /// <summary>The tiles that a frame needs, with reasons; the first call opens the summary of the model.</summary>
     public TileSelection Select(Frame frame) =>
