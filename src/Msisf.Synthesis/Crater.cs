@@ -1,3 +1,5 @@
+using Msisf.Core.Numerics;
+
 namespace Msisf.Synthesis;
 
 /// <summary>One crater.</summary>
@@ -12,6 +14,16 @@ internal readonly record struct Crater(double SinLatitude, double LongitudeDegre
 
     /// <summary>Cosine of the centre's latitude.</summary>
     public double CosLatitude => Math.Sqrt((1.0 - SinLatitude) * (1.0 + SinLatitude));
+
+    /// <summary>Direction of the centre, MOON_ME, length 1.</summary>
+    public Vector3D Direction
+    {
+        get
+        {
+            (double sinLongitude, double cosLongitude) = PortableMath.SinCosDegrees(LongitudeDegrees);
+            return new Vector3D(CosLatitude * cosLongitude, CosLatitude * sinLongitude, SinLatitude);
+        }
+    }
 
     /// <summary>Latitude of the centre, degrees.</summary>
     public double LatitudeDegrees => Math.Atan2(SinLatitude, CosLatitude) * (180.0 / Math.PI);

@@ -22,7 +22,7 @@ internal static class GradientNoise
     private const float GradientScale = 1.0f / 511.5f;
 
     /// <summary>The noise at eight points.</summary>
-    /// <param name="x0">First coordinate of points 0 to 3, in lattice steps, |x| below 2^23.</param>
+    /// <param name="x0">First coordinate of points 0 to 3, in lattice steps, |x| below 2^31.</param>
     /// <param name="x1">The same of points 4 to 7.</param>
     /// <param name="y0">Second coordinate of points 0 to 3.</param>
     /// <param name="y1">The same of points 4 to 7.</param>
@@ -70,8 +70,11 @@ internal static class GradientNoise
     {
         Vector256<double> floorLow = Vector256.Floor(low);
         Vector256<double> floorHigh = Vector256.Floor(high);
+
+        // In the sum with 1.5 2^52 the last bits are those of the whole number.
+        Vector256<double> units = Vector256.Create(6755399441055744.0);
         return (
-            Vector256.ConvertToInt32(Vector256.Narrow(floorLow, floorHigh)),
+            Vector256.Narrow((floorLow + units).AsInt64(), (floorHigh + units).AsInt64()),
             Vector256.Narrow(low - floorLow, high - floorHigh));
     }
 

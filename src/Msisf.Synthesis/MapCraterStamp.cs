@@ -16,8 +16,7 @@ internal static class MapCraterStamp
     public static void AddTo(Crater crater, MapFrame frame, Span<float> heights)
     {
         double radius = crater.Radius / MoonConstants.ReferenceRadius;
-        (double sinLongitude, double cosLongitude) = PortableMath.SinCosDegrees(crater.LongitudeDegrees);
-        Vector3D centre = new(crater.CosLatitude * cosLongitude, crater.CosLatitude * sinLongitude, crater.SinLatitude);
+        Vector3D centre = crater.Direction;
         if (Reached(centre, Crater.Reach * radius, frame) is not { } reached)
         {
             return;
@@ -44,11 +43,14 @@ internal static class MapCraterStamp
     }
 
     /// <summary>The lines and samples of the block that the crater may reach; beyond its reach a profile is exactly 0.</summary>
-    private static (int FirstLine, int LastLine, int FirstSample, int LastSample)? Reached(Vector3D centre, double reach, MapFrame frame)
+    /// <param name="centre">Direction of the middle of what reaches them.</param>
+    /// <param name="reach">How far it reaches, radii of the Moon.</param>
+    /// <param name="frame">The block.</param>
+    public static (int FirstLine, int LastLine, int FirstSample, int LastSample)? Reached(Vector3D centre, double reach, MapFrame frame)
     {
         // A chord c of the unit sphere is sqrt((1 + s) (1 + t)) / 2 c long on the map, in 2 R, with s and t of its two ends, of which
         // those of the map are at most 1/2.
-        double s = (2.0 / (1.0 + (frame.Projection.PoleSign * centre.Z))) - 1.0;
+        double s = (2.0 / (1.0 + (frame.Projection.PoleSign * frame.Projection.ToMap(centre).Z))) - 1.0;
         if (!(s < 1.0))
         {
             return null; // on the other hemisphere, from where only what is wider than a map reaches one

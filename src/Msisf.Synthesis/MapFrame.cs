@@ -81,6 +81,35 @@ internal sealed class MapFrame
     /// <summary>degrees: the southernmost and the northernmost sample.</summary>
     public (double South, double North) LatitudeRange => (Latitudes.Min(), Latitudes.Max());
 
+    /// <summary>
+    /// degrees: latitudes and longitudes of a rectangle that holds all samples, whatever the middle of the map is; the width is 360 if a
+    /// pole may be among them.
+    /// </summary>
+    public (double South, double North, double West, double Width) Around()
+    {
+        Vector3D middle = Projection.DirectionOf(FirstLine + (0.5 * Lines), FirstSample + (0.5 * Stride)).Normalized();
+        double reach = 0.0;
+        foreach (int line in new[] { FirstLine, FirstLine + Lines })
+        {
+            foreach (int sample in new[] { FirstSample, FirstSample + Stride })
+            {
+                reach = Math.Max(reach, Vector3D.AngleBetween(middle, Projection.DirectionOf(line, sample)));
+            }
+        }
+
+        SelenographicPoint point = SelenographicPoint.Below(middle);
+        double latitude = double.RadiansToDegrees(point.Latitude);
+        double degrees = double.RadiansToDegrees(reach);
+        double sine = Math.Sin(reach) / Math.Cos(point.Latitude);
+        if (Math.Abs(latitude) + degrees >= 90.0 || sine >= 1.0)
+        {
+            return (Math.Max(latitude - degrees, -90.0), Math.Min(latitude + degrees, 90.0), 0.0, FullTurn);
+        }
+
+        double half = double.RadiansToDegrees(Math.Asin(sine));
+        return (latitude - degrees, latitude + degrees, double.RadiansToDegrees(point.Longitude) - half, 2.0 * half);
+    }
+
     private (double West, double Width) LongitudeRange()
     {
         // Within a rectangle without the pole the longitude is extreme at a corner. A pixel is added on each side.

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
@@ -123,6 +124,7 @@ internal sealed class NoiseOctave
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector256<double> Lattice(int axis, ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, int first) =>
         (Vector256.Create(_latticeFromMoon[axis, 0]) * Vector256.Create(x[first..]))
         + (Vector256.Create(_latticeFromMoon[axis, 1]) * Vector256.Create(y[first..]))

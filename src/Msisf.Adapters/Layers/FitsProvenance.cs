@@ -48,6 +48,11 @@ internal static class FitsProvenance
         unit.Put("MEANRAD", frame.Globe.AltitudeRadius, "[m] mean radius, for CAMALT");
         unit.Put("REFRAD", frame.Globe.ReferenceRadius, "[m] reference radius, for HEIGHT");
         unit.Put("ELEVMODL", FitsText.Ascii(provenance.ElevationProduct), "elevation model");
+        if (provenance.InventedDetail is { } detail)
+        {
+            unit.Put("INVENTED", FitsText.Ascii(detail), "detail below the model, not on the real Moon");
+        }
+
         PutResolution(unit, "ELEVRES", frame.Elevation.Resolution, "of the elevation model");
         unit.Put("LOD", provenance.LevelOfDetail, "level of detail, 0 is the model itself");
         PutResolution(unit, "MESHRES", provenance.MeshResolution, "of the mesh that CELL counts in");

@@ -40,6 +40,11 @@ internal static class LayersJson
             WriteCamera(json, CameraMatrix.Of(frame.Camera));
             json.WriteString("elevationModel", provenance.ElevationProduct);
             json.WriteBoolean("elevationModelIsSynthetic", frame.Elevation.IsSynthetic);
+            if (provenance.InventedDetail is { } detail)
+            {
+                json.WriteString("inventedDetail", detail);
+            }
+
             WriteResolution(json, "pixelsPerDegree", "metresPerPixel", frame.Elevation.Resolution);
             json.WriteNumber("levelOfDetail", provenance.LevelOfDetail);
             WriteResolution(json, "meshPixelsPerDegree", "meshMetresPerPixel", provenance.MeshResolution);

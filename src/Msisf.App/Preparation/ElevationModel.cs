@@ -11,11 +11,13 @@ using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 using Msisf.Core.Tracing;
+using Msisf.Synthesis;
 
 namespace Msisf.App.Preparation;
 
@@ -98,12 +100,22 @@ internal sealed class ElevationModel : IDisposable
     /// <summary>Whether any model is synthetic, not the real Moon.</summary>
     public bool IsSynthetic => Sets.Any(set => set.IsSynthetic);
 
-    /// <summary>Names and resolutions of several models, in the order of a facet's parts; empty for one.</summary>
+    /// <summary>
+    /// Names and resolutions of several models, in the order of a facet's parts; empty for one. With invented detail also of one, and of
+    /// the windows of it.
+    /// </summary>
     /// <param name="drawn">The resolution at which each is drawn; null for one that is left out.</param>
-    public IReadOnlyList<ElevationPart> PartsAt(IReadOnlyList<GridResolution?> drawn) => Grid is NestedTerrain nested
-        ? [.. nested.Models.Select((grid, part) => new ElevationPart(
-            grid.ProductId, Sets[part].IsSynthetic, grid.Projection.Resolution, drawn[part]))]
-        : [];
+    public IReadOnlyList<ElevationPart> PartsAt(IReadOnlyList<GridResolution?> drawn) => Grid switch
+    {
+        NestedTerrain nested => [.. PartsOf(nested.Models, drawn)],
+        RefinedTerrain refined =>
+        [
+            .. PartsOf(refined.Grids, drawn),
+            .. drawn.Skip(Sets.Count).Select(window => new ElevationPart(
+                refined.DetailName, IsSynthetic: true, window!.Value, window)),
+        ],
+        _ => [],
+    };
 
     /// <summary>Traces single rays; created on first use.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
@@ -115,7 +127,8 @@ internal sealed class ElevationModel : IDisposable
     /// <param name="errorPixels">
     /// px: how far coarser levels may shift a point in the image; null to draw from the full model always.
     /// </param>
-    public IFrameTerrain DetailOf(double? errorPixels) => errorPixels is not double error ? new FullDetail(Grid)
+    public IFrameTerrain DetailOf(double? errorPixels) => Grid is RefinedTerrain refined ? refined
+        : errorPixels is not double error ? new FullDetail(Grid)
         : Grid is NestedTerrain ? new SceneDetail(_nestedLevels.Value, error)
         : new ModelDetail(_drawnLevels.Value, error);
 
@@ -196,6 +209,35 @@ internal sealed class ElevationModel : IDisposable
     private TerrainLevels LevelsInScene(int models) => IsWholeMoon
         ? Levels
         : MapLevels.Open((ITerrainGrid)Grid, TerrainLevels.DefaultCacheBytes / models, keepsGaps: true);
+
+    /// <summary>The same model with invented detail; it is closed with it, also if this fails.</summary>
+    /// <param name="detail">What is invented.</param>
+    /// <param name="host">Receives log messages.</param>
+    /// <exception cref="BadInputException">It is a map of a part of the Moon.</exception>
+    public ElevationModel Refined(RefineSettings detail, ProgramHost host)
+    {
+        try
+        {
+            return SurfaceOptions.Ldem.Concerned(() =>
+            {
+                RefinedTerrain terrain = new(Grid, new GroundDetail(detail.Seed, RefinedTerrain.GridsOf(Grid)), detail.FinestLevel);
+                host.Log.Note(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m and "
+                        + $"wider; it is not on the real Moon."));
+                return new ElevationModel(terrain, Sets, [this]);
+            });
+        }
+        catch
+        {
+            Dispose();
+            throw;
+        }
+    }
+
+    private IEnumerable<ElevationPart> PartsOf(IReadOnlyList<ITerrainGrid> grids, IReadOnlyList<GridResolution?> drawn) =>
+        grids.Select((grid, part) => new ElevationPart(
+            grid.ProductId, Sets[part].IsSynthetic, grid.Projection.Resolution, drawn[part]));
 
     /// <summary>Whether <see cref="Open"/> finds a model of a resolution if no path is given.</summary>
     /// <exception cref="BadInputException">There is one, but its parts don't make up a whole Moon.</exception>

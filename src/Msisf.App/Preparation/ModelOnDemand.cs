@@ -15,11 +15,15 @@ internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) :
     public bool IsOpen => _model is not null;
 
     /// <summary>The model.</summary>
-    public ElevationModel Opened => _model ??= host.Times.Measure(Phase.Model, () => settings.Ldem.Count > 1
-        ? ElevationModel.OpenSeveral(settings.Ldem, settings.LevelOfDetailError is not null, host)
-        : ElevationModel.Open(
-            settings.Ldem.SingleOrDefault(), settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host,
-            settings.Body));
+    public ElevationModel Opened => _model ??= host.Times.Measure(
+        Phase.Model, () => settings.Native.Refine is { } refine ? Open().Refined(refine, host) : Open());
 
     public void Dispose() => _model?.Dispose();
+
+    /// <summary>With invented detail, as with levels of detail, few frames or none show the models alone.</summary>
+    private ElevationModel Open() => settings.Ldem.Count > 1
+        ? ElevationModel.OpenSeveral(settings.Ldem, settings.LevelOfDetailError is not null || settings.Native.Refine is not null, host)
+        : ElevationModel.Open(
+            settings.Ldem.SingleOrDefault(), settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host,
+            settings.Body);
 }

@@ -31,7 +31,7 @@ internal static class DryRun
         double reference = model?.Grid.ReferenceRadius ?? MoonConstants.ReferenceRadius;
         GridResolution resolution = settings.Resolution.OnSphere(reference);
         run.WarnOfFieldOfView(settings, host, reference);
-        RunNotes notes = new(resolution, settings.Ldem.Count > 1);
+        RunNotes notes = new(resolution, settings.Ldem.Count > 1, settings.Native.Refine is not null);
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
         {
             cancellation.ThrowIfCancellationRequested();

@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Preview;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
@@ -34,6 +35,7 @@ internal sealed class RunNotes
 
     private readonly GridResolution _resolution;
     private readonly bool _hasSeveral;
+    private readonly bool _isRefined;
     private readonly List<int> _withoutMoon = [];
     private readonly List<int> _unlit = [];
     private int _count;
@@ -44,7 +46,9 @@ internal sealed class RunNotes
 
     /// <param name="resolution">Resolution of the elevation model, of several that of the finest.</param>
     /// <param name="hasSeveral">Whether there are several.</param>
-    public RunNotes(GridResolution resolution, bool hasSeveral) => (_resolution, _hasSeveral) = (resolution, hasSeveral);
+    /// <param name="isRefined">Whether there is invented detail below it, so that no cell is wide.</param>
+    public RunNotes(GridResolution resolution, bool hasSeveral, bool isRefined) =>
+        (_resolution, _hasSeveral, _isRefined) = (resolution, hasSeveral, isRefined);
 
     /// <summary>Looks at frames, and writes the notes.</summary>
     /// <param name="camera">Has the epoch of an orbit.</param>
@@ -55,7 +59,7 @@ internal sealed class RunNotes
     public static void Write(
         CameraSettings camera, IReadOnlyList<Frame> frames, ITerrain terrain, ILog log, CancellationToken cancellation)
     {
-        RunNotes notes = new(terrain.Resolution, terrain.PartCount > 1);
+        RunNotes notes = new(terrain.Resolution, terrain.PartCount > 1, terrain is RefinedTerrain);
         foreach (Frame frame in frames)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -105,7 +109,7 @@ internal sealed class RunNotes
                 : $"{Frames(_unlit, "shows", "show")} no lit ground{Steps(_unlit)}.");
         }
 
-        if (_widestCell > WidestCell)
+        if (_widestCell > WidestCell && !_isRefined)
         {
             string step = _count == 1 ? string.Empty : string.Create(CultureInfo.InvariantCulture, $" at step {_widestStep}");
             string width = _widestCell < LargestTold

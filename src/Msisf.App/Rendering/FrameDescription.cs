@@ -2,6 +2,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Metadata;
 using Msisf.Core.Tracing;
 
@@ -62,11 +63,13 @@ internal sealed class FrameDescription(
         settings.Albedo.Band)
     {
         Parts = model.Grid.PartCount,
+        InventedDetail = rendered.PartResolutions.Count > model.Sets.Count ? (model.Grid as RefinedTerrain)?.DetailName : null,
         ReferenceRadius = model.Grid.ReferenceRadius,
     };
 
     /// <summary>The level of detail; of several models that of the finest one that is drawn.</summary>
-    private int LevelOf(RenderedFrame rendered) => model.PartsAt(rendered.PartResolutions) is { Count: > 0 } parts
+    private int LevelOf(RenderedFrame rendered) =>
+        model.Grid is not RefinedTerrain && model.PartsAt(rendered.PartResolutions) is { Count: > 0 } parts
         ? parts.Last(part => part.Drawn is not null).Resolution.HalvingsTo(rendered.Resolution)
         : model.Grid.Resolution.HalvingsTo(rendered.Resolution);
 }

@@ -50,7 +50,7 @@ internal sealed class JsonOptions
         .. AlbedoOptions.Group.Options,
         OutputOptions.Surface, OutputOptions.Grid, OutputOptions.GridHorizontal, OutputOptions.GridVertical,
         RendererOptions.Renderer,
-        .. NativeOptions.Group.Options,
+        .. NativeOptions.Group.Options.Except([NativeOptions.Refine, NativeOptions.RefineCell]),
     ];
 
     /// <summary>Reads the options.</summary>

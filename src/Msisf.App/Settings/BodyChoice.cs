@@ -51,6 +51,13 @@ internal static class BodyChoice
                 orbit);
         }
 
+        if (values.IsGiven(NativeOptions.Refine))
+        {
+            throw Refused(
+                body, $"can't be combined with {NativeOptions.Refine.Name}: what it invents is the Moon's. Leave it out.",
+                NativeOptions.Refine);
+        }
+
         OptionSpec[] maps = [AlbedoOptions.Map, NativeOptions.HapkeMap];
         return maps.FirstOrDefault(option => values.Text(option) is { } text && text != AlbedoOptions.NoMap) is { } map
             ? throw Refused(body, $"can't be combined with {map.Name}: the known maps are those of the Moon. Leave it out.", map)

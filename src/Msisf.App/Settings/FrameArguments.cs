@@ -134,6 +134,13 @@ internal static class FrameArguments
         NativeOptions.Exposure.Name, NumberSpec.TextOf(native.Grey.Exposure),
         .. NativeOptions.Transfer.Words(native.Grey.Transfer),
         .. NativeOptions.BitDepth.Words(native.BitDepth),
+        .. native.Refine is { } refine
+            ? (string[])
+            [
+                NativeOptions.Refine.Name, refine.Seed.ToString(CultureInfo.InvariantCulture),
+                NativeOptions.RefineCell.Name, NumberSpec.TextOf(refine.Cell),
+            ]
+            : [],
         .. native.Layers is null
             ? []
             : (string[])

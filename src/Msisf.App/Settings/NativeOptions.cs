@@ -89,6 +89,22 @@ internal static class NativeOptions
         Default = 8,
     };
 
+    /// <summary>Seed of invented detail below the elevation model.</summary>
+    public static TextSpec Refine { get; } = new(
+        "--refine", "SEED",
+        "Invents craters, roughness and boulders below the elevation model's resolution, from this number; real heights stay")
+    {
+        DefaultNote = "no invented detail",
+    };
+
+    /// <summary>Width of the narrowest cells of invented detail.</summary>
+    public static NumberSpec RefineCell { get; } = new(
+        "--refine-cell", "METRES", "Narrowest cells of invented detail; the next smaller power of two is taken")
+    {
+        Default = RefineSettings.DefaultCell,
+        Limits = new NumberRange(RefineSettings.NarrowestCell, RefineSettings.WidestCell),
+    };
+
     /// <summary>Layers of ground truth to write.</summary>
     public static TextSpec Layers { get; } = new(
         "--layers", "LIST|all", "Ground truth of every pixel, as names separated by commas: depth,position,incidence,mask, ...")
@@ -128,7 +144,7 @@ internal static class NativeOptions
     public static OptionGroup Group { get; } = new(
         "Native renderer",
         [
-            Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, Layers, LayersFormat, LayersPrecision,
+            Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, Refine, RefineCell, Layers, LayersFormat, LayersPrecision,
             LayersCompression,
         ])
     {

@@ -27,6 +27,9 @@ internal sealed record NativeSettings
     /// <summary>The camera's optics and detector; null for an image of grey levels.</summary>
     public CameraFileDetector? Detector { get; init; }
 
+    /// <summary>Invented detail below the elevation models; null for none.</summary>
+    public RefineSettings? Refine { get; init; }
+
     /// <summary>Layers of ground truth to write; null for none.</summary>
     public required LayerSet? Layers { get; init; }
 

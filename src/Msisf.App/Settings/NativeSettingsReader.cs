@@ -26,7 +26,8 @@ internal static class NativeSettingsReader
         LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
             ? DetectorChoice.LayersOf(NativeOptions.Layers.Concerned(() => Layers(names)), detector)
             : null;
-        if (layers is not null && SurfaceOptions.Ldem.ReadAll(values).Count > 1)
+        RefineSettings? refine = RefineSettings.Read(values);
+        if (layers is not null && (refine is not null || SurfaceOptions.Ldem.ReadAll(values).Count > 1))
         {
             layers = layers.OfSeveralModels();
         }
@@ -59,6 +60,7 @@ internal static class NativeSettingsReader
             Grey = grey,
             BitDepth = NativeOptions.BitDepth.Read(values),
             Detector = detector,
+            Refine = refine,
             Layers = layers,
             LayersFormat = NativeOptions.LayersFormat.Read(values),
             LayersPrecision = NativeOptions.LayersPrecision.Read(values),

@@ -17,6 +17,9 @@ public sealed record LayerProvenance(
     /// <summary>Number of elevation models; with several the mesh's resolution is that of the finest, and there are no tiles.</summary>
     public int Parts { get; init; } = 1;
 
+    /// <summary>Name of the detail that was invented below the models' resolution, e.g. "REFINE_7"; null without.</summary>
+    public string? InventedDetail { get; init; }
+
     /// <summary>m: radius of the sphere over which heights are counted.</summary>
     public double ReferenceRadius { get; init; } = MoonConstants.ReferenceRadius;
 }

@@ -7,7 +7,7 @@ namespace Msisf.Core.Lod;
 public interface IFrameTerrain
 {
     /// <summary>The terrain of a frame; mostly the same object for frames that need the same.</summary>
-    /// <param name="footprint">Of the image's pixels.</param>
+    /// <param name="camera">The frame's camera.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
-    ITerrain For(PixelFootprint footprint, int subsamplesPerAxis);
+    ITerrain For(PinholeCamera camera, int subsamplesPerAxis);
 }

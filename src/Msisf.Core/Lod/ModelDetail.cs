@@ -11,6 +11,6 @@ public sealed class ModelDetail(TerrainLevels levels, double errorPixels) : IFra
     private readonly DetailRule _rule = new(levels, errorPixels);
 
     /// <inheritdoc/>
-    public ITerrain For(PixelFootprint footprint, int subsamplesPerAxis) =>
-        levels.Grid(_rule.LevelOfImage(footprint, subsamplesPerAxis));
+    public ITerrain For(PinholeCamera camera, int subsamplesPerAxis) =>
+        levels.Grid(_rule.LevelOfImage(camera.Footprint, subsamplesPerAxis));
 }

@@ -28,8 +28,8 @@ public sealed class SceneDetail : IFrameTerrain
     }
 
     /// <inheritdoc/>
-    public ITerrain For(PixelFootprint footprint, int subsamplesPerAxis) =>
-        _levels.Terrain(LevelsFor(footprint, subsamplesPerAxis));
+    public ITerrain For(PinholeCamera camera, int subsamplesPerAxis) =>
+        _levels.Terrain(LevelsFor(camera.Footprint, subsamplesPerAxis));
 
     /// <summary>The level of each model, the coarsest model first; null for one that is left out.</summary>
     /// <param name="footprint">Of the image's pixels.</param>

@@ -61,10 +61,10 @@ internal sealed class PlaneGeometry : MeshGeometry
         double b = _projection.B(line);
         double s = 0.25 * ((a * a) + (b * b));
         double f = (StepsPerMetre * radius) / (1.0 + s);
-        return new Vector3D(
+        return _projection.ToMoonMe(new Vector3D(
             Math.Floor((f * b) + 0.5) / StepsPerMetre,
             Math.Floor((f * a) + 0.5) / StepsPerMetre,
-            Math.Floor((_projection.PoleSign * (f * (1.0 - s))) + 0.5) / StepsPerMetre);
+            Math.Floor((_projection.PoleSign * (f * (1.0 - s))) + 0.5) / StepsPerMetre));
     }
 
     /// <inheritdoc/>
@@ -76,9 +76,10 @@ internal sealed class PlaneGeometry : MeshGeometry
         Debug.Assert(firstSample + radii.Length <= _a.Length, "A line reaches beyond the table of samples.");
         ref double radiiStart = ref MemoryMarshal.GetReference(radii);
         ref double aStart = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_a), firstSample);
-        ref double toX = ref MemoryMarshal.GetReference(x);
-        ref double toY = ref MemoryMarshal.GetReference(y);
-        ref double toZ = ref MemoryMarshal.GetReference(z);
+        Vector3D origin = _projection.ToMap(originMoonMe);
+        ref double toX = ref MemoryMarshal.GetReference(_projection.Turn switch { 1 => y, 2 => z, _ => x });
+        ref double toY = ref MemoryMarshal.GetReference(_projection.Turn switch { 1 => z, 2 => x, _ => y });
+        ref double toZ = ref MemoryMarshal.GetReference(_projection.Turn switch { 1 => x, 2 => y, _ => z });
         Vector512<double> stepsPerMetre = Vector512.Create(StepsPerMetre);
         Vector512<double> metresPerStep = Vector512.Create(1.0 / StepsPerMetre);
         Vector512<double> half = Vector512.Create(0.5);
@@ -95,9 +96,9 @@ internal sealed class PlaneGeometry : MeshGeometry
             Vector512<double> px = Vector512.Floor((f * b) + half) * metresPerStep;
             Vector512<double> py = Vector512.Floor((f * a) + half) * metresPerStep;
             Vector512<double> pz = Vector512.Floor((sign * (f * (one - s))) + half) * metresPerStep;
-            (px - Vector512.Create(originMoonMe.X)).StoreUnsafe(ref toX, i);
-            (py - Vector512.Create(originMoonMe.Y)).StoreUnsafe(ref toY, i);
-            (pz - Vector512.Create(originMoonMe.Z)).StoreUnsafe(ref toZ, i);
+            (px - Vector512.Create(origin.X)).StoreUnsafe(ref toX, i);
+            (py - Vector512.Create(origin.Y)).StoreUnsafe(ref toY, i);
+            (pz - Vector512.Create(origin.Z)).StoreUnsafe(ref toZ, i);
         }
     }
 
@@ -108,8 +109,8 @@ internal sealed class PlaneGeometry : MeshGeometry
         double v1 = 0.5 * _projection.B(cells.EndLine);
         PlaneBorder below = PlaneBorder.Below(0.5 * _a[cells.FirstSample], v0, v1);
         PlaneBorder above = PlaneBorder.Above(0.5 * _a[cells.EndSample], v0, v1);
-        west = new Vector3D(below.Along, below.Across, _projection.PoleSign * below.Up);
-        east = new Vector3D(above.Along, above.Across, _projection.PoleSign * above.Up);
+        west = _projection.ToMoonMe(new Vector3D(below.Along, below.Across, _projection.PoleSign * below.Up));
+        east = _projection.ToMoonMe(new Vector3D(above.Along, above.Across, _projection.PoleSign * above.Up));
         return true;
     }
 
@@ -123,7 +124,7 @@ internal sealed class PlaneGeometry : MeshGeometry
         PlaneBorder north = _projection.IsSouth ? PlaneBorder.Above(first, u0, u1) : PlaneBorder.Below(first, u0, u1);
         PlaneBorder south = _projection.IsSouth ? PlaneBorder.Below(last, u0, u1) : PlaneBorder.Above(last, u0, u1);
         return (
-            new Vector3D(north.Across, north.Along, _projection.PoleSign * north.Up),
-            new Vector3D(south.Across, south.Along, _projection.PoleSign * south.Up));
+            _projection.ToMoonMe(new Vector3D(north.Across, north.Along, _projection.PoleSign * north.Up)),
+            _projection.ToMoonMe(new Vector3D(south.Across, south.Along, _projection.PoleSign * south.Up)));
     }
 }

@@ -1,4 +1,5 @@
 using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -47,6 +48,7 @@ internal sealed class SurfaceModel
     public static SurfaceModel Of(ITerrain terrain) => terrain switch
     {
         NestedTerrain nested => nested.Surface,
+        RefinedView view => view.Surface,
         ITerrainGrid grid => new SurfaceModel(grid),
         _ => throw new ArgumentException($"{terrain.GetType()}: not a terrain with a surface.", nameof(terrain)),
     };

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.Core.Errors;
 using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -29,9 +30,12 @@ public static class TerrainHeight
     public static double RadiusBelow(ITerrain terrain, Vector3D positionMoonMe)
     {
         Vector3D direction = positionMoonMe.Normalized();
-        return terrain is NestedTerrain nested
-            ? RadiusOn(nested, direction)
-            : RadiusOn(new FacetMesh((ITerrainGrid)terrain), direction) ?? terrain.ReferenceRadius;
+        return terrain switch
+        {
+            RefinedTerrain refined => refined.RadiusAt(direction),
+            NestedTerrain nested => RadiusOn(nested, direction),
+            _ => RadiusOn(new FacetMesh((ITerrainGrid)terrain), direction) ?? terrain.ReferenceRadius,
+        };
     }
 
     /// <summary>Distance from the Moon's centre to the facet of a mesh in a direction, m; null outside a map.</summary>

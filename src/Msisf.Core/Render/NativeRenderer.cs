@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 
@@ -27,13 +28,20 @@ public sealed class NativeRenderer
     {
         _surface = SurfaceModel.Of(terrain);
         Resolution = terrain.Resolution;
-        PartResolutions = (terrain as NestedTerrain)?.DrawnResolutions ?? [];
+        PartResolutions = terrain switch
+        {
+            NestedTerrain nested => nested.DrawnResolutions,
+            RefinedView view => view.DrawnResolutions,
+            _ => [],
+        };
     }
 
     /// <summary>Resolution of the model that is drawn, of several that of the finest that is there.</summary>
     public GridResolution Resolution { get; }
 
-    /// <summary>Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.</summary>
+    /// <summary>
+    /// Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model. With invented detail, of any number of models, and of its windows.
+    /// </summary>
     public IReadOnlyList<GridResolution?> PartResolutions { get; }
 
     /// <summary>

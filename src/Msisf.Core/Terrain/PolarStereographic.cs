@@ -22,11 +22,33 @@ public sealed record PolarStereographic(bool IsSouth, double MetresPerPixel, dou
     /// </summary>
     public const double MaxExtent = 1.0;
 
+    /// <summary>
+    /// Where the middle of the map lies: 0 at a pole of the Moon, 1 at longitude 0 (of a southern map 180) on the equator, 2 at longitude 90
+    /// (270). The axes x, y, z above are then y, z, x or z, x, y of MOON_ME.
+    /// </summary>
+    public int Turn { get; init; }
+
     /// <inheritdoc/>
     public override GridResolution Resolution => GridResolution.FromMetresPerPixel(MetresPerPixel);
 
     /// <summary>Sine of the pole's latitude: -1 or 1.</summary>
     public double PoleSign => IsSouth ? -1.0 : 1.0;
+
+    /// <summary>Turns the axes of the map, of which the third goes through its middle, to those of MOON_ME.</summary>
+    public Vector3D ToMoonMe(Vector3D inMap) => Turn switch
+    {
+        1 => new Vector3D(inMap.Z, inMap.X, inMap.Y),
+        2 => new Vector3D(inMap.Y, inMap.Z, inMap.X),
+        _ => inMap,
+    };
+
+    /// <summary>Turns the axes of MOON_ME to those of the map.</summary>
+    public Vector3D ToMap(Vector3D moonMe) => Turn switch
+    {
+        1 => new Vector3D(moonMe.Y, moonMe.Z, moonMe.X),
+        2 => new Vector3D(moonMe.Z, moonMe.X, moonMe.Y),
+        _ => moonMe,
+    };
 
     /// <summary>X / R of a sample.</summary>
     public double A(double sample) => (sample - SampleOffset) * MetresPerPixel / MoonConstants.ReferenceRadius;
@@ -49,14 +71,14 @@ public sealed record PolarStereographic(bool IsSouth, double MetresPerPixel, dou
         double b = B(line);
         double s = 0.25 * ((a * a) + (b * b));
         double f = 1.0 / (1.0 + s);
-        return new Vector3D(f * b, f * a, PoleSign * (f * (1.0 - s)));
+        return ToMoonMe(new Vector3D(f * b, f * a, PoleSign * (f * (1.0 - s))));
     }
 
     /// <inheritdoc/>
     public override (double Line, double Sample) PixelOf(Vector3D directionMoonMe)
     {
         // The other pole lies at infinity, where no pixel is.
-        Vector3D direction = directionMoonMe.Normalized();
+        Vector3D direction = ToMap(directionMoonMe).Normalized();
         double f = 2.0 * MoonConstants.ReferenceRadius / MetresPerPixel / (1.0 + (PoleSign * direction.Z));
         return (LineOffset + (PoleSign * f * direction.X), SampleOffset + (f * direction.Y));
     }

@@ -48,7 +48,10 @@ public sealed class SceneDetailTests
     public void LevelsFor_NoErrorAllowed_AreThoseOfTheModels()
     {
         SceneDetail detail = new(NestedScenes.LevelsOf("five"), 0.0);
-        Assert.Same(NestedScenes.Named("five"), detail.For(FootprintAt(MiddleOfTheFinest, 1e8), 1));
+        Vector3D right = Vector3D.Cross(MiddleOfTheFinest, Vector3D.UnitX).Normalized();
+        PinholeCamera camera = new(
+            1e8 * MiddleOfTheFinest, CameraCases.Attitude(-MiddleOfTheFinest, right), fieldOfView: 0.1, width: 64, height: 64);
+        Assert.Same(NestedScenes.Named("five"), detail.For(camera, 1));
     }
 
     /// <summary>The level of what crosses the border of a coarser model is its own, even where that would be fine enough.</summary>

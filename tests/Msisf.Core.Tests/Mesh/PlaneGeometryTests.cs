@@ -46,6 +46,44 @@ public sealed class PlaneGeometryTests
         Assert.Equal(new Vector3D(x, y, z) / geometry.StepsPerMetre, geometry.Vertex(line, sample, radius));
     }
 
+    /// <summary>A map about another axis is the polar one, turned: so are its vertices, one by one and by lines, and its borders.</summary>
+    [Theory]
+    [InlineData(1, false)]
+    [InlineData(2, false)]
+    [InlineData(1, true)]
+    [InlineData(2, true)]
+    public void Vertex_MapAboutAnotherAxis_IsThePolarOneTurned(int turn, bool isSouth)
+    {
+        PolarStereographic polar = new(isSouth, 64.0, -310.0, 77.0);
+        PolarStereographic turned = polar with { Turn = turn };
+        PlaneGeometry geometry = new(turned, new FacetMesh(new PolarFunctionGrid(turned, 2, 64, (_, _) => 0.0)));
+        PlaneGeometry expected = new(polar, new FacetMesh(new PolarFunctionGrid(polar, 2, 64, (_, _) => 0.0)));
+        double[] radii = [.. Enumerable.Range(0, 16).Select(i => 1.737e6 + (13.7 * i))];
+        (double[] x, double[] y, double[] z) = (new double[16], new double[16], new double[16]);
+        Vector3D origin = new(1e6, -5e5, 3e4);
+        geometry.PlaceLine(1, 8, radii, origin, x, y, z);
+        for (int i = 0; i < radii.Length; i++)
+        {
+            Vector3D vertex = geometry.Vertex(1, 8 + i, radii[i]);
+            Vector3D upright = expected.Vertex(1, 8 + i, radii[i]);
+            Assert.Equal(turn == 1 ? new Vector3D(upright.Z, upright.X, upright.Y) : new Vector3D(upright.Y, upright.Z, upright.X), vertex);
+            Assert.Equal(vertex - origin, new Vector3D(x[i], y[i], z[i]));
+            (double line, double sample) = turned.PixelOf(vertex);
+            Assert.InRange(line, 1.0 - 1e-3, 1.0 + 1e-3);
+            Assert.InRange(sample, 8 + i - 1e-3, 8 + i + 1e-3);
+        }
+
+        CellRange cells = new(0, 1, 8, 24);
+        SphericalCap cap = geometry.Nodes.CapOf(cells);
+        (Vector3D north, Vector3D south) = geometry.LineBorders(cells);
+        Assert.True(geometry.TryGetColumnBorders(cells, out Vector3D west, out Vector3D east));
+        Vector3D middle = turned.DirectionOf(0.5, 16.0);
+        Assert.True(Vector3D.Dot(middle, cap.Centre) > 1.0 - 1e-9);
+        Assert.All([north, south, west, east], border => Assert.True(Vector3D.Dot(border, middle) > 0.0));
+        Assert.True(Vector3D.Dot(west, turned.DirectionOf(0.5, 7.0)) < 0.0 && Vector3D.Dot(east, turned.DirectionOf(0.5, 25.0)) < 0.0);
+        Assert.True(Vector3D.Dot(north, turned.DirectionOf(-1.0, 16.0)) < 0.0 && Vector3D.Dot(south, turned.DirectionOf(2.0, 16.0)) < 0.0);
+    }
+
     [Theory]
     [InlineData(20.0, 7)]
     [InlineData(16.0, 7)]

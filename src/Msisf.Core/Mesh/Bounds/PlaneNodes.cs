@@ -54,6 +54,7 @@ internal sealed class PlaneNodes(PolarStereographic projection)
         private readonly double _halfV;
         private readonly double _scale;
         private readonly double _sign;
+        private readonly PolarStereographic _projection;
 
         public Rectangle(PolarStereographic projection, CellRange cells)
         {
@@ -67,15 +68,16 @@ internal sealed class PlaneNodes(PolarStereographic projection)
             _halfV = 0.5 * Math.Abs(last - first);
             _scale = 1.0 / (1.0 + (_u * _u) + (_v * _v));
             _sign = projection.PoleSign;
+            _projection = projection;
         }
 
         /// <summary>Tangent of the u axis in the middle, length 1.</summary>
-        public Vector3D AlongU =>
-            new(-2.0 * _u * _v * _scale, 1.0 - (2.0 * _u * _u * _scale), -2.0 * _sign * _u * _scale);
+        public Vector3D AlongU => _projection.ToMoonMe(
+            new(-2.0 * _u * _v * _scale, 1.0 - (2.0 * _u * _u * _scale), -2.0 * _sign * _u * _scale));
 
         /// <summary>Tangent of the v axis in the middle, length 1.</summary>
-        public Vector3D AlongV =>
-            new(1.0 - (2.0 * _v * _v * _scale), -2.0 * _u * _v * _scale, -2.0 * _sign * _v * _scale);
+        public Vector3D AlongV => _projection.ToMoonMe(
+            new(1.0 - (2.0 * _v * _v * _scale), -2.0 * _u * _v * _scale, -2.0 * _sign * _v * _scale));
 
         /// <summary>Half of the extent along <see cref="AlongU"/>, as a fraction of the radius.</summary>
         public double HalfAlongU => Tolerances.CapRadius + HalfAlong(_halfU, _u);
@@ -90,7 +92,8 @@ internal sealed class PlaneNodes(PolarStereographic projection)
             double squaredHalfSine = ((_halfU * _halfU) + (_halfV * _halfV)) * _scale / (1.0 + (nearU * nearU) + (nearV * nearV));
             double cosine = 1.0 - (2.0 * squaredHalfSine);
             double sine = 2.0 * Math.Sqrt(squaredHalfSine * (1.0 - squaredHalfSine));
-            Vector3D centre = new(2.0 * _v * _scale, 2.0 * _u * _scale, _sign * ((2.0 * _scale) - 1.0));
+            Vector3D centre = _projection.ToMoonMe(
+                new Vector3D(2.0 * _v * _scale, 2.0 * _u * _scale, _sign * ((2.0 * _scale) - 1.0)));
 
             // Wider by the angle CapRadius, whose square is below the rounding.
             return new SphericalCap(centre, cosine - (Tolerances.CapRadius * sine), sine + (Tolerances.CapRadius * cosine));

@@ -34,12 +34,13 @@ internal sealed class BorderBlend : ITerrainGrid
     /// <summary>Prepares a model; of one with gaps all samples are looked at.</summary>
     /// <param name="grid">The model, which is not of the whole Moon.</param>
     /// <param name="coarser">The coarser models.</param>
-    public BorderBlend(ITerrainGrid grid, CoarserGround coarser)
+    /// <param name="widest">Samples of the border at most.</param>
+    public BorderBlend(ITerrainGrid grid, CoarserGround coarser, int widest = MaxWidth)
     {
         (_grid, _coarser) = (grid, coarser);
         GridWindow window = grid.Window;
         _isRing = grid.Projection is Equirectangular && window.Samples == grid.Samples;
-        Width = WidthOf(grid, coarser);
+        Width = Math.Min(WidthOf(grid, coarser), widest);
         (double min, double max) = coarser.RadiusLimits;
         RadiusLimits = (Math.Min(min, grid.RadiusLimits.Min), Math.Max(max, grid.RadiusLimits.Max));
         _columns = (window.Samples + Side - 1) / Side;

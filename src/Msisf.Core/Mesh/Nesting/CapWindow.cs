@@ -25,6 +25,7 @@ internal static class CapWindow
     /// <summary>Circles around a direction are circles of the plane; its diameter lies on the line through the map's pole.</summary>
     private static CellRange[] OfPlane(PolarStereographic projection, Vector3D centre, double angle)
     {
+        centre = projection.ToMap(centre);
         double fromPole = Vector3D.AngleBetween(new Vector3D(0.0, 0.0, projection.PoleSign), centre);
         if (fromPole - angle > FarthestFromPole)
         {

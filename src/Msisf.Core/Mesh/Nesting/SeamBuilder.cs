@@ -8,8 +8,8 @@ namespace Msisf.Core.Mesh.Nesting;
 internal sealed class SeamBuilder
 {
     /// <summary>
-    /// Edges in steps of the finest lattice must be below this, so that products of two differences have at most 52 bits, as in the
-    /// models' own facets.
+    /// A facet's edges in steps of the finest lattice on which a corner of it lies must be below this, so that products of two differences
+    /// have at most 52 bits, as in the models' own facets.
     /// </summary>
     private const double MaxSteps = 1 << 26;
 
@@ -29,8 +29,10 @@ internal sealed class SeamBuilder
     /// <summary>Makes the seams of models.</summary>
     /// <param name="parts">The models with their cells; the coarsest is one of the whole Moon.</param>
     /// <param name="store">Keeps what fills the gaps; null to make all of it.</param>
+    /// <param name="more">Corners of further facets, three of each, whose vertices may belong to further parts; null for none.</param>
     /// <exception cref="BadInputException">The models can't be joined.</exception>
-    public static SeamMesh Join(IReadOnlyList<GridSurface> parts, ISeamStore? store = null)
+    public static SeamMesh Join(
+        IReadOnlyList<GridSurface> parts, ISeamStore? store = null, IReadOnlyList<SeamVertex>? more = null)
     {
         SeamBuilder builder = new(parts);
         for (int part = 0; part < parts.Count; part++)
@@ -47,7 +49,9 @@ internal sealed class SeamBuilder
             : SeamFiller.Fill(parts, vertices, builder._edges, store);
         int[] corners = InPlaces(vertices, filling);
         builder.Check(vertices, corners);
-        return new SeamMesh(vertices, corners);
+        return more is null
+            ? new SeamMesh(vertices, corners)
+            : new SeamMesh([.. vertices, .. more], [.. corners, .. Enumerable.Range(vertices.Length, more.Count)]);
     }
 
     /// <summary>Adds the sides of kept cells beyond which there is no kept cell.</summary>
@@ -163,12 +167,14 @@ internal sealed class SeamBuilder
                     + "Take fewer models.");
         }
 
-        double longest = MaxSteps / _parts.Max(part => part.Geometry.StepsPerMetre);
         for (int i = 0; i < corners.Length; i++)
         {
+            int first = i / 3 * 3;
             SeamVertex a = vertices[corners[i]];
-            SeamVertex b = vertices[corners[i % 3 == 2 ? i - 2 : i + 1]];
-            if ((a.Position - b.Position).Length > longest)
+            SeamVertex b = vertices[corners[i % 3 == 2 ? first : i + 1]];
+            double stepsPerMetre = Math.Max(
+                StepsAt(vertices[corners[first]]), Math.Max(StepsAt(vertices[corners[first + 1]]), StepsAt(vertices[corners[first + 2]])));
+            if ((a.Position - b.Position).Length > MaxSteps / stepsPerMetre)
             {
                 throw new BadInputException(
                     $"{_parts[Math.Max(a.Part, b.Part)].Grid.ProductId} lies in {_parts[Math.Min(a.Part, b.Part)].Grid.ProductId}, whose "
@@ -176,6 +182,8 @@ internal sealed class SeamBuilder
             }
         }
     }
+
+    private double StepsAt(SeamVertex vertex) => _parts[vertex.Part].Geometry.StepsPerMetre;
 
     /// <summary>Sorts facets so that those near each other follow each other.</summary>
     private static int[] InPlaces(SeamVertex[] vertices, int[] corners)

@@ -1,0 +1,117 @@
+using System.Runtime.Intrinsics;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Synthesis;
+
+/// <summary>
+/// The detail below a model's resolution that cells of a width can show: noise, craters and boulders, all of which a layer for wider cells
+/// leaves out or has as they are here. Safe for several threads.
+/// </summary>
+internal sealed class DetailLayer
+{
+    /// <summary>Minimum diameter of a crater, and length of a boulder, in cells.</summary>
+    private const double SmallestInCells = 4.0;
+
+    /// <summary>Maximum diameter of a crater in samples of the model, which shows larger ones itself.</summary>
+    private const double LargestInSamples = 0.5;
+
+    private readonly NoiseOctave[] _octaves;
+    private readonly CraterPopulation _craters;
+    private readonly BoulderPopulation _boulders;
+
+    /// <summary>Prepares a layer.</summary>
+    /// <param name="seed">The user's seed.</param>
+    /// <param name="maria">Where the ground is smoother.</param>
+    /// <param name="slopes">The model's slopes.</param>
+    /// <param name="modelSpacing">m between the model's samples.</param>
+    /// <param name="cell">m: width of the cells, a power of two.</param>
+    public DetailLayer(ulong seed, MareMask maria, ModelSlopes slopes, double modelSpacing, double cell)
+    {
+        // The lattices of the noise, and the limits of diameters, are powers of two, so that they are the same below every model.
+        double widest = Math.ScaleB(1.0, (int)Math.Floor(Math.Log2(modelSpacing)));
+        _octaves = DetailSpectrum.Octaves(seed, widest, cell, slopes);
+        _craters = new CraterPopulation(seed, maria, SmallestInCells * cell, LargestInSamples * widest);
+        _boulders = new BoulderPopulation(seed, SmallestInCells * cell);
+    }
+
+    /// <summary>Adds the detail to a block.</summary>
+    /// <param name="frame">The block.</param>
+    /// <param name="mareFraction">0 (highlands) to 1 (mare) at the frame's samples.</param>
+    /// <param name="heights">m, as the frame's directions.</param>
+    public void AddTo(MapFrame frame, ReadOnlySpan<float> mareFraction, Span<float> heights)
+    {
+        foreach (NoiseOctave octave in _octaves)
+        {
+            octave.AddTo(frame.X, frame.Y, frame.Z, mareFraction, heights);
+        }
+
+        (double south, double north, double west, double width) = frame.Around();
+        foreach (Crater crater in _craters.Near(south, north, west, width))
+        {
+            MapCraterStamp.AddTo(crater, frame, heights);
+        }
+
+        foreach (Boulder boulder in _boulders.Near(south, north, west, width))
+        {
+            AddTo(boulder, frame, heights);
+        }
+    }
+
+    /// <summary>The detail in a direction, m.</summary>
+    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="mareFraction">0 (highlands) to 1 (mare).</param>
+    public double At(Vector3D direction, float mareFraction)
+    {
+        Span<double> x = stackalloc double[TileFrame.VectorWidth];
+        Span<double> y = stackalloc double[TileFrame.VectorWidth];
+        Span<double> z = stackalloc double[TileFrame.VectorWidth];
+        Span<float> maria = stackalloc float[TileFrame.VectorWidth];
+        Span<float> heights = stackalloc float[TileFrame.VectorWidth];
+        x.Fill(direction.X);
+        y.Fill(direction.Y);
+        z.Fill(direction.Z);
+        maria.Fill(mareFraction);
+        heights.Clear();
+        foreach (NoiseOctave octave in _octaves)
+        {
+            octave.AddTo(x, y, z, maria, heights);
+        }
+
+        SelenographicPoint point = SelenographicPoint.Below(direction);
+        double latitude = double.RadiansToDegrees(point.Latitude);
+        double longitude = double.RadiansToDegrees(point.Longitude);
+        float height = heights[0];
+        foreach (Crater crater in _craters.Near(latitude, latitude, longitude, 0.0))
+        {
+            double radius = crater.Radius / MoonConstants.ReferenceRadius;
+            double square = (direction - crater.Direction).LengthSquared / (radius * radius);
+            height += (float)new CraterProfile(crater).HeightAt(Vector256.Create(square)).ToScalar();
+        }
+
+        foreach (Boulder boulder in _boulders.Near(latitude, latitude, longitude, 0.0))
+        {
+            height += (float)boulder.HeightAt(direction);
+        }
+
+        return height;
+    }
+
+    private static void AddTo(Boulder boulder, MapFrame frame, Span<float> heights)
+    {
+        double reach = boulder.Radius / MoonConstants.ReferenceRadius;
+        if (MapCraterStamp.Reached(boulder.Centre, reach, frame) is not { } reached)
+        {
+            return;
+        }
+
+        for (int line = reached.FirstLine; line <= reached.LastLine; line++)
+        {
+            for (int sample = reached.FirstSample; sample <= Math.Min(reached.LastSample, frame.Samples - 1); sample++)
+            {
+                int at = (line * frame.Stride) + sample;
+                heights[at] += (float)boulder.HeightAt(new Vector3D(frame.X[at], frame.Y[at], frame.Z[at]));
+            }
+        }
+    }
+}

@@ -1,0 +1,139 @@
+using System.Globalization;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Synthesis;
+
+/// <summary>
+/// The ground of elevation models with invented detail below their resolution: roughness, craters and boulders from a seed
+/// (docs/invented-detail.md). Safe for several threads.
+/// </summary>
+/// <remarks>
+/// With the finest model that has data at a place, its samples S and the detail D below its resolution, the height is I(S - D) + D, where
+/// I interpolates samples: so each sample keeps its height. Along borders it goes over into the same of the next coarser model.
+/// </remarks>
+public sealed class GroundDetail : IGroundDetail
+{
+    /// <summary>m: how far the ground may be beyond the models' samples; craters and hills below their resolution are lower than that.</summary>
+    private const double MostDetail = 3000.0;
+
+    private readonly MareMask _maria;
+    private readonly ModelGround[] _grounds;
+    private readonly ModelBorder?[] _borders;
+
+    /// <summary>Prepares the ground: reads the coarsest model once, coarsely, for its maria and its slopes.</summary>
+    /// <param name="seed">Another seed gives other detail.</param>
+    /// <param name="models">The models, the coarsest first; that is one of the whole Moon.</param>
+    /// <param name="cancellation">Stops the reading.</param>
+    public GroundDetail(ulong seed, IReadOnlyList<ITerrainGrid> models, CancellationToken cancellation = default)
+    {
+        _maria = new MareMask((IElevationGrid)models[0], cancellation);
+        _grounds = [.. models.Select(model => new ModelGround(model, seed, _maria))];
+        _borders = [.. models.Select((model, index) => index == 0 ? null : new ModelBorder(model, _grounds[index - 1].Spacing))];
+        Name = string.Create(CultureInfo.InvariantCulture, $"REFINE_{seed}");
+        RadiusLimits = (
+            Math.Max(models.Min(model => model.RadiusLimits.Min) - MostDetail, MoonConstants.ReferenceRadius - MoonConstants.MaxRelief),
+            Math.Min(models.Max(model => model.RadiusLimits.Max) + MostDetail, MoonConstants.ReferenceRadius + MoonConstants.MaxRelief));
+    }
+
+    /// <inheritdoc/>
+    public string Name { get; }
+
+    /// <inheritdoc/>
+    public (double Min, double Max) RadiusLimits { get; }
+
+    /// <inheritdoc/>
+    public void ReadRadii(PolarStereographic map, int firstLine, int firstSample, int side, Span<double> radii)
+    {
+        MapFrame frame = new(map, firstLine, side, firstSample, side);
+        float[] maria = new float[frame.X.Length];
+        for (int i = 0; i < maria.Length; i++)
+        {
+            maria[i] = (float)_maria.At(frame.Latitudes[i], frame.Longitudes[i]);
+        }
+
+        float[] detail = new float[maria.Length];
+        double[] heights = Heights(GroundPoints.Of(frame), map.MetresPerPixel, layer =>
+        {
+            Array.Clear(detail);
+            layer.AddTo(frame, maria, detail);
+            return detail;
+        });
+        for (int line = 0; line < side; line++)
+        {
+            for (int sample = 0; sample < side; sample++)
+            {
+                radii[(line * side) + sample] = RadiusOf(heights[(line * frame.Stride) + sample]);
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    public double RadiusAt(Vector3D direction, double cell)
+    {
+        GroundPoints point = GroundPoints.Of(direction);
+        float mare = (float)_maria.At(point.Latitudes[0], point.Longitudes[0]);
+        return RadiusOf(Heights(point, cell, layer => [(float)layer.At(direction, mare)])[0]);
+    }
+
+    private double RadiusOf(double height) =>
+        Math.Clamp(MoonConstants.ReferenceRadius + height, RadiusLimits.Min, RadiusLimits.Max);
+
+    /// <summary>Heights over the reference radius, m.</summary>
+    /// <param name="points">The places.</param>
+    /// <param name="cell">m: width of the cells.</param>
+    /// <param name="detailOf">Computes the detail of a layer at the places, m.</param>
+    private double[] Heights(GroundPoints points, double cell, Func<DetailLayer, float[]> detailOf)
+    {
+        // Only models that count anywhere, and of those none under one that counts fully everywhere.
+        List<(ModelGround Ground, double[] Weights)> counting = [];
+        for (int model = _grounds.Length - 1; model >= 0; model--)
+        {
+            double[] weights = WeightsOf(model, points);
+            if (Array.Exists(weights, weight => weight > 0.0))
+            {
+                counting.Add((_grounds[model], weights));
+            }
+
+            if (Array.TrueForAll(weights, weight => weight == 1.0))
+            {
+                break;
+            }
+        }
+
+        double[] heights = new double[points.Count];
+        double[] own = new double[points.Count];
+        for (int index = counting.Count - 1; index >= 0; index--)
+        {
+            (ModelGround ground, double[] weights) = counting[index];
+            ground.Interpolate(points, weights, cell, own);
+            float[] detail = detailOf(ground.LayerOf(cell));
+            for (int i = 0; i < heights.Length; i++)
+            {
+                double weight = weights[i];
+                heights[i] = weight > 0.0 ? (weight * (own[i] + detail[i])) + ((1.0 - weight) * heights[i]) : heights[i];
+            }
+        }
+
+        return heights;
+    }
+
+    private double[] WeightsOf(int model, GroundPoints points)
+    {
+        double[] weights = new double[points.Count];
+        for (int i = 0; i < weights.Length; i++)
+        {
+            if (_borders[model] is { } border)
+            {
+                (double line, double sample) = _grounds[model].PixelOf(points, i);
+                weights[i] = border.WeightAt(line, sample);
+            }
+            else
+            {
+                weights[i] = 1.0;
+            }
+        }
+
+        return weights;
+    }
+}

@@ -1,0 +1,91 @@
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Cli.Tests;
+
+/// <summary>Invented detail below the elevation models, as a user has it.</summary>
+public sealed class RefineTests : IDisposable
+{
+    private const string View = "--position=12,5,terrain+40000 --off-nadir 50,30 --time 2000-01-01T00:00:00Z --ignore-sun --batch "
+        + "--width 40 --height 40 --fov 40";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Run_Refined_NamesTheInventedPartsInAllFiles()
+    {
+        CommandLineRun run = Draw(
+            "a", "--ldem", Moon(), "--res", "2", "--refine", "7", "--refine-cell", "300", "--layers", "cell,tile,height", "--layers-format", "npy");
+
+        Assert.Equal((0, string.Empty), (run.ExitCode, run.ExitCode == 0 ? string.Empty : run.Error));
+        Assert.Contains(
+            "INVENTED below the resolution of LDEM_2_SYNTHETIC, from seed 7, in cells of 256 m", run.Error, StringComparison.Ordinal);
+        string xml = File.ReadAllText(Path.Combine(_folder["out"], "a.xml"));
+        Assert.Contains("<ElevationPart part=\"0\" product=\"LDEM_2_SYNTHETIC\"", xml, StringComparison.Ordinal);
+        Assert.Contains(
+            "<ElevationPart part=\"1\" product=\"REFINE_7\" synthetic=\"yes\" resolution=\"4096\" drawn=\"4096\" unit=\"m/px\" />", xml,
+            StringComparison.Ordinal);
+        Assert.Contains(" --refine 7 --refine-cell 256 ", xml, StringComparison.Ordinal);
+        Assert.DoesNotContain("tile=", xml, StringComparison.Ordinal);
+        Assert.Contains(
+            "\"inventedDetail\": \"REFINE_7\"", File.ReadAllText(Path.Combine(_folder["out"], "a.layers.json")), StringComparison.Ordinal);
+        byte[] cell = File.ReadAllBytes(Path.Combine(_folder["out"], "a.cell.npy"));
+        Assert.Contains("'shape': (40, 40, 3,)", System.Text.Encoding.ASCII.GetString(cell, 0, 128), StringComparison.Ordinal);
+        int start = cell.Length - (40 * 40 * 3 * 4);
+        int[] parts = [.. Enumerable.Range(0, 1600).Select(pixel => BitConverter.ToInt32(cell, start + (12 * pixel) + 8)).Distinct()];
+        Assert.True(parts.Count(part => part > 0) > 1, string.Join(' ', parts.Order()));
+    }
+
+    /// <summary>The command in the meta file makes the same image; another seed and no seed make others.</summary>
+    [Fact]
+    public void Run_SameSeed_GivesTheSameImage()
+    {
+        string moon = Moon();
+        Assert.Equal(0, Draw("a", "--ldem", moon, "--res", "2", "--refine", "1").ExitCode);
+        Assert.Equal(0, Draw("b", "--ldem", moon, "--res", "2", "--refine", "1", "--jobs", "3").ExitCode);
+        Assert.Equal(0, Draw("c", "--ldem", moon, "--res", "2", "--refine", "2").ExitCode);
+        Assert.Equal(0, Draw("d", "--ldem", moon, "--res", "2").ExitCode);
+        byte[][] images = [.. new[] { "a", "b", "c", "d" }.Select(name => File.ReadAllBytes(Path.Combine(_folder["out"], $"{name}.png")))];
+        Assert.Equal(images[0], images[1]);
+        Assert.NotEqual(images[0], images[2]);
+        Assert.NotEqual(images[0], images[3]);
+    }
+
+    [Theory]
+    [InlineData("--renderer native --refine -1", 1, "--refine")]
+    [InlineData("--renderer native --refine rough", 1, "--refine is 'rough'; a whole number from 0 to 18446744073709551615")]
+    [InlineData("--renderer native --refine 1 --refine-cell 0.001", 1, "--refine-cell")]
+    [InlineData("--renderer native --refine 1 --refine-cell wide", 1, "--refine-cell")]
+    [InlineData("--renderer native --refine-cell 1", 1, "--refine-cell is given, but no --refine.")]
+    [InlineData("--renderer native --refine 1 --lod-error 2", 1, "--lod-error is for levels of detail of one model")]
+    [InlineData("--refine 1", 1, "--refine is for --renderer native only.")]
+    [InlineData("--renderer native --refine 1 --body mercury --ldem MOON", 1, "--body mercury can't be combined with --refine")]
+    [InlineData("--renderer native --refine 1 --ldem MAP", 2, "a map of a part of the Moon. Detail is invented in models of the whole Moon")]
+    public void Run_WrongOptions_AreRefusedInOneLine(string options, int exitCode, string message)
+    {
+        string[] words = [.. options.Split(' ').Select(word => word switch { "MOON" => Moon(), "MAP" => Map(), _ => word })];
+        CommandLineRun run = CommandLineRun.Of([.. View.Split(' '), .. words, "--output-dir", _folder["out"]]);
+
+        Assert.Equal(exitCode, run.ExitCode);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.Single(run.Error.Split('\n'), line => line.Contains("error", StringComparison.Ordinal));
+        Assert.False(Directory.Exists(_folder["out"]) && Directory.EnumerateFiles(_folder["out"]).Any());
+    }
+
+    private CommandLineRun Draw(string name, params string[] options) => CommandLineRun.Of(
+        [.. View.Split(' '), "--renderer", "native", "--exposure", "2", "--surface", "terrain", "--gridH", "2", "--gridV", "2", .. options, "--output-dir",
+            _folder["out"], "--output-name", name]);
+
+    private string Moon() => Synthesize("--res", "2");
+
+    private string Map() => Synthesize("--projection", "polar-south", "--map-scale", "10000");
+
+    private string Synthesize(params string[] options)
+    {
+        CommandLineRun made = CommandLineRun.Of(
+            ["ldem", "synthesize", .. options, "--seed", "1", "--output-dir", _folder["model"], "--batch"]);
+        return made.ExitCode == 0 ? made.Output.Trim() : throw new InvalidOperationException(made.Error);
+    }
+}

@@ -1,0 +1,197 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Synthesis.Tests;
+
+public sealed class GroundDetailTests
+{
+    private const ulong Seed = 20120222;
+
+    private static readonly FunctionGrid Moon = FunctionGrid.Hilly(4);
+
+    private static readonly GroundDetail OfMoon = new(Seed, [Moon]);
+
+    /// <summary>The model's low frequencies stay: its samples keep their heights, whatever the cells are.</summary>
+    [Theory]
+    [InlineData(0.0625)]
+    [InlineData(1.0)]
+    [InlineData(64.0)]
+    [InlineData(2048.0)]
+    public void RadiusAt_SampleOfTheModel_IsItsOwn(double cell)
+    {
+        Random random = new(5);
+        double[] radius = new double[1];
+        for (int number = 0; number < 25; number++)
+        {
+            (int line, int sample) = (random.Next(4 * 20, 4 * 160), random.Next(1440)); // 70 degrees south to 70 north
+            Moon.ReadRadii(line, sample, radius);
+            double found = OfMoon.RadiusAt(((ITerrainGrid)Moon).Projection.DirectionOf(line, sample), cell);
+            Assert.InRange(found - radius[0], -2e-3, 2e-3); // detail is kept as 32-bit floats, and is up to some km high
+        }
+    }
+
+    [Fact]
+    public void RadiusAt_SampleOfAMapInside_IsItsOwn()
+    {
+        PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 100.0, 120, 59.5, 59.5);
+        GroundDetail ground = new(Seed, [Moon, map]);
+        double[] radius = new double[1];
+        foreach ((int line, int sample) in new[] { (59, 60), (45, 70), (70, 44) })
+        {
+            map.ReadRadii(line, sample, radius);
+            Assert.InRange(ground.RadiusAt(map.Polar.DirectionOf(line, sample), 0.5) - radius[0], -2e-3, 2e-3);
+        }
+    }
+
+    /// <summary>Beside a map, and on its outermost samples, the ground is that of the coarser model; there is no step between.</summary>
+    [Fact]
+    public void RadiusAt_BorderOfAMap_GoesOverIntoTheCoarserModel()
+    {
+        PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 100.0, 120, 59.5, 59.5);
+        GroundDetail ground = new(Seed, [Moon, map]);
+        Assert.Equal(OfMoon.RadiusAt(map.Polar.DirectionOf(60.0, -3.0), 32.0), ground.RadiusAt(map.Polar.DirectionOf(60.0, -3.0), 32.0));
+        Assert.Equal(OfMoon.RadiusAt(map.Polar.DirectionOf(60.0, 0.5), 32.0), ground.RadiusAt(map.Polar.DirectionOf(60.0, 0.5), 32.0));
+        double before = ground.RadiusAt(map.Polar.DirectionOf(60.0, -1.0), 32.0);
+        for (double sample = -0.98; sample < 60.0; sample += 0.02)
+        {
+            double here = ground.RadiusAt(map.Polar.DirectionOf(60.0, sample), 32.0);
+            Assert.InRange(here - before, -4.0, 4.0); // m in 2 m: slopes up to some 60 degrees where the models differ by hundreds of m
+            before = here;
+        }
+    }
+
+    /// <summary>A block has the heights of its places, and so of any other block that holds them.</summary>
+    [Theory]
+    [InlineData(0, false, 0.25, 20_000, -40_000)]
+    [InlineData(1, false, 16.0, 11_000, -7_000)]
+    [InlineData(2, true, 512.0, -1_200, 800)]
+    [InlineData(0, true, 1.0, -30, -20)]
+    public void ReadRadii_Block_HasTheHeightsOfItsPlaces(int turn, bool isSouth, double cell, int line, int sample)
+    {
+        PolarStereographic map = new(isSouth, cell, 0.0, 0.0) { Turn = turn };
+        double[] radii = new double[64 * 64];
+        OfMoon.ReadRadii(map, line, sample, 64, radii);
+        double[] beside = new double[64 * 64];
+        OfMoon.ReadRadii(map, line + 32, sample - 16, 64, beside);
+        for (int i = 0; i < 32; i++)
+        {
+            for (int j = 0; j < 48; j++)
+            {
+                Assert.Equal(radii[((i + 32) * 64) + j], beside[(i * 64) + j + 16], 1e-3);
+            }
+        }
+
+        for (int i = 0; i < radii.Length; i += 331)
+        {
+            double expected = OfMoon.RadiusAt(map.DirectionOf(line + (i / 64), sample + (i % 64)), cell);
+            Assert.Equal(expected, radii[i], 1e-3);
+        }
+    }
+
+    /// <summary>
+    /// Near and far agree: cells half as wide add hills and craters of some cells only, whose heights are a small part of a cell in the
+    /// mean; the finest craters, of four cells, are as deep as 0.8 cells.
+    /// </summary>
+    [Theory]
+    [InlineData(0.5)]
+    [InlineData(8.0)]
+    [InlineData(128.0)]
+    public void RadiusAt_CellsHalfAsWide_DiffersByAPartOfACell(double cell)
+    {
+        Random random = new(7);
+        double squared = 0.0;
+        const int Count = 150;
+        for (int number = 0; number < Count; number++)
+        {
+            Vector3D direction = new Vector3D(1.0, random.NextDouble() - 0.5, random.NextDouble() - 0.5).Normalized();
+            double difference = OfMoon.RadiusAt(direction, cell) - OfMoon.RadiusAt(direction, 0.5 * cell);
+            Assert.InRange(Math.Abs(difference), 0.0, 0.8 * cell);
+            squared += difference * difference;
+        }
+
+        Assert.InRange(Math.Sqrt(squared / Count), 0.002 * cell, 0.15 * cell);
+    }
+
+    [Fact]
+    public void RadiusAt_AnotherSeed_IsOtherGroundOfTheSameModel()
+    {
+        Vector3D direction = new Vector3D(0.8, 0.1, 0.2).Normalized();
+        double difference = OfMoon.RadiusAt(direction, 1.0) - new GroundDetail(Seed + 1, [Moon]).RadiusAt(direction, 1.0);
+        Assert.InRange(Math.Abs(difference), 1e-3, 3000.0);
+    }
+
+    /// <summary>Over metres the ground is about as rough as the law says: 7.5 degrees in the median at 17 m on highlands.</summary>
+    [Fact]
+    public void RadiusAt_Highlands_AreAsRoughAsTheLaw()
+    {
+        const double Baseline = 17.0;
+        Random random = new(11);
+        List<double> slopes = [];
+        for (int number = 0; number < 300; number++)
+        {
+            Vector3D direction = new Vector3D(-1.0, random.NextDouble() - 0.5, random.NextDouble() - 0.5).Normalized();
+            Vector3D east = new Vector3D(-direction.Y, direction.X, 0.0).Normalized();
+            Vector3D north = Vector3D.Cross(direction, east);
+            slopes.Add(double.Hypot(Along(direction, east), Along(direction, north)));
+        }
+
+        slopes.Sort();
+        double law = SlopeLaw.Highlands.TangentAt(Baseline);
+        Assert.InRange(slopes[slopes.Count / 2], 0.6 * law, 1.4 * law);
+
+        static double Along(Vector3D direction, Vector3D side)
+        {
+            double half = 0.5 * Baseline / MoonConstants.ReferenceRadius;
+            return (OfMoon.RadiusAt((direction + (half * side)).Normalized(), 2.0)
+                - OfMoon.RadiusAt((direction - (half * side)).Normalized(), 2.0)) / Baseline;
+        }
+    }
+
+    [Fact]
+    public void Boulders_InARegion_AreAsManyAsTheLawSaysAndStandOnTheGround()
+    {
+        BoulderPopulation boulders = new(Seed, 0.25);
+        Boulder[] found = [.. boulders.Near(10.0, 10.01, 20.0, 0.01)]; // 303 m x 299 m, and some beside
+        double area = Math.Pow(MoonConstants.ReferenceRadius * Math.PI / 180.0 * 0.01, 2.0) * Math.Cos(10.005 * Math.PI / 180.0);
+        double expected = area * (BoulderPopulation.CountAbove(0.25) - BoulderPopulation.CountAbove(4.0));
+        Assert.Equal(2.34e-3, BoulderPopulation.CountAbove(1.0)); // 5e5 1000^-2.11 for each 100 m2
+        Assert.InRange(found.Length, 0.95 * expected, 1.15 * expected);
+        Assert.All(found, boulder =>
+        {
+            Assert.InRange(boulder.Radius, 0.125, 2.0);
+            Assert.InRange(boulder.Height, 0.6 * boulder.Radius, 1.8 * boulder.Radius);
+            Assert.Equal(boulder.Height, boulder.HeightAt(boulder.Centre), 1e-9);
+            Vector3D side = boulder.Radius / MoonConstants.ReferenceRadius * boulder.Narrow;
+            Assert.Equal(0.0, boulder.HeightAt(boulder.Centre + side));
+            Assert.True(boulder.HeightAt(boulder.Centre + (0.9 * boulder.WidthPart * side)) > 0.0);
+        });
+        double metres = found.Count(boulder => boulder.Radius > 0.5) / (double)found.Length;
+        Assert.InRange(metres, 0.035, 0.065); // 4^-2.11 = 0.054, less those above 4 m
+    }
+
+    /// <summary>Fine lattices have more steps in a radius of the Moon than a 32-bit float counts.</summary>
+    [Fact]
+    public void Octave_OfCentimetres_IsSmooth()
+    {
+        NoiseOctave octave = new(Seed, 0.0625, 1.0, 1.0);
+        Vector3D start = new Vector3D(0.6, -0.7, 0.3).Normalized();
+        double[] heights = [.. Enumerable.Range(0, 2000).Select(step => At(start + (step * 1e-3 / 1.7374e6 * Vector3D.UnitZ)))];
+        Assert.True(heights.Max() - heights.Min() > 0.5);
+        for (int i = 1; i < heights.Length; i++)
+        {
+            Assert.InRange(heights[i] - heights[i - 1], -0.06, 0.06); // 1 mm of 62.5 mm
+        }
+
+        double At(Vector3D direction)
+        {
+            double[] x = [.. Enumerable.Repeat(direction.X, 8)];
+            double[] y = [.. Enumerable.Repeat(direction.Y, 8)];
+            double[] z = [.. Enumerable.Repeat(direction.Z, 8)];
+            float[] height = new float[8];
+            octave.AddTo(x, y, z, new float[8], height);
+            return height[3];
+        }
+    }
+}
