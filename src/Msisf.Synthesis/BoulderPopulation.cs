@@ -5,9 +5,9 @@ namespace Msisf.Synthesis;
 
 /// <summary>All boulders of a seed, placed uniformly and independently; a boulder is the same for every block of ground.</summary>
 /// <remarks>
-/// Number: N(&gt;D) = 5e5 D^-2.11 for each 100 m2, D in mm, at Surveyor 1's site (E. M. Shoemaker, E. C. Morris, Icarus 12 (1970), 188). Larger
-/// blocks are rarer than that (M. J. Cintala, K. M. McBride, NASA TM 104804 (1995)), so there is none above 4 m. Height: 0.3 to 0.9 of the
-/// length, 0.6 in the mean (N. E. Demidov, A. T. Basilevsky, Sol. Syst. Res. 48 (2014), 324).
+/// Number: N(&gt;D) = 5e5 D^-2.11 for each 100 m2, D in mm, at Surveyor 1's site (E. M. Shoemaker, E. C. Morris, Icarus 12 (1970), 188).
+/// Larger blocks are rarer than that (M. J. Cintala, K. M. McBride, NASA TM 104804 (1995)), so there is none above 4 m. Height: 0.3 to 0.9
+/// of the length, 0.6 in the mean (N. E. Demidov, A. T. Basilevsky, Sol. Syst. Res. 48 (2014), 324).
 /// </remarks>
 /// <param name="seed">The user's seed.</param>
 /// <param name="smallest">m: minimum length, a power of two.</param>
@@ -24,7 +24,9 @@ internal sealed class BoulderPopulation(ulong seed, double smallest)
     /// <summary>Number of boulders longer than a length in m, per m2.</summary>
     public static double CountAbove(double length) => CountAboveOneMetre * PortableMath.Pow(length, -Exponent);
 
-    /// <summary>Every boulder that may reach into a band of latitudes and longitudes, in an order that does not depend on the band.</summary>
+    /// <summary>
+    /// Every boulder that may reach into a band of latitudes and longitudes, in an order that does not depend on the band.
+    /// </summary>
     /// <param name="southDegrees">Southern border.</param>
     /// <param name="northDegrees">Northern border.</param>
     /// <param name="westDegrees">Western border.</param>

@@ -14,7 +14,9 @@ namespace Msisf.Synthesis;
 /// </remarks>
 public sealed class GroundDetail : IGroundDetail
 {
-    /// <summary>m: how far the ground may be beyond the models' samples; craters and hills below their resolution are lower than that.</summary>
+    /// <summary>
+    /// m: how far the ground may be beyond the models' samples; craters and hills below their resolution are lower than that.
+    /// </summary>
     private const double MostDetail = 3000.0;
 
     private readonly MareMask _maria;

@@ -106,7 +106,7 @@ internal sealed class MapFrame
             return (Math.Max(latitude - degrees, -90.0), Math.Min(latitude + degrees, 90.0), 0.0, FullTurn);
         }
 
-        double half = double.RadiansToDegrees(Math.Asin(sine));
+        double half = double.RadiansToDegrees(Math.Atan2(sine, Math.Sqrt((1.0 - sine) * (1.0 + sine))));
         return (latitude - degrees, latitude + degrees, double.RadiansToDegrees(point.Longitude) - half, 2.0 * half);
     }
 

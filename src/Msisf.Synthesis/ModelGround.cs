@@ -103,7 +103,8 @@ internal sealed class ModelGround
         int at = ((row - 1) * width) + column - 1;
         return (n0 * Along(at)) + (n1 * Along(at + width)) + (n2 * Along(at + (2 * width))) + (n3 * Along(at + (3 * width)));
 
-        double Along(int first) => (w0 * samples[first]) + (w1 * samples[first + 1]) + (w2 * samples[first + 2]) + (w3 * samples[first + 3]);
+        double Along(int first) =>
+            (w0 * samples[first]) + (w1 * samples[first + 1]) + (w2 * samples[first + 2]) + (w3 * samples[first + 3]);
     }
 
     private static (double Before, double First, double Second, double After) Weights(double t) => (

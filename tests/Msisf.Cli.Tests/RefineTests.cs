@@ -17,7 +17,8 @@ public sealed class RefineTests : IDisposable
     public void Run_Refined_NamesTheInventedPartsInAllFiles()
     {
         CommandLineRun run = Draw(
-            "a", "--ldem", Moon(), "--res", "2", "--refine", "7", "--refine-cell", "300", "--layers", "cell,tile,height", "--layers-format", "npy");
+            "a", "--ldem", Moon(), "--res", "2", "--refine", "7", "--refine-cell", "300", "--layers", "cell,tile,height",
+            "--layers-format", "npy");
 
         Assert.Equal((0, string.Empty), (run.ExitCode, run.ExitCode == 0 ? string.Empty : run.Error));
         Assert.Contains(
@@ -62,7 +63,8 @@ public sealed class RefineTests : IDisposable
     [InlineData("--renderer native --refine 1 --lod-error 2", 1, "--lod-error is for levels of detail of one model")]
     [InlineData("--refine 1", 1, "--refine is for --renderer native only.")]
     [InlineData("--renderer native --refine 1 --body mercury --ldem MOON", 1, "--body mercury can't be combined with --refine")]
-    [InlineData("--renderer native --refine 1 --ldem MAP", 2, "a map of a part of the Moon. Detail is invented in models of the whole Moon")]
+    [InlineData(
+        "--renderer native --refine 1 --ldem MAP", 2, "a map of a part of the Moon. Detail is invented in models of the whole Moon")]
     public void Run_WrongOptions_AreRefusedInOneLine(string options, int exitCode, string message)
     {
         string[] words = [.. options.Split(' ').Select(word => word switch { "MOON" => Moon(), "MAP" => Map(), _ => word })];
@@ -75,8 +77,8 @@ public sealed class RefineTests : IDisposable
     }
 
     private CommandLineRun Draw(string name, params string[] options) => CommandLineRun.Of(
-        [.. View.Split(' '), "--renderer", "native", "--exposure", "2", "--surface", "terrain", "--gridH", "2", "--gridV", "2", .. options, "--output-dir",
-            _folder["out"], "--output-name", name]);
+        [.. View.Split(' '), "--renderer", "native", "--exposure", "2", "--surface", "terrain", "--gridH", "2", "--gridV", "2",
+            .. options, "--output-dir", _folder["out"], "--output-name", name]);
 
     private string Moon() => Synthesize("--res", "2");
 

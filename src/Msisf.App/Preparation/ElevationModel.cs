@@ -43,7 +43,7 @@ internal sealed class ElevationModel : IDisposable
     private readonly Lazy<NestedLevels> _nestedLevels;
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
-    private ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
+    internal ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
         : this(image, image.Set, image)
     {
         _image = image;
@@ -56,7 +56,7 @@ internal sealed class ElevationModel : IDisposable
         _drawnLevels = new Lazy<TerrainLevels>(() => Levels);
     }
 
-    private ElevationModel(ITerrainGrid grid, LdemSet set, IDisposable file)
+    internal ElevationModel(ITerrainGrid grid, LdemSet set, IDisposable file)
         : this(grid, [set], [file])
     {
     }
@@ -73,7 +73,7 @@ internal sealed class ElevationModel : IDisposable
         _nestedLevels = new Lazy<NestedLevels>(() => throw new InvalidOperationException("This is one model."));
     }
 
-    private ElevationModel(NestedTerrain nested, IReadOnlyList<ElevationModel> models)
+    internal ElevationModel(NestedTerrain nested, IReadOnlyList<ElevationModel> models)
         : this(nested, [.. models.Select(model => model.Set)], models) =>
         _nestedLevels = new Lazy<NestedLevels>(() => new NestedLevels(
             nested, [.. models.Select(model => model.LevelsInScene(models.Count))]));
@@ -132,77 +132,6 @@ internal sealed class ElevationModel : IDisposable
         : Grid is NestedTerrain ? new SceneDetail(_nestedLevels.Value, error)
         : new ModelDetail(_drawnLevels.Value, error);
 
-    /// <summary>Finds and opens the model of a resolution.</summary>
-    /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
-    /// <param name="resolution">The resolution; that of a polar map if the path is one.</param>
-    /// <param name="isSparing">Use less memory at the cost of time: POV-Ray needs much memory, and the program waits for it anyway.</param>
-    /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
-    /// <param name="body">The body of which it must be; null for the Moon.</param>
-    public static ElevationModel Open(
-        string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host, CelestialBody? body = null)
-    {
-        if (explicitPath is not null && GeoTiffGrid.IsNameOf(explicitPath))
-        {
-            return OpenGeoTiff(explicitPath, host);
-        }
-
-        if (resolution.PixelsPerDegree is not { } pixelsPerDegree)
-        {
-            return OpenMap(explicitPath!, host);
-        }
-
-        LdemSet set = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
-            () => LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host), body: body)));
-        if (!set.IsWholeMoon)
-        {
-            LdemBandImage band = SurfaceOptions.Ldem.Concerned(() => LdemBandImage.Open(set));
-            ModelOpening.Tell(set, host.Log);
-            host.Log.Note(string.Create(
-                CultureInfo.InvariantCulture,
-                $"It covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} "
-                    + $"degrees; beyond them there is no ground."));
-            return new ElevationModel(band, set, band);
-        }
-
-        LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(() => LdemImage.Open(set)));
-        ModelOpening.Tell(set, host.Log);
-        return new ElevationModel(image, host.Log, () => ModelOpening.OpenLevels(image, isSparing, host));
-    }
-
-    /// <summary>Opens several models that make one surface.</summary>
-    /// <param name="paths">Labels or images.</param>
-    /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them all frames need the models themselves.</param>
-    /// <param name="host">Receives log messages.</param>
-    /// <exception cref="MsisfException">A model can't be opened, or they don't fit together.</exception>
-    public static ElevationModel OpenSeveral(IReadOnlyList<string> paths, bool hasLevels, ProgramHost host)
-    {
-        List<ElevationModel> opened = [];
-        try
-        {
-            foreach (string path in paths)
-            {
-                GridResolution resolution = GeoTiffGrid.IsNameOf(path) || LdemCatalog.TryReadMap(path) is not { Polar: { } polar }
-                    ? LdemResolutionOf(path)
-                    : polar.Resolution;
-                opened.Add(Open(path, resolution, isSparing: false, host));
-            }
-
-            return SurfaceOptions.Ldem.Concerned(() =>
-            {
-                SeamFiles files = new([.. opened.Select(model => model.Set)], CacheFolder.Of(host), host.Log.Warning);
-                NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files));
-                nested.Prepare(hasLevels);
-                return new ElevationModel(
-                    nested, [.. nested.Models.Select(grid => opened.Single(model => ReferenceEquals(model.Grid, grid)))]);
-            });
-        }
-        catch
-        {
-            opened.ForEach(model => model.Dispose());
-            throw;
-        }
-    }
-
     /// <summary>
     /// The model and its levels as a part of a scene: they share the memory, and leave places without data to coarser models.
     /// </summary>
@@ -223,8 +152,8 @@ internal sealed class ElevationModel : IDisposable
                 RefinedTerrain terrain = new(Grid, new GroundDetail(detail.Seed, RefinedTerrain.GridsOf(Grid)), detail.FinestLevel);
                 host.Log.Note(string.Create(
                     CultureInfo.InvariantCulture,
-                    $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m and "
-                        + $"wider; it is not on the real Moon."));
+                    $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m "
+                        + $"and wider; it is not on the real Moon."));
                 return new ElevationModel(terrain, Sets, [this]);
             });
         }
@@ -238,44 +167,6 @@ internal sealed class ElevationModel : IDisposable
     private IEnumerable<ElevationPart> PartsOf(IReadOnlyList<ITerrainGrid> grids, IReadOnlyList<GridResolution?> drawn) =>
         grids.Select((grid, part) => new ElevationPart(
             grid.ProductId, Sets[part].IsSynthetic, grid.Projection.Resolution, drawn[part]));
-
-    /// <summary>Whether <see cref="Open"/> finds a model of a resolution if no path is given.</summary>
-    /// <exception cref="BadInputException">There is one, but its parts don't make up a whole Moon.</exception>
-    public static bool IsThere(int pixelsPerDegree, ProgramHost host) =>
-        SurfaceOptions.Resolution.Concerned(() => LdemCatalog.TryFind(pixelsPerDegree, explicitPath: null, Folders(host))) is not null;
-
-    /// <summary>Folders in which models are searched if no path is given, in the order of the search.</summary>
-    public static string[] Folders(ProgramHost host) =>
-        [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
-
-    /// <summary>Resolution of a cylindrical label; of a GeoTIFF, which knows its own, any.</summary>
-    private static GridResolution LdemResolutionOf(string path) => GeoTiffGrid.IsNameOf(path)
-        ? 1
-        : SurfaceOptions.Ldem.Concerned(() => LdemCatalog.Read(path).PixelsPerDegree);
-
-    private static ElevationModel OpenMap(string path, ProgramHost host) => SurfaceOptions.Ldem.Concerned(() =>
-    {
-        LdemLabel label = LdemCatalog.TryReadMap(path)
-            ?? throw new BadInputException($"{path}: was a polar map when the options were read, and is none any more.");
-        LdemMapImage image = LdemMapImage.Open(label);
-        LdemSet set = LdemSet.OfMap(label);
-        ModelOpening.Tell(set, host.Log);
-        return new ElevationModel(image, set, image);
-    });
-
-    private static ElevationModel OpenGeoTiff(string path, ProgramHost host) => SurfaceOptions.Ldem.Concerned(() =>
-    {
-        GeoTiffGrid grid = GeoTiffGrid.Open(path, host.Environment("MSISF_GDAL"));
-        LdemSet set = LdemSet.OfMap(grid.ToLabel());
-        ModelOpening.Tell(set, host.Log);
-        if (grid.WarpedFrom is not null)
-        {
-            host.Log.Note(
-                $"Its projection ({grid.WarpedFrom}) is warped to {grid.Projection.Resolution}: heights are bilinear between its pixels.");
-        }
-
-        return new ElevationModel(grid, set, grid);
-    });
 
     /// <summary>The tiles that a frame needs, with reasons; the first call opens the summary of the model.</summary>
     public TileSelection Select(Frame frame) =>

@@ -74,7 +74,7 @@ internal static class ModelPyramid
         if (settings.PixelsPerDegree is { } pixelsPerDegree)
         {
             return LdemCatalog.Find(
-                pixelsPerDegree, path, ElevationModel.Folders(host), "give the label of another one instead of --res");
+                pixelsPerDegree, path, ModelOpening.Folders(host), "give the label of another one instead of --res");
         }
 
         return path is not null && !Directory.Exists(path)

@@ -46,7 +46,7 @@ internal static class DryRun
 
     private static ElevationModel? IfThere(ModelOnDemand model, RenderSettings settings, ProgramHost host)
     {
-        if (model.IsOpen || settings.Ldem.Count > 0 || ElevationModel.IsThere(settings.Resolution.PixelsPerDegree!.Value, host))
+        if (model.IsOpen || settings.Ldem.Count > 0 || ModelOpening.IsThere(settings.Resolution.PixelsPerDegree!.Value, host))
         {
             return model.Opened;
         }

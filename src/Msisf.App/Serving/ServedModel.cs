@@ -29,7 +29,7 @@ internal sealed class ServedModel : IDisposable
         string name, GridResolution resolution, bool isSynthetic, bool isWholeMoon, string path, string? ldem, ProgramHost host)
         : this(
             name, resolution, isSynthetic, ldem is null ? [] : [ldem],
-            () => ElevationModel.Open(ldem, resolution, isSparing: false, host)) =>
+            () => ModelOpening.Open(ldem, resolution, isSparing: false, host)) =>
         (IsWholeMoon, Path) = (isWholeMoon, path);
 
     private ServedModel(
@@ -75,7 +75,7 @@ internal sealed class ServedModel : IDisposable
             models.MinBy(model => model.Resolution.MetresPerPixel)!.Resolution,
             models.Any(model => model.IsSynthetic),
             paths,
-            () => ElevationModel.OpenSeveral(paths, hasLevels: true, host));
+            () => ModelOpening.OpenSeveral(paths, hasLevels: true, host));
     }
 
     /// <summary>The renderers of the model; they keep what they have read.</summary>

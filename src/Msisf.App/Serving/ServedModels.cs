@@ -27,7 +27,7 @@ internal sealed class ServedModels : IDisposable
     public ServedModels(IReadOnlyList<string> ldem, ProgramHost host)
     {
         _host = host;
-        string[] folders = ElevationModel.Folders(host);
+        string[] folders = ModelOpening.Folders(host);
         All = [.. SurfaceOptions.Ldem.Concerned(() => ldem.Count < 2 ? Whole(ldem.SingleOrDefault(), folders) : ldem.SelectMany(
             path => Map(path) is { } map ? [map] : Whole(path, folders)))
             .OrderByDescending(model => model.Resolution.MetresPerPixel)];

@@ -144,8 +144,8 @@ internal static class NativeOptions
     public static OptionGroup Group { get; } = new(
         "Native renderer",
         [
-            Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, Refine, RefineCell, Layers, LayersFormat, LayersPrecision,
-            LayersCompression,
+            Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, Refine, RefineCell, Layers, LayersFormat,
+            LayersPrecision, LayersCompression,
         ])
     {
         Note = "Only with --renderer native.",

@@ -46,6 +46,7 @@ internal sealed record RefineSettings(ulong Seed, int FinestLevel)
         return ulong.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out ulong seed)
             ? new RefineSettings(seed, (int)Math.Floor(Math.Log2(cell)))
             : throw new UsageException(
-                $"{NativeOptions.Refine.Name} is '{text}'; a whole number from 0 to {ulong.MaxValue} is needed.").About(NativeOptions.Refine);
+                $"{NativeOptions.Refine.Name} is '{text}'; a whole number from 0 to {ulong.MaxValue} is needed.")
+                .About(NativeOptions.Refine);
     }
 }

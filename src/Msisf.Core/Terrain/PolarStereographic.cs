@@ -23,8 +23,8 @@ public sealed record PolarStereographic(bool IsSouth, double MetresPerPixel, dou
     public const double MaxExtent = 1.0;
 
     /// <summary>
-    /// Where the middle of the map lies: 0 at a pole of the Moon, 1 at longitude 0 (of a southern map 180) on the equator, 2 at longitude 90
-    /// (270). The axes x, y, z above are then y, z, x or z, x, y of MOON_ME.
+    /// Where the middle of the map lies: 0 at a pole of the Moon, 1 at longitude 0 (of a southern map 180) on the equator, 2 at
+    /// longitude 90 (270). The axes x, y, z above are then y, z, x or z, x, y of MOON_ME.
     /// </summary>
     public int Turn { get; init; }
 

@@ -7,7 +7,9 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh.Refining;
 
-/// <summary>Chooses the windows of a frame: of each level one around the ground that needs cells of that level or finer ones. Immutable.</summary>
+/// <summary>
+/// Chooses the windows of a frame: of each level one around the ground that needs cells of that level or finer ones. Immutable.
+/// </summary>
 /// <param name="detail">The ground.</param>
 /// <param name="models">The models, the coarsest first.</param>
 /// <param name="finestLevel">Cells are 2^this m wide at least.</param>
@@ -28,7 +30,9 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     /// <summary>Cells along a side of a window at most, before it is extended to whole blocks.</summary>
     private const int MostCells = 768;
 
-    /// <summary>Cells of a window around what needs it: ground beside the image throws shadows into it, and the border is blended.</summary>
+    /// <summary>
+    /// Cells of a window around what needs it: ground beside the image throws shadows into it, and the border is blended.
+    /// </summary>
     private const int Margin = 32;
 
     /// <summary>Sides of windows lie on multiples of so many cells, so that cameras near each other see the same windows.</summary>
