@@ -23,6 +23,7 @@ internal sealed class Descent(Workbench bench)
     public SequenceResult Run(int frames)
     {
         string folder = Path.Combine(bench.Folder, "descent");
+        Workbench.Delete(folder);
         string[] models = [bench.LabelOf(4), .. Maps.Select(map => Synthesized(folder, map.Scale, map.Latitude))];
         string batch = Path.Combine(folder, "descent.csv");
         File.WriteAllLines(batch, ["time,lat,lon,height,off_nadir", .. Enumerable.Range(0, frames).Select(frame => string.Create(
@@ -46,6 +47,6 @@ internal sealed class Descent(Workbench bench)
     private string Synthesized(string folder, string scale, string latitude) => bench.Msis.Run(
         [
             "ldem", "synthesize", "--projection", "polar-south", "--map-scale", scale, "--latitude", latitude, "--seed", "1",
-            "--output-dir", Directory.CreateDirectory(folder).FullName, "--batch", "--overwrite",
+            "--output-dir", Directory.CreateDirectory(folder).FullName, "--batch",
         ]).Output[^1].Line;
 }
