@@ -35,8 +35,11 @@ public sealed class CommandTableTests
         Assert.NotEmpty(options);
         Assert.All(
             options.Where(option => option is NumberSpec or WholeNumberSpec),
-            option => Assert.NotNull(RenderSettingsReader.Read(Given.Options($"--renderer native {option.Name} {option.DefaultValue}"))));
+            option => Assert.NotNull(RenderSettingsReader.Read(Given.Options(
+                $"--renderer native {WithWhichItGoes(option)} {option.Name} {option.DefaultValue}"))));
     }
+
+    private static string WithWhichItGoes(OptionSpec option) => option == NativeOptions.RefineCell ? "--refine 1" : string.Empty;
 
     private static CommandSpec Command(string path) => CommandTable.All.Single(entry => entry.Path == path).Command;
 }
