@@ -26,6 +26,7 @@ public sealed class WrongValueTests : IDisposable
         ["--samples"] = ["x", "", "0", "2", "257", "1.5", "auto:", "auto:x", "auto:0", "4:0.5"],
         ["--pov-options"] = ["fast", "+W64"],
         ["--frames"] = ["x", "0", "5:3"],
+        ["--refine"] = ["x", "-1", "1.5"],
         ["--position"] = ["x", "1,2", "91,0,1e5", "0,400,1e5", "0,0,x", "0,0,terrain+x"],
         ["--camera"] = [" ", "lroc-wac"],
         ["--albedo-map-properties"] = ["x", "scale=x", "colour=red", "band=x"],

@@ -25,7 +25,10 @@ public sealed class TruthRowTests(RuggedTerrain rugged) : IClassFixture<RuggedTe
         RenderScenes.RenderSceneCase scene = RenderScenes.Named(name);
         NativeRenderOptions options = new()
         {
-            Reflectance = new LambertReflectance(0.64), Normals = normals, Sun = sun, KeepGroundTruth = true,
+            Reflectance = new LambertReflectance(0.64),
+            Normals = normals,
+            Sun = sun,
+            KeepGroundTruth = true,
         };
         using NativeFrame frame = new NativeRenderer(rugged.Grid).Render(
             scene.Camera(rugged.Grid, Width, Height), new SceneLight(scene.Sun, IsSun: true), options, threads: 1);
