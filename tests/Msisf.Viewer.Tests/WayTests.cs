@@ -55,25 +55,27 @@ public class WayTests(Chromium chromium, ViewerServer server)
     [RequiresFact(Part.Chromium, Part.Ldem4)]
     public async Task Drag_512x512_ShowsEnoughPicturesASecond()
     {
-        int steps = TestLength.IsLong ? 120 : 30;
+        int steps = TestLength.IsLong ? 600 : 30;
         await using ViewerPage viewer = await ViewerPage.OpenAsync(
             chromium, server, $"{OverClavius}&fit=false&width=512&height=512", 1100, 700);
         LocatorBoundingBoxResult box = (await viewer.Page.Locator("#picture").BoundingBoxAsync())!;
         (float x, float y) = (box.X + (box.Width / 2), box.Y + (box.Height / 2));
         List<int> rates = [];
+        string last = string.Empty;
         await viewer.MoveAsync(async () =>
         {
             await viewer.Page.Mouse.MoveAsync(x, y);
             await viewer.Page.Mouse.DownAsync();
             for (int step = 0; step < steps; step++)
             {
-                await viewer.Page.Mouse.MoveAsync(x + (100.0F * float.Sin(0.1F * step)), y + (0.3F * step));
+                await viewer.Page.Mouse.MoveAsync(x + (100.0F * float.Sin(0.1F * step)), y + (100.0F * float.Cos(0.07F * step)));
                 await Task.Delay(TimeSpan.FromMilliseconds(16));
-                Match status = Regex.Match(
-                    await viewer.Page.Locator("#status").InnerTextAsync(), "^Moving: 512 × 512, ([0-9]+) pictures in the last second");
+                string text = await viewer.Page.Locator("#status").InnerTextAsync();
+                Match status = Regex.Match(text, "^Moving: 512 × 512, ([0-9]+) pictures in the last second");
                 if (status.Success)
                 {
                     rates.Add(int.Parse(status.Groups[1].Value, CultureInfo.InvariantCulture));
+                    last = text;
                 }
             }
 
@@ -81,8 +83,9 @@ public class WayTests(Chromium chromium, ViewerServer server)
         });
 
         int least = TestLength.IsLong ? 15 : 1;
-        int median = rates.Order().ElementAt(rates.Count / 2);
-        Assert.True(median >= least, $"{median} pictures a second, {least} are promised");
+        int[] warm = [.. rates.Skip(rates.Count / 2).Order()]; // before, the server's code is compiled
+        int median = warm[warm.Length / 2];
+        Assert.True(median >= least, $"{median} pictures a second, {least} are promised; the last: {last}");
     }
 
     [RequiresFact(Part.Chromium, Part.Ldem4, Part.Numpy)]
