@@ -37,9 +37,10 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
             FileInfo file = new(manifest.FilePath);
             if (_version != (file.LastWriteTimeUtc, file.Length))
             {
+                Dictionary<string, CameraFile?> cameras = new(StringComparer.Ordinal); // looked for once, not for each frame
                 _frames = [.. SeriesManifest.Read(manifest, log).Frames.Values
                     .OrderBy(frame => frame.Step).ThenBy(frame => frame.Name, StringComparer.Ordinal)
-                    .Select(Read).OfType<ServedFrame>()];
+                    .Select(frame => Read(frame, cameras)).OfType<ServedFrame>()];
                 _version = (file.LastWriteTimeUtc, file.Length);
             }
 
@@ -47,7 +48,7 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
         }
     }
 
-    private ServedFrame? Read(FrameRecord record)
+    private ServedFrame? Read(FrameRecord record, Dictionary<string, CameraFile?> cameras)
     {
         Dictionary<string, string> files = [];
         foreach ((string kind, string ending) in Kinds)
@@ -61,14 +62,25 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
 
         Dictionary<string, string> options = files.TryGetValue("meta", out string? meta) ? Options(MetaFileCommand.Read(meta) ?? []) : [];
         return options.Remove(CameraOptions.FixedState.Key, out string? state) && StateOf(state) is { } known
-            ? new ServedFrame(record.Step, known, options, files, CameraOf(options))
+            ? new ServedFrame(record.Step, known, options, files, CameraOf(options, cameras))
             : null;
     }
 
     /// <summary>A camera file lies with the frames, or where a run is usually started.</summary>
-    private CameraFile? CameraOf(Dictionary<string, string> options) => options.TryGetValue(ImageOptions.Camera.Key, out string? camera)
-        ? names.FindCamera(camera, [folder, Path.Combine(folder, ".."), ".", "input"])
-        : null;
+    private CameraFile? CameraOf(Dictionary<string, string> options, Dictionary<string, CameraFile?> cameras)
+    {
+        if (!options.TryGetValue(ImageOptions.Camera.Key, out string? name))
+        {
+            return null;
+        }
+
+        if (!cameras.TryGetValue(name, out CameraFile? camera))
+        {
+            camera = cameras[name] = names.FindCamera(name, [folder, Path.Combine(folder, ".."), ".", "input"]);
+        }
+
+        return camera;
+    }
 
     private static SpacecraftState? StateOf(string text)
     {

@@ -61,28 +61,21 @@ internal sealed class ServedNames : IDisposable
 
     /// <summary>The preset of a name, or the camera file of a served folder as its frames name it.</summary>
     /// <exception cref="UsageException">There is none.</exception>
-    public CameraFile Camera(string name) => Cameras.FirstOrDefault(camera => IsSame(camera.Name, name))
-        ?? _camerasOfFolders.GetValueOrDefault(name)
+    public CameraFile Camera(string name) => KnownCamera(name)
         ?? throw Unknown("camera", name, Cameras.Select(camera => camera.Name));
 
     /// <summary>Looks for the camera of a folder's frames, so that requests may name it.</summary>
     /// <param name="name">As the arguments of the frames name it.</param>
     /// <param name="folders">Where its file may be.</param>
     /// <returns>The camera; null if there is no such preset and no such file.</returns>
-    public CameraFile? FindCamera(string name, IEnumerable<string> folders)
-    {
-        CameraFile? camera = Cameras.FirstOrDefault(camera => IsSame(camera.Name, name))
-            ?? _camerasOfFolders.GetValueOrDefault(name);
-        if (camera is null && CameraChoice.Find(name, folders) is { } found)
-        {
-            camera = _camerasOfFolders.GetOrAdd(name, found);
-        }
-
-        return camera;
-    }
+    public CameraFile? FindCamera(string name, IEnumerable<string> folders) =>
+        KnownCamera(name) ?? (CameraChoice.Find(name, folders) is { } found ? _camerasOfFolders.GetOrAdd(name, found) : null);
 
     /// <summary>Closes the models.</summary>
     public void Dispose() => Models.Dispose();
+
+    private CameraFile? KnownCamera(string name) =>
+        Cameras.FirstOrDefault(camera => IsSame(camera.Name, name)) ?? _camerasOfFolders.GetValueOrDefault(name);
 
     private static bool IsSame(string one, string other) => one.Equals(other, StringComparison.OrdinalIgnoreCase);
 
