@@ -28,6 +28,7 @@ public sealed class RefineTests : IDisposable
         Assert.Contains(
             "<ElevationPart part=\"1\" product=\"REFINE_7\" synthetic=\"yes\" resolution=\"4096\" drawn=\"4096\" unit=\"m/px\" />", xml,
             StringComparison.Ordinal);
+        Assert.Contains("REFINE_7", MetaFileXml.Parse(xml).Descendants("ElevationPart").Select(part => part.Attribute("product")!.Value));
         Assert.Contains(" --refine 7 --refine-cell 256 ", xml, StringComparison.Ordinal);
         Assert.DoesNotContain("tile=", xml, StringComparison.Ordinal);
         Assert.Contains(

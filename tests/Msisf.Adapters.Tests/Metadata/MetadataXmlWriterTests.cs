@@ -78,7 +78,7 @@ public class MetadataXmlWriterTests
         Assert.StartsWith(PublishedHead, xml, StringComparison.Ordinal);
         Assert.Contains(PublishedInputs, xml, StringComparison.Ordinal);
         Assert.EndsWith("    </Pixel>\n  </PixelInformation>\n</MSISRendering>\n", xml, StringComparison.Ordinal);
-        XElement first = Parse(xml).Descendants("Pixel").First();
+        XElement first = MetaFileXml.Parse(xml).Descendants("Pixel").First();
         XElement coordinates = first.Element("SelenographicCoordinates")!;
         Assert.InRange(Number(coordinates.Attribute("lat")!.Value), 44.58440049692400 - 1e-12, 44.58440049692400 + 1e-12);
         Assert.InRange(Number(coordinates.Attribute("lon")!.Value), 56.79090635326980 - 1e-12, 56.79090635326980 + 1e-12);
@@ -93,7 +93,7 @@ public class MetadataXmlWriterTests
     [Fact]
     public void Write_Camera_ProjectsEachPixelOntoItself()
     {
-        XDocument document = Parse(Text(Frame(), spacing: 14));
+        XDocument document = MetaFileXml.Parse(Text(Frame(), spacing: 14));
         XElement camera = document.Descendants("Camera").Single();
         double[] k = Numbers(camera.Element("K")!);
         double[] r = Numbers(camera.Element("R")!);
@@ -128,7 +128,7 @@ public class MetadataXmlWriterTests
         int first = xml.IndexOf("    <FormatVersion>", StringComparison.Ordinal);
         int end = xml.IndexOf("  </GeneralInformation>", StringComparison.Ordinal);
 
-        XElement general = Parse(xml.Remove(first, end - first)).Root!.Element("GeneralInformation")!;
+        XElement general = MetaFileXml.Parse(xml.Remove(first, end - first)).Root!.Element("GeneralInformation")!;
 
         Assert.Equal(last, general.Elements().Last().Name.LocalName);
     }
@@ -143,7 +143,7 @@ public class MetadataXmlWriterTests
         string xml = Text(Frame(), spacing: 100);
         Assert.Contains(text, xml, StringComparison.Ordinal);
 
-        Assert.ThrowsAny<XmlSchemaException>(() => Parse(xml.Replace(text, wrong, StringComparison.Ordinal)));
+        Assert.ThrowsAny<XmlSchemaException>(() => MetaFileXml.Parse(xml.Replace(text, wrong, StringComparison.Ordinal)));
     }
 
     [Fact]
@@ -163,7 +163,7 @@ public class MetadataXmlWriterTests
         PixelSampler sampler = Sampler(frame, spacing: 14);
 
         (int, int)[] written =
-            [.. Parse(Text(frame, spacing: 14)).Descendants("Pixel").Select(
+            [.. MetaFileXml.Parse(Text(frame, spacing: 14)).Descendants("Pixel").Select(
                 pixel => ((int)pixel.Attribute("h")!, (int)pixel.Attribute("v")!))];
 
         Assert.True(sampler.Grid.Rows * sampler.Grid.Columns > 4096); // else one thread writes all
@@ -204,7 +204,7 @@ public class MetadataXmlWriterTests
     {
         FrameMetadata frame = Frame() with { Renderer = renderer };
 
-        XDocument document = Parse(TerrainText(frame, spacing: 50));
+        XDocument document = MetaFileXml.Parse(TerrainText(frame, spacing: 50));
 
         XElement surface = document.Root!.Element("GeneralInformation")!.Element("PixelSurface")!;
         Assert.Equal("CommandLine", surface.ElementsBeforeSelf().Last().Name.LocalName);
@@ -239,7 +239,7 @@ public class MetadataXmlWriterTests
     public void Write_TerrainLargeEnoughForThreads_KeepsRecordsAndOrder()
     {
         FrameMetadata frame = Frame();
-        XElement[] pixels = [.. Parse(TerrainText(frame, spacing: 14)).Descendants("Pixel")];
+        XElement[] pixels = [.. MetaFileXml.Parse(TerrainText(frame, spacing: 14)).Descendants("Pixel")];
 
         PixelRecord[] records = [.. TerrainSampler(frame, spacing: 14).Sample()];
 
@@ -259,7 +259,7 @@ public class MetadataXmlWriterTests
     {
         string xml = Text(Frame() with { CommandLine = commandLine }, spacing: 1000);
 
-        Assert.Equal(expected, Parse(xml).Descendants("CommandLine").Single().Value);
+        Assert.Equal(expected, MetaFileXml.Parse(xml).Descendants("CommandLine").Single().Value);
         Assert.Equal(1, xml.Split("<CommandLine>")[1].Split('\n')[0].Split("</CommandLine>").Length - 1);
     }
 
@@ -269,7 +269,7 @@ public class MetadataXmlWriterTests
         // Not a theory: an attribute's text is UTF-8 and can't hold half a pair.
         string xml = Text(Frame() with { CommandLine = "half \uD83C pair \uFFFE" }, spacing: 1000);
 
-        Assert.Equal("half \uFFFD pair \uFFFD", Parse(xml).Descendants("CommandLine").Single().Value);
+        Assert.Equal("half \uFFFD pair \uFFFD", MetaFileXml.Parse(xml).Descendants("CommandLine").Single().Value);
     }
 
     [Fact]
@@ -335,15 +335,4 @@ public class MetadataXmlWriterTests
         [.. element.Value.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Select(Number)];
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
-
-    /// <summary>Parses and validates against lib/MSISRendering.dtd.</summary>
-    private static XDocument Parse(string xml)
-    {
-        string dtd = File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd"));
-        string withDtd = xml.Replace("SYSTEM \"../lib/MSISRendering.dtd\"", $"[\n{dtd}]", StringComparison.Ordinal)
-            .Replace("standalone=\"no\" ", string.Empty, StringComparison.Ordinal);
-        XmlReaderSettings settings = new() { DtdProcessing = DtdProcessing.Parse, ValidationType = ValidationType.DTD };
-        using XmlReader reader = XmlReader.Create(new StringReader(withDtd), settings);
-        return XDocument.Load(reader);
-    }
 }
