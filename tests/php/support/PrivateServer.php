@@ -83,6 +83,20 @@ final class PrivateServer
         return $this->connect($environment['MSISF_DB_DATABASE'])->query($sql)->fetchColumn();
     }
 
+    /**
+     * A transaction left open after this statement: its rows bar the way of whoever writes the same, until rollBack().
+     *
+     * @param array<string, string> $environment of freshDatabase
+     */
+    public function hold(array $environment, string $sql): PDO
+    {
+        $connection = $this->connect($environment['MSISF_DB_DATABASE']);
+        $connection->beginTransaction();
+        $connection->exec($sql);
+
+        return $connection;
+    }
+
     /** Ends the server as a power cut does. */
     public function kill(): void
     {
