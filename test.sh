@@ -28,15 +28,28 @@ MSISF_RESULTS=$(mktemp)
 export MSISF_RESULTS
 trap 'rm -rf "$MSISF_RESULTS" "$MSISF_RESULTS".*' EXIT
 
+# Short runs: what the runtime notes for a second compilation costs them more than it gains; MSISF itself is set so.
+export DOTNET_TieredPGO=0
+# One compiler for all projects, also where the environment says otherwise: a fresh one for each takes twice as long.
+export UseSharedCompilation=true
+# Optimized, or the tests take twice as long; the assertions of debug builds stay.
+build_all() { check build 'dotnet build' dotnet build MSISF.sln -v quiet -nologo -p:Optimize=true; }
+
+# While packages are unpacked the cores have little to do: where .NET is there already, the build begins beside it.
+build=''
+if find_dotnet && part_is_here icu && part_is_here certificates; then
+    build_all &
+    build=$!
+fi
 install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib numpy pytest pip downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
     warn 'going on without them: their tests are skipped'
 install_parts chromium || warn 'going on without it: the tests of the viewer are skipped'
 ensure_dotnet
-
-# One compiler for all projects, also where the environment says otherwise: a fresh one for each takes twice as long.
-export UseSharedCompilation=true
-# Optimized, or the tests take twice as long; the assertions of debug builds stay.
-check build 'dotnet build' dotnet build MSISF.sln -v quiet -nologo -p:Optimize=true
+if [ -n "$build" ]; then
+    wait "$build"
+else
+    build_all
+fi
 note_failed_build() {
     if [ "$(count failed build)" -gt 0 ]; then
         export MSISF_BUILD_FAILED=1
