@@ -64,23 +64,21 @@ internal sealed class AllFacets
     public string? FindFlaw()
     {
         Dictionary<Vector3D, uint> vertices = [];
-        HashSet<ulong> edges = new(3 * Facets.Count);
+        HashSet<(uint From, uint To)> edges = new(3 * Facets.Count);
         foreach ((FacetId facet, Vector3D a, Vector3D b, Vector3D c) in Facets)
         {
             (uint first, uint second, uint third) = (NumberOf(a), NumberOf(b), NumberOf(c));
-            if (!edges.Add(Edge(first, second)) || !edges.Add(Edge(second, third)) || !edges.Add(Edge(third, first)))
+            if (!edges.Add((first, second)) || !edges.Add((second, third)) || !edges.Add((third, first)))
             {
                 return $"{facet}: an edge of it is one of another facet too.";
             }
         }
 
-        int open = edges.Count(edge => !edges.Contains(Edge((uint)edge, (uint)(edge >> 32))));
+        int open = edges.Count(edge => !edges.Contains((edge.To, edge.From)));
         int characteristic = vertices.Count - (edges.Count / 2) + Facets.Count;
         return open > 0 ? $"{open} edges have one facet only."
             : characteristic != 2 ? $"The Euler characteristic is {characteristic}."
             : null;
-
-        static ulong Edge(uint from, uint to) => ((ulong)from << 32) | to;
 
         uint NumberOf(Vector3D vertex)
         {
