@@ -120,6 +120,7 @@ internal sealed class ProjectedBlock
         Vector512<double> worst = Vector512<double>.Zero;
         Vector512<double> min = one;
         Vector512<double> noDepth = Vector512.Create(MinDepth);
+        Vector512<double> lanes = Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
         for (int line = 0; line < Vertices.Lines; line++)
         {
             Vector512<double> top = Vector512.Create(double.PositiveInfinity);
@@ -137,6 +138,15 @@ internal sealed class ProjectedBlock
                 inverse.StoreUnsafe(ref inverseDepth, index);
                 x.StoreUnsafe(ref imageX, index);
                 y.StoreUnsafe(ref imageY, index);
+                if (sample + Vector512<double>.Count > Vertices.Samples)
+                {
+                    // What follows the line's vertices may lie anywhere: behind a camera near the ground, too.
+                    Vector512<double> isVertex = Vector512.LessThan(lanes, Vector512.Create((double)(Vertices.Samples - sample)));
+                    x = Vector512.ConditionalSelect(isVertex, x, Vector512.Create(x.ToScalar()));
+                    y = Vector512.ConditionalSelect(isVertex, y, Vector512.Create(y.ToScalar()));
+                    depth = Vector512.ConditionalSelect(isVertex, depth, one);
+                }
+
                 worst = Vector512.MaxNative(worst, Vector512.MaxNative(Vector512.Abs(x), Vector512.Abs(y)));
                 min = Vector512.MinNative(min, depth);
                 top = Vector512.MinNative(top, y);
