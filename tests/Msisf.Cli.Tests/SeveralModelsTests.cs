@@ -70,6 +70,28 @@ public sealed class SeveralModelsTests : IDisposable
         Assert.Contains("2000-01-01", run.Output, StringComparison.Ordinal);
     }
 
+    /// <summary>
+    /// From 3,200 km the model of 15 km will do for 40 px, as in the test of the images' levels.
+    /// </summary>
+    [Theory]
+    [InlineData("native")]
+    [InlineData("povray")]
+    public void DryRun_SeveralModels_TellsTheCellsThatWouldBeDrawn(string renderer)
+    {
+        string[] models = ["--ldem", Moon(), "--ldem", Map(), "--renderer", renderer, "--dry-run", "--format", "csv"];
+        (string, string) Drawn(params string[] arguments)
+        {
+            CommandLineRun run = CommandLineRun.Of([.. arguments, .. models]);
+            Assert.True(run.ExitCode == 0, run.Error);
+            string[][] lines = [.. run.Output.TrimEnd().Split('\n').Select(line => line.Split(','))];
+            Assert.Equal(["drawn_cell_0_m", "drawn_cell_1_m"], lines[0][^2..]);
+            return (lines[1][^2][..7], lines[1][^1]);
+        }
+
+        Assert.Equal(("15161.6", string.Empty), Drawn(View.Split(' '))); // pi x 1737.4 km / 180 / 2
+        Assert.Equal(("15161.6", "10000"), Drawn([.. View.Split(' '), "--lod", "off"]));
+    }
+
     [Theory]
     [InlineData("MOON MAP --res 4", 1, "--res has no meaning with several --ldem")]
     [InlineData("MOON MAP --renderer povray --list-patterns", 1, "only one model of the whole Moon has tiles")]

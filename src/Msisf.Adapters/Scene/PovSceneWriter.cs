@@ -5,8 +5,8 @@ using Msisf.Core.Scene;
 namespace Msisf.Adapters.Scene;
 
 /// <summary>
-/// Writes a scene in POV-Ray's language (thesis section 5.3): kilometres, MOON_ME, round-trip numbers. Patterns are included by file name
-/// only and found through POV-Ray's library path, so that the scene holds no path of the machine that made it.
+/// Writes a scene in POV-Ray's language (thesis section 5.3): kilometres, MOON_ME, round-trip numbers; of blocks in other axes
+/// (<see cref="SceneAxes"/>), which it declares for their patterns. Patterns are included by file name only and found through POV-Ray's library path, so that the scene holds no path of the machine that made it.
 /// </summary>
 public static class PovSceneWriter
 {
@@ -28,6 +28,9 @@ public static class PovSceneWriter
         }
         """;
 
+    /// <summary>km.</summary>
+    private const double SunRadius = 1000.0;
+
     /// <summary>The Sun as in the thesis: a glowing ball of 1000 km radius, seen only by a ray straight into it.</summary>
     private const string SunLooksLike =
         """
@@ -35,7 +38,7 @@ public static class PovSceneWriter
             {
                 sphere
                 {
-                    0, 1000
+                    0, RADIUS
                     pigment { rgbt 1 }
                     hollow
                     interior
@@ -53,7 +56,7 @@ public static class PovSceneWriter
                                     [80 Red]
                                     [100 Yellow]
                                 }
-                                scale 1000
+                                scale RADIUS
                             }
                         }
                     }
@@ -75,17 +78,26 @@ public static class PovSceneWriter
             writer.Write("#declare Orange = rgb <1,0.5,0>;\n#declare Red = rgb <1,0,0>;\n#declare Yellow = rgb <1,1,0>;\n");
         }
 
-        WriteTexture(writer, scene.Albedo);
+        bool isMoved = scene.Axes != SceneAxes.MoonKilometres;
+        if (isMoved)
+        {
+            writer.Write($"// km, MOON_ME: the origin of this scene\n#declare Origin = {Vector(scene.Axes.OriginMoonMe / 1000.0)};\n");
+            writer.Write(string.Create(
+                CultureInfo.InvariantCulture, $"#declare UnitsPerKilometre = {scene.Axes.UnitsPerKilometre:R};\n"));
+        }
+
+        WriteTexture(writer, scene.Albedo, isMoved);
         WriteLines(writer, Settings);
         writer.Write("\ncamera\n{\n    perspective\n");
-        writer.Write($"    location {Kilometres(scene.Camera.PositionMoonMe)}\n");
+        writer.Write($"    location {Vector(scene.Axes.At(scene.Camera.PositionMoonMe))}\n");
         writer.Write($"    right {Vector(scene.Camera.Right)}\n");
         writer.Write($"    up {Vector(scene.Camera.Up)}\n");
         writer.Write($"    direction {Vector(scene.Camera.Direction)}\n}}\n\n");
-        writer.Write($"light_source\n{{\n    {Kilometres(scene.Light.PositionMoonMe)}\n    color rgb<1, 1, 1>\n");
+        writer.Write($"light_source\n{{\n    {Vector(scene.Axes.At(scene.Light.PositionMoonMe))}\n    color rgb<1, 1, 1>\n");
         if (scene.Light.IsSun)
         {
-            WriteLines(writer, SunLooksLike);
+            WriteLines(writer, SunLooksLike.Replace(
+                "RADIUS", (SunRadius * scene.Axes.UnitsPerKilometre).ToString("R", CultureInfo.InvariantCulture), StringComparison.Ordinal));
         }
 
         writer.Write("}\n");
@@ -101,7 +113,7 @@ public static class PovSceneWriter
     /// The surface's colour. POV-Ray's spherical warp has its pole on the y axis and begins on the x axis; exchanging y and z puts
     /// longitude 0 at the image's left edge. The image has a row more over each pole, so it is a little higher than the warp's square.
     /// </summary>
-    private static void WriteTexture(TextWriter writer, SceneAlbedo? albedo)
+    private static void WriteTexture(TextWriter writer, SceneAlbedo? albedo, bool isMoved)
     {
         writer.Write("#declare moon = texture\n{\n");
         writer.Write(albedo is null ? EvenGrey : string.Create(
@@ -109,7 +121,8 @@ public static class PovSceneWriter
             $"    pigment\n    {{\n        image_map {{ png \"{albedo.ImageName}\" gamma 1.0 map_type 0 interpolate 2 }}\n"
                 + $"        scale <1, {(albedo.Rows + 2.0) / albedo.Rows:R}, 1>\n        translate <0, {-1.0 / albedo.Rows:R}, 0>\n"
                 + $"        warp {{ spherical }}\n"
-                + $"        matrix <1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0>\n        rotate <0, 0, {albedo.WestDegrees:R}>\n    }}\n"));
+                + $"        matrix <1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0>\n        rotate <0, 0, {albedo.WestDegrees:R}>\n"
+                + $"{(isMoved ? "        translate -Origin\n        scale UnitsPerKilometre\n" : string.Empty)}    }}\n"));
         writer.Write(string.Create(
             CultureInfo.InvariantCulture,
             $"    finish\n    {{\n        ambient 0.0\n        diffuse {albedo?.Diffuse ?? EvenDiffuse:R}\n    }}\n}}\n\n"));
@@ -117,8 +130,6 @@ public static class PovSceneWriter
 
     private static void WriteLines(TextWriter writer, string block) =>
         writer.Write(block.ReplaceLineEndings("\n") + "\n");
-
-    private static string Kilometres(Vector3D positionMetres) => Vector(positionMetres / 1000.0);
 
     private static string Vector(Vector3D v) =>
         string.Create(CultureInfo.InvariantCulture, $"<{v.X:R}, {v.Y:R}, {v.Z:R}>");

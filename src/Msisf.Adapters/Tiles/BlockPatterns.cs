@@ -15,18 +15,24 @@ public sealed class BlockPatterns
     /// <summary>Characters of a folder's or file's part that names models; file systems allow 255 in all.</summary>
     private const int MaxNameLength = 120;
 
+    /// <summary>Characters of the part that names levels; few models have more.</summary>
+    private const int MaxLevelsLength = 40;
+
     private readonly PatternRepository _repository;
     private readonly SceneBlocks _blocks;
+    private readonly string _levels;
 
     /// <summary>Takes the surface.</summary>
     /// <param name="repository">The repository.</param>
     /// <param name="blocks">The surface's blocks.</param>
     /// <param name="terrain">The same surface.</param>
-    public BlockPatterns(PatternRepository repository, SceneBlocks blocks, ITerrain terrain)
+    /// <param name="levels">The level of each model, e.g. "0-2-x"; empty for the models themselves.</param>
+    public BlockPatterns(PatternRepository repository, SceneBlocks blocks, ITerrain terrain, string levels = "")
     {
         _repository = repository;
         _blocks = blocks;
-        FolderName = NameOf(terrain.ProductId);
+        _levels = levels.Length == 0 ? string.Empty : $"_levels_{Shortened(levels, levels, MaxLevelsLength)}";
+        FolderName = FolderNameOf(terrain);
     }
 
     /// <summary>Name of the folder in the repository.</summary>
@@ -38,8 +44,11 @@ public sealed class BlockPatterns
     /// <summary>File name of a block's pattern, without folder.</summary>
     public string FileNameOf(SceneBlock block) => _blocks.ProductIdOf(block) is { } product
         ? string.Create(
-            CultureInfo.InvariantCulture, $"pattern_{block.Part}_{NameOf(product)}_block_{block.Row}_{block.Column}.inc")
-        : string.Create(CultureInfo.InvariantCulture, $"pattern_{block.Part}_seams_{block.Column}.inc");
+            CultureInfo.InvariantCulture, $"pattern_{block.Part}_{NameOf(product)}{_levels}_block_{block.Row}_{block.Column}.inc")
+        : string.Create(CultureInfo.InvariantCulture, $"pattern_{block.Part}{_levels}_seams_{block.Column}.inc");
+
+    /// <summary>Name of the folder of a surface, which has the patterns of all its levels.</summary>
+    public static string FolderNameOf(ITerrain terrain) => NameOf(terrain.ProductId);
 
     /// <summary>Makes the patterns that are missing, damaged, or made of other samples.</summary>
     /// <param name="blocks">The blocks.</param>
@@ -65,12 +74,18 @@ public sealed class BlockPatterns
             name[i] = char.IsAsciiLetterOrDigit(name[i]) || (i > 0 && name[i] is '.' or '-') ? name[i] : '_';
         }
 
-        if (name.Length <= MaxNameLength)
+        return Shortened(name.ToString(), productId, MaxNameLength);
+    }
+
+    /// <summary>A name; a long one is cut off, and ends with the checksum of what it names.</summary>
+    private static string Shortened(string name, string named, int maxLength)
+    {
+        if (name.Length <= maxLength)
         {
-            return name.ToString();
+            return name;
         }
 
-        string checksum = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(productId)))[..16];
-        return $"{name.ToString()[..(MaxNameLength - checksum.Length - 1)]}_{checksum}";
+        string checksum = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(named)))[..16];
+        return $"{name[..(maxLength - checksum.Length - 1)]}_{checksum}";
     }
 }

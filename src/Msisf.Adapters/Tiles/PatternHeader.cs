@@ -21,6 +21,9 @@ internal static class PatternHeader
 
     private const int FormatVersion = 1;
 
+    /// <summary>2: the scene declares its origin and unit.</summary>
+    private const int BlockFormatVersion = 2;
+
     /// <summary>The header up to the file's length, in ASCII: equal for equal content.</summary>
     /// <param name="layout">What the mesh joins.</param>
     /// <param name="radii">m, one a vertex.</param>
@@ -57,7 +60,7 @@ internal static class PatternHeader
             : string.Create(CultureInfo.InvariantCulture, $"seams={block.Column}");
         return Encoding.ASCII.GetBytes(string.Create(
             CultureInfo.InvariantCulture,
-            $"{Mark}{FormatVersion} format=mesh2 {place} sides={(blocks.IsClosed ? "both" : "outside")} meshes={meshes.Count} "
+            $"{Mark}{BlockFormatVersion} format=mesh2 {place} sides={(blocks.IsClosed ? "both" : "outside")} meshes={meshes.Count} "
                 + $"facets-sha256={Hash(meshes)} vertices={meshes.Sum(mesh => mesh.VertexCount)} "
                 + $"faces={meshes.Sum(mesh => mesh.FaceCount)} bytes="));
     }

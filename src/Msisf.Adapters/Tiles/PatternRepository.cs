@@ -43,7 +43,7 @@ public sealed class PatternRepository : IDisposable
 
     /// <summary>A folder of the repository.</summary>
     /// <param name="name">Its name.</param>
-    internal string FolderOf(string name) => Path.Combine(_root, name);
+    public string FolderOf(string name) => Path.Combine(_root, name);
 
     /// <summary>The file of a tile's pattern.</summary>
     public string PathOf(TileId tile, int pixelsPerDegree) => PathOf(SurfacePart.Whole(tile), pixelsPerDegree);

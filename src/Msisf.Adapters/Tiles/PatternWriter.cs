@@ -40,7 +40,7 @@ public static class PatternWriter
         {
             foreach (BlockMesh mesh in meshes)
             {
-                WriteMesh2(writer, mesh.Offsets, mesh.Faces, mesh.Origin, mesh.LatticeExponent, isOneSided);
+                WriteMesh2(writer, mesh.Offsets, mesh.Faces, mesh.Origin, mesh.LatticeExponent, isOneSided, isInSceneAxes: true);
             }
         });
 
@@ -54,7 +54,8 @@ public static class PatternWriter
             {
                 LatticePoint origin = mesh.Origin;
                 WriteMesh2(
-                    writer, mesh.Offsets, mesh.Faces, (origin.X, origin.Y, origin.Z), TileLatticeExponent, isOneSided: false);
+                    writer, mesh.Offsets, mesh.Faces, (origin.X, origin.Y, origin.Z), TileLatticeExponent, isOneSided: false,
+                    isInSceneAxes: false);
             }
             else
             {
@@ -80,7 +81,8 @@ public static class PatternWriter
     /// </summary>
     /// <remarks>What POV-Ray calls the inside is the side from which the corners are counter-clockwise.</remarks>
     private static void WriteMesh2(
-        AsciiWriter writer, int[] offsets, int[] faces, (long X, long Y, long Z) origin, int latticeExponent, bool isOneSided)
+        AsciiWriter writer, int[] offsets, int[] faces, (long X, long Y, long Z) origin, int latticeExponent, bool isOneSided,
+        bool isInSceneAxes)
     {
         writer.Write("#local k=1/"u8);
         writer.Write(1L << (UnitExponent + latticeExponent));
@@ -103,7 +105,9 @@ public static class PatternWriter
 
         writer.Write("}\ntranslate "u8);
         writer.WriteVector(origin.X, origin.Y, origin.Z);
-        writer.Write("*k\nscale 1.024\ntexture{moon}\n"u8);
+        writer.Write("*k\nscale 1.024\n"u8);
+        writer.Write(isInSceneAxes ? "translate -Origin\nscale UnitsPerKilometre\n"u8 : ""u8);
+        writer.Write("texture{moon}\n"u8);
         writer.Write(isOneSided ? "interior_texture{pigment{rgbt 1}}\n"u8 : ""u8);
         writer.Write("}\n"u8);
     }

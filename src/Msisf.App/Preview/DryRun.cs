@@ -3,7 +3,9 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
+using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
+using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 using Msisf.Core.Preview;
 using Msisf.Core.Terrain;
@@ -32,13 +34,17 @@ internal static class DryRun
         GridResolution resolution = settings.Resolution.OnSphere(reference);
         run.WarnOfFieldOfView(settings, host, reference);
         RunNotes notes = new(resolution, settings.Ldem.Count > 1, settings.Native.Refine is not null);
+        IFrameTerrain? detail = model?.Grid is NestedTerrain ? model.DetailOf(settings.LevelOfDetailError) : null;
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
         {
             cancellation.ThrowIfCancellationRequested();
             FramePreview view = FramePreview.Of(frame.Camera, frame.Light, model?.Grid);
             notes.Add(frame, view);
             return new PreviewRow(
-                frame.Step, frame.Time, Height(frame.Camera.PositionMoonMe, model), view, view.PixelsPerCell(resolution));
+                frame.Step, frame.Time, Height(frame.Camera.PositionMoonMe, model), view, view.PixelsPerCell(resolution))
+            {
+                Drawn = detail?.For(frame.Camera, settings.DetailSubsamplesPerAxis) is NestedTerrain drawn ? drawn.DrawnResolutions : [],
+            };
         }).ToArray());
         notes.Write(camera, host.Log);
         return rows;

@@ -1,17 +1,21 @@
 using System.Globalization;
+using System.Runtime.CompilerServices;
 using Msisf.Adapters.Tiles;
 using Msisf.App.Preparation;
 using Msisf.Core.Blocks;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Lod;
 using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
 
 /// <summary>
-/// A map of a part of the Moon, or several models, of which scenes include blocks, always of the models themselves. Thread-safe.
+/// A map of a part of the Moon, or several models, of which scenes include blocks, of the same levels of detail as the native renderer
+/// draws. Thread-safe.
 /// </summary>
 internal sealed class BlockSurface : ISceneSurface
 {
@@ -19,26 +23,24 @@ internal sealed class BlockSurface : ISceneSurface
     private const long PovRayBytesPerFace = 240;
 
     private readonly ITerrain _terrain;
-    private readonly SceneBlocks _blocks;
+    private readonly IFrameTerrain _detail;
+    private readonly int _subsamplesPerAxis;
     private readonly PatternRepository _repository;
-    private readonly BlockPatterns _patterns;
-    private readonly ReadyPatterns<SceneBlock> _ready = new();
+    private readonly ConditionalWeakTable<ITerrain, BlockLevel> _levels = [];
+    private readonly ReadyPatterns<(string Level, SceneBlock Block)> _ready = new();
 
-    /// <param name="terrain">The surface.</param>
+    /// <param name="terrain">The models themselves.</param>
+    /// <param name="detail">Chooses the levels of a frame.</param>
+    /// <param name="subsamplesPerAxis">Samples along a pixel's edge for which it does.</param>
     /// <param name="repository">The folder of the patterns; disposed with this object.</param>
-    public BlockSurface(ITerrain terrain, PatternRepository repository)
-    {
-        _terrain = terrain;
-        _repository = repository;
-        _blocks = new SceneBlocks(terrain);
-        _patterns = new BlockPatterns(repository, _blocks, terrain);
-    }
+    public BlockSurface(ITerrain terrain, IFrameTerrain detail, int subsamplesPerAxis, PatternRepository repository) =>
+        (_terrain, _detail, _subsamplesPerAxis, _repository) = (terrain, detail, subsamplesPerAxis, repository);
 
     /// <inheritdoc/>
-    public string Folder => _patterns.Folder;
+    public string Folder => _repository.FolderOf(FolderName);
 
     /// <inheritdoc/>
-    public string FolderName => _patterns.FolderName;
+    public string FolderName => BlockPatterns.FolderNameOf(_terrain);
 
     /// <inheritdoc/>
     public int Count => _ready.Count;
@@ -47,7 +49,9 @@ internal sealed class BlockSurface : ISceneSurface
     /// <exception cref="BadInputException">The scene needs more memory than there is.</exception>
     public ISceneMeshes Select(Frame frame, int threads, CancellationToken cancellation)
     {
-        Meshes meshes = new(this, frame, BlocksOf(frame, null, threads, cancellation));
+        BlockLevel level = _levels.GetValue(
+            _detail.For(frame.Camera, _subsamplesPerAxis), drawn => new BlockLevel(_terrain, drawn, _repository));
+        Meshes meshes = new(this, level, frame, BlocksOf(level, frame, null, threads, cancellation));
         long memory = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         return meshes.Faces * PovRayBytesPerFace <= memory ? meshes : throw new BadInputException(string.Create(
             CultureInfo.InvariantCulture,
@@ -59,35 +63,41 @@ internal sealed class BlockSurface : ISceneSurface
     /// <inheritdoc/>
     public void Dispose() => _repository.Dispose();
 
-    private IReadOnlyList<SceneBlock> BlocksOf(Frame frame, PixelRows? rows, int threads, CancellationToken cancellation)
+    private static IReadOnlyList<SceneBlock> BlocksOf(
+        BlockLevel level, Frame frame, PixelRows? rows, int threads, CancellationToken cancellation)
     {
         Vector3D? sun = frame.Light.IsSun ? frame.Light.PositionMoonMe : null;
-        return _blocks.Select(frame.Camera, sun, rows, threads, cancellation);
+        return level.Blocks.Select(frame.Camera, sun, rows, threads, cancellation);
     }
 
-    private sealed class Meshes(BlockSurface surface, Frame frame, IReadOnlyList<SceneBlock> blocks) : ISceneMeshes
+    private sealed class Meshes(BlockSurface surface, BlockLevel level, Frame frame, IReadOnlyList<SceneBlock> blocks) : ISceneMeshes
     {
-        public IReadOnlyList<string> FileNames { get; } = [.. blocks.Select(surface._patterns.FileNameOf)];
+        public IReadOnlyList<string> FileNames { get; } = [.. blocks.Select(level.Patterns.FileNameOf)];
 
-        public long Faces { get; } = surface._blocks.CountFaces(blocks);
+        public long Faces { get; } = level.Blocks.CountFaces(blocks);
 
-        public (GridResolution Finest, GridResolution Coarsest) Levels => (surface._terrain.Resolution, surface._terrain.Resolution);
+        public (GridResolution Finest, GridResolution Coarsest) Levels => (level.Resolution, level.Resolution);
 
-        public IReadOnlyList<GridResolution?> PartResolutions =>
-            surface._terrain is NestedTerrain nested
-                ? [.. nested.Models.Select(model => (GridResolution?)model.Projection.Resolution)]
-                : [];
+        public IReadOnlyList<GridResolution?> PartResolutions => level.PartResolutions;
+
+        public SceneAxes Axes { get; } = SceneAxes.For(
+            frame.Camera.PositionMoonMe, surface._terrain.RadiusLimits.Max, level.Resolution.MetresPerPixel);
+
+        public GridResolution TracedResolution => level.Resolution;
+
+        public ITerrainTracer Tracer => level.Tracer;
 
         public int Ensure(CancellationToken cancellation) => surface._ready.Ensure(
-            blocks, unknown => surface._patterns.Ensure(unknown, Environment.ProcessorCount, cancellation));
+            blocks.Select(block => (level.Name, block)),
+            unknown => level.Patterns.Ensure(unknown.Select(wanted => wanted.Block), Environment.ProcessorCount, cancellation));
 
         /// <summary>
         /// Either selection has all that the rows need, and the bounds of some blocks are tighter in one than in the other.
         /// </summary>
         public IReadOnlyList<string> FileNamesFor(PixelRows rows, CancellationToken cancellation)
         {
-            HashSet<SceneBlock> ofRows = [.. surface.BlocksOf(frame, rows, threads: 1, cancellation)];
-            return [.. blocks.Where(ofRows.Contains).Select(surface._patterns.FileNameOf)];
+            HashSet<SceneBlock> ofRows = [.. BlocksOf(level, frame, rows, threads: 1, cancellation)];
+            return [.. blocks.Where(ofRows.Contains).Select(level.Patterns.FileNameOf)];
         }
     }
 }

@@ -1,5 +1,7 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
 
@@ -17,6 +19,15 @@ internal interface ISceneMeshes
 
     /// <summary>Of several models the resolution at which each is drawn; empty for one model.</summary>
     IReadOnlyList<GridResolution?> PartResolutions { get; }
+
+    /// <summary>The axes of the scene.</summary>
+    SceneAxes Axes { get; }
+
+    /// <summary>Resolution of the grid whose cells <see cref="Tracer"/> names; of several models of the finest.</summary>
+    GridResolution TracedResolution { get; }
+
+    /// <summary>Traces the rays of the frame's ground truth.</summary>
+    ITerrainTracer Tracer { get; }
 
     /// <summary>Makes the patterns that are missing.</summary>
     /// <returns>Number of patterns that were made.</returns>

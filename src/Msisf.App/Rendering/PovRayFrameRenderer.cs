@@ -28,7 +28,6 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private const long MaxFacesOfSmallScene = 250_000;
 
     private readonly RenderSettings _settings;
-    private readonly ElevationModel _model;
     private readonly ISceneSurface _surface;
     private readonly PovRayProcess _povRay;
     private readonly PovAlbedo? _albedo;
@@ -37,8 +36,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private readonly RunTimes _times;
 
     /// <param name="settings">Settings of the run.</param>
-    /// <param name="model">The elevation model.</param>
-    /// <param name="surface">The same as meshes; disposed with this object.</param>
+    /// <param name="surface">The elevation model as meshes; disposed with this object.</param>
     /// <param name="povRay">Starts POV-Ray.</param>
     /// <param name="albedo">The map of the surface's reflectance; null for even grey.</param>
     /// <param name="processes">Maximum number of POV-Ray processes at once; the meshes of the next frame are made while they run.</param>
@@ -47,7 +45,6 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// <param name="times">Times of the parts of the run.</param>
     public PovRayFrameRenderer(
         RenderSettings settings,
-        ElevationModel model,
         ISceneSurface surface,
         PovRayProcess povRay,
         PovAlbedo? albedo,
@@ -57,7 +54,6 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         RunTimes times)
     {
         _settings = settings;
-        _model = model;
         _surface = surface;
         _povRay = povRay;
         _albedo = albedo;
@@ -79,16 +75,17 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         IReadOnlyList<PixelRows> strips = PixelRows.Strips(
             frame.Camera.Height, _settings.LevelOfDetailError is null ? 1 : StripsFor(faces, threads), PovRayProcess.BlockRows);
         PovRayJob[] jobs = strips.Count == 1
-            ? [JobOf(frame, meshes.FileNames, null, threads)]
+            ? [JobOf(SceneOf(frame, meshes, meshes.FileNames), null, threads)]
             : Jobs(frame, meshes, strips, threads / strips.Count, cancellation);
 
         // Waits for another frame's POV-Ray, which has --timeout as its limit.
         using (await _processes.TakeAsync(faces <= MaxFacesOfSmallScene, cancellation).ConfigureAwait(false))
         {
             using Stream image = await DrawAsync(jobs, strips, cancellation).ConfigureAwait(false);
-            void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, meshes.FileNames));
+            void WriteScene(TextWriter writer) => PovSceneWriter.Write(writer, SceneOf(frame, meshes, meshes.FileNames));
             RenderedFrame rendered = new(
-                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, _model.Grid.Resolution, meshes.Levels, TruthOf(frame))
+                RendererKind.PovRay, image, "POV-Ray's image", WriteScene, meshes.TracedResolution, meshes.Levels,
+                TruthOf(frame, meshes))
             {
                 PartResolutions = meshes.PartResolutions,
             };
@@ -117,22 +114,22 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
             Phase.Selection,
             () => strips.AsParallel().AsOrdered().WithCancellation(cancellation)
                 .Select(rows => meshes.FileNamesFor(rows, cancellation)).ToArray());
-        return [.. strips.Zip(ofStrips).Select(strip => JobOf(frame, strip.Second, strip.First, threads))];
+        return [.. strips.Zip(ofStrips).Select(strip => JobOf(SceneOf(frame, meshes, strip.Second), strip.First, threads))];
     }
 
-    private PovRayJob JobOf(Frame frame, IReadOnlyList<string> patterns, PixelRows? rows, int threads) => new(
-        writer => PovSceneWriter.Write(writer, SceneOf(frame, patterns)),
+    private PovRayJob JobOf(RenderScene scene, PixelRows? rows, int threads) => new(
+        writer => PovSceneWriter.Write(writer, scene),
         _surface.Folder,
         _settings.OutputFolder,
-        frame.Camera.Width,
-        frame.Camera.Height,
+        scene.Camera.Width,
+        scene.Camera.Height,
         rows,
         threads,
         _settings.PovOptions,
         _settings.Timeout);
 
-    private RenderScene SceneOf(Frame frame, IReadOnlyList<string> patterns) =>
-        new(frame.Camera, frame.Light, _surface.FolderName, patterns, _albedo?.For(frame.Camera));
+    private RenderScene SceneOf(Frame frame, ISceneMeshes meshes, IReadOnlyList<string> patterns) =>
+        new(frame.Camera, frame.Light, _surface.FolderName, patterns, _albedo?.For(frame.Camera)) { Axes = meshes.Axes };
 
     /// <returns>The whole image as PNG; its bytes do not depend on the number of strips.</returns>
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)
@@ -153,6 +150,6 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         return image;
     }
 
-    private TracedFrameTruth? TruthOf(Frame frame) =>
-        _settings.Surface == PixelSurface.Terrain ? new TracedFrameTruth(frame.Camera, frame.Light, _model.Tracer) : null;
+    private TracedFrameTruth? TruthOf(Frame frame, ISceneMeshes meshes) =>
+        _settings.Surface == PixelSurface.Terrain ? new TracedFrameTruth(frame.Camera, frame.Light, meshes.Tracer) : null;
 }

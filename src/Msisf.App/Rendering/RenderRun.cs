@@ -156,7 +156,7 @@ internal sealed class RenderRun
         PovRayProcess povRay = new(FindPovRay());
         ISceneSurface surface = SceneSurfaces.Of(model, _settings);
         PovAlbedo? albedo = map is null ? null : new PovAlbedo(map, surface.Folder);
-        return new PovRayFrameRenderer(_settings, model, surface, povRay, albedo, processes, smallProcesses, files, _times);
+        return new PovRayFrameRenderer(_settings, surface, povRay, albedo, processes, smallProcesses, files, _times);
     }
 
     private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files)

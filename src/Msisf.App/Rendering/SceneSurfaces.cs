@@ -13,6 +13,6 @@ internal static class SceneSurfaces
         PatternRepository repository = new(settings.PatternRepository);
         return model.IsWholeMoon
             ? new TileSurface(model, settings.LevelOfDetailError, repository)
-            : new BlockSurface(model.Grid, repository);
+            : new BlockSurface(model.Grid, model.DetailOf(settings.LevelOfDetailError), settings.DetailSubsamplesPerAxis, repository);
     }
 }

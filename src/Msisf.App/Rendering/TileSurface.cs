@@ -2,8 +2,10 @@ using System.Globalization;
 using Msisf.Adapters.Tiles;
 using Msisf.App.Preparation;
 using Msisf.Core.Camera;
+using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
 
@@ -55,6 +57,12 @@ internal sealed class TileSurface : ISceneSurface
             surface._builders.PixelsPerDegree >> parts.Select(part => part.Level).DefaultIfEmpty().Max());
 
         public IReadOnlyList<GridResolution?> PartResolutions => [];
+
+        public SceneAxes Axes => SceneAxes.MoonKilometres;
+
+        public GridResolution TracedResolution => surface._model.Grid.Resolution;
+
+        public ITerrainTracer Tracer => surface._model.Tracer;
 
         public int Ensure(CancellationToken cancellation) => surface._ready.Ensure(
             parts,

@@ -49,6 +49,12 @@ internal sealed record RenderSettings
     /// <summary>px: how far coarser levels of the model may shift a point in the image; null to use the full model everywhere.</summary>
     public required double? LevelOfDetailError { get; init; }
 
+    /// <summary>
+    /// Samples along a pixel's edge for which levels of detail are chosen; POV-Ray's antialiasing takes more than one only where
+    /// neighbours differ.
+    /// </summary>
+    public int DetailSubsamplesPerAxis => Renderer == RendererKind.Native ? Native.Render.DetailSubsamplesPerAxis : 1;
+
     public required bool IgnoreSun { get; init; }
 
     public required bool Annotate { get; init; }

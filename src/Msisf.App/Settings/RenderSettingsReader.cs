@@ -45,7 +45,7 @@ internal static class RenderSettingsReader
             Native = NativeSettingsReader.Read(
                 values, albedo, DetectorChoice.Of(camera, values), needsTruth: surface == PixelSurface.Terrain),
             Albedo = albedo,
-            LevelOfDetailError = LevelOfDetailError(values, renderer),
+            LevelOfDetailError = LevelOfDetailError(values, renderer, resolution),
             IgnoreSun = LightOptions.IgnoreSun.Read(values),
             Annotate = OutputOptions.Annotation.Read(values),
             OutputFolder = OutputOptions.Folder.Read(values),
@@ -71,7 +71,8 @@ internal static class RenderSettingsReader
         return settings;
     }
 
-    private static double? LevelOfDetailError(OptionValues values, RendererKind renderer)
+    /// <summary>POV-Ray draws several models and polar maps as the native renderer does, each at one level; else parts of tiles.</summary>
+    private static double? LevelOfDetailError(OptionValues values, RendererKind renderer, GridResolution resolution)
     {
         bool isOff = SurfaceOptions.LevelOfDetail.Read(values);
         double? given = SurfaceOptions.LevelOfDetailError.ReadIfGiven(values);
@@ -84,7 +85,8 @@ internal static class RenderSettingsReader
                     .About(SurfaceOptions.LevelOfDetailError, SurfaceOptions.LevelOfDetail);
         }
 
-        return given ?? (renderer == RendererKind.Native ? DetailRule.DefaultErrorOfImage : DetailRule.DefaultErrorOfParts);
+        bool hasTiles = SurfaceOptions.Ldem.ReadAll(values).Count < 2 && resolution.PixelsPerDegree is not null;
+        return given ?? (renderer == RendererKind.PovRay && hasTiles ? DetailRule.DefaultErrorOfParts : DetailRule.DefaultErrorOfImage);
     }
 
     private static Aberration Aberration(OptionValues values)

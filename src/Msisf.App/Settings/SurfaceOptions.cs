@@ -25,7 +25,7 @@ internal static class SurfaceOptions
     public static PathSpec Ldem { get; } = new(
         "--ldem", PathKind.Any,
         "Elevation model: its label, its image (of a split model any of them), or a folder of models; "
-            + "given several times, the finest model wins where it has data (native renderer)")
+            + "given several times, the finest model wins where it has data")
     {
         TakesSeveral = true,
         DefaultNote = "./input/ldem, then that of the installation",
@@ -53,7 +53,7 @@ internal static class SurfaceOptions
     {
         Limits = new NumberRange(0.0, MaxLevelOfDetailError),
         DefaultNote = string.Create(
-            CultureInfo.InvariantCulture, $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native"),
+            CultureInfo.InvariantCulture, $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native, and of several models"),
     };
 
     /// <summary>The options of this class as a group of the help text.</summary>

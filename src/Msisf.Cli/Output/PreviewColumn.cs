@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.App.Preview;
 
 namespace Msisf.Cli.Output;
@@ -10,8 +11,7 @@ namespace Msisf.Cli.Output;
 /// <param name="ValueOf">The number of a row; null if it is undefined.</param>
 internal sealed record PreviewColumn(string Name, string Heading, string Unit, int Decimals, Func<PreviewRow, double?> ValueOf)
 {
-    /// <summary>The columns after step and time.</summary>
-    public static IReadOnlyList<PreviewColumn> All { get; } =
+    private static IReadOnlyList<PreviewColumn> OfAnyRun { get; } =
     [
         new("camera_latitude_deg", "latitude", "deg", 4, row => Degrees(row.View.SubSpacecraft.Latitude)),
         new("camera_longitude_deg", "longitude", "deg", 4, row => Degrees(row.View.SubSpacecraft.Longitude)),
@@ -26,6 +26,19 @@ internal sealed record PreviewColumn(string Name, string Heading, string Unit, i
         new("moon_fraction", "Moon", "of image", 3, row => row.View.Share.Moon),
         new("lit_fraction", "lit", "of Moon", 3, row => row.View.Share.Lit),
     ];
+
+    /// <summary>The columns after step and time; of several models one more each, the coarsest first.</summary>
+    public static IReadOnlyList<PreviewColumn> Of(IReadOnlyList<PreviewRow> rows) =>
+    [
+        .. OfAnyRun,
+        .. Enumerable.Range(0, rows.Select(row => row.Drawn.Count).DefaultIfEmpty().Max()).Select(DrawnCell),
+    ];
+
+    private static PreviewColumn DrawnCell(int part)
+    {
+        string number = part.ToString(CultureInfo.InvariantCulture);
+        return new($"drawn_cell_{number}_m", $"model {number}", "cell m", 1, row => row.Drawn[part]?.MetresPerPixel);
+    }
 
     private static double? Degrees(double? angle) => angle / Math.PI * 180.0;
 }

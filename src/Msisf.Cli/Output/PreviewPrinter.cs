@@ -21,37 +21,38 @@ internal static class PreviewPrinter
     /// <param name="results">Receives them.</param>
     public static void Print(IReadOnlyList<PreviewRow> rows, PreviewFormat format, TextWriter results)
     {
+        IReadOnlyList<PreviewColumn> columns = PreviewColumn.Of(rows);
         foreach (string line in format switch
         {
-            PreviewFormat.Csv => Csv(rows),
-            PreviewFormat.Json => Json(rows),
-            _ => Table(rows),
+            PreviewFormat.Csv => Csv(rows, columns),
+            PreviewFormat.Json => Json(rows, columns),
+            _ => Table(rows, columns),
         })
         {
             results.WriteLine(line);
         }
     }
 
-    private static IEnumerable<string> Csv(IReadOnlyList<PreviewRow> rows) => rows
-        .Select(row => Joined(Text(row.Step, "F0"), row.Time.ToIsoUtc(), column => Text(column.ValueOf(row), "R")))
-        .Prepend(Joined(Step, Time, column => column.Name));
+    private static IEnumerable<string> Csv(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns) => rows
+        .Select(row => Joined(Text(row.Step, "F0"), row.Time.ToIsoUtc(), columns, column => Text(column.ValueOf(row), "R")))
+        .Prepend(Joined(Step, Time, columns, column => column.Name));
 
-    private static string Joined(string step, string time, Func<PreviewColumn, string> textOf) =>
-        string.Join(',', (string[])[step, time, .. PreviewColumn.All.Select(textOf)]);
+    private static string Joined(string step, string time, IReadOnlyList<PreviewColumn> columns, Func<PreviewColumn, string> textOf) =>
+        string.Join(',', (string[])[step, time, .. columns.Select(textOf)]);
 
     /// <summary>An array with an object a line.</summary>
-    private static IEnumerable<string> Json(IReadOnlyList<PreviewRow> rows)
+    private static IEnumerable<string> Json(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns)
     {
         yield return "[";
         for (int index = 0; index < rows.Count; index++)
         {
-            yield return $"{JsonObject(rows[index])}{(index + 1 < rows.Count ? "," : string.Empty)}";
+            yield return $"{JsonObject(rows[index], columns)}{(index + 1 < rows.Count ? "," : string.Empty)}";
         }
 
         yield return "]";
     }
 
-    private static string JsonObject(PreviewRow row)
+    private static string JsonObject(PreviewRow row, IReadOnlyList<PreviewColumn> columns)
     {
         using MemoryStream stream = new();
         using (Utf8JsonWriter json = new(stream))
@@ -59,7 +60,7 @@ internal static class PreviewPrinter
             json.WriteStartObject();
             json.WriteNumber(Step, row.Step);
             json.WriteString(Time, row.Time.ToIsoUtc());
-            foreach (PreviewColumn column in PreviewColumn.All)
+            foreach (PreviewColumn column in columns)
             {
                 if (column.ValueOf(row) is { } number)
                 {
@@ -77,15 +78,15 @@ internal static class PreviewPrinter
         return Encoding.UTF8.GetString(stream.ToArray());
     }
 
-    private static IEnumerable<string> Table(IReadOnlyList<PreviewRow> rows)
+    private static IEnumerable<string> Table(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns)
     {
         string[][] cells =
         [
-            [Step, "time", .. PreviewColumn.All.Select(column => column.Heading)],
-            [string.Empty, "UTC", .. PreviewColumn.All.Select(column => column.Unit)],
+            [Step, "time", .. columns.Select(column => column.Heading)],
+            [string.Empty, "UTC", .. columns.Select(column => column.Unit)],
             .. rows.Select(row => (string[])
             [
-                Text(row.Step, "F0"), row.Time.ToIsoUtc(), .. PreviewColumn.All.Select(column => TableCell(column, row)),
+                Text(row.Step, "F0"), row.Time.ToIsoUtc(), .. columns.Select(column => TableCell(column, row)),
             ]),
         ];
         int[] widths = [.. Enumerable.Range(0, cells[0].Length).Select(column => cells.Max(line => line[column].Length))];

@@ -65,6 +65,29 @@ public sealed class PovSceneWriterTests
         Assert.Equal(["lat_-5_0_lon_355_360.inc", "lat_0_5_lon_0_5.inc"], includes);
     }
 
+    /// <summary>Patterns of blocks are moved by what the scene declares; so are its camera, its Sun and its map.</summary>
+    [Fact]
+    public void Write_OtherAxes_AreDeclaredAndUsed()
+    {
+        Vector3D origin = new(2e6, 1e6, -500.0);
+        using StringWriter writer = new();
+        PovSceneWriter.Write(
+            writer,
+            new RenderScene(Camera, Sun, "many", ["block.inc"], new SceneAlbedo("map.png", 0.0, 16, 0.7)) { Axes = new(origin, 4.0) });
+        string scene = writer.ToString();
+
+        Assert.Equal(origin / 1000.0, VectorAfter("#declare Origin =", scene));
+        Assert.Contains("#declare UnitsPerKilometre = 4;\n", scene, StringComparison.Ordinal);
+        Assert.Equal((Camera.PositionMoonMe - origin) / 250.0, VectorAfter("location", scene));
+        Assert.Equal((Sun.PositionMoonMe - origin) / 250.0, VectorAfter(@"light_source\s*\{\s*", scene));
+        Assert.Matches(@"rotate <0, 0, 0>\s*translate -Origin\s*scale UnitsPerKilometre\s*\}", scene);
+        Assert.Matches(@"sphere\s*\{\s*0, 4000\s", scene);
+    }
+
+    [Fact]
+    public void Write_KilometresFromTheMoonsCentre_DeclareNothing() =>
+        Assert.DoesNotContain("Origin", Write(Sun), StringComparison.Ordinal);
+
     [Fact]
     public void Write_Lines_EndWithLineFeedOnly()
     {

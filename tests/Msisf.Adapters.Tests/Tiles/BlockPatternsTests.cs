@@ -24,11 +24,11 @@ public sealed class BlockPatternsTests : IDisposable
         string text = File.ReadAllText(Write(map, First));
 
         Assert.StartsWith(
-            "// msisf-pattern 1 format=mesh2 product=TEST_MAP model=0 block=0_0 sides=outside meshes=1 facets-sha256=", text,
+            "// msisf-pattern 2 format=mesh2 product=TEST_MAP model=0 block=0_0 sides=outside meshes=1 facets-sha256=", text,
             StringComparison.Ordinal);
         Assert.Contains("vertices=1089 faces=2048 bytes=", text, StringComparison.Ordinal); // 33 x 33, 32 x 32 x 2
         Assert.Contains("\n#local k=1/1048576;\nmesh2{\nvertex_vectors{1089,\n<", text, StringComparison.Ordinal);
-        Assert.EndsWith("scale 1.024\ntexture{moon}\ninterior_texture{pigment{rgbt 1}}\n}\n", text, StringComparison.Ordinal);
+        Assert.EndsWith("scale 1.024\ntranslate -Origin\nscale UnitsPerKilometre\ntexture{moon}\ninterior_texture{pigment{rgbt 1}}\n}\n", text, StringComparison.Ordinal);
         Assert.Equal(new FileInfo(Path.Combine(_folder.Path, "TEST_MAP", "pattern_0_TEST_MAP_block_0_0.inc")).Length, text.Length);
     }
 
@@ -58,6 +58,27 @@ public sealed class BlockPatternsTests : IDisposable
 
         ITerrainGrid other = new HigherMap(map);
         Assert.Equal(2, new BlockPatterns(repository, new SceneBlocks(other), other).Ensure(both, 2, default).Written);
+    }
+
+    /// <summary>The same block at other levels, of its model or of one around it, is another file of the same folder.</summary>
+    [Fact]
+    public void FileNameOf_Levels_TellsThemApart()
+    {
+        NestedTerrain nested = new([FunctionGrid.Rugged(1), PolarFunctionGrid.Rugged(isSouth: true, 6000.0, 90, 44.5, 44.5)]);
+        using PatternRepository repository = new(_folder.Path);
+        SceneBlocks blocks = new(nested);
+        string[] Names(string levels)
+        {
+            BlockPatterns patterns = new(repository, blocks, nested, levels);
+            Assert.Equal(repository.FolderOf(BlockPatterns.FolderNameOf(nested)), patterns.Folder);
+            return [patterns.FileNameOf(new SceneBlock(1, 2, 3)), patterns.FileNameOf(new SceneBlock(2, 0, 5))];
+        }
+
+        Assert.Equal(["pattern_1_TEST_MAP_block_2_3.inc", "pattern_2_seams_5.inc"], Names(string.Empty));
+        Assert.Equal(["pattern_1_TEST_MAP_levels_0-x_block_2_3.inc", "pattern_2_levels_0-x_seams_5.inc"], Names("0-x"));
+        string many = string.Join('-', Enumerable.Repeat("1", 100));
+        Assert.All(Names(many), name => Assert.InRange(name.Length, 40, 100));
+        Assert.NotEqual(Names(many), Names(many + "-2"));
     }
 
     [Theory]

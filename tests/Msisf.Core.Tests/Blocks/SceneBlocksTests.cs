@@ -1,6 +1,7 @@
 using Msisf.Core.Blocks;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Lod;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
@@ -16,7 +17,7 @@ public sealed class SceneBlocksTests
 {
     private const int Size = 64;
 
-    public static TheoryData<string> Scenes => ["polar", "five", "gaps", "piece", "map", "map-aside"];
+    public static TheoryData<string> Scenes => ["polar", "five", "five at 0-102", "gaps", "piece", "map", "map at 1", "map-aside"];
 
     /// <summary>
     /// With the facets of the blocks alone each ray of the image meets the same facet, and that is lit or dark as with all.
@@ -110,6 +111,7 @@ public sealed class SceneBlocksTests
     private static ITerrain TerrainOf(string name) => name switch
     {
         "map" => PolarFunctionGrid.Rugged(true, 3000.0, 90, 44.5, 44.5),
+        "map at 1" => MapLevels.Open(PolarFunctionGrid.Rugged(true, 1500.0, 180, 89.5, 89.5)).Grid(1),
         "map-aside" => PolarFunctionGrid.Rugged(false, 5.0, 150, 90.0, 21000.5),
         _ => NestedScenes.Named(name),
     };

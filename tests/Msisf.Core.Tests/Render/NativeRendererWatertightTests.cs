@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
@@ -46,7 +45,7 @@ public sealed class NativeRendererWatertightTests(ITestOutputHelper output)
             for (int pixel = 0; pixel < camera.Width * camera.Height; pixel++)
             {
                 (int x, int y) = ((pixel % camera.Width) + 1, (pixel / camera.Width) + 1);
-                double approach = NearestApproach(camera.RayThrough(x, y));
+                double approach = RayGeometry.NearestApproach(camera.RayThrough(x, y));
                 bool mustHit = approach < SafePart * summary.MinRadius;
                 bool canHit = approach <= summary.MaxRadius / SafePart;
                 bool isHit = frame.TryGet(x, y, out _, out _);
@@ -66,12 +65,5 @@ public sealed class NativeRendererWatertightTests(ITestOutputHelper output)
             wrong.Count == 0,
             $"{wrong.Count} of {inside + outside}:{Environment.NewLine}{string.Join(Environment.NewLine, wrong.Take(10))}");
         Assert.True(inside > 100 * views && outside > 50 * views, $"{inside} inside, {outside} outside say little");
-    }
-
-    /// <summary>m: how near a ray comes to the Moon's centre.</summary>
-    private static double NearestApproach(Ray ray)
-    {
-        Vector3D direction = ray.Direction.Normalized();
-        return Vector3D.Dot(ray.Origin, direction) >= 0.0 ? ray.Origin.Length : Vector3D.Cross(ray.Origin, direction).Length;
     }
 }

@@ -10,13 +10,17 @@ using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
 using Msisf.TestSupport;
 using Xunit;
+using Xunit.Abstractions;
 
 namespace Msisf.Core.Tests.Render;
 
 /// <summary>Scenes of several models: the tracer against every facet, the renderer against the tracer.</summary>
-public sealed class NestedSceneTests
+public sealed class NestedSceneTests(ITestOutputHelper output)
 {
     private const int Size = 96;
+
+    /// <summary>1: how much lower than their vertices chords of facets lie, of the radius, at 1 px/deg; sides of seams are longer.</summary>
+    private const double ChordSag = 1e-3;
 
     private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
@@ -31,12 +35,15 @@ public sealed class NestedSceneTests
         TerrainTracer tracer = new(terrain);
         Random random = new(20120222);
         List<string> wrong = [];
+        int rays = 0;
         int hits = 0;
         int shadowed = 0;
         foreach (View view in ViewsOf(terrain))
         {
-            for (int number = 0; number < TestLength.Of(8, 100); number++)
+            for (int number = 0; number < TestLength.Of(8, 400); number++)
             {
+                rays++;
+
                 // Rays at edges and corners meet several facets, of which one may be lit and another not.
                 bool isAtEdge = number % 4 == 1;
                 Ray ray = number % 2 == 0
@@ -62,6 +69,7 @@ public sealed class NestedSceneTests
             }
         }
 
+        output.WriteLine($"{name}: {rays} rays, {hits} compared for light, {shadowed} of them dark, {wrong.Count} wrong");
         Assert.True(wrong.Count == 0, $"{wrong.Count}: {string.Join(Environment.NewLine, wrong.Take(10))}");
         Assert.True(hits > 20 && shadowed > 0 && shadowed < hits, $"{hits} hits, {shadowed} of them dark");
     }
@@ -100,29 +108,43 @@ public sealed class NestedSceneTests
         Assert.Contains(terrain.PartCount, parts); // seams
     }
 
-    /// <summary>Pixels that look at the ground show it.</summary>
+    /// <summary>No ray that must meet the ground passes through it: at seams, their corners, around holes, and at the poles.</summary>
     [Theory]
     [MemberData(nameof(Scenes))]
     public void Render_SmallViewsOverSeams_HaveNoHole(string name)
     {
         NestedTerrain terrain = NestedScenes.Named(name);
         NativeRenderer renderer = new(terrain);
-        SeamMesh seams = terrain.Surface.Seams;
+        double lowest = (1.0 - ChordSag) * terrain.RadiusLimits.Min;
         Random random = new(20120223);
-        for (int number = 0; number < TestLength.Of(40, 2_000); number++)
+        List<string> wrong = [];
+        int views = TestLength.Of(40, 2_000); // of each scene: 22,000 of all
+        long inside = 0;
+        for (int number = 0; number < views; number++)
         {
-            (Vector3D a, Vector3D b, Vector3D c) = seams.CornersOf(random.Next(seams.Count));
-            Vector3D target = (random.Next(4) switch { 0 => 2.0 * a, 1 => a + b, 2 => b + c, _ => c + a }) / 2.0;
             double height = Math.Pow(10.0, 1.0 + (4.0 * random.NextDouble()));
-            RenderScenes.RenderSceneCase scene = SceneAt("small", target, height, 0.0, random.Next(360), 25.0, 20.0, 100.0);
-            using NativeFrame drawn = renderer.Render(
-                scene.Camera(terrain, 24, 24), new SceneLight(scene.Sun, IsSun: true), Options, threads: 1);
+            double tilt = number % 2 == 0 ? 0.0 : 75.0 * random.NextDouble();
+            RenderScenes.RenderSceneCase scene = SceneAt(
+                "small", TargetOf(terrain.Surface.Seams, number, random), height, tilt, random.Next(360), 25.0, 20.0, 100.0);
+            PinholeCamera camera = scene.Camera(terrain, 24, 24);
+            using NativeFrame drawn = renderer.Render(camera, new SceneLight(scene.Sun, IsSun: true), Options, threads: 1);
             for (int pixel = 0; pixel < 24 * 24; pixel++)
             {
-                Assert.True(
-                    drawn.TryGetSurface((pixel % 24) + 1, (pixel / 24) + 1, out _), $"view {number}, pixel {pixel % 24}, {pixel / 24}");
+                (int x, int y) = ((pixel % 24) + 1, (pixel / 24) + 1);
+                if (RayGeometry.NearestApproach(camera.RayThrough(x, y)) < lowest)
+                {
+                    inside++;
+                    if (!drawn.TryGetSurface(x, y, out _))
+                    {
+                        wrong.Add($"view {number}, {height} m, {tilt} degrees, pixel ({x}, {y})");
+                    }
+                }
             }
         }
+
+        output.WriteLine($"{name}: {views} views, {inside} pixels inside the disc, {wrong.Count} of them background");
+        Assert.True(wrong.Count == 0, $"{wrong.Count}:{Environment.NewLine}{string.Join(Environment.NewLine, wrong.Take(10))}");
+        Assert.True(inside > 0.9 * 24 * 24 * views, $"only {inside} pixels look at the ground");
     }
 
     [Fact]
@@ -172,12 +194,23 @@ public sealed class NestedSceneTests
         (Vector3D a, Vector3D b, Vector3D c) = seams.CornersOf(random.Next(seams.Count));
         double weight = 0.2 + (0.3 * random.NextDouble());
         Vector3D inside = (weight * a) + (0.3 * b) + ((0.7 - weight) * c);
-        Vector3D target = isAtEdge ? (random.Next(3) switch { 0 => 2.0 * a, 1 => a + b, _ => b + c }) / 2.0 : inside;
+        Vector3D target = isAtEdge ? CornerOrSide(a, b, c, random) : inside;
         Vector3D origin = 1.05 * target;
         return isAtEdge || random.Next(2) == 0 // past an edge of a crest, a ray from the side may go on to the ground behind
             ? new Ray(origin, target - origin)
             : new Ray(view.Camera.PositionMoonMe, target - view.Camera.PositionMoonMe);
     }
+
+    /// <summary>A corner of a facet of the seams, or the middle of a side; now and then a pole.</summary>
+    private static Vector3D TargetOf(SeamMesh seams, int number, Random random)
+    {
+        (Vector3D a, Vector3D b, Vector3D c) = seams.CornersOf(random.Next(seams.Count));
+        Vector3D target = CornerOrSide(a, b, c, random);
+        return number % 16 == 15 ? new Vector3D(0.0, 0.0, target.Z) : target;
+    }
+
+    private static Vector3D CornerOrSide(Vector3D a, Vector3D b, Vector3D c, Random random) =>
+        (random.Next(4) switch { 0 => 2.0 * a, 1 => a + b, 2 => b + c, _ => c + a }) / 2.0;
 
     /// <summary>Over the border of the finest model and its middle, from near and far, with low Suns.</summary>
     private static List<View> ViewsOf(NestedTerrain terrain)

@@ -1,0 +1,44 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Scene;
+
+/// <summary>
+/// Where a scene of POV-Ray has its origin, and in which unit it counts; its axes are those of MOON_ME (docs/pattern-format.md).
+/// </summary>
+/// <param name="OriginMoonMe">m, MOON_ME.</param>
+/// <param name="UnitsPerKilometre">A power of two, at least 1.</param>
+public sealed record SceneAxes(Vector3D OriginMoonMe, double UnitsPerKilometre)
+{
+    /// <summary>Kilometres from the Moon's centre.</summary>
+    public static SceneAxes MoonKilometres { get; } = new(default, 1.0);
+
+    private const double MetresPerKilometre = 1000.0;
+
+    /// <summary>
+    /// POV-Ray takes nothing within a thousandth of a unit from a point for a caster of its shadow (SMALL_TOLERANCE), here 16 millionths of
+    /// a cell: with a unit of half a cell 2 of 65,536 pixels were lit at the foot of slopes that shade them. The planes of its triangles
+    /// are wrong by a millionth of a cell.
+    /// </summary>
+    private const double UnitsPerCell = 64.0;
+
+    /// <summary>Units: half of what POV-Ray 3.7 draws at most (its MAX_DISTANCE).</summary>
+    private const double FarthestGround = 5e6;
+
+    /// <summary>
+    /// Axes for a camera. The origin is the camera: POV-Ray keeps the boxes around meshes as 32-bit floats, which are then wrong by a small
+    /// part of a pixel; from the Moon's centre it were 0.1 m. The unit is a small part of a cell, as far as the ground can be reached with it.
+    /// </summary>
+    /// <param name="cameraMoonMe">Position of the camera, m, MOON_ME.</param>
+    /// <param name="moonRadius">m: the Moon's surface is nowhere farther from its centre.</param>
+    /// <param name="cell">m: width of the narrowest cells.</param>
+    public static SceneAxes For(Vector3D cameraMoonMe, double moonRadius, double cell)
+    {
+        double wanted = Math.Ceiling(Math.Log2(UnitsPerCell * MetresPerKilometre / cell));
+        double allowed = Math.Floor(Math.Log2(FarthestGround * MetresPerKilometre / (cameraMoonMe.Length + moonRadius)));
+        return new SceneAxes(cameraMoonMe, Math.Pow(2.0, Math.Max(0.0, Math.Min(wanted, allowed))));
+    }
+
+    /// <summary>A position in the scene's axes and unit.</summary>
+    /// <param name="positionMoonMe">m, MOON_ME.</param>
+    public Vector3D At(Vector3D positionMoonMe) => UnitsPerKilometre * ((positionMoonMe - OriginMoonMe) / MetresPerKilometre);
+}
