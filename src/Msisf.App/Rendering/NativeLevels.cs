@@ -1,6 +1,7 @@
 using System.Runtime.CompilerServices;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
+using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
@@ -23,6 +24,13 @@ internal sealed class NativeLevels(IFrameTerrain terrain)
     /// <summary>The renderer for a frame.</summary>
     public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) => _renderers.GetValue(
         terrain.For(camera, subsamplesPerAxis), MakeRenderer).Value;
+
+    /// <summary>
+    /// Facets of this part and of those after it are invented in a frame (<see cref="RefinedView.FirstInventedPart"/>); null if nothing is
+    /// to be invented.
+    /// </summary>
+    public int? FirstInventedPart(PinholeCamera camera, int subsamplesPerAxis) =>
+        (terrain.For(camera, subsamplesPerAxis) as RefinedView)?.FirstInventedPart;
 
     /// <summary>Traces single rays through the surface that a frame shows.</summary>
     public ITerrainTracer TracerFor(PinholeCamera camera, int subsamplesPerAxis) => _tracers.GetValue(

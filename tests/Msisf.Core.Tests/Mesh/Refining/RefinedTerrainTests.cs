@@ -111,13 +111,15 @@ public sealed class RefinedTerrainTests
         SceneLight sun = new(scene.Sun, IsSun: true);
         using NativeFrame one = new NativeRenderer(scene.View).Render(scene.Camera, sun, Options, threads: 1);
         RefinedTerrain other = TerrainOf("oblique");
+        RendererMemory memory = new();
         foreach (double height in new[] { 60e3, 25e3, 19e3 })
         {
             PinholeCamera before = (Cases[0] with { Height = height }).Camera(other, Size, Size);
-            using NativeFrame frame = new NativeRenderer(other.For(before, 1)).Render(before, sun, Options, threads: 3);
+            using NativeFrame frame = new NativeRenderer(other.For(before, 1), memory).Render(before, sun, Options, threads: 3);
         }
 
-        using NativeFrame again = new NativeRenderer(other.For(scene.Camera, 1)).Render(scene.Camera, sun, Options, threads: 4);
+        using NativeFrame again = new NativeRenderer(other.For(scene.Camera, 1), memory).Render(
+            scene.Camera, sun, Options, threads: 4);
         Assert.True(one.RadianceFactors.SequenceEqual(again.RadianceFactors));
     }
 
