@@ -118,7 +118,7 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
         double lowest = (1.0 - ChordSag) * terrain.RadiusLimits.Min;
         Random random = new(20120223);
         List<string> wrong = [];
-        int views = TestLength.Of(40, 2_000); // of each scene: 22,000 of all
+        int views = TestLength.Of(40, 2_000); // of each scene: 26,000 of all
         long inside = 0;
         for (int number = 0; number < views; number++)
         {
