@@ -60,8 +60,8 @@ folder=benchmark
 # latitudes and longitudes that the scenes of the finest models show, and from where shadows may fall into them
 fine_region=-16:18:14:62
 fine_ending=16S_18N_014_062
-# Figures are of Release. Tests of this script take what test.sh has built already.
-configuration=${MSISF_BENCHMARK_CONFIGURATION:-Release}
+# Figures are of Release. Tests of this script take what test.sh has built already, and name its configuration.
+configuration=${MSISF_BENCHMARK_BUILT:-Release}
 program=tests/Msisf.Benchmarks/bin/$configuration/net10.0/Msisf.Benchmarks
 
 # The label of LDEM_4, the real one or what stands in for it, into $base.
@@ -106,7 +106,7 @@ install_parts povray matplotlib downloader certificates
 [ -z "$is_stress" ] || install_parts slurm parallel || warn 'going on without them: what needs them is reported as not run'
 scripts/build.sh
 ensure_dotnet
-dotnet build tests/Msisf.Benchmarks -c "$configuration" -p:Optimize=true -p:RunAnalyzers=false -v quiet -nologo ||
+[ -n "${MSISF_BENCHMARK_BUILT:-}" ] || dotnet build tests/Msisf.Benchmarks -c Release -p:RunAnalyzers=false -v quiet -nologo ||
     die 'the build of the benchmarks failed; the messages above say why'
 get_base
 scripts/get-cspice.sh >/dev/null || say 'Going on without CSPICE, with the built-in kernel reader.'

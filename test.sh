@@ -28,15 +28,30 @@ MSISF_RESULTS=$(mktemp)
 export MSISF_RESULTS
 trap 'rm -rf "$MSISF_RESULTS" "$MSISF_RESULTS".*' EXIT
 
+# Short runs: what the runtime notes for a second compilation costs them more than it gains; MSISF itself is set so.
+export DOTNET_TieredPGO=0
+# seldom_collecting COMMAND...: compilers keep most of what they make, and looking through it again and again takes them long.
+seldom_collecting() { DOTNET_GCgen0size=0x6000000 "$@"; } # bytes: 100 MB
+# One compiler for all projects, also where the environment says otherwise: a fresh one for each takes twice as long.
+export UseSharedCompilation=true
+# Optimized, or the tests take twice as long; the assertions of debug builds stay.
+build_all() { seldom_collecting check build 'dotnet build' dotnet build MSISF.sln -v quiet -nologo -p:Optimize=true; }
+
+# While packages are unpacked the cores have little to do: where .NET is there already, the build begins beside it.
+build=''
+if find_dotnet && part_is_here icu && part_is_here certificates; then
+    build_all &
+    build=$!
+fi
 install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib numpy pytest pip downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
     warn 'going on without them: their tests are skipped'
 install_parts chromium || warn 'going on without it: the tests of the viewer are skipped'
 ensure_dotnet
-
-# One compiler for all projects, also where the environment says otherwise: a fresh one for each takes twice as long.
-export UseSharedCompilation=true
-# Optimized, or the tests take twice as long; the assertions of debug builds stay.
-check build 'dotnet build' dotnet build MSISF.sln -v quiet -nologo -p:Optimize=true
+if [ -n "$build" ]; then
+    wait "$build"
+else
+    build_all
+fi
 note_failed_build() {
     if [ "$(count failed build)" -gt 0 ]; then
         export MSISF_BUILD_FAILED=1
@@ -46,7 +61,7 @@ note_failed_build
 scripts/get-ldem.sh --real-only || warn 'going on without the elevation model: its tests are skipped'
 scripts/get-cspice.sh || warn 'going on without CSPICE: its tests are skipped'
 run_suites 2 "${early[@]}" &
-check build 'scripts/build.sh' scripts/build.sh
+seldom_collecting check build 'scripts/build.sh' scripts/build.sh
 note_failed_build
 dotnet build-server shutdown --vbcscompiler >/dev/null 2>&1 || true # it would stay for ten minutes, with its memory
 

@@ -11,10 +11,11 @@ namespace Msisf.Synthesis;
 /// </remarks>
 /// <param name="seed">The user's seed.</param>
 /// <param name="smallest">m: minimum length, a power of two.</param>
-internal sealed class BoulderPopulation(ulong seed, double smallest)
+/// <param name="memory">Keeps those of the seed that were found.</param>
+internal sealed class BoulderPopulation(ulong seed, double smallest, CellMemory<Boulder> memory)
 {
     private const ulong Purpose = 7;
-    private const double CountAboveOneMetre = 2.34e-3; // per m2
+    private const double CountAboveOneMillimetre = 5e5 / 100.0; // per m2
     private const double Exponent = 2.11;
     private const double Largest = 4.0; // m
     private const double LeastWidth = 0.6; // lengths
@@ -22,7 +23,7 @@ internal sealed class BoulderPopulation(ulong seed, double smallest)
     private const double HighestHeight = 0.9;
 
     /// <summary>Number of boulders longer than a length in m, per m2.</summary>
-    public static double CountAbove(double length) => CountAboveOneMetre * PortableMath.Pow(length, -Exponent);
+    public static double CountAbove(double length) => CountAboveOneMillimetre * PortableMath.Pow(1000.0 * length, -Exponent);
 
     /// <summary>
     /// Every boulder that may reach into a band of latitudes and longitudes, in an order that does not depend on the band.
@@ -36,11 +37,10 @@ internal sealed class BoulderPopulation(ulong seed, double smallest)
         for (int octave = (int)Math.Floor(PortableMath.Log2(smallest)); Math.ScaleB(1.0, octave) < Largest; octave++)
         {
             double min = Math.ScaleB(1.0, octave);
-            double density = CountAbove(min) - CountAbove(2.0 * min);
             double reach = double.RadiansToDegrees(min / MoonConstants.ReferenceRadius);
             foreach (CraterCell cell in new CraterCells(octave).Near(southDegrees, northDegrees, westDegrees, widthDegrees, reach))
             {
-                foreach (Boulder boulder in InCell(cell, octave, density))
+                foreach (Boulder boulder in memory.Get(octave, cell, InCell))
                 {
                     yield return boulder;
                 }
@@ -48,8 +48,10 @@ internal sealed class BoulderPopulation(ulong seed, double smallest)
         }
     }
 
-    private IEnumerable<Boulder> InCell(CraterCell cell, int octave, double density)
+    private IEnumerable<Boulder> InCell(int octave, CraterCell cell)
     {
+        double min = Math.ScaleB(1.0, octave);
+        double density = CountAbove(min) - CountAbove(2.0 * min);
         SplitMix64 random = SplitMix64.For(seed, Purpose + ((ulong)octave << 8), cell.Band, cell.Column);
         double none = PortableMath.Exp2(-density * cell.Area / 0.69314718055994530942);
         for (double product = random.NextUniform(); product > none; product *= random.NextUniform())

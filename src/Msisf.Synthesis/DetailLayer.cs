@@ -26,13 +26,15 @@ internal sealed class DetailLayer
     /// <param name="slopes">The model's slopes.</param>
     /// <param name="modelSpacing">m between the model's samples.</param>
     /// <param name="cell">m: width of the cells, a power of two.</param>
-    public DetailLayer(ulong seed, MareMask maria, ModelSlopes slopes, double modelSpacing, double cell)
+    /// <param name="memory">Keeps what layers find.</param>
+    public DetailLayer(ulong seed, MareMask maria, ModelSlopes slopes, double modelSpacing, double cell, GroundMemory memory)
     {
         // The lattices of the noise, and the limits of diameters, are powers of two, so that they are the same below every model.
         double widest = Math.ScaleB(1.0, (int)Math.Floor(Math.Log2(modelSpacing)));
-        _octaves = DetailSpectrum.Octaves(seed, widest, cell, slopes);
-        _craters = new CraterPopulation(seed, maria, SmallestInCells * cell, LargestInSamples * widest);
-        _boulders = new BoulderPopulation(seed, SmallestInCells * cell);
+        _octaves = DetailSpectrum.Octaves(seed, widest, cell, slopes, CraterLaw.Published);
+        _craters = new CraterPopulation(
+            seed, maria, SmallestInCells * cell, LargestInSamples * widest, CraterLaw.Published, memory.Craters);
+        _boulders = new BoulderPopulation(seed, SmallestInCells * cell, memory.Boulders);
     }
 
     /// <summary>Adds the detail to a block.</summary>
@@ -47,7 +49,7 @@ internal sealed class DetailLayer
         }
 
         (double south, double north, double west, double width) = frame.Around();
-        foreach (Crater crater in _craters.Near(south, north, west, width))
+        foreach (PlacedCrater crater in _craters.PlacedNear(south, north, west, width))
         {
             MapCraterStamp.AddTo(crater, frame, heights);
         }
@@ -82,11 +84,10 @@ internal sealed class DetailLayer
         double latitude = double.RadiansToDegrees(point.Latitude);
         double longitude = double.RadiansToDegrees(point.Longitude);
         float height = heights[0];
-        foreach (Crater crater in _craters.Near(latitude, latitude, longitude, 0.0))
+        foreach (PlacedCrater crater in _craters.PlacedNear(latitude, latitude, longitude, 0.0))
         {
-            double radius = crater.Radius / MoonConstants.ReferenceRadius;
-            double square = (direction - crater.Direction).LengthSquared / (radius * radius);
-            height += (float)new CraterProfile(crater).HeightAt(Vector256.Create(square)).ToScalar();
+            double square = (direction - crater.Direction).LengthSquared / (crater.Radius * crater.Radius);
+            height += (float)crater.Profile.HeightAt(Vector256.Create(square)).ToScalar();
         }
 
         foreach (Boulder boulder in _boulders.Near(latitude, latitude, longitude, 0.0))

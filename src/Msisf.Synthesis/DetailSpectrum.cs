@@ -38,17 +38,20 @@ internal static class DetailSpectrum
     /// <param name="baseSpacing">m between the base's samples.</param>
     /// <param name="outputSpacing">m between the output's samples.</param>
     /// <param name="baseSlopes">Slopes of the base, measured at its own spacing.</param>
-    public static NoiseOctave[] Octaves(ulong seed, double baseSpacing, double outputSpacing, ModelSlopes baseSlopes)
+    /// <param name="law">Number of craters; null for that of synthetic models.</param>
+    public static NoiseOctave[] Octaves(
+        ulong seed, double baseSpacing, double outputSpacing, ModelSlopes baseSlopes, CraterLaw? law = null)
     {
+        law ??= CraterLaw.OfModels;
         List<NoiseOctave> octaves = [];
         for (double spacing = baseSpacing; spacing >= FinestSpacingInSamples * outputSpacing; spacing *= 0.5)
         {
             // Craters twice as wide as the lattice spacing have the same wavelength as the noise.
             double diameter = 2.0 * spacing;
-            double craters = CraterSlopePower * diameter * diameter * CraterPopulation.HighlandsCountAbove(diameter);
+            double craters = CraterSlopePower * diameter * diameter * law.CountAbove(diameter);
 
             // Sparse craters change the median slope less than their share of the power.
-            double thinned = CraterPopulation.MareDensity(diameter);
+            double thinned = law.MareDensity(diameter);
             octaves.Add(new NoiseOctave(
                 seed,
                 spacing,

@@ -30,7 +30,8 @@ public sealed class GroundDetail : IGroundDetail
     public GroundDetail(ulong seed, IReadOnlyList<ITerrainGrid> models, CancellationToken cancellation = default)
     {
         _maria = new MareMask((IElevationGrid)models[0], cancellation);
-        _grounds = [.. models.Select(model => new ModelGround(model, seed, _maria))];
+        GroundMemory memory = new();
+        _grounds = [.. models.Select(model => new ModelGround(model, seed, _maria, memory))];
         _borders = [.. models.Select((model, index) => index == 0 ? null : new ModelBorder(model, _grounds[index - 1].Spacing))];
         Name = string.Create(CultureInfo.InvariantCulture, $"REFINE_{seed}");
         RadiusLimits = (
@@ -47,13 +48,9 @@ public sealed class GroundDetail : IGroundDetail
     /// <inheritdoc/>
     public void ReadRadii(PolarStereographic map, int firstLine, int firstSample, int side, Span<double> radii)
     {
-        MapFrame frame = new(map, firstLine, side, firstSample, side);
+        MapFrame frame = new(map, firstLine, side, firstSample, side, interpolates: side % MapFrame.WholeSteps == 0);
         float[] maria = new float[frame.X.Length];
-        for (int i = 0; i < maria.Length; i++)
-        {
-            maria[i] = (float)_maria.At(frame.Latitudes[i], frame.Longitudes[i]);
-        }
-
+        _maria.Fill(frame, maria);
         float[] detail = new float[maria.Length];
         double[] heights = Heights(GroundPoints.Of(frame), map.MetresPerPixel, layer =>
         {

@@ -13,16 +13,16 @@ internal static class MapCraterStamp
     /// <param name="crater">The crater, anywhere on the Moon; nothing is added if it does not reach the block.</param>
     /// <param name="frame">The block.</param>
     /// <param name="heights">m, as the frame's directions.</param>
-    public static void AddTo(Crater crater, MapFrame frame, Span<float> heights)
+    public static void AddTo(in PlacedCrater crater, MapFrame frame, Span<float> heights)
     {
-        double radius = crater.Radius / MoonConstants.ReferenceRadius;
+        double radius = crater.Radius;
         Vector3D centre = crater.Direction;
         if (Reached(centre, Crater.Reach * radius, frame) is not { } reached)
         {
             return;
         }
 
-        CraterProfile profile = new(crater);
+        CraterProfile profile = crater.Profile;
         Vector256<double> x = Vector256.Create(centre.X);
         Vector256<double> y = Vector256.Create(centre.Y);
         Vector256<double> z = Vector256.Create(centre.Z);

@@ -11,13 +11,30 @@ internal sealed class MapFrame
 {
     private const double FullTurn = 360.0;
 
+    /// <summary>Samples from one place with an exact latitude and longitude to the next, where those between are interpolated.</summary>
+    private const int Step = 8;
+
+    /// <summary>Blocks whose lines and samples are multiples of this can be interpolated.</summary>
+    public const int WholeSteps = 2 * Step;
+
+    /// <summary>m: interpolated places are less than this beside their own, which is less than the steps of the surface's vertices.</summary>
+    private const double MaxShift = 1e-5;
+
+    private static readonly (double First, double Second, double Third)[] SampleWeights =
+        [.. Enumerable.Range(0, 2 * Step).Select(sample => Weights(sample / (double)Step))];
+
     /// <summary>Makes the tables of a block.</summary>
     /// <param name="projection">The map.</param>
     /// <param name="firstLine">Top line.</param>
     /// <param name="lines">How many lines.</param>
     /// <param name="firstSample">Leftmost sample.</param>
     /// <param name="samples">How many samples.</param>
-    public MapFrame(PolarStereographic projection, int firstLine, int lines, int firstSample, int samples)
+    /// <param name="interpolates">
+    /// Whether latitudes and longitudes may be interpolated, where that shifts places by less than <see cref="MaxShift"/>; the block must be
+    /// whole steps wide.
+    /// </param>
+    public MapFrame(
+        PolarStereographic projection, int firstLine, int lines, int firstSample, int samples, bool interpolates = false)
     {
         Projection = projection;
         (FirstLine, Lines, FirstSample, Samples) = (firstLine, lines, firstSample, samples);
@@ -31,9 +48,18 @@ internal sealed class MapFrame
         {
             Vector3D direction = projection.DirectionOf(firstLine + (index / Stride), firstSample + (index % Stride));
             (X[index], Y[index], Z[index]) = (direction.X, direction.Y, direction.Z);
-            SelenographicPoint point = SelenographicPoint.Below(direction);
-            Latitudes[index] = double.RadiansToDegrees(point.Latitude);
-            Longitudes[index] = Math.Min(double.RadiansToDegrees(point.Longitude), Math.BitDecrement(FullTurn));
+        }
+
+        if (interpolates && MayInterpolate())
+        {
+            Interpolate();
+        }
+        else
+        {
+            for (int index = 0; index < X.Length; index++)
+            {
+                (Latitudes[index], Longitudes[index]) = PlaceOf(new Vector3D(X[index], Y[index], Z[index]));
+            }
         }
 
         (West, Width) = LongitudeRange();
@@ -109,6 +135,83 @@ internal sealed class MapFrame
         double half = double.RadiansToDegrees(Math.Atan2(sine, Math.Sqrt((1.0 - sine) * (1.0 + sine))));
         return (latitude - degrees, latitude + degrees, double.RadiansToDegrees(point.Longitude) - half, 2.0 * half);
     }
+
+    private static (double Latitude, double Longitude) PlaceOf(Vector3D direction)
+    {
+        SelenographicPoint point = SelenographicPoint.Below(direction);
+        return (
+            double.RadiansToDegrees(point.Latitude),
+            Math.Min(double.RadiansToDegrees(point.Longitude), Math.BitDecrement(FullTurn)));
+    }
+
+    /// <summary>
+    /// Whether quadratics through every eighth sample are near enough: with h between these and r from the Moon's axis, they shift places
+    /// along a parallel by up to h^3 / (4 r^2), and less along a meridian.
+    /// </summary>
+    private bool MayInterpolate()
+    {
+        double step = Step * Projection.MetresPerPixel;
+        double fromAxis = double.PositiveInfinity;
+        foreach (int corner in new[] { 0, Stride - 1, X.Length - Stride, X.Length - 1 })
+        {
+            fromAxis = Math.Min(fromAxis, double.Hypot(X[corner], Y[corner]) * MoonConstants.ReferenceRadius);
+        }
+
+        fromAxis -= (Lines + Stride) * Projection.MetresPerPixel;
+        return fromAxis > 0.0 && step * step * step < 4.0 * fromAxis * fromAxis * MaxShift;
+    }
+
+    /// <summary>Quadratics along lines through every eighth sample, and down between every eighth line.</summary>
+    private void Interpolate()
+    {
+        int rows = (Lines / Step) + 1;
+        int columns = (Stride / Step) + 1;
+        double[] latitudes = new double[rows * columns];
+        double[] longitudes = new double[latitudes.Length];
+        double middle = PlaceOf(Projection.DirectionOf(FirstLine + (0.5 * Lines), FirstSample + (0.5 * Stride))).Longitude;
+        for (int node = 0; node < latitudes.Length; node++)
+        {
+            (double latitude, double longitude) = PlaceOf(
+                Projection.DirectionOf(FirstLine + (node / columns * Step), FirstSample + (node % columns * Step)));
+            (latitudes[node], longitudes[node]) = (latitude, middle + Math.IEEERemainder(longitude - middle, FullTurn));
+        }
+
+        Interpolate(latitudes, columns, Latitudes);
+        Interpolate(longitudes, columns, Longitudes);
+        for (int index = 0; index < Longitudes.Length; index++)
+        {
+            double longitude = Longitudes[index];
+            Longitudes[index] = longitude < 0.0 ? longitude + FullTurn : longitude >= FullTurn ? longitude - FullTurn : longitude;
+        }
+    }
+
+    private void Interpolate(double[] nodes, int columns, double[] values)
+    {
+        for (int line = 0; line < Lines; line++)
+        {
+            int row = line / (2 * Step) * 2;
+            (double n0, double n1, double n2) = Weights((line - (row * Step)) / (double)Step);
+            for (int first = 0; first + 2 < columns; first += 2)
+            {
+                int at = (row * columns) + first;
+                double a = Down(at);
+                double b = Down(at + 1);
+                double c = Down(at + 2);
+                for (int sample = 0; sample < 2 * Step; sample++)
+                {
+                    (double w0, double w1, double w2) = SampleWeights[sample];
+                    values[(line * Stride) + (first * Step) + sample] = (w0 * a) + (w1 * b) + (w2 * c);
+                }
+            }
+
+            double Down(int at) => (n0 * nodes[at]) + (n1 * nodes[at + columns]) + (n2 * nodes[at + (2 * columns)]);
+        }
+    }
+
+    /// <summary>Weights of three places, one step from each other.</summary>
+    /// <param name="t">Steps from the first.</param>
+    private static (double First, double Second, double Third) Weights(double t) =>
+        (0.5 * (1.0 - t) * (2.0 - t), t * (2.0 - t), 0.5 * t * (t - 1.0));
 
     private (double West, double Width) LongitudeRange()
     {

@@ -45,7 +45,7 @@ public sealed class MapSynthesizer(SyntheticTerrain terrain, PolarStereographic 
         (double south, double north) = frame.LatitudeRange;
         foreach (Crater crater in terrain.CratersNear(south, north, frame.West, frame.Width))
         {
-            MapCraterStamp.AddTo(crater, frame, detail);
+            MapCraterStamp.AddTo(new PlacedCrater(crater), frame, detail);
         }
 
         MapBase ground = new(terrain, south, north);

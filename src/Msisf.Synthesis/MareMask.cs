@@ -63,6 +63,51 @@ internal sealed class MareMask
         return Blend(north, south, down);
     }
 
+    /// <summary>The mare fractions of a frame's samples.</summary>
+    /// <param name="frame">The block.</param>
+    /// <param name="fractions">Filled, as the frame's samples.</param>
+    public void Fill(MapFrame frame, Span<float> fractions)
+    {
+        if (SameAround(frame) is { } same)
+        {
+            fractions.Fill((float)same);
+            return;
+        }
+
+        for (int i = 0; i < fractions.Length; i++)
+        {
+            fractions[i] = (float)At(frame.Latitudes[i], frame.Longitudes[i]);
+        }
+    }
+
+    /// <summary>The mare fraction of all cells between which a frame's samples lie, if it is the same and none is beyond a pole.</summary>
+    private double? SameAround(MapFrame frame)
+    {
+        (double south, double north, double west, double width) = frame.Around();
+        int firstRow = Split(89.5 - north).Whole;
+        int lastRow = Split(89.5 - south).Whole + 1;
+        int firstColumn = Split(west - 0.5).Whole;
+        int lastColumn = Split(west + width - 0.5).Whole + 1;
+        if (firstRow < 0 || lastRow >= Rows || lastColumn - firstColumn >= Columns)
+        {
+            return null;
+        }
+
+        double same = Cell(firstRow, ((firstColumn % Columns) + Columns) % Columns);
+        for (int row = firstRow; row <= lastRow; row++)
+        {
+            for (int column = firstColumn; column <= lastColumn; column++)
+            {
+                if (Cell(row, ((column % Columns) + Columns) % Columns) != same)
+                {
+                    return null;
+                }
+            }
+        }
+
+        return same;
+    }
+
     /// <summary>The mare fractions along one line of a frame.</summary>
     /// <param name="frame">The block.</param>
     /// <param name="line">Line of the block.</param>

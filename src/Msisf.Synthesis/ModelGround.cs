@@ -19,6 +19,7 @@ internal sealed class ModelGround
 
     private readonly ulong _seed;
     private readonly MareMask _maria;
+    private readonly GroundMemory _memory;
     private readonly ModelSlopes _slopes;
     private readonly ITerrainGrid _model;
     private readonly BaseHeights? _base;
@@ -30,9 +31,10 @@ internal sealed class ModelGround
     /// <param name="model">The model.</param>
     /// <param name="seed">The user's seed.</param>
     /// <param name="maria">Where the ground is smoother.</param>
-    public ModelGround(ITerrainGrid model, ulong seed, MareMask maria)
+    /// <param name="memory">Keeps what layers find.</param>
+    public ModelGround(ITerrainGrid model, ulong seed, MareMask maria, GroundMemory memory)
     {
-        (_model, _seed, _maria) = (model, seed, maria);
+        (_model, _seed, _maria, _memory) = (model, seed, maria, memory);
         IElevationGrid? moon = model as IElevationGrid;
         _base = moon is null ? null : new BaseHeights(moon);
         _slopes = moon is null ? new ModelSlopes(null, null) : ModelSlopes.Of(moon, maria);
@@ -42,10 +44,9 @@ internal sealed class ModelGround
     /// <summary>m between the model's samples.</summary>
     public double Spacing => _model.Projection.Resolution.MetresPerPixel;
 
-
     /// <summary>The detail that cells of a width show.</summary>
     public DetailLayer LayerOf(double cell) =>
-        _layers.GetOrAdd(cell, key => new DetailLayer(_seed, _maria, _slopes, Spacing, key));
+        _layers.GetOrAdd(cell, key => new DetailLayer(_seed, _maria, _slopes, Spacing, key, _memory));
 
     /// <summary>Line and sample of a place, px from the centre of the first pixel.</summary>
     public (double Line, double Sample) PixelOf(GroundPoints points, int index) => _model.Projection is Equirectangular(var perDegree)

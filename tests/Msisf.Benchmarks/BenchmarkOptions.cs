@@ -99,7 +99,7 @@ internal sealed class BenchmarkOptions
                 ?? throw new BenchmarkException($"there is no stress test {name}; known: "
                     + $"{string.Join(", ", Msisf.Stress.StressTests.All.Select(test => test.Name))}."))];
 
-    private static Scene Quick(Scene scene) => scene with { Settings = [.. scene.Settings.Intersect(Settings.Default)] };
+    private static Scene Quick(Scene scene) => scene with { Settings = [.. scene.Settings.Intersect(Settings.Few)] };
 
     private static string Single(ILookup<string, string> values, string name) => values[name].LastOrDefault() ?? ".";
 }

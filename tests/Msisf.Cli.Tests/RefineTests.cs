@@ -55,6 +55,29 @@ public sealed class RefineTests : IDisposable
         Assert.NotEqual(images[0], images[3]);
     }
 
+    /// <summary>A frame does not depend on those before it: drawn alone, it has the same bytes as in a descent.</summary>
+    [Fact]
+    public void Run_Series_HasTheImagesOfSingleFrames()
+    {
+        string moon = Moon();
+        string[] places = ["12,5,terrain+60000", "12.1,5,terrain+30000", "12.15,5.3,terrain+14000", "12.2,5.3,terrain+13000"];
+        string[] lines = ["time,lat,lon,height,off_nadir,azimuth", .. places.Select(place => $"2000-01-01T00:00:00Z,{place},50,30")];
+        string[] options = ["--ldem", moon, "--res", "2", "--refine", "3", "--refine-cell", "64"];
+        File.WriteAllLines(_folder["descent.csv"], lines);
+        CommandLineRun run = Run(["--batch-file", _folder["descent.csv"], .. Rest, "--jobs", "2", .. options], "series-{step:00}");
+        Assert.True(run.ExitCode == 0, run.Error);
+        byte[][] series = [.. Directory.GetFiles(_folder["out"], "series-*.png").Order(StringComparer.Ordinal).Select(File.ReadAllBytes)];
+        Assert.Equal(places.Length, series.Length);
+        for (int frame = 0; frame < places.Length; frame++)
+        {
+            CommandLineRun alone = Run(
+                [$"--position={places[frame]}", "--off-nadir", "50,30", "--time", "2000-01-01T00:00:00Z", .. Rest, .. options],
+                $"alone-{frame}");
+            Assert.True(alone.ExitCode == 0, alone.Error);
+            Assert.Equal(File.ReadAllBytes(Path.Combine(_folder["out"], $"alone-{frame}.png")), series[frame]);
+        }
+    }
+
     [Theory]
     [InlineData("--renderer native --refine -1", 1, "--refine")]
     [InlineData("--renderer native --refine rough", 1, "--refine is 'rough'; a whole number from 0 to 18446744073709551615")]
@@ -76,6 +99,12 @@ public sealed class RefineTests : IDisposable
         Assert.Single(run.Error.Split('\n'), line => line.Contains("error", StringComparison.Ordinal));
         Assert.False(Directory.Exists(_folder["out"]) && Directory.EnumerateFiles(_folder["out"]).Any());
     }
+
+    private static string[] Rest { get; } =
+        ["--ignore-sun", "--batch", "--width", "40", "--height", "40", "--fov", "40", "--renderer", "native", "--exposure", "2"];
+
+    private CommandLineRun Run(string[] options, string name) =>
+        CommandLineRun.Of([.. options, "--output-dir", _folder["out"], "--output-name", name]);
 
     private CommandLineRun Draw(string name, params string[] options) => CommandLineRun.Of(
         [.. View.Split(' '), "--renderer", "native", "--exposure", "2", "--surface", "terrain", "--gridH", "2", "--gridV", "2",

@@ -36,6 +36,7 @@ class SurfacePoint:
         pixel_scale: m, width of a pixel across the line of sight.
         slope: Degrees between the normal and the radius.
         facet: Line, sample and half of the facet.
+        invented: Whether the ground is invented (``refine``), below the resolution of the elevation model.
     """
 
     latitude: float
@@ -52,12 +53,13 @@ class SurfacePoint:
     pixel_scale: float
     slope: float
     facet: Tuple[int, int, int]
+    invented: bool = False
 
     @staticmethod
     def _of(json: Mapping[str, Any]) -> "SurfacePoint":
         facet = json["facet"]
         values = {**json, "position": np.array(json["position"]), "facet": (facet["line"], facet["sample"], facet["half"])}
-        return SurfacePoint(**values)
+        return SurfacePoint(**values, invented=facet.get("invented", False))
 
 
 class View:

@@ -29,6 +29,22 @@ def test_image_is_that_of_msis(moon, tmp_path):
     assert frame.image.max() > 50
 
 
+def test_invented_detail_is_that_of_msis_and_says_so(moon, tmp_path):
+    near = {**STATE, "position": (1.8e6, 0.0, 0.0)}
+    subprocess.run(
+        [_process.find_program(), "--fixed-state", "{55289,1.8e6,0,0,0,0,0,1}", "--width", "64", "--height", "48", "--renderer", "native",
+         "--refine", "7", "--refine-cell", "64", "--layers", "depth", "--layers-format", "npy", "--output-dir", str(tmp_path), "--batch"],
+        check=True, capture_output=True,
+    )  # fmt: skip
+
+    frame = moon.render(**near, camera=SMALL, layers=["depth"], refine=7, refine_cell=64)
+
+    (path,) = tmp_path.glob("*.depth.npy")
+    np.testing.assert_array_equal(frame.depth, np.load(path))
+    assert frame.locate([[31.5, 23.5]])[0].invented
+    assert not moon.render(**near, camera=SMALL).locate([[31.5, 23.5]])[0].invented
+
+
 def test_saved_file_is_a_png_of_the_levels(moon, tmp_path):
     frame = moon.render(**STATE, camera=SMALL, bit_depth=16)
 

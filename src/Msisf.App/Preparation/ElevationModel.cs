@@ -139,11 +139,12 @@ internal sealed class ElevationModel : IDisposable
         ? Levels
         : MapLevels.Open((ITerrainGrid)Grid, TerrainLevels.DefaultCacheBytes / models, keepsGaps: true);
 
-    /// <summary>The same model with invented detail; it is closed with it, also if this fails.</summary>
+    /// <summary>The same model with invented detail.</summary>
     /// <param name="detail">What is invented.</param>
     /// <param name="host">Receives log messages.</param>
+    /// <param name="isClosedWithIt">Whether this model is closed with the refined one, also if this fails.</param>
     /// <exception cref="BadInputException">It is a map of a part of the Moon.</exception>
-    public ElevationModel Refined(RefineSettings detail, ProgramHost host)
+    public ElevationModel Refined(RefineSettings detail, ProgramHost host, bool isClosedWithIt = true)
     {
         try
         {
@@ -154,12 +155,16 @@ internal sealed class ElevationModel : IDisposable
                     CultureInfo.InvariantCulture,
                     $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m "
                         + $"and wider; it is not on the real Moon."));
-                return new ElevationModel(terrain, Sets, [this]);
+                return new ElevationModel(terrain, Sets, isClosedWithIt ? [this] : []);
             });
         }
         catch
         {
-            Dispose();
+            if (isClosedWithIt)
+            {
+                Dispose();
+            }
+
             throw;
         }
     }

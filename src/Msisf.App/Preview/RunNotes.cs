@@ -11,8 +11,8 @@ using Msisf.Core.Time;
 namespace Msisf.App.Preview;
 
 /// <summary>
-/// What is striking about the frames of a run and often a mistake: the Moon not in the image, no lit ground, cells that are too wide, an
-/// epoch that is too far away. Each is said once.
+/// What is striking about the frames of a run and often a mistake: the Moon or the map not in the image, no lit ground, cells that are too
+/// wide, an epoch that is too far away. Each is said once.
 /// </summary>
 internal sealed class RunNotes
 {
@@ -37,6 +37,7 @@ internal sealed class RunNotes
     private readonly bool _hasSeveral;
     private readonly bool _isRefined;
     private readonly List<int> _withoutMoon = [];
+    private readonly List<int> _besideMap = [];
     private readonly List<int> _unlit = [];
     private int _count;
     private double _widestCell;
@@ -75,7 +76,11 @@ internal sealed class RunNotes
         _first = _count == 0 || frame.Time.Days < _first.Days ? frame.Time : _first;
         _last = _count == 0 || frame.Time.Days > _last.Days ? frame.Time : _last;
         _count++;
-        if (view.Share.Lit is null)
+        if (view.IsBesideMap)
+        {
+            _besideMap.Add(frame.Step);
+        }
+        else if (view.Share.Lit is null)
         {
             _withoutMoon.Add(frame.Step);
         }
@@ -100,6 +105,14 @@ internal sealed class RunNotes
             log.Note(_count == 1
                 ? "The image does not show the Moon."
                 : $"{Frames(_withoutMoon, "does", "do")} not show the Moon{Steps(_withoutMoon)}.");
+        }
+
+        if (_besideMap.Count > 0)
+        {
+            log.Note((_count == 1
+                ? "The image shows nothing of the elevation model"
+                : $"{Frames(_besideMap, "shows", "show")} nothing of the elevation model{Steps(_besideMap)}")
+                + ", a map of a part of the Moon. Add a model of the whole Moon by a second --ldem, or move the camera.");
         }
 
         if (_unlit.Count > 0)

@@ -91,14 +91,12 @@ internal sealed class NativeDrawing
     }
 
     /// <summary>
-    /// Returns the memory of buffers to the system that few frames needed: those over a pole, at the terminator, or of a level that was
-    /// left.
+    /// Returns the memory of buffers to the system that few frames needed: those over a pole or at the terminator.
     /// </summary>
     private void ReturnReplaced()
     {
         long replaced = _levels.ReplacedBytes;
-        bool isUnused = _levels.ReleaseUnused();
-        if (isUnused || replaced - Interlocked.Read(ref _collectedBytes) > WorthCollecting * GC.GetTotalMemory(forceFullCollection: false))
+        if (replaced - Interlocked.Read(ref _collectedBytes) > WorthCollecting * GC.GetTotalMemory(forceFullCollection: false))
         {
             Interlocked.Exchange(ref _collectedBytes, replaced);
             GCSettings.LargeObjectHeapCompactionMode = GCLargeObjectHeapCompactionMode.CompactOnce;

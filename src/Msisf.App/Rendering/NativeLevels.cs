@@ -14,46 +14,27 @@ namespace Msisf.App.Rendering;
 /// <param name="terrain">Chooses the terrain of a frame.</param>
 internal sealed class NativeLevels(IFrameTerrain terrain)
 {
-    /// <summary>A collection takes some 20 ms, a view with new windows a second.</summary>
-    private const int ViewsBetweenCollections = 2;
-
     private readonly ConditionalWeakTable<ITerrain, Lazy<NativeRenderer>> _renderers = [];
     private readonly ConditionalWeakTable<ITerrain, Lazy<TerrainTracer>> _tracers = [];
-    private int _views;
+    private readonly RendererMemory _memory = new();
 
-    /// <summary>Bytes of the buffers that the renderers have replaced so far (<see cref="NativeRenderer.ReplacedBytes"/>).</summary>
-    public long ReplacedBytes =>
-        _renderers.Where(pair => pair.Value.IsValueCreated).Sum(pair => pair.Value.Value.ReplacedBytes);
-
-    /// <summary>Releases the memory of renderers that have drawn nothing for some calls: a descent leaves its levels behind.</summary>
-    /// <returns>Whether any was released.</returns>
-    public bool ReleaseUnused()
-    {
-        bool isAny = false;
-        foreach ((_, Lazy<NativeRenderer> renderer) in _renderers)
-        {
-            isAny |= renderer.IsValueCreated && renderer.Value.ReleaseIfUnused();
-        }
-
-        return isAny;
-    }
+    /// <summary>Bytes of the buffers that the renderers have replaced so far (<see cref="RendererMemory.ReplacedBytes"/>).</summary>
+    public long ReplacedBytes => _memory.ReplacedBytes;
 
     /// <summary>The renderer for a frame.</summary>
     public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) => _renderers.GetValue(
         terrain.For(camera, subsamplesPerAxis), MakeRenderer).Value;
 
+    /// <summary>
+    /// Facets of this part and of those after it are invented in a frame (<see cref="RefinedView.FirstInventedPart"/>); null if nothing is
+    /// to be invented.
+    /// </summary>
+    public int? FirstInventedPart(PinholeCamera camera, int subsamplesPerAxis) =>
+        (terrain.For(camera, subsamplesPerAxis) as RefinedView)?.FirstInventedPart;
+
     /// <summary>Traces single rays through the surface that a frame shows.</summary>
     public ITerrainTracer TracerFor(PinholeCamera camera, int subsamplesPerAxis) => _tracers.GetValue(
         terrain.For(camera, subsamplesPerAxis), static drawn => new Lazy<TerrainTracer>(() => new TerrainTracer(drawn))).Value;
 
-    private Lazy<NativeRenderer> MakeRenderer(ITerrain drawn)
-    {
-        if (drawn is RefinedView && Interlocked.Increment(ref _views) % ViewsBetweenCollections == 0)
-        {
-            // The large buffers of views that are no longer kept wait long for a collection of their own: a flight would have gigabytes.
-            GC.Collect(GC.MaxGeneration, GCCollectionMode.Forced, blocking: true);
-        }
-
-        return new Lazy<NativeRenderer>(() => new NativeRenderer(drawn));
-    }
+    private Lazy<NativeRenderer> MakeRenderer(ITerrain drawn) => new(() => new NativeRenderer(drawn, _memory));
 }

@@ -8,7 +8,8 @@ namespace Msisf.App.Serving;
 /// <summary>Reads pixels of a frame of which only the parts around them are drawn.</summary>
 /// <param name="camera">Camera of the frame.</param>
 /// <param name="draw">Draws the frame, with ground truth, as a camera sees it that is a part of the frame's.</param>
-internal sealed class DrawnPixels(PinholeCamera camera, Func<PinholeCamera, NativeFrame> draw)
+/// <param name="firstInventedPart">Facets of this part and of those after it are invented; null of frames without.</param>
+internal sealed class DrawnPixels(PinholeCamera camera, Func<PinholeCamera, NativeFrame> draw, int? firstInventedPart)
 {
     /// <summary>px: pixels of one square of the image are drawn together.</summary>
     private const int SquareSide = 32;
@@ -65,5 +66,6 @@ internal sealed class DrawnPixels(PinholeCamera camera, Func<PinholeCamera, Nati
         ray,
         hit with { RayParameter = hit.RayParameter * (drawn.Direction.Length / ray.Direction.Length) },
         light,
-        frame.LightPositionMoonMe);
+        frame.LightPositionMoonMe,
+        firstInventedPart);
 }

@@ -1,3 +1,5 @@
+using System.Text.Json.Serialization;
+
 namespace Msisf.App.Serving;
 
 /// <summary>A facet of the surface (docs/pattern-format.md).</summary>
@@ -7,4 +9,6 @@ namespace Msisf.App.Serving;
 /// <param name="Part">
 /// The model, from 0 for the coarsest of several; their number stands for the seams between them. 0 of one.
 /// </param>
-internal sealed record FacetReading(int Line, int Sample, int Half, int Part);
+/// <param name="Invented">Whether it is of invented detail; null, and left out, of frames without.</param>
+internal sealed record FacetReading(
+    int Line, int Sample, int Half, int Part, [property: JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)] bool? Invented);

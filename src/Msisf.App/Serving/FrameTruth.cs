@@ -12,7 +12,8 @@ namespace Msisf.App.Serving;
 /// <summary>Follows single rays of a frame on the surface that it shows. The Sun is a point. Thread-safe.</summary>
 /// <param name="frame">The frame.</param>
 /// <param name="tracer">Traces rays on the surface.</param>
-internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer)
+/// <param name="firstInventedPart">Facets of this part and of those after it are invented; null of frames without.</param>
+internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstInventedPart)
 {
     /// <summary>m: how far before a point of the surface a ray towards it may end; rounding on the way from the camera is less.</summary>
     private const double SamePoint = 1e-3;
@@ -43,7 +44,8 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer)
         }
 
         bool isDark = frame.Light.IsSun && tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light);
-        return SurfaceReading.Of(_camera, ray, hit, PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, frame.Light), _light);
+        return SurfaceReading.Of(
+            _camera, ray, hit, PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, frame.Light), _light, firstInventedPart);
     }
 
     /// <summary>Where a place is seen.</summary>

@@ -49,7 +49,7 @@ internal sealed class JsonOptions
         .. AlbedoOptions.Group.Options,
         OutputOptions.Surface, OutputOptions.Grid, OutputOptions.GridHorizontal, OutputOptions.GridVertical,
         RendererOptions.Renderer,
-        .. NativeOptions.Group.Options.Except([NativeOptions.Refine, NativeOptions.RefineCell]),
+        .. NativeOptions.Group.Options,
     ];
 
     /// <summary>Reads the options.</summary>
@@ -112,10 +112,12 @@ internal sealed class JsonOptions
         }
 
         values = new OptionValues(_values);
+        CameraSettings? place = needsPlace
+            ? CameraSettingsReader.Read(values)
+            : CameraSettingsReader.ReadIfGiven(values, CameraOptions.BatchFile);
+        RenderSettings settings = RenderSettingsReader.Read(values, name => _camera ?? _names.Camera(name), known: model.Resolution);
         return new RequestedFrame(
-            model,
-            needsPlace ? CameraSettingsReader.Read(values) : CameraSettingsReader.ReadIfGiven(values, CameraOptions.BatchFile),
-            RenderSettingsReader.Read(values, name => _camera ?? _names.Camera(name), known: model.Resolution));
+            settings.Native.Refine is { } detail ? _names.Models.Refined(model, detail) : model, place, settings);
     }
 
     private void Add(string key, JsonElement value)

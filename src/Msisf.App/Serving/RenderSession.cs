@@ -66,8 +66,10 @@ internal sealed class RenderSession : IDisposable
         _drawing.Draw(frame.Frame, threads, cancellation);
 
     /// <summary>Follows single rays of a frame on the surface that it shows; the Sun is a point, the normals are those of facets.</summary>
-    public FrameTruth TruthOf(PreparedFrame frame) =>
-        new(frame.Frame, _levels.TracerFor(frame.Frame.Camera, Settings.Native.Render.DetailSubsamplesPerAxis));
+    public FrameTruth TruthOf(PreparedFrame frame) => new(
+        frame.Frame,
+        _levels.TracerFor(frame.Frame.Camera, Settings.Native.Render.DetailSubsamplesPerAxis),
+        _levels.FirstInventedPart(frame.Frame.Camera, Settings.Native.Render.DetailSubsamplesPerAxis));
 
     /// <summary>Reads pixels of a frame as it is drawn, with smooth normals and penumbras if it has them.</summary>
     /// <param name="frame">The frame.</param>
@@ -80,7 +82,10 @@ internal sealed class RenderSession : IDisposable
         PinholeCamera camera = frame.Frame.Camera;
         NativeRenderer renderer = _levels.For(camera, Settings.Native.Render.DetailSubsamplesPerAxis);
         NativeRenderOptions truth = Settings.Native.Render with { SubsamplesPerAxis = 1, Adaptive = null, KeepGroundTruth = true };
-        return new DrawnPixels(camera, window => renderer.Render(window, frame.Frame.Light, truth, threads, cancellation)).Read(pixels);
+        return new DrawnPixels(
+            camera,
+            window => renderer.Render(window, frame.Frame.Light, truth, threads, cancellation),
+            _levels.FirstInventedPart(camera, Settings.Native.Render.DetailSubsamplesPerAxis)).Read(pixels);
     }
 
     /// <summary>What the meta file says of a frame.</summary>

@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Rendering;
+using Msisf.App.Settings;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Serving;
@@ -77,6 +78,16 @@ internal sealed class ServedModel : IDisposable
             paths,
             () => ModelOpening.OpenSeveral(paths, hasLevels: true, host));
     }
+
+    /// <summary>The same model with invented detail. Its files stay those of this model, which closes them.</summary>
+    /// <param name="detail">What is invented.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    public ServedModel With(RefineSettings detail, ProgramHost host) =>
+        new(Name, Resolution, IsSynthetic, Ldem, () => Opened.Refined(detail, host, isClosedWithIt: false))
+        {
+            IsWholeMoon = IsWholeMoon,
+            Path = Path,
+        };
 
     /// <summary>The renderers of the model; they keep what they have read.</summary>
     /// <param name="errorPixels">px: how far coarser levels may shift a point in the image; null to draw from the full model.</param>

@@ -16,9 +16,13 @@ internal sealed class ServedModels : IDisposable
     /// <summary>Sets of models that are open at once: each keeps what it has read.</summary>
     private const int MaxSets = 16;
 
+    /// <summary>Seeds of invented detail whose ground is kept: those that were asked for last.</summary>
+    private const int MaxRefined = 4;
+
     private readonly ProgramHost _host;
     private readonly Lock _gate = new();
     private readonly Dictionary<string, ServedModel> _several = new(StringComparer.Ordinal);
+    private readonly LinkedList<(ServedModel Model, RefineSettings Detail, ServedModel Refined)> _refined = [];
 
     /// <summary>Looks for the models, and opens none.</summary>
     /// <param name="ldem">The paths that are given; empty for what a run finds.</param>
@@ -95,6 +99,33 @@ internal sealed class ServedModels : IDisposable
         }
 
         return Several(models);
+    }
+
+    /// <summary>A model with invented detail; frames that are drawn from it may go on when it is no longer kept.</summary>
+    /// <param name="model">One of these models, alone or as one surface.</param>
+    /// <param name="detail">What is invented.</param>
+    public ServedModel Refined(ServedModel model, RefineSettings detail)
+    {
+        lock (_gate)
+        {
+            var known = _refined.FirstOrDefault(kept => kept.Model == model && kept.Detail == detail);
+            if (known.Refined is not null)
+            {
+                _refined.Remove(known);
+            }
+            else
+            {
+                known = (model, detail, model.With(detail, _host));
+            }
+
+            _refined.AddFirst(known);
+            if (_refined.Count > MaxRefined)
+            {
+                _refined.RemoveLast();
+            }
+
+            return known.Refined;
+        }
     }
 
     /// <summary>Closes the models.</summary>

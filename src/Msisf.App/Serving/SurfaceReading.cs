@@ -32,7 +32,9 @@ internal sealed record SurfaceReading(
     /// <param name="hit">Where the ray meets the surface.</param>
     /// <param name="light">How the point is lit.</param>
     /// <param name="lightMoonMe">The Sun, or the lamp at the camera, m.</param>
-    public static SurfaceReading Of(PinholeCamera camera, Ray ray, SurfaceHit hit, PixelIllumination light, Vector3D lightMoonMe)
+    /// <param name="firstInventedPart">Facets of this part and of those after it are invented; null of frames without.</param>
+    public static SurfaceReading Of(
+        PinholeCamera camera, Ray ray, SurfaceHit hit, PixelIllumination light, Vector3D lightMoonMe, int? firstInventedPart)
     {
         Vector3D point = hit.PointMoonMe;
         SelenographicPoint place = SelenographicPoint.Below(point);
@@ -52,7 +54,9 @@ internal sealed record SurfaceReading(
             light.VisibleFraction,
             PixelBeam.SideAt(camera, ray, hit.RayParameter),
             double.RadiansToDegrees(Vector3D.AngleBetween(hit.NormalMoonMe, point)),
-            new FacetReading(hit.Facet.Line, hit.Facet.Sample, (int)hit.Facet.Half, hit.Facet.Part));
+            new FacetReading(
+                hit.Facet.Line, hit.Facet.Sample, (int)hit.Facet.Half, hit.Facet.Part,
+                firstInventedPart is { } first ? hit.Facet.Part >= first : null));
     }
 
     private static string WordOf(IlluminationState state) => state switch

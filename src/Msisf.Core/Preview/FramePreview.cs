@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
@@ -15,8 +16,16 @@ namespace Msisf.Core.Preview;
 /// <param name="OffNadir">Angle between the viewing direction and the nadir, rad, [0, pi].</param>
 /// <param name="Boresight">The ground in the middle of the image; null if the viewing direction misses the sphere.</param>
 /// <param name="Share">How much of the image shows the sphere, and how much of that is lit.</param>
-public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNadir, BoresightView? Boresight, SphereShare Share)
+/// <param name="IsBesideMap">
+/// Whether the model is a map of a part of the Moon that lies outside the image, though the sphere is in it. There is no boresight and no
+/// share then.
+/// </param>
+public sealed record FramePreview(
+    SelenographicPoint SubSpacecraft, double OffNadir, BoresightView? Boresight, SphereShare Share, bool IsBesideMap = false)
 {
+    /// <summary>px beyond the border of the image in which a map's ground still counts as shown.</summary>
+    private const double Margin = 1.0;
+
     /// <summary>The view of one frame.</summary>
     /// <param name="camera">The camera, which is not below the ground.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
@@ -25,16 +34,23 @@ public sealed record FramePreview(SelenographicPoint SubSpacecraft, double OffNa
     {
         Vector3D position = camera.PositionMoonMe;
         double radius = RadiusBelow(position, terrain);
+        SphereShare share = SphereCoverage.Of(camera, light, radius);
+        bool isBesideMap = share.Moon > 0.0 && terrain is ITerrainGrid map and not IElevationGrid && !IsInView(map, camera);
         return new FramePreview(
             SelenographicPoint.Below(position),
             Vector3D.AngleBetween(camera.ForwardMoonMe, -position.Normalized()),
-            InTheMiddle(camera, light, radius),
-            SphereCoverage.Of(camera, light, radius));
+            isBesideMap ? null : InTheMiddle(camera, light, radius),
+            isBesideMap ? new SphereShare(0.0, Lit: null) : share,
+            isBesideMap);
     }
 
     /// <summary>How many pixels a cell of a model is wide in the middle of the image; null if that shows no ground.</summary>
     /// <param name="resolution">Resolution of the model; the cell is taken from north to south, at the equator or at a map's pole.</param>
     public double? PixelsPerCell(GridResolution resolution) => resolution.MetresPerPixel / Boresight?.MetresPerPixel;
+
+    /// <summary>Whether a block of a map may be in the image; with a lens, whose image is not told here, yes.</summary>
+    private static bool IsInView(ITerrainGrid map, PinholeCamera camera) => camera.Model.Lens is not null
+        || new BlockCuller(SurfaceModel.Of(map)).Find(new ViewFrustum(camera, Margin), threads: 1, CancellationToken.None).Count > 0;
 
     private static BoresightView? InTheMiddle(PinholeCamera camera, SceneLight light, double radius)
     {

@@ -26,10 +26,14 @@ internal sealed class FramePass
 
     public FramePass(SurfaceModel surface)
     {
+        Shown = surface;
         _visibility = new VisibilityPass(surface);
         _light = new LightPass(surface);
         _sampling = new SamplingPass(surface);
     }
+
+    /// <summary>The surface that is drawn.</summary>
+    public SurfaceModel Shown { get; private set; }
 
     /// <summary>Of the last frame.</summary>
     public PinholeCamera Camera { get; private set; } = null!;
@@ -45,6 +49,16 @@ internal sealed class FramePass
 
     /// <summary>Bytes of the buffers that have been replaced by smaller or larger ones since the first frame.</summary>
     public long ReplacedBytes => _visibility.Surface.ReplacedBytes + _light.ReplacedBytes;
+
+    /// <summary>Draws another surface from the next frame on, with the memory of the frames before.</summary>
+    public void Show(SurfaceModel surface)
+    {
+        Shown = surface;
+        _visible = null;
+        _visibility.Show(surface);
+        _light.Show(surface);
+        _sampling.Show(surface);
+    }
 
     /// <summary>Draws a frame.</summary>
     public void Draw(PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)

@@ -1,4 +1,3 @@
-using System.Collections.Concurrent;
 using Msisf.Core.Camera;
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Nesting;
@@ -14,19 +13,16 @@ namespace Msisf.Core.Render;
 /// </summary>
 public sealed class NativeRenderer
 {
-    /// <summary>Calls of <see cref="ReleaseIfUnused"/> without a frame between them after which the memory is released.</summary>
-    private const int TurnsUntilRelease = 1;
-
     private readonly SurfaceModel _surface;
-    private readonly ConcurrentBag<FramePass> _idle = [];
-    private long _replacedBytes;
-    private int _turnsWithoutFrame;
+    private readonly RendererMemory _memory;
 
     /// <summary>Makes a renderer; nothing of the model is read yet.</summary>
     /// <param name="terrain">The elevation model, or several.</param>
-    public NativeRenderer(ITerrain terrain)
+    /// <param name="memory">Buffers that other renderers use too; null for own ones.</param>
+    public NativeRenderer(ITerrain terrain, RendererMemory? memory = null)
     {
         _surface = SurfaceModel.Of(terrain);
+        _memory = memory ?? new RendererMemory();
         Resolution = terrain.Resolution;
         PartResolutions = terrain switch
         {
@@ -45,11 +41,8 @@ public sealed class NativeRenderer
     /// </summary>
     public IReadOnlyList<GridResolution?> PartResolutions { get; }
 
-    /// <summary>
-    /// Bytes of the buffers that frames have replaced by smaller or larger ones so far; they are free, but no collection may have returned
-    /// them to the system.
-    /// </summary>
-    public long ReplacedBytes => Interlocked.Read(ref _replacedBytes);
+    /// <summary>Bytes of the buffers that frames have replaced so far (<see cref="RendererMemory.ReplacedBytes"/>).</summary>
+    public long ReplacedBytes => _memory.ReplacedBytes;
 
     /// <summary>Draws a frame.</summary>
     /// <param name="camera">The camera, which must be above the terrain.</param>
@@ -63,28 +56,10 @@ public sealed class NativeRenderer
         PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation = default)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(threads, 1);
-        Volatile.Write(ref _turnsWithoutFrame, 0);
-        if (!_idle.TryTake(out FramePass? pass))
-        {
-            pass = new FramePass(_surface);
-        }
-
+        FramePass pass = _memory.Take(_surface);
         long before = pass.ReplacedBytes;
         pass.Draw(camera, light, options, threads, cancellation);
-        Interlocked.Add(ref _replacedBytes, pass.ReplacedBytes - before);
-        return new NativeFrame(pass, _idle.Add);
-    }
-
-    /// <summary>Releases the memory that is kept for later frames, if there was none for some turns.</summary>
-    /// <returns>Whether any was released.</returns>
-    public bool ReleaseIfUnused()
-    {
-        if (Interlocked.Increment(ref _turnsWithoutFrame) <= TurnsUntilRelease || _idle.IsEmpty)
-        {
-            return false;
-        }
-
-        _idle.Clear();
-        return true;
+        _memory.AddReplaced(pass.ReplacedBytes - before);
+        return new NativeFrame(pass, _memory.Return);
     }
 }

@@ -34,6 +34,21 @@ public sealed class RunNotesTests
     }
 
     [Fact]
+    public void Write_BesideTheMap_SaysWhatToDo()
+    {
+        RunNotes notes = new(64, hasSeveral: false, isRefined: false);
+        notes.Add(ByDay(1), View(ByDay(1)));
+        notes.Add(ByDay(2), View(LookingAway(2)) with { IsBesideMap = true });
+        ListLog log = new();
+
+        notes.Write(new FixedStateSettings(default), log);
+
+        Assert.StartsWith(
+            "1 of 2 frames shows nothing of the elevation model (step 2), a map of a part of the Moon. Add a model",
+            Assert.Single(log.Lines), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Write_SomeFrames_NamesTheirSteps()
     {
         string[] notes = Notes(

@@ -145,6 +145,23 @@ public sealed class FramePreviewTests
         Assert.Equal(1e5, view.Boresight!.Value.MetresPerPixel * Width / (2.0 * Math.Tan(Fov / 2.0)), 1e-3);
     }
 
+    /// <summary>A map of 100 km around the south pole: over the pole it fills the image, 200 km beside it nothing of it is in view.</summary>
+    [Theory]
+    [InlineData(-90.0, false)]
+    [InlineData(-83.4, true)]
+    public void Of_AMapAlone_IsSeenOnlyWhereItIs(double latitude, bool isBeside)
+    {
+        PolarFunctionGrid map = PolarFunctionGrid.Rugged(isSouth: true, 1000.0, 100, 49.5, 49.5);
+        Vector3D position = (Radius + 2e4) * Up(latitude, 30.0);
+        PinholeCamera camera = new(position, NadirPointing.MoonFromCamera(position), Fov, Width, Width);
+
+        FramePreview view = FramePreview.Of(camera, Sun, map);
+
+        Assert.Equal(isBeside, view.IsBesideMap);
+        Assert.Equal(isBeside, view.Boresight is null);
+        Assert.Equal(isBeside ? 0.0 : 1.0, view.Share.Moon, 1e-12);
+    }
+
     /// <summary>The native renderer takes any distance; what is printed has no infinity.</summary>
     [Fact]
     public void Of_AsFarAwayAsNumbersReach_IsFinite()

@@ -57,6 +57,36 @@ internal sealed class AllFacets
     /// <summary>Those facets of which a condition holds.</summary>
     public AllFacets Where(Func<(FacetId Facet, Vector3D A, Vector3D B, Vector3D C), bool> isThere) => new([.. Facets.Where(isThere)]);
 
+    /// <summary>
+    /// What keeps the facets from being one closed surface, or null. Closed: each edge is run through once in each direction. In one piece
+    /// that goes once around the Moon: its Euler characteristic is 2.
+    /// </summary>
+    public string? FindFlaw()
+    {
+        Dictionary<Vector3D, uint> vertices = [];
+        HashSet<(uint From, uint To)> edges = new(3 * Facets.Count);
+        foreach ((FacetId facet, Vector3D a, Vector3D b, Vector3D c) in Facets)
+        {
+            (uint first, uint second, uint third) = (NumberOf(a), NumberOf(b), NumberOf(c));
+            if (!edges.Add((first, second)) || !edges.Add((second, third)) || !edges.Add((third, first)))
+            {
+                return $"{facet}: an edge of it is one of another facet too.";
+            }
+        }
+
+        int open = edges.Count(edge => !edges.Contains((edge.To, edge.From)));
+        int characteristic = vertices.Count - (edges.Count / 2) + Facets.Count;
+        return open > 0 ? $"{open} edges have one facet only."
+            : characteristic != 2 ? $"The Euler characteristic is {characteristic}."
+            : null;
+
+        uint NumberOf(Vector3D vertex)
+        {
+            uint number = (uint)vertices.Count;
+            return vertices.TryAdd(vertex, number) ? number : vertices[vertex];
+        }
+    }
+
     /// <summary>The first facet that a ray enters from outside, not counting hits before so many lengths of the direction.</summary>
     public (FacetId Facet, Vector3D Point, double T)? FirstHit(Vector3D origin, Vector3D direction, double minT = 0.0)
     {

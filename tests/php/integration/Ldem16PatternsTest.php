@@ -50,9 +50,25 @@ final class Ldem16PatternsTest extends TestCase
             self::assertSame(0, $run->exitCode, $run->errors);
         }
 
-        $reference = new ReferencePatterns("$image.LBL", 16);
+        file_put_contents($folder->path('states.tab'), implode('', array_map(self::stateOver(...), $tiles)));
+        $reference = new ReferencePatterns("$image.LBL", 16, [
+            '--for-batch', $folder->path('states.tab'), '--fov', '1', '--width', '16', '--height', '16', '--lod', 'off', '--ignore-sun',
+        ]);
         self::assertCount(count($tiles), glob($folder->path('php/16/*')));
-        self::assertSame([], $reference->differencesIn($folder->path('php'), wantAll: false));
+        self::assertSame([], $reference->differencesIn($folder->path('php'), wantAll: true));
+    }
+
+    /** A line of a batch file: a camera low over the middle of a tile, which looks straight down, so that it sees that tile alone. */
+    private static function stateOver(TileId $tile): string
+    {
+        $latitude = deg2rad($tile->southDegrees + 2.5);
+        $longitude = deg2rad($tile->westDegrees + 2.5);
+        $up = [cos($latitude) * cos($longitude), cos($latitude) * sin($longitude), sin($latitude)];
+        $turn = [0.0, -$up[2], $up[1], 1.0 + $up[0]]; // from looking along -x to looking along -up
+        $length = sqrt(array_sum(array_map(static fn (float $part): float => $part ** 2, $turn)));
+        $state = [55289.0, ...array_map(static fn (float $part): float => 1.76e6 * $part, $up)];
+
+        return vsprintf(str_repeat('%.15E ', 8) . "\n", [...$state, ...array_map(static fn (float $part): float => $part / $length, $turn)]);
     }
 
     /** @return array<string, TileId> */

@@ -39,15 +39,16 @@ internal sealed class SeamMesh
         }
 
         Blocks = blocks;
-        Sagitta = 1.0;
+        double widest = 0.0;
         for (int facet = 0; facet < Count; facet++)
         {
             (Vector3D a, Vector3D b, Vector3D c) = CornersOf(facet);
             Vector3D middle = a + b + c;
-            double angle = Math.Max(
-                Vector3D.AngleBetween(middle, a), Math.Max(Vector3D.AngleBetween(middle, b), Vector3D.AngleBetween(middle, c)));
-            Sagitta = Math.Min(Sagitta, Math.Cos(angle + Tolerances.CapRadius));
+            widest = Math.Max(widest, Math.Max(SineSquare(middle, a), Math.Max(SineSquare(middle, b), SineSquare(middle, c))));
         }
+
+        double angle = Math.Atan2(Math.Sqrt(widest), Math.Sqrt(1.0 - widest));
+        Sagitta = Count == 0 ? 1.0 : Math.Cos(angle + Tolerances.CapRadius);
     }
 
     /// <summary>No facets: the surface of one model.</summary>
@@ -85,6 +86,9 @@ internal sealed class SeamMesh
     /// <param name="facet">The facet.</param>
     /// <param name="corner">0 to 2.</param>
     public SeamVertex VertexOf(int facet, int corner) => _vertices[_corners[(3 * facet) + corner]];
+
+    /// <summary>Square of the sine of the angle between two directions, which is far below a right angle.</summary>
+    private static double SineSquare(Vector3D u, Vector3D v) => Vector3D.Cross(u, v).LengthSquared / (u.LengthSquared * v.LengthSquared);
 
     /// <summary>Writes a block's vertices to the arrays of <see cref="BlockVertices"/>.</summary>
     /// <param name="block">Number of the block.</param>

@@ -13,8 +13,10 @@ internal static class RefinedSurface
     /// <param name="windows">The windows with all their cells, the coarsest first; at least one.</param>
     /// <param name="places">Where the windows lie.</param>
     /// <param name="seams">Keeps what fills the gaps between the models, which other windows leave as they are.</param>
+    /// <param name="rings">Keeps the facets between windows.</param>
     public static SurfaceModel Join(
-        IReadOnlyList<GridSurface> models, IReadOnlyList<GridSurface> windows, IReadOnlyList<WindowPlace> places, ISeamStore seams)
+        IReadOnlyList<GridSurface> models, IReadOnlyList<GridSurface> windows, IReadOnlyList<WindowPlace> places, ISeamStore seams,
+        WindowRings rings)
     {
         GridSurface coarsest = windows[0].WithCells(KeptCells.Of(windows[0], []));
         GridSurface[] parts = [.. models, .. windows];
@@ -27,8 +29,11 @@ internal static class RefinedSurface
         for (int window = 0; window + 1 < windows.Count; window++)
         {
             int part = models.Count + window;
+            (GridSurface outer, GridSurface inner) = (windows[window], windows[window + 1]);
             CellRange hole = HoleOf(places[window], places[window + 1]);
-            between.AddRange(new WindowSeam(windows[window], part, windows[window + 1], part + 1).Fill(hole));
+            between.AddRange(rings.Get(
+                new WindowRings.Ring(places[window], places[window + 1], part, IsOuterBlended: window == 0),
+                () => new WindowSeam(outer, part, inner, part + 1).Fill(hole)));
             parts[part] = windows[window].WithCells(Without(windows[window], hole));
         }
 

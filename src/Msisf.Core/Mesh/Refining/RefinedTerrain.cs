@@ -27,6 +27,8 @@ public sealed class RefinedTerrain : ITerrain
     private readonly DetailTiles _tiles;
     private readonly WindowPlan _plan;
     private readonly SeamMemory _seams = new();
+    private readonly WindowRings _rings = new();
+    private readonly Lock _joining = new();
     private readonly Lazy<IReadOnlyList<GridSurface>> _whole;
     private readonly Lock _gate = new();
     private readonly LinkedList<RefinedView> _views = [];
@@ -107,9 +109,19 @@ public sealed class RefinedTerrain : ITerrain
     /// <summary>Distance from the Moon's centre to the ground in a direction, with all its detail, m.</summary>
     internal double RadiusAt(Vector3D direction) => _detail.RadiusAt(direction, Math.ScaleB(1.0, _finestLevel));
 
-    private SurfaceModel Join(IReadOnlyList<WindowPlace> places) => places.Count == 0
-        ? SurfaceModel.Of(_models)
-        : RefinedSurface.Join(_whole.Value, [.. places.Select((place, index) => WindowAt(place, index == 0))], places, _seams);
+    private SurfaceModel Join(IReadOnlyList<WindowPlace> places)
+    {
+        if (places.Count == 0)
+        {
+            return SurfaceModel.Of(_models);
+        }
+
+        GridSurface[] windows = [.. places.Select((place, index) => WindowAt(place, index == 0))];
+        lock (_joining)
+        {
+            return RefinedSurface.Join(_whole.Value, windows, places, _seams, _rings);
+        }
+    }
 
     /// <summary>A window; the coarsest goes over into the models along its border, as a model into coarser ones.</summary>
     private GridSurface WindowAt(WindowPlace place, bool isCoarsest)

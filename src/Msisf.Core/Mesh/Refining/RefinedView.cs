@@ -12,6 +12,7 @@ public sealed class RefinedView : ITerrain
     {
         (_terrain, Places) = (terrain, places);
         PartCount = models.PartCount + places.Count;
+        FirstInventedPart = places.Count == 0 ? int.MaxValue : models.PartCount;
         DrawnResolutions =
         [
             .. RefinedTerrain.GridsOf(models).Select(model => model.Projection.Resolution),
@@ -37,6 +38,9 @@ public sealed class RefinedView : ITerrain
 
     /// <inheritdoc/>
     public int PartCount { get; }
+
+    /// <summary>Facets of this part and of those after it are of invented ground, or join it to the models; none if there is no window.</summary>
+    public int FirstInventedPart { get; }
 
     /// <summary>Where the windows lie, the coarsest first.</summary>
     internal IReadOnlyList<WindowPlace> Places { get; }

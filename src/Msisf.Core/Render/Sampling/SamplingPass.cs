@@ -9,7 +9,7 @@ namespace Msisf.Core.Render.Sampling;
 /// Takes further samples where they matter. It starts from a frame with one sample a pixel, whose blocks of terrain it draws again, once
 /// for all samples. One object serves many frames, one at a time.
 /// </summary>
-internal sealed class SamplingPass(SurfaceModel surface)
+internal sealed class SamplingPass
 {
     /// <summary>Samples of the bands that are lit and shaded together; bounds the memory.</summary>
     private const long SamplesAtOnce = 1 << 20;
@@ -21,7 +21,14 @@ internal sealed class SamplingPass(SurfaceModel surface)
     private readonly List<int> _firstRows = [];
     private readonly PartRows _rows = new();
     private readonly PixelSunlight _sunlight = new();
+    private SurfaceModel _surface;
     private double[] _factors = [];
+
+    /// <summary>Makes a pass for a surface.</summary>
+    public SamplingPass(SurfaceModel surface) => _surface = surface;
+
+    /// <summary>Samples another surface from the next frame on; the memory is kept.</summary>
+    public void Show(SurfaceModel surface) => _surface = surface;
 
     /// <summary>Replaces the brightness of the pixels that get further samples.</summary>
     /// <param name="frame">The frame with one sample a pixel, at the pixels' centres.</param>
@@ -92,7 +99,7 @@ internal sealed class SamplingPass(SurfaceModel surface)
             work.Threads,
             count,
             (worker, index) => _workers[worker].Draw(
-                surface, frame, _chooser.Pixels, bands.First + index, _parts[index], isTrial ? _parts[count + index] : null),
+                _surface, frame, _chooser.Pixels, bands.First + index, _parts[index], isTrial ? _parts[count + index] : null),
             work.Cancellation);
         _rows.Begin(frame.View);
         _firstRows.Clear();

@@ -25,6 +25,14 @@ internal sealed class LightPass
         _shader = new RowShader(surface);
     }
 
+    /// <summary>Lights another surface from the next frame on; the memory is kept.</summary>
+    public void Show(SurfaceModel surface)
+    {
+        _shadows.Show(surface);
+        _penumbras.Show(surface);
+        _shader.Show(surface);
+    }
+
     /// <summary>Bytes of the arrays of receivers that have been replaced since the first frame.</summary>
     public long ReplacedBytes => _shadows.ReplacedBytes + _penumbras.ReplacedBytes;
 

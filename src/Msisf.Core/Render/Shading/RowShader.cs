@@ -18,11 +18,18 @@ internal sealed class RowShader
     /// <summary>Eight pixels that terrain hides from the light, as <see cref="PixelSunlight.Hidden"/> has them.</summary>
     private const ulong AllHidden = 0x0101_0101_0101_0101;
 
-    private readonly SurfaceModel _surface;
+    private SurfaceModel _surface;
     private readonly ConcurrentBag<RowReflection> _idle = [];
     private double[] _reflected = [];
 
     public RowShader(SurfaceModel surface) => _surface = surface;
+
+    /// <summary>Shades another surface from the next frame on; the memory of pixels is kept.</summary>
+    public void Show(SurfaceModel surface)
+    {
+        _surface = surface;
+        _idle.Clear();
+    }
 
     /// <summary>
     /// Whether <see cref="Reflect"/> is to be called for each row when its points are read for the shadows, which saves to compute them

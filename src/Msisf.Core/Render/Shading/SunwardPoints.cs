@@ -16,6 +16,9 @@ internal sealed class SunwardPoints : IReceiverRows
     /// <summary>Value stored as the cosine of pixels without surface: negative, so that they count as unlit.</summary>
     private const double NoSurface = -1.0;
 
+    /// <summary>Mask of eight points that all face the Sun.</summary>
+    private const uint AllFacing = 0xff;
+
     private readonly ISurfaceRows _visible;
     private readonly Vector3D _sun;
     private readonly double[] _cosIncidence;
@@ -66,47 +69,47 @@ internal sealed class SunwardPoints : IReceiverRows
     }
 
     /// <inheritdoc/>
-    public int ReadAgain(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns)
+    public void ReadAgain(int row, ReadOnlySpan<int> columns, Span<double> x, Span<double> y, Span<double> z)
     {
         Scratch scratch = Take();
-        SurfaceRow points = scratch.Row;
-        _visible.Read(row + 1, points, withNormals: false);
-        ReadOnlySpan<double> cosines = _cosIncidence.AsSpan(row * _visible.Width, _visible.Width);
-        if (points.Count < cosines.Length)
-        {
-            scratch.EnsureRoom(points.Count);
-            for (int i = 0; i < points.Count; i++)
-            {
-                scratch.Cosines[i] = cosines[points.Columns[i]];
-            }
-
-            cosines = scratch.Cosines;
-        }
-
-        int count = CopyFacing(points, cosines, x, y, z, columns);
+        _visible.ReadPoints(row + 1, columns, scratch.Row);
+        scratch.Row.X.AsSpan(0, columns.Length).CopyTo(x);
+        scratch.Row.Y.AsSpan(0, columns.Length).CopyTo(y);
+        scratch.Row.Z.AsSpan(0, columns.Length).CopyTo(z);
         _idle.Add(scratch);
-        return count;
     }
 
-    /// <summary>Copies the points that face the Sun, run by run.</summary>
+    /// <summary>Copies the points that face the Sun, and returns their number.</summary>
     private int CopyFacing(
         SurfaceRow points, ReadOnlySpan<double> cosines, Span<double> x, Span<double> y, Span<double> z, Span<int> columns)
     {
+        ref double toX = ref MemoryMarshal.GetReference(x);
+        ref double toY = ref MemoryMarshal.GetReference(y);
+        ref double toZ = ref MemoryMarshal.GetReference(z);
+        ref int toColumns = ref MemoryMarshal.GetReference(columns);
         int count = 0;
-        for (int i = 0; i < points.Count; i++)
+        for (int i = 0; i < points.Count; i += SurfaceRow.Padding)
         {
-            int first = i;
-            while (i < points.Count && cosines[i] > _minCosine)
+            uint facing = (uint)Vector512.GreaterThan(Vector512.Create(cosines[i..]), Vector512.Create(_minCosine))
+                .ExtractMostSignificantBits();
+            int left = points.Count - i;
+            if (facing == AllFacing && left >= SurfaceRow.Padding)
             {
-                i++;
+                Vector512.LoadUnsafe(ref points.X[i]).StoreUnsafe(ref toX, (nuint)count);
+                Vector512.LoadUnsafe(ref points.Y[i]).StoreUnsafe(ref toY, (nuint)count);
+                Vector512.LoadUnsafe(ref points.Z[i]).StoreUnsafe(ref toZ, (nuint)count);
+                Vector256.LoadUnsafe(ref points.Columns[i]).StoreUnsafe(ref toColumns, (nuint)count);
+                count += SurfaceRow.Padding;
+                continue;
             }
 
-            int run = i - first;
-            points.X.AsSpan(first, run).CopyTo(x[count..]);
-            points.Y.AsSpan(first, run).CopyTo(y[count..]);
-            points.Z.AsSpan(first, run).CopyTo(z[count..]);
-            points.Columns.AsSpan(first, run).CopyTo(columns[count..]);
-            count += run;
+            // No branch for each point: where light and shade alternate it would often be mispredicted.
+            for (int lane = 0; facing != 0 && lane < Math.Min(left, SurfaceRow.Padding); lane++)
+            {
+                (x[count], y[count], z[count]) = (points.X[i + lane], points.Y[i + lane], points.Z[i + lane]);
+                columns[count] = points.Columns[i + lane];
+                count += (int)(facing >> lane) & 1;
+            }
         }
 
         return count;

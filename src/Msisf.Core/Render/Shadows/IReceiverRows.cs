@@ -19,7 +19,11 @@ internal interface IReceiverRows
     /// <returns>Number of receivers.</returns>
     int Read(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns);
 
-    /// <summary>Reads a row that was read before, in the same order.</summary>
-    /// <inheritdoc cref="Read"/>
-    int ReadAgain(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns) => Read(row, x, y, z, columns);
+    /// <summary>Reads some receivers of a row that was read before.</summary>
+    /// <param name="row">Row of the image.</param>
+    /// <param name="columns">Columns of the receivers that are wanted, ascending; <see cref="Read"/> has returned each of them.</param>
+    /// <param name="x">MOON_ME x, m, of each of them.</param>
+    /// <param name="y">MOON_ME y, m.</param>
+    /// <param name="z">MOON_ME z, m.</param>
+    void ReadAgain(int row, ReadOnlySpan<int> columns, Span<double> x, Span<double> y, Span<double> z);
 }

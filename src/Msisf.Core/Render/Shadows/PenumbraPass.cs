@@ -15,10 +15,10 @@ internal sealed class PenumbraPass
     private const int Chunk = 4096;
 
     private readonly bool? _findsDarkZones;
-    private readonly SurfaceModel _surface;
-    private readonly CasterSearch _search;
+    private SurfaceModel _surface;
+    private CasterSearch _search;
     private readonly ReceiverSort _receivers = new();
-    private readonly DarkZoneSearch _darkZones;
+    private DarkZoneSearch _darkZones;
     private readonly List<PenumbraScan> _scans = [];
 
     /// <summary>Makes a pass for a model.</summary>
@@ -30,6 +30,15 @@ internal sealed class PenumbraPass
         _surface = surface;
         _search = new CasterSearch(surface);
         _darkZones = new DarkZoneSearch(surface);
+    }
+
+    /// <summary>Finds the shadows of another surface from the next frame on; the memory of receivers is kept.</summary>
+    public void Show(SurfaceModel surface)
+    {
+        _surface = surface;
+        _search = new CasterSearch(surface);
+        _darkZones = new DarkZoneSearch(surface);
+        _scans.Clear();
     }
 
     /// <summary>Bytes of the arrays of receivers that have been replaced since the first frame.</summary>

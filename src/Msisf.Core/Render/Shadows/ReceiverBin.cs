@@ -19,13 +19,16 @@ internal struct ReceiverBin
     /// <param name="numbers">The bin of each receiver; below 0 for one that is left out.</param>
     /// <param name="depths">Their depths, m.</param>
     /// <param name="columns">Their columns in the image.</param>
+    /// <param name="places">Receives the bin of each receiver at its column.</param>
     /// <param name="hide">Called with the column of each receiver that is left out.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Count(
-        ReceiverBin[] bins, ReadOnlySpan<int> numbers, ReadOnlySpan<float> depths, ReadOnlySpan<int> columns, Action<int> hide)
+        ReceiverBin[] bins, ReadOnlySpan<int> numbers, ReadOnlySpan<float> depths, ReadOnlySpan<int> columns, Span<int> places,
+        Action<int> hide)
     {
         for (int i = 0; i < numbers.Length; i++)
         {
+            places[columns[i]] = numbers[i];
             if (numbers[i] < 0)
             {
                 hide(columns[i]);

@@ -18,11 +18,12 @@ internal sealed class ReceiverGrid
 {
     private const int LaneCount = 8;
     private const int MaxBins = 2048;
+    private const int NoBin = -1;
 
     private readonly DepthPyramid _depths = new();
     private LightAxis _u;
     private LightAxis _v;
-    private int[] _bins = [];
+    private int[] _bins = []; // of each column of each row; below 0 without receiver
     private ReceiverBin[][] _parts = [];
     private byte[] _isWanted = [];
     private bool _wantsAll;
@@ -100,7 +101,7 @@ internal sealed class ReceiverGrid
 
     /// <summary>Finds the bins of a row's receivers and leaves out the receivers in the night zone.</summary>
     /// <param name="row">The receivers.</param>
-    /// <param name="start">Where the row begins among all receivers, with whole vectors in each row.</param>
+    /// <param name="start">Where the row begins among all columns, with whole vectors in each row.</param>
     /// <param name="number">Index of the group of rows that this row belongs to; only one thread at a time may work on a group.</param>
     /// <param name="night">The zone in which every point is in shadow.</param>
     /// <param name="dark">A second zone in which every point is in shadow; null for none.</param>
@@ -110,7 +111,9 @@ internal sealed class ReceiverGrid
     {
         int count = row.Count;
         Span<float> depths = stackalloc float[LaneCount];
-        ref int bins = ref _bins[start]; // a row has whole vectors of them
+        Span<int> numbers = stackalloc int[LaneCount];
+        Span<int> bins = _bins.AsSpan(start, row.Width);
+        bins.Fill(NoBin);
         Vector512<double> minU = Vector512.Create(double.PositiveInfinity);
         Vector512<double> minV = minU;
         Vector512<double> maxU = -minU;
@@ -127,11 +130,12 @@ internal sealed class ReceiverGrid
             minV = Vector512.ConditionalSelect(isOut, minV, Vector512.MinNative(minV, v));
             maxU = Vector512.ConditionalSelect(isOut, maxU, Vector512.MaxNative(maxU, u));
             maxV = Vector512.ConditionalSelect(isOut, maxV, Vector512.MaxNative(maxV, v));
-            Vector512<double> all = Vector512.ConditionalSelect(isNight, Vector512.Create(-1.0), (_v.BinsOf(v) * size) + _u.BinsOf(u));
+            Vector512<double> all = Vector512.ConditionalSelect(
+                isNight, Vector512.Create((double)NoBin), (_v.BinsOf(v) * size) + _u.BinsOf(u));
             Vector512<long> whole = Vector512.ConvertToInt64Native(all);
-            Vector512.Narrow(whole, whole).GetLower().StoreUnsafe(ref bins, (nuint)i);
+            Vector512.Narrow(whole, whole).GetLower().CopyTo(numbers);
             Vector512.Narrow(w, w).GetLower().CopyTo(depths);
-            ReceiverBin.Count(_parts[number], _bins.AsSpan(start + i, Math.Min(LaneCount, count - i)), depths, row.Columns.AsSpan(i), hide);
+            ReceiverBin.Count(_parts[number], numbers[..Math.Min(LaneCount, count - i)], depths, row.Columns.AsSpan(i), bins, hide);
         }
 
         return new LightBox(Lanes.Min(minU), -Lanes.Min(-maxU), Lanes.Min(minV), -Lanes.Min(-maxV));
@@ -189,47 +193,43 @@ internal sealed class ReceiverGrid
     /// <summary>Marks all bins for sorting.</summary>
     public void WantAll() => _wantsAll = true;
 
-    /// <summary>Whether <see cref="Sort"/> may have something to do for a row.</summary>
+    /// <summary>Finds the columns of a row's receivers whose bins are marked, from left to right.</summary>
     /// <param name="start">The same place as in <see cref="Count"/>.</param>
-    /// <param name="count">Number of the row's receivers.</param>
-    public bool Wants(int start, int count)
+    /// <param name="columns">Receives them; as long as the image is wide.</param>
+    /// <returns>Their number.</returns>
+    public int FindMarked(int start, Span<int> columns)
     {
-        if (_wantsAll)
+        ReadOnlySpan<int> bins = _bins.AsSpan(start, columns.Length);
+        (byte[] isWanted, bool wantsAll) = (_isWanted, _wantsAll);
+        int count = 0;
+        for (int column = 0; column < bins.Length; column++)
         {
-            return count > 0;
+            columns[count] = column; // stays only if it is counted: a branch would often be mispredicted
+            count += wantsAll ? ~bins[column] >>> 31 : bins[column] < 0 ? 0 : isWanted[bins[column]];
         }
 
-        foreach (int bin in _bins.AsSpan(start, count))
-        {
-            if (bin >= 0 && _isWanted[bin] != 0)
-            {
-                return true;
-            }
-        }
-
-        return false;
+        return count;
     }
 
-    /// <summary>Puts a row's receivers into their bins if these are marked.</summary>
-    /// <param name="row">The receivers, in the same order as in <see cref="Count"/>.</param>
+    /// <summary>Puts a row's marked receivers into their bins.</summary>
+    /// <param name="row">The receivers, in any order.</param>
     /// <param name="start">The same place as in <see cref="Count"/>.</param>
     /// <param name="part">The same index as in <see cref="Count"/>.</param>
     /// <param name="firstPixel">Index of the row's first pixel.</param>
     public void Sort(ReceiverRow row, int start, int part, int firstPixel)
     {
         ReceiverBin[] next = _parts[part];
-        ReadOnlySpan<int> bins = _bins.AsSpan(start, row.Count);
-        for (int i = 0; i < bins.Length; i++)
+        ReadOnlySpan<int> bins = _bins.AsSpan(start, row.Width);
+        ReadOnlySpan<int> columns = row.Columns.AsSpan(0, row.Count);
+        (double[] toU, double[] toV, double[] toW, int[] toPixels) = (U, V, W, Pixels); // read once, not for each receiver
+        (double[] u, double[] v, double[] w) = (row.U, row.V, row.W);
+        for (int i = 0; i < columns.Length; i++)
         {
-            int bin = bins[i];
-            if (bin >= 0 && (_wantsAll || _isWanted[bin] != 0))
-            {
-                int place = next[bin].Receivers++;
-                U[place] = row.U[i];
-                V[place] = row.V[i];
-                W[place] = row.W[i];
-                Pixels[place] = firstPixel + row.Columns[i];
-            }
+            int place = next[bins[columns[i]]].Receivers++;
+            toU[place] = u[i];
+            toV[place] = v[i];
+            toW[place] = w[i];
+            toPixels[place] = firstPixel + columns[i];
         }
     }
 

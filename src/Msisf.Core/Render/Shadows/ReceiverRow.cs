@@ -11,6 +11,9 @@ internal sealed class ReceiverRow
     /// <summary>Number of receivers.</summary>
     public int Count { get; private set; }
 
+    /// <summary>Maximum number of receivers: the image's number of columns.</summary>
+    public int Width { get; private set; }
+
     /// <summary>
     /// Coordinate in light space, m (in MOON_ME before <see cref="ToLight"/>). The arrays have whole vectors, with zeros after the last
     /// receiver.
@@ -32,23 +35,28 @@ internal sealed class ReceiverRow
     /// <summary>Reads the receivers of a row, in MOON_ME.</summary>
     /// <param name="receivers">The receivers of the image.</param>
     /// <param name="row">Row of the image.</param>
-    /// <param name="isAgain">Whether the row was read before.</param>
-    public void Read(IReceiverRows receivers, int row, bool isAgain = false)
+    public void Read(IReceiverRows receivers, int row)
     {
-        int width = receivers.Width;
-        if (Columns.Length < Padded(width))
+        EnsureWidth(receivers.Width);
+        Count = receivers.Read(row, U.AsSpan(0, Width), V.AsSpan(0, Width), W.AsSpan(0, Width), Columns.AsSpan(0, Width));
+        Pad();
+    }
+
+    /// <summary>Reads the marked receivers of a row that was read before, in MOON_ME.</summary>
+    /// <param name="receivers">The receivers of the image.</param>
+    /// <param name="row">Row of the image.</param>
+    /// <param name="grid">Knows which are marked.</param>
+    /// <param name="start">Where the row begins in the grid.</param>
+    public void ReadMarked(IReceiverRows receivers, int row, ReceiverGrid grid, int start)
+    {
+        EnsureWidth(receivers.Width);
+        Count = grid.FindMarked(start, Columns.AsSpan(0, Width));
+        if (Count > 0)
         {
-            (U, V, W) = (new double[Padded(width)], new double[Padded(width)], new double[Padded(width)]);
-            Columns = new int[Padded(width)];
+            receivers.ReadAgain(row, Columns.AsSpan(0, Count), U.AsSpan(0, Count), V.AsSpan(0, Count), W.AsSpan(0, Count));
         }
 
-        Count = isAgain
-            ? receivers.ReadAgain(row, U.AsSpan(0, width), V.AsSpan(0, width), W.AsSpan(0, width), Columns.AsSpan(0, width))
-            : receivers.Read(row, U.AsSpan(0, width), V.AsSpan(0, width), W.AsSpan(0, width), Columns.AsSpan(0, width));
-        int padding = Padded(Count) - Count;
-        U.AsSpan(Count, padding).Clear();
-        V.AsSpan(Count, padding).Clear();
-        W.AsSpan(Count, padding).Clear();
+        Pad();
     }
 
     /// <summary>Sum of the points, m, MOON_ME; to be called before <see cref="ToLight"/>.</summary>
@@ -80,5 +88,23 @@ internal sealed class ReceiverRow
         }
 
         return box;
+    }
+
+    private void EnsureWidth(int width)
+    {
+        Width = width;
+        if (Columns.Length < Padded(width))
+        {
+            (U, V, W) = (new double[Padded(width)], new double[Padded(width)], new double[Padded(width)]);
+            Columns = new int[Padded(width)];
+        }
+    }
+
+    private void Pad()
+    {
+        int padding = Padded(Count) - Count;
+        U.AsSpan(Count, padding).Clear();
+        V.AsSpan(Count, padding).Clear();
+        W.AsSpan(Count, padding).Clear();
     }
 }

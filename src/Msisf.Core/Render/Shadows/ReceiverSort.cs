@@ -17,7 +17,6 @@ internal sealed class ReceiverSort : IReceiverBounds
     private readonly List<ReceiverRow> _scouts = [];
     private readonly List<ReceiverRow> _scratch = [];
     private LightBox[] _boxes = [];
-    private int[] _counts = [];
 
     /// <summary>The sorted receivers, without those in the night zone.</summary>
     public ReceiverGrid Grid { get; } = new();
@@ -48,7 +47,6 @@ internal sealed class ReceiverSort : IReceiverBounds
         if (_boxes.Length < rows)
         {
             _boxes = new LightBox[rows];
-            _counts = new int[rows];
         }
 
         Scout(receivers, sun, threads, cancellation);
@@ -62,7 +60,6 @@ internal sealed class ReceiverSort : IReceiverBounds
                 points.ToLight(Frame);
             }
 
-            _counts[row] = points.Count;
             _boxes[row] = CountRow(points, receivers, row, part, night, dark: null, hide);
         }, cancellation);
         Place(rows);
@@ -78,10 +75,11 @@ internal sealed class ReceiverSort : IReceiverBounds
     public void LeaveOut(
         IReceiverRows receivers, DarkZone dark, NightZone night, Action<int> hide, int threads, CancellationToken cancellation)
     {
+        Grid.WantAll();
         Grid.Lay(Box, Grid.Length, PartsOf(threads), Start(receivers, receivers.Rows));
         RunParts(receivers, threads, (part, row) =>
         {
-            ReceiverRow points = ReadAgain(receivers, row, part);
+            ReceiverRow points = ReadMarked(receivers, row, part);
             _boxes[row] = CountRow(points, receivers, row, part, night, dark, hide);
         }, cancellation);
         Place(receivers.Rows);
@@ -96,17 +94,13 @@ internal sealed class ReceiverSort : IReceiverBounds
         Grid.MakeRoom();
         RunParts(receivers, threads, (part, row) =>
         {
-            int start = Start(receivers, row);
-            if (Grid.Wants(start, _counts[row]))
-            {
-                Grid.Sort(ReadAgain(receivers, row, part), start, part, row * receivers.Width);
-            }
+            Grid.Sort(ReadMarked(receivers, row, part), Start(receivers, row), part, row * receivers.Width);
         }, cancellation);
     }
 
     private static int PartsOf(int threads) => Math.Min(threads, MaxParts);
 
-    /// <summary>Where a row begins among all receivers.</summary>
+    /// <summary>Where a row begins among the columns of all rows.</summary>
     private static int Start(IReceiverRows receivers, int row) => row * ReceiverRow.Padded(receivers.Width);
 
     /// <summary>Does something with each row; the rows of a part from top to bottom.</summary>
@@ -130,10 +124,10 @@ internal sealed class ReceiverSort : IReceiverBounds
         return Grid.Count(points, Start(receivers, row), part, night, dark, column => hide(firstPixel + column));
     }
 
-    private ReceiverRow ReadAgain(IReceiverRows receivers, int row, int part)
+    private ReceiverRow ReadMarked(IReceiverRows receivers, int row, int part)
     {
         ReceiverRow points = _scratch[part];
-        points.Read(receivers, row, isAgain: true);
+        points.ReadMarked(receivers, row, Grid, Start(receivers, row));
         points.ToLight(Frame);
         return points;
     }

@@ -14,8 +14,8 @@ internal sealed class ShadowPass
     /// <summary>Maximum number of blocks for which sorting only the bins that they may darken is faster than sorting all bins.</summary>
     private const int FewBlocks = 128;
 
-    private readonly SurfaceModel _surface;
-    private readonly CasterSearch _search;
+    private SurfaceModel _surface;
+    private CasterSearch _search;
     private readonly ReceiverSort _receivers = new();
     private readonly List<CasterScan> _scans = [];
 
@@ -25,6 +25,14 @@ internal sealed class ShadowPass
     {
         _surface = surface;
         _search = new CasterSearch(surface);
+    }
+
+    /// <summary>Finds the shadows of another surface from the next frame on; the memory of receivers is kept.</summary>
+    public void Show(SurfaceModel surface)
+    {
+        _surface = surface;
+        _search = new CasterSearch(surface);
+        _scans.Clear();
     }
 
     /// <summary>Counts of the work for the last frame.</summary>

@@ -17,8 +17,13 @@ internal interface ISurfaceRows
     /// <summary>Computes the surface points of a row.</summary>
     /// <param name="y">1 to the height.</param>
     /// <param name="row">Receives the points.</param>
-    /// <param name="withNormals">Whether the normals are wanted; without them it takes two thirds of the time.</param>
-    void Read(int y, SurfaceRow row, bool withNormals = true);
+    void Read(int y, SurfaceRow row);
+
+    /// <summary>Computes some surface points of a row, without unit normals: the same points as <see cref="Read"/>, bit for bit.</summary>
+    /// <param name="y">1 to the height.</param>
+    /// <param name="columns">Their columns, from 0; all show the surface.</param>
+    /// <param name="row">Receives the points; its normals are not to be used.</param>
+    void ReadPoints(int y, ReadOnlySpan<int> columns, SurfaceRow row);
 
     /// <summary>The facet of a point of a row.</summary>
     /// <param name="y">The row that was read.</param>

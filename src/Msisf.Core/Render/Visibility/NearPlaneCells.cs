@@ -1,6 +1,7 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Visibility;
@@ -14,31 +15,39 @@ internal sealed class NearPlaneCells
     /// </summary>
     private const double MiddleOfPlane = 1e-6;
 
+    private readonly WindowSides _sides = new();
     private ImageView _view = null!;
 
     /// <summary>Prepares for a frame.</summary>
     public void Begin(ImageView view) => _view = view;
 
-    /// <summary>Draws the cells of any block one by one and returns the number of cells that were tested.</summary>
+    /// <summary>
+    /// Draws the cells of any block one by one, but for those beyond a side of the image; returns the number of cells that were tested.
+    /// </summary>
     public long DrawAll<TSamples>(ProjectedBlock block, Band band)
         where TSamples : struct, ISampleKind
     {
         int lines = block.Vertices.Lines - 1;
-        int samples = block.Vertices.Samples - 1;
+        uint inBlock = uint.MaxValue >> (CellBlock.Size - (block.Vertices.Samples - 1));
+        long tested = 0;
+        _sides.Find(block.Vertices, _view, band.Window, band.Margin);
         for (int line = 0; line < lines; line++)
         {
-            uint halves = block.HalvesOf(line);
-            uint cells = block.Vertices.CellsOfLine(line);
-            for (int sample = 0; sample < samples; sample++)
+            uint cells = inBlock & block.Vertices.CellsOfLine(line) & _sides.CellsOfLine(line);
+            if (cells == 0)
             {
-                if ((cells >> sample & 1) != 0)
-                {
-                    DrawCell<TSamples>(block, (line * ProjectedBlock.Stride) + sample, halves, band);
-                }
+                continue;
+            }
+
+            uint halves = block.HalvesOf(line);
+            tested += BitOperations.PopCount(cells);
+            for (; cells != 0; cells &= cells - 1)
+            {
+                DrawCell<TSamples>(block, (line * ProjectedBlock.Stride) + BitOperations.TrailingZeroCount(cells), halves, band);
             }
         }
 
-        return lines * samples;
+        return tested;
     }
 
     private void DrawCell<TSamples>(ProjectedBlock block, int index, uint halves, Band band)
@@ -102,7 +111,8 @@ internal sealed class NearPlaneCells
         where TSamples : struct, ISampleKind
     {
         // The inverse depth is linear in the image. It is above 0 at every pixel that passes the test of the edges.
-        Vector3D normal = block.Record(index, half).Normal;
+        block.Record(index, half, out FacetRecord record);
+        Vector3D normal = record.Normal;
         double scale = ScaleOf(block, index, normal);
         Vector512<double> perColumn = Vector512.Create(Vector3D.Dot(normal, _view.RayPerColumn) * scale);
         Vector512<double> perRow = Vector512.Create(Vector3D.Dot(normal, _view.RayPerRow) * scale);

@@ -41,10 +41,17 @@ internal sealed class PartRows : ISurfaceRows
     }
 
     /// <inheritdoc/>
-    public void Read(int y, SurfaceRow row, bool withNormals = true)
+    public void Read(int y, SurfaceRow row)
     {
         (PixelParts parts, int first) = _rows[y - 1];
-        _resolver.Resolve(parts, first, Math.Min(RowLength, parts.Count - first), row, withNormals);
+        _resolver.Resolve(parts, first, Math.Min(RowLength, parts.Count - first), row);
+    }
+
+    /// <inheritdoc/>
+    public void ReadPoints(int y, ReadOnlySpan<int> columns, SurfaceRow row)
+    {
+        (PixelParts parts, int first) = _rows[y - 1];
+        _resolver.Resolve(parts, first, columns, row);
     }
 
     /// <inheritdoc/>

@@ -55,10 +55,11 @@ internal sealed class ProjectedBlock
             : FacetCorners.SouthWestHalf | FacetCorners.NorthEastHalf;
     }
 
-    /// <summary>The record of a facet for the depth buffer.</summary>
+    /// <summary>Records a facet for the depth buffer.</summary>
     /// <param name="index">Index of the north-western vertex of the facet's cell.</param>
     /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
-    public FacetRecord Record(int index, int half)
+    /// <param name="record">Receives it; a returned one would be copied right after it was written, for which processors wait.</param>
+    public void Record(int index, int half, out FacetRecord record)
     {
         ref double x = ref BlockVertices.CornersFrom(Vertices.X, index);
         ref double y = ref BlockVertices.CornersFrom(Vertices.Y, index);
@@ -79,12 +80,13 @@ internal sealed class ProjectedBlock
         double offset = (nx * (x + _originFromAnchor.X)) + (ny * (y + _originFromAnchor.Y)) + (nz * (z + _originFromAnchor.Z));
         if (Vertices.IsOfSeams)
         {
-            return new FacetRecord(
+            record = new FacetRecord(
                 new Vector3D(nx, ny, nz), offset, 0, FacetRecord.Place(Vertices.Block.Part, Vertices.SeamFacet(index), half));
+            return;
         }
 
         int line = index / Stride;
-        return new FacetRecord(
+        record = new FacetRecord(
             new Vector3D(nx, ny, nz), offset, Vertices.Cells.FirstLine + line,
             FacetRecord.Place(Vertices.Block.Part, Vertices.Cells.FirstSample + index - (line * Stride), half));
     }
@@ -120,6 +122,7 @@ internal sealed class ProjectedBlock
         Vector512<double> worst = Vector512<double>.Zero;
         Vector512<double> min = one;
         Vector512<double> noDepth = Vector512.Create(MinDepth);
+        Vector512<double> lanes = Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
         for (int line = 0; line < Vertices.Lines; line++)
         {
             Vector512<double> top = Vector512.Create(double.PositiveInfinity);
@@ -137,6 +140,15 @@ internal sealed class ProjectedBlock
                 inverse.StoreUnsafe(ref inverseDepth, index);
                 x.StoreUnsafe(ref imageX, index);
                 y.StoreUnsafe(ref imageY, index);
+                if (sample + Vector512<double>.Count > Vertices.Samples)
+                {
+                    // What follows the line's vertices may lie anywhere: behind a camera near the ground, too.
+                    Vector512<double> isVertex = Vector512.LessThan(lanes, Vector512.Create((double)(Vertices.Samples - sample)));
+                    x = Vector512.ConditionalSelect(isVertex, x, Vector512.Create(x.ToScalar()));
+                    y = Vector512.ConditionalSelect(isVertex, y, Vector512.Create(y.ToScalar()));
+                    depth = Vector512.ConditionalSelect(isVertex, depth, one);
+                }
+
                 worst = Vector512.MaxNative(worst, Vector512.MaxNative(Vector512.Abs(x), Vector512.Abs(y)));
                 min = Vector512.MinNative(min, depth);
                 top = Vector512.MinNative(top, y);

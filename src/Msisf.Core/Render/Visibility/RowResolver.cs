@@ -23,19 +23,13 @@ internal sealed class RowResolver
 
     private readonly ImageView _view;
     private readonly LensSamples? _lens;
-    private readonly double[] _right;
+    private readonly RowGather _gather;
 
     public RowResolver(ImageView view, LensSamples? lens)
     {
         _view = view;
         _lens = lens;
-        _right = new double[view.Camera.Width];
-        double width = view.Camera.Width;
-        for (int column = 0; column < _right.Length; column++)
-        {
-            double x = column + 1 + view.OffsetX;
-            _right[column] = ((2.0 * x) - 1.0 - width) / (2.0 * width);
-        }
+        _gather = new RowGather(view, lens);
     }
 
     private double UpOf(int row)
@@ -64,11 +58,28 @@ internal sealed class RowResolver
     /// <param name="band">The band of the row.</param>
     /// <param name="row">The row, from 0.</param>
     /// <param name="pixels">Receives the pixels.</param>
-    /// <param name="withNormals">Whether the normals get the length 1; without, they are not to be used.</param>
-    public void Resolve(Band band, int row, SurfaceRow pixels, bool withNormals)
+    public void Resolve(Band band, int row, SurfaceRow pixels)
     {
         pixels.EnsureWidth(band.Width);
-        Gather(band, row, pixels);
+        _gather.Gather(band, row, pixels);
+        Locate(band.Records.AsSpan(), row, pixels, withNormals: true);
+    }
+
+    /// <summary>Computes the surface points of some pixels of a row, without unit normals.</summary>
+    /// <param name="band">The band of the row.</param>
+    /// <param name="row">The row, from 0.</param>
+    /// <param name="columns">The pixels' columns; all show the surface.</param>
+    /// <param name="pixels">Receives the pixels.</param>
+    public void Resolve(Band band, int row, ReadOnlySpan<int> columns, SurfaceRow pixels)
+    {
+        pixels.EnsureWidth(band.Width);
+        _gather.Gather(band, row, columns, pixels);
+        Locate(band.Records.AsSpan(), row, pixels, withNormals: false);
+    }
+
+    private void Locate(ReadOnlySpan<FacetRecord> records, int row, SurfaceRow pixels, bool withNormals)
+    {
+        RowGather.GatherPlanes(records, pixels);
         PinholeCamera camera = _view.Camera;
         if (_lens is null)
         {
@@ -85,8 +96,7 @@ internal sealed class RowResolver
     /// <param name="first">The first one that is wanted.</param>
     /// <param name="count">How many.</param>
     /// <param name="points">Receives them, in their order; their columns count from 0.</param>
-    /// <param name="withNormals">Whether the normals get the length 1; without, they are not to be used.</param>
-    public void Resolve(PixelParts parts, int first, int count, SurfaceRow points, bool withNormals)
+    public void Resolve(PixelParts parts, int first, int count, SurfaceRow points)
     {
         points.EnsureWidth(count);
         for (int i = 0; i < count; i++)
@@ -99,8 +109,34 @@ internal sealed class RowResolver
         parts.Along.AsSpan(first, count).CopyTo(points.Z);
         parts.Facets.AsSpan(first, count).CopyTo(points.Facets);
         points.Count = count;
-        GatherPlanes(parts.Records, points);
-        Pad(points);
+        Locate(parts, points, withNormals: true);
+    }
+
+    /// <summary>Computes some surface points of parts of pixels, without unit normals.</summary>
+    /// <param name="parts">The parts.</param>
+    /// <param name="first">The part in column 0.</param>
+    /// <param name="columns">The columns of those that are wanted.</param>
+    /// <param name="points">Receives them.</param>
+    public void Resolve(PixelParts parts, int first, ReadOnlySpan<int> columns, SurfaceRow points)
+    {
+        points.EnsureWidth(columns.Length);
+        for (int i = 0; i < columns.Length; i++)
+        {
+            int part = first + columns[i];
+            points.Columns[i] = columns[i];
+            points.Parameters[i] = parts.InverseDepths[part];
+            points.X[i] = parts.Across[part];
+            points.Z[i] = parts.Along[part];
+            points.Facets[i] = parts.Facets[part];
+        }
+
+        points.Count = columns.Length;
+        Locate(parts, points, withNormals: false);
+    }
+
+    private void Locate(PixelParts parts, SurfaceRow points, bool withNormals)
+    {
+        RowGather.GatherPlanes(parts.Records, points);
         PinholeCamera camera = _view.Camera;
         if (camera.Model.Lens is null)
         {
@@ -182,76 +218,4 @@ internal sealed class RowResolver
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<double> Held(Vector512<double> value, Vector512<double> min, Vector512<double> max) =>
         Vector512.MinNative(Vector512.MaxNative(value, min), max);
-
-    /// <summary>
-    /// Copies the row's surface pixels into consecutive elements. Until the points are computed, X holds the pixels' factors of the
-    /// camera's right vector and Y the offsets of their planes; with a lens Z holds the factors of the vector down.
-    /// </summary>
-    private void Gather(Band band, int row, SurfaceRow pixels)
-    {
-        int start = (row - band.FirstRow) * band.Stride;
-        ReadOnlySpan<double> inverses = band.InverseDepths.AsSpan(start, band.Width);
-        ReadOnlySpan<int> facets = band.Facets.AsSpan(start, band.Width);
-        int count = 0;
-        for (int column = 0; column < inverses.Length; column++)
-        {
-            if (inverses[column] == 0.0)
-            {
-                continue;
-            }
-
-            int first = column;
-            while (column < inverses.Length && inverses[column] > 0.0)
-            {
-                pixels.Columns[count + column - first] = column;
-                column++;
-            }
-
-            int run = column - first;
-            inverses.Slice(first, run).CopyTo(pixels.Parameters.AsSpan(count));
-            facets.Slice(first, run).CopyTo(pixels.Facets.AsSpan(count));
-            if (_lens is null)
-            {
-                _right.AsSpan(first, run).CopyTo(pixels.X.AsSpan(count));
-            }
-            else
-            {
-                int sample = (row * band.Width) + first;
-                _lens.Right.AsSpan(sample, run).CopyTo(pixels.X.AsSpan(count));
-                _lens.Down.AsSpan(sample, run).CopyTo(pixels.Z.AsSpan(count));
-            }
-
-            count += run;
-        }
-
-        pixels.Count = count;
-        GatherPlanes(band.Records.AsSpan(), pixels);
-        Pad(pixels);
-    }
-
-    private static void Pad(SurfaceRow pixels)
-    {
-        for (int behind = pixels.Count; behind < pixels.Count + SurfaceRow.Padding; behind++)
-        {
-            (pixels.Parameters[behind], pixels.X[behind], pixels.Y[behind], pixels.Z[behind]) = (1.0, 0.0, 0.0, 0.0);
-            (pixels.NormalX[behind], pixels.NormalY[behind], pixels.NormalZ[behind]) = (1.0, 0.0, 0.0);
-        }
-    }
-
-    private static void GatherPlanes(ReadOnlySpan<FacetRecord> records, SurfaceRow pixels)
-    {
-        ReadOnlySpan<int> facets = pixels.Facets.AsSpan(0, pixels.Count);
-        Span<double> offsets = pixels.Y.AsSpan(0, facets.Length);
-        Span<double> normalX = pixels.NormalX.AsSpan(0, facets.Length);
-        Span<double> normalY = pixels.NormalY.AsSpan(0, facets.Length);
-        Span<double> normalZ = pixels.NormalZ.AsSpan(0, facets.Length);
-        for (int i = 0; i < facets.Length; i++)
-        {
-            ref readonly FacetRecord record = ref records[facets[i]];
-            offsets[i] = record.Offset;
-            normalX[i] = record.Normal.X;
-            normalY[i] = record.Normal.Y;
-            normalZ[i] = record.Normal.Z;
-        }
-    }
 }

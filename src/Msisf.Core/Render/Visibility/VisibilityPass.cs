@@ -12,8 +12,8 @@ internal sealed class VisibilityPass
     /// <summary>Samples of lenses that are kept, of 16 bytes each: nine for each pixel of an image of 1024 x 1024 px.</summary>
     private const long MaxLensSamples = 10_000_000;
 
-    private readonly SurfaceModel _surface;
-    private readonly BlockCuller _culler;
+    private SurfaceModel _surface;
+    private BlockCuller _culler;
     private readonly VisibleSurface _result = new();
     private readonly List<BandWorker> _workers = [];
     private readonly List<LensSamples> _lenses = [];
@@ -23,6 +23,14 @@ internal sealed class VisibilityPass
     {
         _surface = surface;
         _culler = new BlockCuller(surface);
+    }
+
+    /// <summary>Draws another surface from the next frame on; the memory is kept.</summary>
+    public void Show(SurfaceModel surface)
+    {
+        _surface = surface;
+        _culler = new BlockCuller(surface);
+        Blocks = [];
     }
 
     /// <summary>What the last frame shows.</summary>

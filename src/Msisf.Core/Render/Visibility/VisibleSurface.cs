@@ -51,10 +51,17 @@ internal sealed class VisibleSurface : ISurfaceRows
     }
 
     /// <inheritdoc/>
-    public void Read(int y, SurfaceRow row, bool withNormals = true)
+    public void Read(int y, SurfaceRow row)
     {
         Band band = BandOf(y, out int index);
-        _resolver.Resolve(band, index, row, withNormals);
+        _resolver.Resolve(band, index, row);
+    }
+
+    /// <inheritdoc/>
+    public void ReadPoints(int y, ReadOnlySpan<int> columns, SurfaceRow row)
+    {
+        Band band = BandOf(y, out int index);
+        _resolver.Resolve(band, index, columns, row);
     }
 
     /// <inheritdoc/>

@@ -41,6 +41,9 @@ export class Panel {
             $(name).addEventListener('change', event => state.draw({ [name]: event.target.value }));
         }
         $('samples').addEventListener('change', event => state.draw({ samples: Number(event.target.value) }));
+        $('refine').addEventListener('change', event => state.draw({ refine: event.target.checked }));
+        $('seed').addEventListener('change', event => event.target.validity.valid && event.target.value
+            && state.draw({ seed: event.target.valueAsNumber }));
         $('fit').addEventListener('change', event => state.draw({ fit: event.target.checked, ...state.size }));
         for (const name of ['width', 'height']) {
             $(name).addEventListener('change', event => event.target.validity.valid && event.target.value
@@ -101,6 +104,9 @@ export class Panel {
         write('width', size.width);
         write('height', size.height);
         $('fit').checked = picture.fit;
+        $('refine').checked = picture.refine;
+        write('seed', picture.seed);
+        $('refine-note').hidden = !picture.refine;
     }
 
     #anchorTime(isNew) {

@@ -7,7 +7,7 @@ import { degrees, fixed, latitudeText, lengthText } from './text.js';
 const ROWS = [
     ['Latitude', reading => latitudeText(reading.latitude)],
     ['Longitude E', reading => degrees(reading.longitude, 6)],
-    ['Height', reading => `${fixed(reading.height, 2)} m`],
+    ['Height', reading => `${fixed(reading.height, 2)} m${reading.facet.invented ? ', INVENTED' : ''}`],
     ['Incidence', reading => degrees(reading.incidence, 4)],
     ['Emission', reading => degrees(reading.emission, 4)],
     ['Phase', reading => degrees(reading.phase, 4)],
@@ -24,7 +24,7 @@ const ROWS = [
 const HALVES = ['SW', 'NE'];
 
 const HINTS = {
-    Height: 'Over the sphere of 1,737.4 km',
+    Height: 'Over the sphere of 1,737.4 km; INVENTED where the ground is below the elevation model\'s resolution',
     Incidence: 'From the ground\'s normal to the Sun',
     Emission: 'From the ground\'s normal to the camera',
     Phase: 'From the Sun to the camera, seen from the ground',
@@ -91,7 +91,8 @@ export class Readings {
     get sentence() {
         const here = this.#read.here;
         return here
-            ? `${latitudeText(here.latitude)}, ${degrees(here.longitude, 6)} east, height ${fixed(here.height, 0)} metres, ${here.lit}`
+            ? `${latitudeText(here.latitude)}, ${degrees(here.longitude, 6)} east, height ${fixed(here.height, 0)} metres, `
+                + `${here.facet.invented ? 'invented ground, ' : ''}${here.lit}`
             : 'No Moon here';
     }
 

@@ -5,7 +5,9 @@ import { stateOf, turn } from './geometry.js';
 /** The Moon's near side, a day after the first quarter of April 2010. */
 const FIRST_VIEW = { mjd: 55308, latitude: 0, longitude: 0, altitude: 3900000, heading: 0, tilt: 0, roll: 0, fov: 40 };
 
-const FIRST_PICTURE = { fit: true, width: 1024, height: 1024, samples: 9, model: '', shading: 'facet', sun: 'point', reflectance: '' };
+const FIRST_PICTURE = {
+    fit: true, width: 1024, height: 1024, samples: 9, model: '', shading: 'facet', sun: 'point', reflectance: '', refine: false, seed: 1,
+};
 
 /** The longer side of the images while the camera moves, px. */
 export const MOVING_SIZE = 512;
@@ -77,8 +79,11 @@ export class State {
             [this.picture, this.own, this.#before] = [this.#before, {}, null];
             return;
         }
-        const { model, samples, shading, sun, reflectance, width, height, fov = this.view.fov, ...own } = options;
-        const known = { model, samples: SAMPLES.includes(samples) ? samples : undefined, shading, sun, reflectance, width, height };
+        const { model, samples, shading, sun, reflectance, width, height, refine, fov = this.view.fov, ...own } = options;
+        const known = {
+            model, samples: SAMPLES.includes(samples) ? samples : undefined, shading, sun, reflectance, width, height,
+            ...(refine !== undefined && { refine: true, seed: refine }),
+        };
         const given = Object.fromEntries(Object.entries(known).filter(([, value]) => value !== undefined));
         this.picture = { ...DEFAULT_PICTURE, ...(samples !== undefined && { samples: this.#before.samples }), ...given };
         this.view = { ...this.view, fov };
@@ -119,7 +124,7 @@ export class State {
 
     /** The frame of the view as the server takes it: options under the names of the command line. */
     frame({ width, height } = this.size, samples = 1) {
-        const { model, shading, sun, reflectance } = this.picture;
+        const { model, shading, sun, reflectance, refine, seed } = this.picture;
         return {
             'fixed-state': stateOf(this.view),
             ...(!this.own.camera && { fov: this.view.fov, width, height }),
@@ -128,6 +133,7 @@ export class State {
             ...(shading !== FIRST_PICTURE.shading && { shading }),
             ...(sun !== FIRST_PICTURE.sun && { sun }),
             ...(reflectance && { reflectance }),
+            ...(refine && { refine: seed }),
             ...this.own,
         };
     }

@@ -19,7 +19,7 @@ public sealed class SunwardPointsTests
     [InlineData("oblique-20km", 0.0)]
     [InlineData("half-sky", 0.0)]
     [InlineData("grazing-sun", -0.005)]
-    public void Read_AllRowsTwice_GivesThePointsAndCosinesOfThePlainFormula(string scene, double minCosine)
+    public void Read_AllRowsAndSomeAgain_GivesThePointsAndCosinesOfThePlainFormula(string scene, double minCosine)
     {
         IElevationGrid grid = FunctionGrid.Rugged(4);
         RenderScenes.RenderSceneCase given = RenderScenes.Named(scene);
@@ -51,8 +51,13 @@ public sealed class SunwardPointsTests
             }
 
             double[] again = new double[Side];
-            Assert.Equal(count, points.ReadAgain(row, again, y, z, columns));
-            Assert.Equal(x[..count], again[..count]);
+            int[] some = [.. columns[..count].Where(column => column % 3 != 1)];
+            points.ReadAgain(row, some, again, y, z);
+            for (int i = 0; i < some.Length; i++)
+            {
+                Assert.Equal(found[some[i]], new Vector3D(again[i], y[i], z[i]));
+            }
+
             sunward += count;
         }
 

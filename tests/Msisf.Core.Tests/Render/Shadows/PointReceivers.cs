@@ -21,4 +21,12 @@ internal sealed class PointReceivers(IReadOnlyList<Vector3D> points, int width) 
 
         return count;
     }
+
+    public void ReadAgain(int row, ReadOnlySpan<int> columns, Span<double> x, Span<double> y, Span<double> z)
+    {
+        for (int i = 0; i < columns.Length; i++)
+        {
+            (x[i], y[i], z[i]) = points[(row * width) + columns[i]];
+        }
+    }
 }

@@ -1,0 +1,39 @@
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Viewer.Tests;
+
+/// <summary>Invented detail in the viewer: switched on, it is drawn, marked where it is read, and taken along.</summary>
+[Collection(Chromium.Collection)]
+public class InventedDetailTests(Chromium chromium, ViewerServer server)
+{
+    private const string Near = "samples=1&fit=false&width=96&height=64&latitude=-40&longitude=345&altitude=60000";
+
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task Switch_DrawsMarksAndTakesAlongInventedGround()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Near);
+        await viewer.ShowAllAsync();
+        await viewer.PointAsync(40, 30);
+        Assert.EndsWith(" m", await viewer.ReadAsync("Height"), StringComparison.Ordinal);
+        Assert.False(await viewer.Page.IsVisibleAsync("#refine-note"));
+
+        await viewer.MoveAsync(() => viewer.Page.CheckAsync("#refine"));
+        await viewer.MoveAsync(async () =>
+        {
+            await viewer.Page.FillAsync("#seed", "12");
+            await viewer.Page.Keyboard.PressAsync("Enter");
+        });
+
+        await viewer.PointAsync(40, 30);
+        Assert.EndsWith(" m, INVENTED", await viewer.ReadAsync("Height"), StringComparison.Ordinal);
+        Assert.True(await viewer.Page.IsVisibleAsync("#refine-note"));
+        Assert.Contains("--refine 12", await viewer.CopiedAsync("copy-command"), StringComparison.Ordinal);
+
+        await viewer.Page.ReloadAsync();
+        await viewer.AtRestAsync();
+        await viewer.ShowAllAsync();
+        Assert.True(await viewer.Page.IsCheckedAsync("#refine"));
+        Assert.Equal(12.0, await viewer.NumberAsync("seed"));
+    }
+}
