@@ -19,7 +19,7 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
 {
     private const int Size = 96;
 
-    /// <summary>1: how much lower than their vertices chords of facets lie, of the radius, at 1 px/deg; sides of seams are longer.</summary>
+    /// <summary>1: how much lower than their vertices facets lie, of the radius, at 1 px/deg; sides of seams are longer.</summary>
     private const double ChordSag = 1e-3;
 
     private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };

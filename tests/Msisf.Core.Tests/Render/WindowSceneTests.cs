@@ -22,7 +22,10 @@ public sealed class WindowSceneTests
         new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true, Normals = NormalModel.Smooth };
 
     /// <summary>A band of +-60 degrees, a rectangle, and one across the prime meridian.</summary>
-    public static TheoryData<int, int, int, int> Windows => new() { { 120, 600, 0, 1440 }, { 200, 320, 100, 260 }, { 200, 320, 1360, 1520 } };
+    public static TheoryData<int, int, int, int> Windows => new()
+    {
+        { 120, 600, 0, 1440 }, { 200, 320, 100, 260 }, { 200, 320, 1360, 1520 },
+    };
 
     /// <summary>Camera over the prime meridian or over the rectangle's middle; the second also sees the northern border.</summary>
     public static TheoryData<int, int, int, int, double, double, double, double> Views => new()
