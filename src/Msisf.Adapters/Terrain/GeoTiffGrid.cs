@@ -35,7 +35,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     private GeoTiffGrid(string path, GdalImage file, GdalImage image, GeoTiffPlacement placement)
     {
         (_path, _file, _image, _placement) = (path, file, image, placement);
-        ProductId = Path.GetFileNameWithoutExtension(path);
+        ProductId = ProductIdOf(path);
         double metres = image.Unit.ToUpperInvariant() switch
         {
             "" or "M" or "METRE" or "METER" or "METRES" or "METERS" => 1.0,
@@ -80,6 +80,9 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     public static bool IsNameOf(string path) =>
         Path.GetExtension(path).ToUpperInvariant() is ".TIF" or ".TIFF";
 
+    /// <summary>Name of the model in a file: the file's.</summary>
+    public static string ProductIdOf(string path) => Path.GetFileNameWithoutExtension(path);
+
     /// <summary>Opens a file.</summary>
     /// <param name="path">The file.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
@@ -103,7 +106,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
                 return new GeoTiffGrid(path, file, file, own);
             }
 
-            warped = GeoTiffWarp.Of(file);
+            warped = GeoTiffWarp.Of(path, file);
             return warped is not null && PlacementOf(path, warped, out _) is { } placement
                 ? new GeoTiffGrid(path, file, warped, placement) { WarpedFrom = file.Projection() }
                 : throw new BadInputException(otherForm);

@@ -122,12 +122,11 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
             || Math.Abs((map.Across * unit * resolution) - 1.0) > SameScale || Math.Abs((map.Down * unit * resolution) - 1.0) > SameScale
             || Math.Abs(firstLine - Math.Round(firstLine)) > SamePixel || Math.Abs(firstSample - Math.Round(firstSample)) > SamePixel
             || Math.Round(firstLine) < 0.0 || Math.Round(firstLine) + size.Height > 180.0 * resolution
-            || (!isRing && Math.Round(firstSample) + size.Width > turn) || (isRing && size.Height == 180.0 * resolution))
+            || size.Width > turn || (isRing && size.Height == 180.0 * resolution))
         {
             otherForm =
-                $"{path}: cylindrical maps are read if they have a whole number of pixels a degree on the grid of the whole Moon, do not "
-                    + $"cross the prime meridian (or go all around), and are not of the whole Moon, for which msis takes PDS3 models. "
-                    + $"Warp it, e.g. with gdalwarp -t_srs '+proj=longlat +R=1737400' -te ... -tr ..., or to a polar stereographic map.";
+                $"{path}: cylindrical maps are read if they have a whole number of pixels a degree on the grid of the whole Moon, and are "
+                    + $"not of the whole Moon, for which msis takes PDS3 models. Warp it, e.g. with gdalwarp -t_srs '+proj=longlat +R=1737400' -te ... -tr ..., or to a polar stereographic map.";
             return null;
         }
 

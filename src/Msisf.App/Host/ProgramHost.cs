@@ -1,5 +1,6 @@
 using System.Reflection;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Terrain;
 
 namespace Msisf.App.Host;
 
@@ -10,6 +11,7 @@ internal sealed class ProgramHost
 {
     private readonly Lazy<Installation> _installation = new(() => Installation.Above(AppContext.BaseDirectory));
     private readonly Func<string, string?> _environment;
+    private readonly Lazy<GeoTiffFiles> _geoTiffs;
 
     /// <param name="clock">Clock.</param>
     /// <param name="environment">Gets a variable of the environment.</param>
@@ -18,6 +20,7 @@ internal sealed class ProgramHost
         _environment = environment;
         Clock = clock;
         Times = new RunTimes(clock);
+        _geoTiffs = new Lazy<GeoTiffFiles>(() => new GeoTiffFiles(Environment("MSISF_GDAL")));
     }
 
     public required TextWriter Results { get; init; }
@@ -35,6 +38,9 @@ internal sealed class ProgramHost
     /// <summary>Version of the program, e.g. "1.0.0".</summary>
     public string Version { get; } =
         typeof(ProgramHost).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
+
+    /// <summary>Opens elevation models in GeoTIFF, each once.</summary>
+    public GeoTiffFiles GeoTiffs => _geoTiffs.Value;
 
     public Installation Installation => _installation.Value;
 

@@ -112,7 +112,7 @@ internal static class ModelOpening
 
     private static ElevationModel OpenGeoTiff(string path, ProgramHost host) => SurfaceOptions.Ldem.Concerned(() =>
     {
-        GeoTiffGrid grid = GeoTiffGrid.Open(path, host.Environment("MSISF_GDAL"));
+        GeoTiffGrid grid = host.GeoTiffs.Open(path);
         LdemSet set = LdemSet.OfMap(grid.ToLabel());
         Tell(set, host.Log);
         if (grid.WarpedFrom is not null)

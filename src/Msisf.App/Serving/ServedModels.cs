@@ -170,9 +170,8 @@ internal sealed class ServedModels : IDisposable
     {
         if (GeoTiffGrid.IsNameOf(path))
         {
-            using GeoTiffGrid grid = GeoTiffGrid.Open(path, _host.Environment("MSISF_GDAL"));
             return new ServedModel(
-                grid.ProductId, grid.Projection.Resolution, isSynthetic: false, isWholeMoon: false, path, path, _host);
+                GeoTiffGrid.ProductIdOf(path), _host.GeoTiffs.ResolutionOf(path), isSynthetic: false, isWholeMoon: false, path, path, _host);
         }
 
         return LdemCatalog.TryReadMap(path) is { Polar: { } polar } label

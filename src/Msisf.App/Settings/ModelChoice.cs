@@ -11,15 +11,21 @@ internal static class ModelChoice
     /// <summary>The resolution of the run's model: a map of a part has its own.</summary>
     /// <exception cref="UsageException">The options contradict the map that --ldem names.</exception>
     /// <param name="values">The options.</param>
-    /// <param name="gdalPath">MSISF_GDAL, or null.</param>
-    public static GridResolution ResolutionOf(OptionValues values, string? gdalPath)
+    /// <param name="geoTiffs">Opens elevation models in GeoTIFF, and keeps them; null to close them again.</param>
+    public static GridResolution ResolutionOf(OptionValues values, GeoTiffFiles? geoTiffs)
     {
-        if (SurfaceOptions.Ldem.ReadAll(values) is { Count: > 1 } several)
+        if (geoTiffs is null)
         {
-            return ResolutionOfSeveral(several, values, gdalPath);
+            using GeoTiffFiles closed = new(libraryPath: null);
+            return ResolutionOf(values, closed);
         }
 
-        if (SurfaceOptions.Ldem.ReadIfGiven(values) is not { } path || ResolutionOfMap(path, gdalPath) is not { } resolution)
+        if (SurfaceOptions.Ldem.ReadAll(values) is { Count: > 1 } several)
+        {
+            return ResolutionOfSeveral(several, values, geoTiffs);
+        }
+
+        if (SurfaceOptions.Ldem.ReadIfGiven(values) is not { } path || ResolutionOfMap(path, geoTiffs) is not { } resolution)
         {
             return SurfaceOptions.Resolution.Read(values);
         }
@@ -35,7 +41,7 @@ internal static class ModelChoice
     }
 
     /// <summary>The resolution of the finest of several models.</summary>
-    private static GridResolution ResolutionOfSeveral(IReadOnlyList<string> paths, OptionValues values, string? gdalPath)
+    private static GridResolution ResolutionOfSeveral(IReadOnlyList<string> paths, OptionValues values, GeoTiffFiles geoTiffs)
     {
         if (SurfaceOptions.Resolution.ReadIfGiven(values) is not null)
         {
@@ -49,21 +55,14 @@ internal static class ModelChoice
             throw new UsageException($"--ldem {twice.First()} is given twice. Leave one of them out.").About(SurfaceOptions.Ldem);
         }
 
-        return paths.Select(path => ResolutionOfMap(path, gdalPath) ?? ResolutionOfLabel(path)).MinBy(found => found.MetresPerPixel);
+        return paths.Select(path => ResolutionOfMap(path, geoTiffs) ?? ResolutionOfLabel(path)).MinBy(found => found.MetresPerPixel);
     }
 
     private static GridResolution ResolutionOfLabel(string path) => SurfaceOptions.Ldem.Concerned(() => Directory.Exists(path)
         ? throw new BadInputException($"{path}: a folder; of several --ldem each names the label or the image of a model.")
         : LdemCatalog.Read(path).PixelsPerDegree);
 
-    private static GridResolution? ResolutionOfMap(string path, string? gdalPath)
-    {
-        if (!GeoTiffGrid.IsNameOf(path))
-        {
-            return LdemCatalog.TryReadMap(path)?.Polar?.Resolution;
-        }
-
-        using GeoTiffGrid grid = SurfaceOptions.Ldem.Concerned(() => GeoTiffGrid.Open(path, gdalPath));
-        return grid.Projection.Resolution;
-    }
+    private static GridResolution? ResolutionOfMap(string path, GeoTiffFiles geoTiffs) => GeoTiffGrid.IsNameOf(path)
+        ? SurfaceOptions.Ldem.Concerned(() => geoTiffs.ResolutionOf(path))
+        : LdemCatalog.TryReadMap(path)?.Polar?.Resolution;
 }

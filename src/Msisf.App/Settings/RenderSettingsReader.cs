@@ -1,5 +1,6 @@
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Render;
+using Msisf.Adapters.Terrain;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
@@ -17,11 +18,11 @@ internal static class RenderSettingsReader
     /// <summary>Reads and checks all options.</summary>
     /// <param name="values">The options.</param>
     /// <param name="openCamera">Opens the camera of a name; null for a preset or a file.</param>
-    /// <param name="gdalPath">MSISF_GDAL, or null.</param>
+    /// <param name="geoTiffs">Opens elevation models in GeoTIFF, to be used again for the run; null if the run is not made here.</param>
     /// <param name="known">Resolution of the model, so that its files need not be asked; null if it is not known.</param>
     /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
     public static RenderSettings Read(
-        OptionValues values, Func<string, CameraFile>? openCamera = null, string? gdalPath = null, GridResolution? known = null)
+        OptionValues values, Func<string, CameraFile>? openCamera = null, GeoTiffFiles? geoTiffs = null, GridResolution? known = null)
     {
         PixelSurface surface = OutputOptions.Surface.Read(values);
         int grid = OutputOptions.Grid.Read(values);
@@ -29,7 +30,7 @@ internal static class RenderSettingsReader
         RendererOptions.Check(values);
         AlbedoSettings albedo = AlbedoOptions.Read(values);
         CameraFile? camera = CameraChoice.Read(values, openCamera);
-        GridResolution resolution = known ?? ModelChoice.ResolutionOf(values, gdalPath);
+        GridResolution resolution = known ?? ModelChoice.ResolutionOf(values, geoTiffs);
         RenderSettings settings = new()
         {
             Camera = camera,

@@ -13,7 +13,7 @@ internal static class RenderCommand
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         CameraSettings camera = CameraSettingsReader.Read(call.Values);
-        RenderSettings settings = RenderSettingsReader.Read(call.Values, gdalPath: call.Host.Environment("MSISF_GDAL"));
+        RenderSettings settings = RenderSettingsReader.Read(call.Values, geoTiffs: call.Host.GeoTiffs);
         if (DryRunOptions.Read(call.Values) is { } format)
         {
             PreviewPrinter.Print(

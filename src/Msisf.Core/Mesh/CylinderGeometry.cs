@@ -35,8 +35,8 @@ internal sealed class CylinderGeometry : MeshGeometry
             _latitudes[line + 1] = directions.Latitude(line);
         }
 
-        // The last cell block is read in whole vectors, which extend beyond the prime meridian.
-        _longitudeSines = new double[mesh.Samples + BlockVertices.Stride];
+        // The last cell block is read in whole vectors, which extend beyond the prime meridian; so do maps across it.
+        _longitudeSines = new double[Math.Max(mesh.Samples, mesh.Grid.Window.EndSample) + BlockVertices.Stride];
         _longitudeCosines = new double[_longitudeSines.Length];
         for (int sample = 0; sample < _longitudeSines.Length; sample++)
         {
@@ -60,7 +60,7 @@ internal sealed class CylinderGeometry : MeshGeometry
     /// <param name="line">-1 (north pole) to the mesh's lines (south pole).</param>
     public SineCosine Latitude(int line) => _latitudes[line + 1];
 
-    /// <summary>Longitude of a sample, from 0 to the mesh's number of samples, which is sample 0 again.</summary>
+    /// <summary>Longitude of a sample, from 0 to the mesh's number of samples, which is sample 0 again, and on to the end of the map.</summary>
     public SineCosine Longitude(int sample) => new(_longitudeSines[sample], _longitudeCosines[sample]);
 
     /// <inheritdoc/>

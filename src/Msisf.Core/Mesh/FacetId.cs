@@ -7,7 +7,9 @@ namespace Msisf.Core.Mesh;
 /// Line of the cell's northern samples, 0 for the northernmost; -1 is the fan around the north pole and 180 res - 1 the fan around the
 /// south pole.
 /// </param>
-/// <param name="Sample">Column of the cell's western samples, 0 to 360 res - 1.</param>
+/// <param name="Sample">
+/// Column of the cell's western samples, 0 to 360 res - 1; those of a map across the prime meridian count on there.
+/// </param>
 /// <param name="Half">Which of the cell's two facets.</param>
 public readonly record struct FacetId(int Line, int Sample, FacetHalf Half)
 {

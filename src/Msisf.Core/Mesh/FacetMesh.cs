@@ -93,6 +93,9 @@ internal sealed class FacetMesh
         }
     }
 
+    /// <summary>The sample to the right of one that has a cell; a map across the prime meridian counts on there.</summary>
+    public int Next(int sample) => sample + 1 == Samples && Cells.EndSample <= Samples ? 0 : sample + 1;
+
     /// <summary>The samples to the left and to the right of one, or itself where a map ends.</summary>
     public (int West, int East) NeighboursOf(int sample) => _isRing
         ? (sample == 0 ? Samples - 1 : sample - 1, sample + 1)

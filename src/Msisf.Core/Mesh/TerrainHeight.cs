@@ -98,7 +98,7 @@ public static class TerrainHeight
             {
                 for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
                 {
-                    int turned = part.Mesh.SamplesOfTurn is int turn and > 0 ? (sample + turn) % turn : sample;
+                    int turned = part.Mesh.IsClosed ? (sample + part.Mesh.Samples) % part.Mesh.Samples : sample;
                     if (part.Has(line, turned))
                     {
                         CellCorners corners = part.Corners(line, turned);

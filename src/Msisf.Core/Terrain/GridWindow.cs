@@ -1,6 +1,8 @@
 namespace Msisf.Core.Terrain;
 
-/// <summary>The part of a grid for which a model has samples.</summary>
+/// <summary>
+/// The part of a grid for which a model has samples. Of a map across the prime meridian they count on there, beyond those of the grid.
+/// </summary>
 /// <param name="FirstLine">Its top line.</param>
 /// <param name="EndLine">The line below its last one.</param>
 /// <param name="FirstSample">Its leftmost sample.</param>

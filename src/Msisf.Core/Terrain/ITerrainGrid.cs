@@ -32,7 +32,7 @@ public interface ITerrainGrid : ITerrain
     /// <summary>Radii of consecutive samples of one line.</summary>
     /// <param name="line">0 to <see cref="Lines"/> - 1, from the top; within the window.</param>
     /// <param name="firstSample">
-    /// 0 to <see cref="Samples"/> - 1; the samples of a model of the whole Moon continue across the prime meridian.
+    /// 0 to <see cref="Samples"/> - 1, or within the window; the samples of a model of the whole Moon continue across the prime meridian.
     /// </param>
     /// <param name="radii">Filled with m from the Moon's centre; 1 to <see cref="Samples"/> of them.</param>
     /// <exception cref="BadInputException">A sample has no data, or can't be right: the file is damaged.</exception>

@@ -52,7 +52,7 @@ public readonly record struct TileId(int SouthDegrees, int WestDegrees) : ICompa
     public static TileId Holding(FacetId facet, int pixelsPerDegree)
     {
         int size = SizeDegrees * pixelsPerDegree;
-        return At(Math.Max(facet.Line, 0) / size, facet.Sample / size);
+        return At(Math.Max(facet.Line, 0) / size, facet.Sample / size % Columns);
     }
 
     /// <summary>The tile in a row and column.</summary>

@@ -81,12 +81,20 @@ public sealed class GeoTiffGridTests : IDisposable
     [InlineData("+proj=stere +lat_0=90 +lon_0=30", true)]
     [InlineData("+proj=eqc +lat_ts=20 +lat_0=20 +lon_0=30", false)]
     [InlineData("+proj=lcc +lat_1=35 +lat_2=45 +lat_0=40 +lon_0=200", false)]
-    public void Open_OtherProjection_IsBilinearBetweenThePixels(string projection, bool isPolar)
+    [InlineData("+proj=ortho +lat_0=10 +lon_0=0", false)] // across the prime meridian
+    [InlineData("+proj=ortho +lat_0=10 +lon_0=180", false)] // and that on the other side
+    [InlineData("+proj=eqc +lat_ts=20 +lat_0=0 +lon_0=0", false, 30_000.0)] // over 316 degrees of longitude
+    public void Open_OtherProjection_IsBilinearBetweenThePixels(string projection, bool isPolar, double pixel = 5.0)
     {
+        (double left, double top) = (-100.0 * pixel, 140.0 * pixel);
+        double scale = pixel == 5.0 ? 1.0 : 0.3; // or the map would be higher than the Moon
+        (left, top) = pixel == 5.0 ? (left, top) : (-150.0 * pixel, 140.0 * pixel * scale);
         string path = Write(
             string.Empty,
-            $"system.ImportFromProj4('{projection} +R=1737400'); data.SetProjection(system.ExportToWkt()); "
-                + "data.SetGeoTransform([-500.0, 5.0, 0.0, 700.0, 0.0, -5.0])");
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"system.ImportFromProj4('{projection} +R=1737400'); data.SetProjection(system.ExportToWkt()); "
+                    + $"data.SetGeoTransform([{left:R}, {pixel:R}, 0.0, {top:R}, 0.0, {-scale * pixel:R}])"));
         using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
         Assert.Contains(projection.Split(' ')[0], grid.WarpedFrom, StringComparison.Ordinal);
         Assert.Equal(isPolar, grid.Projection is PolarStereographic);
@@ -110,8 +118,10 @@ public sealed class GeoTiffGridTests : IDisposable
             for place in sys.argv[2].split(';'):
                 longitude, latitude = (float(word) for word in place.split(','))
                 x, y, _ = transform.TransformPoint(longitude, latitude)
-                print(repr((700.0 - y) / 5.0 - 0.5 + ((x + 500.0) / 5.0 - 0.5) / 1024))
+                left, across, top, down = (float(word) for word in sys.argv[3].split(','))
+                print(repr((top - y) / down - 0.5 + ((x - left) / across - 0.5) / 1024))
             """;
+        string extent = string.Create(CultureInfo.InvariantCulture, $"{left:R},{pixel:R},{top:R},{scale * pixel:R}");
         string given = string.Join(';', places.Select(place =>
         {
             SelenographicPoint point = SelenographicPoint.Below(grid.Projection.DirectionOf(place.Line, place.Sample));
@@ -119,7 +129,7 @@ public sealed class GeoTiffGridTests : IDisposable
                 CultureInfo.InvariantCulture,
                 $"{double.RadiansToDegrees(point.Longitude):R},{double.RadiansToDegrees(point.Latitude):R}");
         }));
-        string[] values = ChildRun.Of(TestParts.Python!, ["-c", Script, projection, given], _folder.Path).Succeeded().Output
+        string[] values = ChildRun.Of(TestParts.Python!, ["-c", Script, projection, given, extent], _folder.Path).Succeeded().Output
             .Split('\n', StringSplitOptions.RemoveEmptyEntries);
         double[] radius = new double[1];
         for (int i = 0; i < places.Length; i++)
@@ -134,6 +144,10 @@ public sealed class GeoTiffGridTests : IDisposable
     [InlineData("data.SetProjection('')", "has no coordinate system")]
     [InlineData("system.ImportFromEPSG(3031); data.SetProjection(system.ExportToWkt())", "is not one on a sphere of the Moon")]
     [InlineData("band.SetUnitType('ft')", "its heights are in 'ft'; metres or kilometres are needed")]
+    [InlineData(
+        "system.ImportFromProj4('+proj=moll +R=1737400'); data.SetProjection(system.ExportToWkt()); "
+            + "data.SetGeoTransform([-4.92E6, 32800.0, 0.0, 2.3E6, 0.0, -16400.0])",
+        "goes around the Moon in a projection (+proj=moll")]
     public void Open_WrongFile_IsRefused(string then, string message)
     {
         string path = Write(string.Empty, then);
@@ -152,6 +166,24 @@ public sealed class GeoTiffGridTests : IDisposable
             using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
             grid.ReadRadii(279, 0, new double[300]);
         });
+    }
+
+    /// <summary>What was opened to learn its resolution is the model; another model of the same file is another one.</summary>
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Files_ResolutionThenModel_IsOpenedOnce()
+    {
+        string path = Write(string.Empty, "pass");
+        using GeoTiffFiles files = new(libraryPath: null);
+        Assert.Equal(5.0, files.ResolutionOf(path).MetresPerPixel, 1e-9);
+        File.Delete(path);
+        Assert.Equal(5.0, files.ResolutionOf(path).MetresPerPixel, 1e-9);
+        using (GeoTiffGrid grid = files.Open(path))
+        {
+            Assert.Equal(280, grid.Lines);
+        }
+
+        Assert.Contains(
+            "there is no such file", Assert.Throws<BadInputException>(() => files.Open(path)).Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -14,13 +14,14 @@ internal static class Orbit
     private const double SecondsAFrame = 0.5;
 
     /// <summary>The camera of a frame; 0 is the scene's own.</summary>
-    public static PinholeCamera CameraOf(SpacecraftState state, int frame)
+    public static PinholeCamera CameraOf(Scene scene, int frame)
     {
+        SpacecraftState state = scene.State;
         Vector3D position = state.PositionMoonMe;
         double distance = position.Length;
         double meanMotion = Math.Sqrt(MoonConstants.GravitationalParameter / distance) / distance;
         Vector3D axis = Vector3D.Cross(position, state.MoonFromCamera * Vector3D.UnitZ);
         UnitQuaternion turn = UnitQuaternion.FromAxisAngle(axis, meanMotion * SecondsAFrame * frame);
-        return Scene.CameraAt(turn * position, turn * state.MoonFromCamera);
+        return scene.CameraAt(turn * position, turn * state.MoonFromCamera);
     }
 }

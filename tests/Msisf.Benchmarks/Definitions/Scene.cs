@@ -6,14 +6,19 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Benchmarks.Definitions;
 
-/// <summary>One image that is measured, 1024 x 1024 px with a field of view of 40 degrees.</summary>
+/// <summary>One image that is measured, square with a field of view of 40 degrees.</summary>
 internal sealed record Scene
 {
-    public const int Side = 1024; // px
+    /// <summary>px.</summary>
+    public const int DefaultSide = 1024;
+
     public const double FieldOfViewDegrees = 40.0;
 
     /// <summary>As on the command line and in the tables, e.g. "far-4".</summary>
     public required string Name { get; init; }
+
+    /// <summary>Width and height, px.</summary>
+    public int Side { get; init; } = DefaultSide;
 
     /// <summary>What it shows.</summary>
     public required string About { get; init; }
@@ -43,7 +48,7 @@ internal sealed record Scene
 
     public PinholeCamera Camera => CameraAt(State.PositionMoonMe, State.MoonFromCamera);
 
-    public static PinholeCamera CameraAt(Vector3D positionMoonMe, UnitQuaternion moonFromCamera) =>
+    public PinholeCamera CameraAt(Vector3D positionMoonMe, UnitQuaternion moonFromCamera) =>
         new(positionMoonMe, moonFromCamera, double.DegreesToRadians(FieldOfViewDegrees), Side, Side);
 
     /// <summary>The eight numbers of <c>--fixed-state</c>.</summary>

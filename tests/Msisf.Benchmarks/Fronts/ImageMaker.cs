@@ -35,7 +35,7 @@ internal sealed class ImageMaker
             ? ["--renderer", "povray", "--pattern-repos", patterns, "--timeout", Timeout]
             : ["--renderer", "native", "--reflectance", "lambert"];
         return _bench.Msis.Run(
-            ["--fixed-state", scene.FixedState, .. _bench.ImageOptions(scene.Model, output), .. renderer, .. setting.Options],
+            ["--fixed-state", scene.FixedState, .. _bench.ImageOptions(scene.Model, output, scene.Side), .. renderer, .. setting.Options],
             watch: isPovRay ? MemoryWatch.Children : MemoryWatch.None);
     }
 }

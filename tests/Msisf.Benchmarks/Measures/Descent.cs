@@ -30,7 +30,7 @@ internal sealed class Descent(Workbench bench)
             CultureInfo.InvariantCulture,
             $"{Time},-89.998,26,terrain+{Highest * Math.Pow(Lowest / Highest, frame / (frames - 1.0)):F3},0"))]);
         string output = bench.NewOutputFolder();
-        string side = Scene.Side.ToString(CultureInfo.InvariantCulture);
+        string side = Scene.DefaultSide.ToString(CultureInfo.InvariantCulture);
         ProgramRun run = bench.Msis.Run(
             [
                 "--renderer", "native", "--reflectance", "lambert", "--batch-file", batch, "--width", side, "--height", side,

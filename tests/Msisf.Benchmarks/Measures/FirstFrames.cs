@@ -21,7 +21,7 @@ internal sealed class FirstFrames
     private ProgramRun Run(Scene scene) => _bench.Msis.Run(
     [
         "--fixed-state", scene.FixedState,
-        .. _bench.ImageOptions(scene.Model, _bench.NewOutputFolder()),
+        .. _bench.ImageOptions(scene.Model, _bench.NewOutputFolder(), scene.Side),
         "--renderer", "native", "--reflectance", "lambert",
         .. scene.IsExact ? (string[])["--lod", "off"] : [],
     ]);

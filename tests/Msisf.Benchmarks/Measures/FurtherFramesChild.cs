@@ -32,7 +32,7 @@ internal static class FurtherFramesChild
         List<double> seconds = [];
         for (int frame = 0; frame < job.WarmUpFrames + job.Frames; frame++)
         {
-            PinholeCamera camera = Orbit.CameraOf(scene.State, frame);
+            PinholeCamera camera = Orbit.CameraOf(scene, frame);
             long start = Stopwatch.GetTimestamp();
             using NativeFrame drawn = renderer.Render(camera, light, options, job.Threads, CancellationToken.None);
             double took = Stopwatch.GetElapsedTime(start).TotalSeconds;

@@ -70,8 +70,8 @@ public class TerrainBenchmark
     public SurfaceHit TracedRay()
     {
         PinholeCamera camera = _scene.Camera;
-        _pixel = (_pixel + PrimeStep) % (Scene.Side * Scene.Side);
-        _tracer.TryTrace(camera.RayThrough(1 + (_pixel % Scene.Side), 1 + (_pixel / Scene.Side)), out SurfaceHit hit);
+        _pixel = (_pixel + PrimeStep) % (_scene.Side * _scene.Side);
+        _tracer.TryTrace(camera.RayThrough(1 + (_pixel % _scene.Side), 1 + (_pixel / _scene.Side)), out SurfaceHit hit);
         return hit;
     }
 }

@@ -63,16 +63,17 @@ internal sealed class Workbench
     public string LabelOf(GridResolution resolution) => Model(resolution).Parts[0].LabelPath;
 
     /// <summary>The options of msis that all runs share.</summary>
-    public IReadOnlyList<string> ImageOptions(GridResolution resolution, string outputFolder) =>
-        ImageOptions(resolution, LabelOf(resolution), outputFolder);
+    public IReadOnlyList<string> ImageOptions(GridResolution resolution, string outputFolder, int side = Scene.DefaultSide) =>
+        ImageOptions(resolution, LabelOf(resolution), outputFolder, side);
 
     /// <summary>The same with another label of the model.</summary>
-    public static IReadOnlyList<string> ImageOptions(GridResolution resolution, string label, string outputFolder)
+    public static IReadOnlyList<string> ImageOptions(
+        GridResolution resolution, string label, string outputFolder, int side = Scene.DefaultSide)
     {
-        string side = Scene.Side.ToString(CultureInfo.InvariantCulture);
+        string pixels = side.ToString(CultureInfo.InvariantCulture);
         return
         [
-            "--width", side, "--height", side,
+            "--width", pixels, "--height", pixels,
             "--fov", Scene.FieldOfViewDegrees.ToString("R", CultureInfo.InvariantCulture),
             .. resolution.PixelsPerDegree is null ? (string[])[] : ["--res", resolution.NumberText],
             "--ldem", label,

@@ -58,7 +58,7 @@ internal static class CapWindow
         double sine = Math.Sin(Math.Min(angle, 0.5 * Math.PI)) / Math.Max(Math.Cos(point.Latitude), double.Epsilon);
         if (sine >= 1.0 || Math.Abs(point.Latitude) + angle >= 0.5 * Math.PI)
         {
-            return [Around(line - lines, line + lines, 0.0, mesh.Samples)];
+            return [Around(line - lines, line + lines, 0.0, Math.Max(mesh.Samples, mesh.Cells.EndSample))];
         }
 
         double sample = (point.Longitude * perRadian) - 0.5;

@@ -74,7 +74,7 @@ internal sealed class SmoothNormals
         }
 
         (_partNumber, _part) = (_facetPart, _surface.Parts[_facetPart]);
-        int east = sample + 1 == _part.Mesh.Samples ? 0 : sample + 1;
+        int east = _part.Mesh.Next(sample);
         _northWest = CornerAt(line, sample);
         _northEast = CornerAt(line, east);
         _southWest = CornerAt(line + 1, sample);

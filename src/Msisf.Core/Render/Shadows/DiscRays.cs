@@ -70,7 +70,7 @@ internal sealed class DiscRays
         double min = double.PositiveInfinity;
         for (int sector = 0; sector < Sectors; sector++)
         {
-            min = Math.Min(min, _minA[(sector * SectorMasks) + (byte)(points >> (sector * SunDisc.PointsPerSector))]);
+            min = double.MinNative(min, _minA[(sector * SectorMasks) + (byte)(points >> (sector * SunDisc.PointsPerSector))]);
         }
 
         return min;

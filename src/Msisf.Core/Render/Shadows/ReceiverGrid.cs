@@ -200,13 +200,12 @@ internal sealed class ReceiverGrid
     public int FindMarked(int start, Span<int> columns)
     {
         ReadOnlySpan<int> bins = _bins.AsSpan(start, columns.Length);
-        ReadOnlySpan<byte> isWanted = _isWanted;
+        (byte[] isWanted, bool wantsAll) = (_isWanted, _wantsAll);
         int count = 0;
         for (int column = 0; column < bins.Length; column++)
         {
             columns[count] = column; // stays only if it is counted: a branch would often be mispredicted
-            int bin = bins[column];
-            count += bin < 0 ? 0 : _wantsAll ? 1 : isWanted[bin];
+            count += wantsAll ? ~bins[column] >>> 31 : bins[column] < 0 ? 0 : isWanted[bins[column]];
         }
 
         return count;
@@ -221,14 +220,16 @@ internal sealed class ReceiverGrid
     {
         ReceiverBin[] next = _parts[part];
         ReadOnlySpan<int> bins = _bins.AsSpan(start, row.Width);
-        for (int i = 0; i < row.Count; i++)
+        ReadOnlySpan<int> columns = row.Columns.AsSpan(0, row.Count);
+        (double[] toU, double[] toV, double[] toW, int[] toPixels) = (U, V, W, Pixels); // read once, not for each receiver
+        (double[] u, double[] v, double[] w) = (row.U, row.V, row.W);
+        for (int i = 0; i < columns.Length; i++)
         {
-            int column = row.Columns[i];
-            int place = next[bins[column]].Receivers++;
-            U[place] = row.U[i];
-            V[place] = row.V[i];
-            W[place] = row.W[i];
-            Pixels[place] = firstPixel + column;
+            int place = next[bins[columns[i]]].Receivers++;
+            toU[place] = u[i];
+            toV[place] = v[i];
+            toW[place] = w[i];
+            toPixels[place] = firstPixel + columns[i];
         }
     }
 

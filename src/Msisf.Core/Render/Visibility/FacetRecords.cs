@@ -48,7 +48,7 @@ internal sealed class FacetRecords
             Array.Resize(ref _records, 2 * Count);
         }
 
-        _records[Count] = block.Record(index, half);
+        block.Record(index, half, out _records[Count]);
         return Count++;
     }
 }

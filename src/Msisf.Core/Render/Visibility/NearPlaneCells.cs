@@ -111,7 +111,8 @@ internal sealed class NearPlaneCells
         where TSamples : struct, ISampleKind
     {
         // The inverse depth is linear in the image. It is above 0 at every pixel that passes the test of the edges.
-        Vector3D normal = block.Record(index, half).Normal;
+        block.Record(index, half, out FacetRecord record);
+        Vector3D normal = record.Normal;
         double scale = ScaleOf(block, index, normal);
         Vector512<double> perColumn = Vector512.Create(Vector3D.Dot(normal, _view.RayPerColumn) * scale);
         Vector512<double> perRow = Vector512.Create(Vector3D.Dot(normal, _view.RayPerRow) * scale);

@@ -55,10 +55,11 @@ internal sealed class ProjectedBlock
             : FacetCorners.SouthWestHalf | FacetCorners.NorthEastHalf;
     }
 
-    /// <summary>The record of a facet for the depth buffer.</summary>
+    /// <summary>Records a facet for the depth buffer.</summary>
     /// <param name="index">Index of the north-western vertex of the facet's cell.</param>
     /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
-    public FacetRecord Record(int index, int half)
+    /// <param name="record">Receives it; a returned one would be copied right after it was written, for which processors wait.</param>
+    public void Record(int index, int half, out FacetRecord record)
     {
         ref double x = ref BlockVertices.CornersFrom(Vertices.X, index);
         ref double y = ref BlockVertices.CornersFrom(Vertices.Y, index);
@@ -79,12 +80,13 @@ internal sealed class ProjectedBlock
         double offset = (nx * (x + _originFromAnchor.X)) + (ny * (y + _originFromAnchor.Y)) + (nz * (z + _originFromAnchor.Z));
         if (Vertices.IsOfSeams)
         {
-            return new FacetRecord(
+            record = new FacetRecord(
                 new Vector3D(nx, ny, nz), offset, 0, FacetRecord.Place(Vertices.Block.Part, Vertices.SeamFacet(index), half));
+            return;
         }
 
         int line = index / Stride;
-        return new FacetRecord(
+        record = new FacetRecord(
             new Vector3D(nx, ny, nz), offset, Vertices.Cells.FirstLine + line,
             FacetRecord.Place(Vertices.Block.Part, Vertices.Cells.FirstSample + index - (line * Stride), half));
     }

@@ -216,7 +216,8 @@ internal sealed class SubsampleCells
     private void DrawCrossing(
         ProjectedBlock block, int index, int half, in HomogeneousEdges edges, in PixelRange pixels, SubsampleBand band)
     {
-        Vector3D normal = block.Record(index, half).Normal;
+        block.Record(index, half, out FacetRecord record);
+        Vector3D normal = record.Normal;
         double scale = _crossing.ScaleOf(block, index, normal);
         double perColumn = Vector3D.Dot(normal, _view.RayPerColumn) * scale;
         double perRow = Vector3D.Dot(normal, _view.RayPerRow) * scale;
