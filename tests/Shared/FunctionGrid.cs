@@ -33,20 +33,20 @@ internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> r
     public static FunctionGrid Rugged(int pixelsPerDegree)
     {
         int octaves = 1 + (int)Math.Log(pixelsPerDegree * 60.0, 4.0);
-        double[][] alongMeridian = [.. Enumerable.Range(0, octaves).Select(
-            k => Wave(180 * pixelsPerDegree, pixelsPerDegree, 3 << (2 * k), 0.7 * k))];
-        double[][] alongParallel = [.. Enumerable.Range(0, octaves).Select(
-            k => Wave(360 * pixelsPerDegree, pixelsPerDegree, 4 << (2 * k), 1.9 * k))];
-        double[] amplitudes = [.. Enumerable.Range(0, octaves).Select(k => 1200.0 * Math.Pow(0.36, k))];
+        double[] alongMeridian = Waves(
+            180 * pixelsPerDegree, pixelsPerDegree, octaves, k => (1200.0 * Math.Pow(0.36, k), 3 << (2 * k), 0.7 * k));
+        double[] alongParallel = Waves(360 * pixelsPerDegree, pixelsPerDegree, octaves, k => (1.0, 4 << (2 * k), 1.9 * k));
         double[] ofLine = Bowl(180 * pixelsPerDegree, pixelsPerDegree, 90.0 - RuggedBowlDegrees.Latitude, 1.5);
         double[] ofSample = Bowl(360 * pixelsPerDegree, pixelsPerDegree, RuggedBowlDegrees.Longitude, 4.5);
         double roughness = 6000.0 / pixelsPerDegree;
         return OfHeights(pixelsPerDegree, (line, sample) =>
         {
             double height = (((((line * 7919) ^ (sample * 104729)) * 40503 >> 8) & 1023) / 1024.0 - 0.5) * roughness;
-            for (int k = 0; k < octaves; k++)
+            ReadOnlySpan<double> waves = alongMeridian.AsSpan(line * octaves, octaves);
+            ReadOnlySpan<double> others = alongParallel.AsSpan(sample * octaves, octaves);
+            for (int k = 0; k < waves.Length && k < others.Length; k++)
             {
-                height += amplitudes[k] * alongMeridian[k][line] * alongParallel[k][sample];
+                height += waves[k] * others[k];
             }
 
             return Math.Clamp(height, -3000.0, 3000.0) - (5000.0 * ofLine[line] * ofSample[sample]);
@@ -83,9 +83,22 @@ internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> r
         }
     }
 
-    /// <summary>A sine with so many periods a turn, at each sample of a line or each line of a meridian.</summary>
-    private static double[] Wave(int count, int pixelsPerDegree, int periods, double phase) =>
-        [.. Enumerable.Range(0, count).Select(i => Math.Sin((periods * (i + 0.5) / pixelsPerDegree * Math.PI / 180.0) + phase))];
+    /// <summary>Sines with so many periods a turn: all of them for the first sample of a line, or line of a meridian, and so on.</summary>
+    private static double[] Waves(
+        int count, int pixelsPerDegree, int octaves, Func<int, (double Amplitude, int Periods, double Phase)> waveOf)
+    {
+        double[] waves = new double[count * octaves];
+        for (int k = 0; k < octaves; k++)
+        {
+            (double amplitude, int periods, double phase) = waveOf(k);
+            for (int i = 0; i < count; i++)
+            {
+                waves[(i * octaves) + k] = amplitude * Math.Sin((periods * (i + 0.5) / pixelsPerDegree * Math.PI / 180.0) + phase);
+            }
+        }
+
+        return waves;
+    }
 
     /// <summary>1 at the centre, 0 from a distance on, smooth between; degrees.</summary>
     private static double[] Bowl(int count, int pixelsPerDegree, double centre, double radius) =>
