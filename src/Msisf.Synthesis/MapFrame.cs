@@ -17,7 +17,9 @@ internal sealed class MapFrame
     /// <summary>Blocks whose lines and samples are multiples of this can be interpolated.</summary>
     public const int WholeSteps = 2 * Step;
 
-    /// <summary>m: interpolated places are less than this beside their own, which is less than the steps of the surface's vertices.</summary>
+    /// <summary>
+    /// m: interpolated places are less than this beside their own, which is less than the steps of the surface's vertices.
+    /// </summary>
     private const double MaxShift = 1e-5;
 
     private static readonly (double First, double Second, double Third)[] SampleWeights =
@@ -30,8 +32,8 @@ internal sealed class MapFrame
     /// <param name="firstSample">Leftmost sample.</param>
     /// <param name="samples">How many samples.</param>
     /// <param name="interpolates">
-    /// Whether latitudes and longitudes may be interpolated, where that shifts places by less than <see cref="MaxShift"/>; the block must be
-    /// whole steps wide.
+    /// Whether latitudes and longitudes may be interpolated, where that shifts places by less than <see cref="MaxShift"/>; the block
+    /// must be whole steps wide.
     /// </param>
     public MapFrame(
         PolarStereographic projection, int firstLine, int lines, int firstSample, int samples, bool interpolates = false)

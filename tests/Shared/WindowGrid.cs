@@ -27,9 +27,9 @@ internal sealed class WindowGrid(IElevationGrid moon, GridWindow window) : ITerr
             ArgumentOutOfRangeException.ThrowIfGreaterThan(firstSample + radii.Length, window.EndSample);
         }
 
-        moon.ReadRadii(line, firstSample, radii);
+        moon.ReadRadii(line, firstSample % moon.Samples, radii); // of a window across the prime meridian they count on
     }
 
     public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples) =>
-        moon.RadiusBounds(firstLine, lines, firstSample, samples);
+        moon.RadiusBounds(firstLine, lines, firstSample % moon.Samples, samples);
 }

@@ -6,7 +6,8 @@ namespace Msisf.Adapters.Scene;
 
 /// <summary>
 /// Writes a scene in POV-Ray's language (thesis section 5.3): kilometres, MOON_ME, round-trip numbers; of blocks in other axes
-/// (<see cref="SceneAxes"/>), which it declares for their patterns. Patterns are included by file name only and found through POV-Ray's library path, so that the scene holds no path of the machine that made it.
+/// (<see cref="SceneAxes"/>), which it declares for their patterns. Patterns are included by file name only and found through POV-Ray's
+/// library path, so that the scene holds no path of the machine that made it.
 /// </summary>
 public static class PovSceneWriter
 {
@@ -96,8 +97,8 @@ public static class PovSceneWriter
         writer.Write($"light_source\n{{\n    {Vector(scene.Axes.At(scene.Light.PositionMoonMe))}\n    color rgb<1, 1, 1>\n");
         if (scene.Light.IsSun)
         {
-            WriteLines(writer, SunLooksLike.Replace(
-                "RADIUS", (SunRadius * scene.Axes.UnitsPerKilometre).ToString("R", CultureInfo.InvariantCulture), StringComparison.Ordinal));
+            string radius = (SunRadius * scene.Axes.UnitsPerKilometre).ToString("R", CultureInfo.InvariantCulture);
+            WriteLines(writer, SunLooksLike.Replace("RADIUS", radius, StringComparison.Ordinal));
         }
 
         writer.Write("}\n");

@@ -126,7 +126,8 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
         {
             otherForm =
                 $"{path}: cylindrical maps are read if they have a whole number of pixels a degree on the grid of the whole Moon, and are "
-                    + $"not of the whole Moon, for which msis takes PDS3 models. Warp it, e.g. with gdalwarp -t_srs '+proj=longlat +R=1737400' -te ... -tr ..., or to a polar stereographic map.";
+                    + $"not of the whole Moon, for which msis takes PDS3 models. Warp it, e.g. with gdalwarp "
+                    + $"-t_srs '+proj=longlat +R=1737400' -te ... -tr ..., or to a polar stereographic map.";
             return null;
         }
 

@@ -61,8 +61,9 @@ internal static class GeoTiffWarp
         if (width > Widest)
         {
             throw new BadInputException(
-                $"{path}: goes around the Moon in a projection ({proj}) that is not read, and a warped map would be cut. Warp it to the whole "
-                    + $"Moon's grid: gdalwarp -t_srs '+proj=longlat +R=1737400' -te 0 SOUTH 360 NORTH -tr D D, D being a whole part of a degree.");
+                $"{path}: goes around the Moon in a projection ({proj}) that is not read, and a warped map would be cut. Warp it to the "
+                    + $"whole Moon's grid: gdalwarp -t_srs '+proj=longlat +R=1737400' -te 0 SOUTH 360 NORTH -tr D D, D being a whole part "
+                    + $"of a degree.");
         }
 
         string step = (metresPerDegree / Math.Ceiling(1.0 / pixel)).ToString("R", CultureInfo.InvariantCulture);

@@ -171,7 +171,8 @@ internal sealed class ServedModels : IDisposable
         if (GeoTiffGrid.IsNameOf(path))
         {
             return new ServedModel(
-                GeoTiffGrid.ProductIdOf(path), _host.GeoTiffs.ResolutionOf(path), isSynthetic: false, isWholeMoon: false, path, path, _host);
+                GeoTiffGrid.ProductIdOf(path), _host.GeoTiffs.ResolutionOf(path), isSynthetic: false, isWholeMoon: false, path, path,
+                _host);
         }
 
         return LdemCatalog.TryReadMap(path) is { Polar: { } polar } label

@@ -53,7 +53,8 @@ internal static class SurfaceOptions
     {
         Limits = new NumberRange(0.0, MaxLevelOfDetailError),
         DefaultNote = string.Create(
-            CultureInfo.InvariantCulture, $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native, and of several models"),
+            CultureInfo.InvariantCulture,
+            $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native, and of several models"),
     };
 
     /// <summary>The options of this class as a group of the help text.</summary>

@@ -60,7 +60,9 @@ internal sealed class CylinderGeometry : MeshGeometry
     /// <param name="line">-1 (north pole) to the mesh's lines (south pole).</param>
     public SineCosine Latitude(int line) => _latitudes[line + 1];
 
-    /// <summary>Longitude of a sample, from 0 to the mesh's number of samples, which is sample 0 again, and on to the end of the map.</summary>
+    /// <summary>
+    /// Longitude of a sample, from 0 to the mesh's number of samples, which is sample 0 again, and on to the end of the map.
+    /// </summary>
     public SineCosine Longitude(int sample) => new(_longitudeSines[sample], _longitudeCosines[sample]);
 
     /// <inheritdoc/>

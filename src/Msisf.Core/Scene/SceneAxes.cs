@@ -25,8 +25,9 @@ public sealed record SceneAxes(Vector3D OriginMoonMe, double UnitsPerKilometre)
     private const double FarthestGround = 5e6;
 
     /// <summary>
-    /// Axes for a camera. The origin is the camera: POV-Ray keeps the boxes around meshes as 32-bit floats, which are then wrong by a small
-    /// part of a pixel; from the Moon's centre it were 0.1 m. The unit is a small part of a cell, as far as the ground can be reached with it.
+    /// Axes for a camera. The origin is the camera: POV-Ray keeps boxes around meshes, and asks them with rays, in 32-bit floats, which
+    /// from the Moon's centre are wrong by 0.1 m; there 7 of 65,536 pixels of cells of 1 m were lit through the ground. The unit is a small
+    /// part of a cell, as far as the ground can be reached with it.
     /// </summary>
     /// <param name="cameraMoonMe">Position of the camera, m, MOON_ME.</param>
     /// <param name="moonRadius">m: the Moon's surface is nowhere farther from its centre.</param>

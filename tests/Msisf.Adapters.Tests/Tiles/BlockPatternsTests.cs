@@ -28,7 +28,9 @@ public sealed class BlockPatternsTests : IDisposable
             StringComparison.Ordinal);
         Assert.Contains("vertices=1089 faces=2048 bytes=", text, StringComparison.Ordinal); // 33 x 33, 32 x 32 x 2
         Assert.Contains("\n#local k=1/1048576;\nmesh2{\nvertex_vectors{1089,\n<", text, StringComparison.Ordinal);
-        Assert.EndsWith("scale 1.024\ntranslate -Origin\nscale UnitsPerKilometre\ntexture{moon}\ninterior_texture{pigment{rgbt 1}}\n}\n", text, StringComparison.Ordinal);
+        Assert.EndsWith(
+            "scale 1.024\ntranslate -Origin\nscale UnitsPerKilometre\ntexture{moon}\ninterior_texture{pigment{rgbt 1}}\n}\n", text,
+            StringComparison.Ordinal);
         Assert.Equal(new FileInfo(Path.Combine(_folder.Path, "TEST_MAP", "pattern_0_TEST_MAP_block_0_0.inc")).Length, text.Length);
     }
 

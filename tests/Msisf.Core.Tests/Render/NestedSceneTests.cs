@@ -19,7 +19,7 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
 {
     private const int Size = 96;
 
-    /// <summary>1: how much lower than their vertices chords of facets lie, of the radius, at 1 px/deg; sides of seams are longer.</summary>
+    /// <summary>1: how much lower than their vertices facets lie, of the radius, at 1 px/deg; sides of seams are longer.</summary>
     private const double ChordSag = 1e-3;
 
     private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
@@ -118,7 +118,7 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
         double lowest = (1.0 - ChordSag) * terrain.RadiusLimits.Min;
         Random random = new(20120223);
         List<string> wrong = [];
-        int views = TestLength.Of(40, 2_000); // of each scene: 22,000 of all
+        int views = TestLength.Of(40, 2_000); // of each scene: 26,000 of all
         long inside = 0;
         for (int number = 0; number < views; number++)
         {

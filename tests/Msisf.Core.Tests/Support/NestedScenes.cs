@@ -16,8 +16,8 @@ internal static class NestedScenes
     /// <summary>The names; a level of each model may follow, the coarsest first, or a hyphen for one that is left out.</summary>
     public static IReadOnlyList<string> Names { get; } =
     [
-        "polar", "north", "five", "beside-the-pole", "band", "crossing", "gaps", "piece", "one-corner-at-the-pole",
-        "five at 0-102", "gaps at 02",
+        "polar", "north", "five", "beside-the-pole", "band", "crossing", "gaps", "piece", "meridian", "one-corner-at-the-pole",
+        "five at 0-102", "gaps at 02", "meridian at 011",
     ];
 
     /// <summary>The models of a scene, in no order.</summary>
@@ -48,6 +48,10 @@ internal static class NestedScenes
             "piece" =>
             [
                 moon, Part(6, new GridWindow(6 * 85, 6 * 95, 6 * 40, (6 * 55) + 3)), Part(24, new GridWindow(2100, 2164, 1100, 1180)),
+            ],
+            "meridian" =>
+            [
+                moon, Part(6, new GridWindow(6 * 60, 6 * 75, 6 * 350, (6 * 368) + 1)), Part(24, new GridWindow(1560, 1640, 8600, 8690)),
             ],
             "one-corner-at-the-pole" => [moon, Map(true, 2000.0, 64, 0.0, 0.0), Map(false, 3000.0, 64, 3.5, 60.25)],
             _ => throw new ArgumentOutOfRangeException(nameof(name), name, "No scene has that name."),

@@ -12,8 +12,8 @@ internal sealed class DetailTiles(IGroundDetail detail)
     /// <summary>Samples along a tile's edge.</summary>
     public const int Side = 64;
 
-    /// <summary>Tiles that are kept: 128 MiB of heights.</summary>
-    private const int Capacity = (128 << 20) / (Side * Side * sizeof(double));
+    /// <summary>Tiles that are kept: 96 MiB of heights, which is what the windows of one view can have.</summary>
+    private const int Capacity = (96 << 20) / (Side * Side * sizeof(double));
 
     /// <summary>A full store drops one tile in this many at once: those not used for the longest time.</summary>
     private const int PartDropped = 4;

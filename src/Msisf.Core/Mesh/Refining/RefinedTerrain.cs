@@ -18,8 +18,10 @@ public sealed class RefinedTerrain : ITerrain
     /// <summary>Views that are kept; frames near each other share one.</summary>
     private const int KeptViews = 2;
 
-    /// <summary>Windows that are kept with their bounds: those of views near each other are mostly the same.</summary>
-    private const int KeptWindows = 32;
+    /// <summary>
+    /// Windows that are kept with their bounds, some more than a view has: those of views near each other are mostly the same.
+    /// </summary>
+    private const int KeptWindows = 20;
 
     private readonly ITerrain _models;
     private readonly IGroundDetail _detail;

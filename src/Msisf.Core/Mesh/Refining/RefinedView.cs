@@ -39,7 +39,9 @@ public sealed class RefinedView : ITerrain
     /// <inheritdoc/>
     public int PartCount { get; }
 
-    /// <summary>Facets of this part and of those after it are of invented ground, or join it to the models; none if there is no window.</summary>
+    /// <summary>
+    /// Facets of this part and of those after it are of invented ground, or join it to the models; none if there is no window.
+    /// </summary>
     public int FirstInventedPart { get; }
 
     /// <summary>Where the windows lie, the coarsest first.</summary>
