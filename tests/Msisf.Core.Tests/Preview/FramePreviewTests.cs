@@ -145,7 +145,7 @@ public sealed class FramePreviewTests
         Assert.Equal(1e5, view.Boresight!.Value.MetresPerPixel * Width / (2.0 * Math.Tan(Fov / 2.0)), 1e-3);
     }
 
-    /// <summary>A map of 100 km around the south pole: it fills the image over the pole, and 200 km beside it nothing of it is seen.</summary>
+    /// <summary>A map of 100 km around the south pole fills the image over the pole; 200 km beside it nothing of it is seen.</summary>
     [Theory]
     [InlineData(-90.0, false)]
     [InlineData(-83.4, true)]
