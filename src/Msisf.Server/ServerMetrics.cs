@@ -50,7 +50,7 @@ internal sealed class ServerMetrics(RenderQueue queue, RenderSessions sessions, 
     {
         StringBuilder text = new();
         Head(text, "msisf_requests_total", "counter", "Requests that were answered.");
-        foreach (((string path, int status), long count) in _requests.OrderBy(pair => pair.Key))
+        foreach (((string path, int status), long count) in _requests.ToArray().OrderBy(pair => pair.Key))
         {
             text.Append(CultureInfo.InvariantCulture, $"msisf_requests_total{{path=\"{path}\",status=\"{status}\"}} {count}\n");
         }
