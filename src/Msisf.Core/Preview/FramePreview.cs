@@ -35,11 +35,13 @@ public sealed record FramePreview(
         Vector3D position = camera.PositionMoonMe;
         double radius = RadiusBelow(position, terrain);
         SphereShare share = SphereCoverage.Of(camera, light, radius);
-        bool isBesideMap = share.Moon > 0.0 && terrain is ITerrainGrid map and not IElevationGrid && !IsInView(map, camera);
+        BoresightView? middle = InTheMiddle(camera, light, radius);
+        bool isBesideMap = share.Moon > 0.0 && terrain is ITerrainGrid map and not IElevationGrid
+            && !(middle is { } seen && Holds(map, seen.Point)) && !IsInView(map, camera);
         return new FramePreview(
             SelenographicPoint.Below(position),
             Vector3D.AngleBetween(camera.ForwardMoonMe, -position.Normalized()),
-            isBesideMap ? null : InTheMiddle(camera, light, radius),
+            isBesideMap ? null : middle,
             isBesideMap ? new SphereShare(0.0, Lit: null) : share,
             isBesideMap);
     }
@@ -47,6 +49,14 @@ public sealed record FramePreview(
     /// <summary>How many pixels a cell of a model is wide in the middle of the image; null if that shows no ground.</summary>
     /// <param name="resolution">Resolution of the model; the cell is taken from north to south, at the equator or at a map's pole.</param>
     public double? PixelsPerCell(GridResolution resolution) => resolution.MetresPerPixel / Boresight?.MetresPerPixel;
+
+    /// <summary>Whether a point lies between the outermost samples of a map; asked first, as nothing of the map is read for it.</summary>
+    private static bool Holds(ITerrainGrid map, SelenographicPoint point)
+    {
+        (double line, double sample) = map.Projection.PixelOf(point.ToDirectionMoonMe());
+        GridWindow window = map.Window;
+        return line >= window.FirstLine && line <= window.EndLine - 1 && sample >= window.FirstSample && sample <= window.EndSample - 1;
+    }
 
     /// <summary>Whether a block of a map may be in the image; with a lens, whose image is not told here, yes.</summary>
     private static bool IsInView(ITerrainGrid map, PinholeCamera camera) => camera.Model.Lens is not null
