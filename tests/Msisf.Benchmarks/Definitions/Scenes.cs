@@ -40,20 +40,20 @@ internal static class Scenes
         new()
         {
             Name = "far-4", About = "far, LDEM_4", Model = 4, State = Places.Far, Settings = Settings.All,
-            Targets = new SceneTargets(0.12, 0.012, 100 * Megabyte, TimesFasterThanPovRay: 200.0),
+            Targets = new SceneTargets(0.15, 0.012, 90 * Megabyte, TimesFasterThanPovRay: 200.0),
         },
         new() { Name = "far-16", About = "far, LDEM_16", Model = 16, State = Places.Far, Settings = Settings.Few },
         new()
         {
             Name = "far-64", About = "far, LDEM_64", Model = 64, State = Places.Far, IsExact = true,
             Settings = Settings.Antialiased, MaxThesisTiles = 4,
-            Targets = new SceneTargets(0.35, 0.060, 250 * Megabyte),
+            Targets = new SceneTargets(0.28, 0.042, 230 * Megabyte),
         },
         new()
         {
             Name = "far-512", About = "far, LDEM_512", Model = 512, State = Places.Far, HasTruth = false,
             Settings = [Settings.PovRayDefault, Settings.NativeDefault],
-            Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
+            Targets = new SceneTargets(0.6, 0.040, 700 * Megabyte),
         },
         new()
         {
@@ -63,7 +63,7 @@ internal static class Scenes
         new()
         {
             Name = "nadir-64", About = "100 km, nadir, LDEM_64", Model = 64, State = Places.LowNadir, Settings = Settings.All,
-            Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
+            Targets = new SceneTargets(0.18, 0.013, 110 * Megabyte),
         },
         new()
         {
@@ -74,17 +74,17 @@ internal static class Scenes
         {
             Name = "oblique-64", About = "20 km, oblique, LDEM_64", Model = 64, State = Places.Oblique,
             Settings = Settings.Default, MaxThesisTiles = FineTiles,
-            Targets = new SceneTargets(0.2, 0.020, 150 * Megabyte),
+            Targets = new SceneTargets(0.18, 0.015, 110 * Megabyte),
         },
         new()
         {
             Name = "oblique-512", About = "20 km, oblique, LDEM_512", Model = 512, State = Places.Oblique,
-            Targets = new SceneTargets(1.0, 0.060, 1000 * Megabyte),
+            Targets = new SceneTargets(0.5, 0.045, 700 * Megabyte),
         },
         new()
         {
             Name = "pole-64", About = "100 km over the north pole, LDEM_64", Model = 64, State = Places.NorthPole,
-            Targets = new SceneTargets(0.4, 0.100, 250 * Megabyte),
+            Targets = new SceneTargets(0.35, 0.065, 200 * Megabyte),
         },
         new()
         {

@@ -9,8 +9,8 @@ internal static class SequenceTargets
     /// <summary>Of the descent.</summary>
     public const double DescentFramesPerSecond = 20.0;
 
-    /// <summary>With all layers on top.</summary>
-    public const double LayeredFramesPerSecond = 1.0;
+    /// <summary>With all layers in double precision on top.</summary>
+    public const double LayeredFramesPerSecond = 1.6;
 
     /// <summary>
     /// 1: of the first frames' rate, what the last frames' must reach to be called flat; a shared machine's noise is about that.
