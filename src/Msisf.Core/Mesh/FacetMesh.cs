@@ -1,3 +1,4 @@
+using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Mesh;
@@ -63,6 +64,17 @@ internal sealed class FacetMesh
 
     /// <summary>Longitude of a sample, rad; not wrapped.</summary>
     public static double Longitude(double sample, int samples) => (sample + 0.5) * 2.0 * Math.PI / samples;
+
+    /// <summary>Line and sample of a direction on a map, px from the centre of the first pixel; null outside its cells.</summary>
+    /// <param name="directionMoonMe">MOON_ME, of any length above 0.</param>
+    public (double Line, double Sample)? PlaceOf(Vector3D directionMoonMe)
+    {
+        (double line, double sample) = Grid.Projection.PixelOf(directionMoonMe);
+        sample += sample < Cells.FirstSample ? SamplesOfTurn : 0;
+        return line >= Cells.FirstLine && line <= Cells.EndLine && sample >= Cells.FirstSample && sample <= Cells.EndSample
+            ? (line, sample)
+            : null;
+    }
 
     /// <summary>Radii of consecutive vertices of a line, m.</summary>
     /// <param name="line">-1 (north pole) to <see cref="Lines"/> (south pole); of an open mesh a line of samples.</param>

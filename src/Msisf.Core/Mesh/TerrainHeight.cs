@@ -156,10 +156,8 @@ public static class TerrainHeight
     {
         if (!mesh.IsClosed)
         {
-            (double atLine, double atSample) = mesh.Grid.Projection.PixelOf(direction);
             CellRange all = mesh.Cells;
-            atSample += atSample < all.FirstSample ? mesh.SamplesOfTurn : 0;
-            return atLine >= all.FirstLine && atLine <= all.EndLine && atSample >= all.FirstSample && atSample <= all.EndSample
+            return mesh.PlaceOf(direction) is (double atLine, double atSample)
                 ? new CellRange(
                     Math.Max((int)atLine - 1, all.FirstLine),
                     Math.Min((int)atLine + 2, all.EndLine),

@@ -37,7 +37,7 @@ public sealed record FramePreview(
         SphereShare share = SphereCoverage.Of(camera, light, radius);
         BoresightView? middle = InTheMiddle(camera, light, radius);
         bool isBesideMap = share.Moon > 0.0 && terrain is ITerrainGrid map and not IElevationGrid
-            && !(middle is { } seen && Holds(map, seen.Point)) && !IsInView(map, camera);
+            && !IsInView(map, camera, middle);
         return new FramePreview(
             SelenographicPoint.Below(position),
             Vector3D.AngleBetween(camera.ForwardMoonMe, -position.Normalized()),
@@ -50,17 +50,17 @@ public sealed record FramePreview(
     /// <param name="resolution">Resolution of the model; the cell is taken from north to south, at the equator or at a map's pole.</param>
     public double? PixelsPerCell(GridResolution resolution) => resolution.MetresPerPixel / Boresight?.MetresPerPixel;
 
-    /// <summary>Whether a point lies between the outermost samples of a map; asked first, as nothing of the map is read for it.</summary>
-    private static bool Holds(ITerrainGrid map, SelenographicPoint point)
+    /// <summary>
+    /// Whether a block of a map may be in the image; with a lens, whose image is not told here, yes. Where the map holds the middle of the
+    /// image, nothing of it is read.
+    /// </summary>
+    private static bool IsInView(ITerrainGrid map, PinholeCamera camera, BoresightView? middle)
     {
-        (double line, double sample) = map.Projection.PixelOf(point.ToDirectionMoonMe());
-        GridWindow window = map.Window;
-        return line >= window.FirstLine && line <= window.EndLine - 1 && sample >= window.FirstSample && sample <= window.EndSample - 1;
+        SurfaceModel surface = SurfaceModel.Of(map);
+        return camera.Model.Lens is not null
+            || (middle is { } seen && surface.Parts[0].Mesh.PlaceOf(seen.Point.ToDirectionMoonMe()) is not null)
+            || new BlockCuller(surface).Find(new ViewFrustum(camera, Margin), threads: 1, CancellationToken.None).Count > 0;
     }
-
-    /// <summary>Whether a block of a map may be in the image; with a lens, whose image is not told here, yes.</summary>
-    private static bool IsInView(ITerrainGrid map, PinholeCamera camera) => camera.Model.Lens is not null
-        || new BlockCuller(SurfaceModel.Of(map)).Find(new ViewFrustum(camera, Margin), threads: 1, CancellationToken.None).Count > 0;
 
     private static BoresightView? InTheMiddle(PinholeCamera camera, SceneLight light, double radius)
     {
