@@ -1,6 +1,5 @@
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Render.Visibility;
 
 namespace Msisf.Core.Render.Sampling;
 
@@ -16,12 +15,6 @@ internal sealed class ContrastWindow
     /// <summary>Lit and dark pixels meet.</summary>
     public const byte Mixed = Lit | Dark;
 
-    /// <summary>Bit of a pixel that shows another facet than its four neighbours: facets are about as small as pixels.</summary>
-    public const byte IsAlone = 4;
-
-    /// <summary>A facet that no pixel shows.</summary>
-    private const long Beyond = -2;
-
     /// <summary>Levels of 65535 in a contrast of 1.</summary>
     private const ushort Fine = 256;
 
@@ -31,9 +24,6 @@ internal sealed class ContrastWindow
     private ushort[] _min = [];
     private ushort[] _max = [];
     private byte[] _light = [];
-    private long[] _facetsAbove = [];
-    private long[] _facets = [];
-    private long[] _facetsBelow = [];
 
     /// <summary>Starts a frame.</summary>
     public void Begin(int width)
@@ -41,48 +31,6 @@ internal sealed class ContrastWindow
         if (_min.Length < width + Padding)
         {
             (_min, _max, _light) = (new ushort[width + Padding], new ushort[width + Padding], new byte[width + Padding]);
-            (_facetsAbove, _facets, _facetsBelow) = (new long[width + Padding], new long[width + Padding], new long[width + Padding]);
-        }
-    }
-
-    /// <summary>Looks at the facets of a row; the rows of a band from top to bottom.</summary>
-    /// <param name="visible">What the pixels show.</param>
-    /// <param name="row">The row, from 0.</param>
-    /// <param name="isFirst">Whether it is the first one of a band.</param>
-    /// <param name="codes">Get <see cref="IsAlone"/> where a pixel shows another facet than its four neighbours.</param>
-    public void LookAtFacets(VisibleSurface visible, int row, bool isFirst, Span<byte> codes)
-    {
-        if (isFirst)
-        {
-            Read(visible, row - 1, _facetsAbove);
-            Read(visible, row, _facets);
-        }
-        else
-        {
-            (_facetsAbove, _facets, _facetsBelow) = (_facets, _facetsBelow, _facetsAbove);
-        }
-
-        Read(visible, row + 1, _facetsBelow);
-        for (int i = 0; i < codes.Length; i++)
-        {
-            long facet = _facets[i + 1];
-            bool isShared = facet == _facets[i] | facet == _facets[i + 2] | facet == _facetsAbove[i + 1] | facet == _facetsBelow[i + 1];
-            codes[i] |= isShared ? (byte)0 : IsAlone;
-        }
-    }
-
-    /// <summary>Reads the facets of a row from the second element on; beyond the image there are other facets.</summary>
-    private static void Read(VisibleSurface visible, int row, long[] facets)
-    {
-        int width = visible.Width;
-        (facets[0], facets[width + 1]) = (Beyond, Beyond);
-        if (row >= 0 && row < visible.Height)
-        {
-            visible.ReadFacets(row + 1, facets.AsSpan(1, width));
-        }
-        else
-        {
-            facets.AsSpan(1, width).Fill(Beyond);
         }
     }
 

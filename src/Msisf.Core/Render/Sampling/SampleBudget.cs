@@ -8,6 +8,9 @@ internal static class SampleBudget
     /// <summary>Part of the squared error that is planned: the rest is for the error of a measured error.</summary>
     private const double Planned = 0.75;
 
+    /// <summary>Part of the error that is asked for below which a pixel's own error matters little.</summary>
+    private const double Small = 1.0;
+
     /// <summary>Trials whose weight the expectation has against what was measured.</summary>
     private const double ExpectedTrials = 8.0;
 
@@ -18,11 +21,20 @@ internal static class SampleBudget
 
     private const double PartCost = 2.5;
 
+    /// <summary>Of the brightness by areas, which is computed anyway: less than that of any sample.</summary>
+    private const double AreaCost = 0.01;
+
     /// <summary>Steps by which the price of the error is found.</summary>
     private const int Steps = 60;
 
     /// <summary>Expected error over the contrast, with one sample and with each of the choices: what the front scenes have.</summary>
     private static readonly double[] Expected = [0.17, 0.04, 0.023, 0.015, 0.0];
+
+    /// <summary>The same by the areas of the facets.</summary>
+    private const double ExpectedByAreas = 0.03;
+
+    /// <summary>The code of pixels without further samples that get the brightness by the areas of their facets.</summary>
+    public const byte Areas = 0x40;
 
     /// <summary>Chooses the code of each class for <see cref="SampledPixels.Codes"/>.</summary>
     /// <param name="histogram">Number of pixels of each class.</param>
@@ -35,7 +47,7 @@ internal static class SampleBudget
         for (int i = 0; i < histogram.Length; i++)
         {
             pixels += histogram[i];
-            options[i] = [.. OptionsOf(errors[i], PixelClass.ContrastOf(i))];
+            options[i] = [.. OptionsOf(errors[i], i)];
         }
 
         double allowed = Planned * error * error * pixels;
@@ -59,6 +71,10 @@ internal static class SampleBudget
         return best;
     }
 
+    /// <summary>The smallest contrast whose expected error with one sample matters.</summary>
+    /// <param name="error">Rms error that is asked for, levels of 255.</param>
+    public static int MinContrast(double error) => Math.Max(1, (int)Math.Min(byte.MaxValue, Small * error / Expected[0]));
+
     /// <summary>The squared error with one sample that is expected of a class, levels of 255.</summary>
     public static double ExpectedSquare(int pixelClass) => Math.Pow(Expected[0] * PixelClass.ContrastOf(pixelClass), 2.0);
 
@@ -76,17 +92,21 @@ internal static class SampleBudget
         return codes;
     }
 
-    private static IEnumerable<Option> OptionsOf(ClassError measured, double contrast)
+    private static IEnumerable<Option> OptionsOf(ClassError measured, int pixelClass)
     {
-        double Square(int choice)
-        {
-            double expected = Expected[choice] * contrast;
-            return (measured.Squares[choice] + (ExpectedTrials * expected * expected)) / (measured.Pixels + ExpectedTrials);
-        }
+        double contrast = PixelClass.ContrastOf(pixelClass);
+        double Mean(double squares, double expected) =>
+            (squares + (ExpectedTrials * expected * expected * contrast * contrast)) / (measured.Pixels + ExpectedTrials);
+        double Square(int choice) => Mean(measured.Squares[choice], Expected[choice]);
 
         double merged = measured.MergedSquares / (measured.Pixels + ExpectedTrials);
         double parts = Math.Max(1.0, measured.Parts / Math.Max(measured.Pixels, 1));
         yield return new Option(0, Square(0), 0.0);
+        if (PixelClass.FacetsOf(pixelClass) != FacetsAround.Other && contrast > 0.0)
+        {
+            yield return new Option(Areas, Mean(measured.AreaSquares, ExpectedByAreas), AreaCost);
+        }
+
         for (int i = 0; i < SampleTrials.Choices.Length; i++)
         {
             double samples = SampleTrials.Choices[i] * SamplePattern.Lanes;

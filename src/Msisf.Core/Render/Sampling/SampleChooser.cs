@@ -9,11 +9,14 @@ namespace Msisf.Core.Render.Sampling;
 /// </summary>
 internal sealed class SampleChooser
 {
+    /// <summary>Rows that a thread looks at together.</summary>
+    private const int BandRows = 32;
+
     /// <summary>Pixels of a class that are tried with all samples; with fewer the error of the error grows.</summary>
-    private const double TrialsOfClass = 120.0;
+    private const double TrialsOfClass = 80.0;
 
     /// <summary>The same for classes that matter little for the error that is asked for.</summary>
-    private const double TrialsOfMinorClass = 24.0;
+    private const double TrialsOfMinorClass = 16.0;
 
     /// <summary>Part of the squared error below which a class matters little.</summary>
     private const double Minor = 0.03;
@@ -21,11 +24,12 @@ internal sealed class SampleChooser
     /// <summary>The same for classes without contrast: what they hide is rare.</summary>
     private const double TrialsWithoutContrast = 1000.0;
 
-    private readonly List<ContrastWindow> _windows = [];
+    private readonly List<(ContrastWindow Contrasts, FacetAreas Areas)> _windows = [];
     private readonly int[] _histogram = new int[PixelClass.Count];
     private ushort[] _levels = [];
     private byte[] _light = [];
     private byte[] _classes = [];
+    private double[] _means = [];
     private int _width;
     private int _height;
 
@@ -47,22 +51,25 @@ internal sealed class SampleChooser
         CancellationToken cancellation)
     {
         Begin(visible.Width, visible.Height, threads);
-        int bands = Pixels.VectorsOfBand.Length;
+        int bands = BandCount;
+        int minContrast = SampleBudget.MinContrast(sampling.Error);
         WorkerTeam.Run(threads, bands, (_, band) =>
         {
             Range pixels = PixelsOf(band);
             sampling.Grey.Convert(radianceFactors.AsSpan(pixels), _levels.AsSpan(pixels));
             FindLight(sunlight, pixels, _light.AsSpan(pixels));
         }, cancellation);
-        WorkerTeam.Run(threads, bands, (worker, band) => Look(_windows[worker], visible, band), cancellation);
+        WorkerTeam.Run(threads, bands, (worker, band) => Look(_windows[worker], visible, radianceFactors, minContrast, band), cancellation);
     }
 
     /// <summary>Chooses the pixels that are tried with all samples, and returns them in their order.</summary>
     /// <param name="error">Rms error that is asked for, levels of 255.</param>
-    public List<int> ChooseTrials(double error)
+    /// <param name="threads">Maximum number of threads.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    public List<int> ChooseTrials(double error, int threads, CancellationToken cancellation)
     {
         double allowed = Minor * error * error * _width * _height;
-        Span<uint> limits = stackalloc uint[PixelClass.Count];
+        uint[] limits = new uint[PixelClass.Count];
         for (int i = 0; i < limits.Length; i++)
         {
             double wanted = PixelClass.ContrastOf(i) == 0.0 ? TrialsWithoutContrast
@@ -71,58 +78,91 @@ internal sealed class SampleChooser
             limits[i] = (uint)(uint.MaxValue * Math.Min(1.0, wanted / Math.Max(_histogram[i], 1)));
         }
 
-        List<int> trials = [];
-        for (int pixel = 0; pixel < _width * _height; pixel++)
-        {
-            if (Hash((uint)pixel) <= limits[_classes[pixel]])
-            {
-                trials.Add(pixel);
-            }
-        }
-
-        return trials;
+        List<int>[] ofBands = new List<int>[BandCount];
+        WorkerTeam.Run(threads, ofBands.Length, (_, band) => ofBands[band] = ChosenIn(PixelsOf(band), limits), cancellation);
+        return [.. ofBands.SelectMany(pixels => pixels)];
     }
 
     /// <summary>The class of a pixel.</summary>
     public byte ClassOf(int pixel) => _classes[pixel];
+
+    /// <summary>I/F of each pixel by the areas of its facets, where its class is plain.</summary>
+    public ReadOnlySpan<double> Means => _means;
 
     /// <summary>Gives some pixels all samples, each with light of its own, and the others none.</summary>
     /// <param name="trials">The pixels.</param>
     public void Try(List<int> trials)
     {
         Array.Clear(Pixels.Codes, 0, _width * _height);
-        Array.Clear(Pixels.VectorsOfBand);
+        Array.Clear(Pixels.VectorsOfRow);
         foreach (int pixel in trials)
         {
             Pixels.Codes[pixel] = SamplePattern.MaxVectors | SampledPixels.HasBorder;
-            Pixels.VectorsOfBand[pixel / (SampledPixels.BandRows * _width)] += SamplePattern.MaxVectors;
+            Pixels.VectorsOfRow[pixel / _width] += SamplePattern.MaxVectors;
         }
+
+        Pixels.Cut();
     }
 
-    /// <summary>Gives each pixel the samples of its class; those that were tried have theirs already.</summary>
-    public void Spread(ReadOnlyMemory<byte> codes, List<int> trials, int threads, CancellationToken cancellation)
+    /// <summary>
+    /// Gives each pixel the samples of its class, or the brightness by the areas of its facets; those that were tried have theirs already.
+    /// </summary>
+    /// <param name="codes">The code of each class.</param>
+    /// <param name="trials">The pixels that were tried.</param>
+    /// <param name="radianceFactors">I/F of the pixels.</param>
+    /// <param name="threads">Maximum number of threads.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    public void Spread(
+        ReadOnlyMemory<byte> codes, List<int> trials, double[] radianceFactors, int threads, CancellationToken cancellation)
     {
         foreach (int pixel in trials)
         {
             _classes[pixel] = PixelClass.Count;
         }
 
-        WorkerTeam.Run(threads, Pixels.VectorsOfBand.Length, (_, band) =>
+        WorkerTeam.Run(threads, BandCount, (_, band) =>
         {
             Span<byte> all = stackalloc byte[PixelClass.Count + 1];
             codes.Span.CopyTo(all);
             all[PixelClass.Count] = 0;
-            int sum = 0;
-            (int first, int count) = PixelsOf(band).GetOffsetAndLength(_width * _height);
-            for (int pixel = first; pixel < first + count; pixel++)
+            for (int row = band * BandRows; row < Math.Min((band + 1) * BandRows, _height); row++)
             {
-                byte code = all[_classes[pixel]];
-                Pixels.Codes[pixel] = code;
-                sum += code & SampledPixels.Vectors;
+                Pixels.VectorsOfRow[row] = Spread(all, row * _width, radianceFactors);
             }
-
-            Pixels.VectorsOfBand[band] = sum;
         }, cancellation);
+        Pixels.Cut();
+    }
+
+    /// <summary>Sets the codes of a row and returns their number of vectors.</summary>
+    private int Spread(ReadOnlySpan<byte> codes, int first, double[] radianceFactors)
+    {
+        int vectors = 0;
+        for (int pixel = first; pixel < first + _width; pixel++)
+        {
+            byte code = codes[_classes[pixel]];
+            bool isByAreas = code == SampleBudget.Areas;
+            radianceFactors[pixel] = isByAreas ? _means[pixel] : radianceFactors[pixel];
+            Pixels.Codes[pixel] = isByAreas ? (byte)0 : code;
+            vectors += code & SampledPixels.Vectors;
+        }
+
+        return vectors;
+    }
+
+    /// <summary>Pixels whose hash is at most the limit of their class.</summary>
+    private List<int> ChosenIn(Range pixels, uint[] limits)
+    {
+        List<int> chosen = [];
+        (int first, int count) = pixels.GetOffsetAndLength(_width * _height);
+        for (int pixel = first; pixel < first + count; pixel++)
+        {
+            if (Hash((uint)pixel) <= limits[_classes[pixel]])
+            {
+                chosen.Add(pixel);
+            }
+        }
+
+        return chosen;
     }
 
     private static void FindLight(PixelSunlight sunlight, Range pixels, Span<byte> light)
@@ -155,8 +195,9 @@ internal sealed class SampleChooser
         return hash ^ (hash >> 16);
     }
 
-    private Range PixelsOf(int band) =>
-        (band * SampledPixels.BandRows * _width)..(Math.Min((band + 1) * SampledPixels.BandRows, _height) * _width);
+    private int BandCount => (_height + BandRows - 1) / BandRows;
+
+    private Range PixelsOf(int band) => (band * BandRows * _width)..(Math.Min((band + 1) * BandRows, _height) * _width);
 
     private void Begin(int width, int height, int threads)
     {
@@ -167,39 +208,40 @@ internal sealed class SampleChooser
             _levels = new ushort[width * height];
             _light = new byte[width * height];
             _classes = new byte[width * height];
+            _means = new double[width * height];
         }
 
         while (_windows.Count < threads)
         {
-            _windows.Add(new ContrastWindow());
+            _windows.Add((new ContrastWindow(), new FacetAreas()));
         }
 
-        foreach (ContrastWindow window in _windows)
+        foreach ((ContrastWindow contrasts, _) in _windows)
         {
-            window.Begin(width);
+            contrasts.Begin(width);
         }
 
         Array.Clear(_histogram);
     }
 
     /// <summary>Finds the classes of a band's pixels.</summary>
-    private void Look(ContrastWindow window, VisibleSurface visible, int band)
+    private void Look((ContrastWindow Contrasts, FacetAreas Areas) windows, VisibleSurface visible, double[] factors, int minContrast, int band)
     {
         Span<int> histogram = stackalloc int[PixelClass.Count];
         histogram.Clear();
-        int first = band * SampledPixels.BandRows;
-        for (int row = first; row < Math.Min(first + SampledPixels.BandRows, _height); row++)
+        int first = band * BandRows;
+        for (int row = first; row < Math.Min(first + BandRows, _height); row++)
         {
             int here = row * _width;
             Span<byte> classes = _classes.AsSpan(here, _width);
             Span<byte> codes = Pixels.Codes.AsSpan(here, _width);
-            window.Look(_levels, _light, Math.Max(row - 1, 0) * _width, here, Math.Min(row + 1, _height - 1) * _width, classes, codes);
-            window.LookAtFacets(visible, row, row == first, codes);
+            windows.Contrasts.Look(
+                _levels, _light, Math.Max(row - 1, 0) * _width, here, Math.Min(row + 1, _height - 1) * _width, classes, codes);
+            windows.Areas.Look(visible, row, row == first, classes, minContrast, factors);
+            windows.Areas.Means[.._width].CopyTo(_means.AsSpan(here));
             for (int i = 0; i < classes.Length; i++)
             {
-                byte code = codes[i];
-                classes[i] = PixelClass.Of(
-                    classes[i], (code & ContrastWindow.Mixed) == ContrastWindow.Mixed, (code & ContrastWindow.IsAlone) != 0);
+                classes[i] = PixelClass.Of(classes[i], codes[i] == ContrastWindow.Mixed, windows.Areas.Kinds[i]);
                 histogram[classes[i]]++;
             }
         }

@@ -12,15 +12,18 @@ internal sealed class SampleTrials
     /// <summary>Numbers of vectors of samples among which is chosen, after none.</summary>
     public static readonly int[] Choices = [1, 2, 4, 8];
 
+    private static readonly int Merged = Choices.Length + 1;
+    private static readonly int ByAreas = Choices.Length + 2;
+
     private readonly Dictionary<int, int> _indices = [];
-    private readonly double[][] _means = [[], [], [], [], [], []];
+    private readonly double[][] _means = [[], [], [], [], [], [], []];
     private double[] _parts = [];
 
     /// <summary>The pixels, in their order.</summary>
     public List<int> Pixels { get; private set; } = [];
 
-    /// <summary>Starts with the brightness of the pixels' centres.</summary>
-    public void Begin(List<int> pixels, double[] radianceFactors)
+    /// <summary>Starts with the brightness of the pixels' centres, and that by the areas of their facets.</summary>
+    public void Begin(List<int> pixels, ReadOnlySpan<double> radianceFactors, ReadOnlySpan<double> byAreas)
     {
         Pixels = pixels;
         _indices.Clear();
@@ -34,6 +37,7 @@ internal sealed class SampleTrials
         {
             _indices[pixels[i]] = i;
             _means[0][i] = radianceFactors[pixels[i]];
+            _means[ByAreas][i] = byAreas[pixels[i]];
         }
     }
 
@@ -46,7 +50,7 @@ internal sealed class SampleTrials
         {
             int index = _indices[parts.Pixels[part]];
             _parts[index]++;
-            _means[^1][index] += parts.Weights[part] * factors[part];
+            _means[Merged][index] += parts.Weights[part] * factors[part];
         }
     }
 
@@ -93,7 +97,8 @@ internal sealed class SampleTrials
                 sum.Squares[choice] += Square(levels[choice][i] - truth);
             }
 
-            sum.MergedSquares += Square(levels[^1][i] - truth);
+            sum.MergedSquares += Square(levels[Merged][i] - truth);
+            sum.AreaSquares += Square(levels[ByAreas][i] - truth);
         }
 
         return sums;

@@ -51,12 +51,12 @@ internal sealed class SamplingPass
         }
 
         Work work = new(frame, light, lights, options, radianceFactors, threads, cancellation);
-        List<int> trials = _chooser.ChooseTrials(sampling.Error);
-        _trials.Begin(trials, radianceFactors);
+        List<int> trials = _chooser.ChooseTrials(sampling.Error, threads, cancellation);
+        _trials.Begin(trials, radianceFactors, _chooser.Means);
         _chooser.Try(trials);
         Draw(work, isTrial: true);
         byte[] codes = SampleBudget.CodesOf(_chooser.Histogram, _trials.Sum(_chooser, sampling.Grey), sampling.Error);
-        _chooser.Spread(codes, trials, threads, cancellation);
+        _chooser.Spread(codes, trials, radianceFactors, threads, cancellation);
         Draw(work, isTrial: false);
     }
 
@@ -65,22 +65,17 @@ internal sealed class SamplingPass
     /// <param name="isTrial">Whether the trials are told of each sample.</param>
     private void Draw(Work work, bool isTrial)
     {
-        SampledPixels pixels = _chooser.Pixels;
-        int bands = pixels.VectorsOfBand.Length;
-        for (int first = 0; first < bands;)
+        IReadOnlyList<SampledBand> bands = _chooser.Pixels.Bands;
+        for (int first = 0; first < bands.Count;)
         {
             int end = first + 1;
-            long samples = pixels.VectorsOfBand[first] * SamplePattern.Lanes;
-            while (end < bands && samples + (pixels.VectorsOfBand[end] * SamplePattern.Lanes) <= SamplesAtOnce)
+            long samples = bands[first].Vectors * SamplePattern.Lanes;
+            while (end < bands.Count && samples + (bands[end].Vectors * SamplePattern.Lanes) <= SamplesAtOnce)
             {
-                samples += pixels.VectorsOfBand[end++] * SamplePattern.Lanes;
+                samples += bands[end++].Vectors * SamplePattern.Lanes;
             }
 
-            if (samples > 0)
-            {
-                DrawBands(work, (first, end), isTrial);
-            }
-
+            DrawBands(work, (first, end), isTrial);
             first = end;
         }
     }
@@ -99,7 +94,7 @@ internal sealed class SamplingPass
             work.Threads,
             count,
             (worker, index) => _workers[worker].Draw(
-                _surface, frame, _chooser.Pixels, bands.First + index, _parts[index], isTrial ? _parts[count + index] : null),
+                _surface, frame, _chooser.Pixels, _chooser.Pixels.Bands[bands.First + index], _parts[index], isTrial ? _parts[count + index] : null),
             work.Cancellation);
         _rows.Begin(frame.View);
         _firstRows.Clear();
@@ -118,7 +113,7 @@ internal sealed class SamplingPass
             _rows, work.Light, work.Options, new SampleWeight(1.0, IsFirst: true), _sunlight, _factors, work.Threads, work.Cancellation);
         WorkerTeam.Run(work.Threads, count, (_, index) =>
         {
-            Collect(_parts[index], FactorsOf(index), work, bands.First + index);
+            Collect(_parts[index], FactorsOf(index), work, _chooser.Pixels.Bands[bands.First + index]);
             if (isTrial)
             {
                 _trials.TakeSamples(_parts[index], FactorsOf(index));
@@ -130,11 +125,11 @@ internal sealed class SamplingPass
     private ReadOnlySpan<double> FactorsOf(int list) => _factors.AsSpan(_firstRows[list] * PartRows.RowLength, _parts[list].Count);
 
     /// <summary>Replaces the brightness of a band's pixels with further samples.</summary>
-    private void Collect(PixelParts parts, ReadOnlySpan<double> factors, Work work, int band)
+    private void Collect(PixelParts parts, ReadOnlySpan<double> factors, Work work, SampledBand band)
     {
         int width = work.Frame.View.Camera.Width;
-        int first = band * SampledPixels.BandRows * width;
-        int end = Math.Min(first + (SampledPixels.BandRows * width), width * work.Frame.View.Camera.Height);
+        int first = band.FirstRow * width;
+        int end = (band.LastRow + 1) * width;
         ReadOnlySpan<byte> codes = _chooser.Pixels.Codes.AsSpan(0, end);
         for (int next; first < end && (next = codes[first..].IndexOfAnyExcept((byte)0)) >= 0; first += next + 1)
         {

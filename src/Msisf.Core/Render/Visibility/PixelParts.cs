@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
@@ -111,10 +112,32 @@ internal sealed class PixelParts
         ref double xs = ref MemoryMarshal.GetArrayDataReference(hasLens ? band.Right : band.Columns);
         ref double ys = ref MemoryMarshal.GetArrayDataReference(hasLens ? band.Down : band.Rows);
         ref double inverses = ref MemoryMarshal.GetArrayDataReference(band.InverseDepths);
+        int count = BitOperations.PopCount(samples);
+        double x, y, inverse;
+        if (count == 1)
+        {
+            int only = start + BitOperations.TrailingZeroCount(samples);
+            (x, y, inverse) = (Unsafe.Add(ref xs, only), Unsafe.Add(ref ys, only), Unsafe.Add(ref inverses, only));
+        }
+        else
+        {
+            (x, y, inverse) = Sum(ref xs, ref ys, ref inverses, start, samples);
+        }
+
+        double perCount = 1.0 / count;
+        Weights[Count] = weight * count;
+        InverseDepths[Count] = inverse * perCount;
+        Across[Count] = hasLens ? x * perCount : ((2.0 * (x * perCount)) + 1.0 - model.Width) / (2.0 * model.Width);
+        Along[Count] = hasLens ? y * perCount : (model.Height - 1.0 - (2.0 * (y * perCount))) / (2.0 * model.Height);
+    }
+
+    /// <summary>Sums up the coordinates and inverse depths of some samples.</summary>
+    private static (double X, double Y, double Inverse) Sum(
+        ref double xs, ref double ys, ref double inverses, int start, ulong samples)
+    {
         Vector512<double> sumX = Vector512<double>.Zero;
         Vector512<double> sumY = Vector512<double>.Zero;
         Vector512<double> sumInverse = Vector512<double>.Zero;
-        int count = BitOperations.PopCount(samples);
         for (nuint sample = (nuint)start; samples != 0; samples >>= Lanes, sample += Lanes)
         {
             Vector512<double> isMeant = Vector512.Equals(
@@ -125,14 +148,7 @@ internal sealed class PixelParts
             sumInverse += isMeant & Vector512.LoadUnsafe(ref inverses, sample);
         }
 
-        double x = Sum(sumX);
-        double y = Sum(sumY);
-        double inverse = Sum(sumInverse);
-        double perCount = 1.0 / count;
-        Weights[Count] = weight * count;
-        InverseDepths[Count] = inverse * perCount;
-        Across[Count] = hasLens ? x * perCount : ((2.0 * (x * perCount)) + 1.0 - model.Width) / (2.0 * model.Width);
-        Along[Count] = hasLens ? y * perCount : (model.Height - 1.0 - (2.0 * (y * perCount))) / (2.0 * model.Height);
+        return (Sum(sumX), Sum(sumY), Sum(sumInverse));
     }
 
     /// <summary>The sum of eight numbers, in an order that does not depend on the processor.</summary>

@@ -9,23 +9,69 @@ internal sealed class SampledPixels
     /// <summary>The bit of a code whose samples each get light of their own, because the border of a shadow is near.</summary>
     public const byte HasBorder = 0x80;
 
+    /// <summary>Bands of fewer rows are not divided: with all samples in every pixel, such a band of 1024 px has a million.</summary>
+    private const int MinRows = 16;
+
+    /// <summary>Vectors above which a band is divided, so that its depth buffer stays below 4 MB.</summary>
+    private const int MaxVectorsOfBand = 1 << 14;
+
+    private readonly List<SampledBand> _bands = [];
+    private int _height;
+
     /// <summary>The code of each pixel, row by row.</summary>
     public byte[] Codes { get; private set; } = [];
 
-    /// <summary>Number of vectors in each band of <see cref="BandRows"/> rows.</summary>
-    public int[] VectorsOfBand { get; private set; } = [];
+    /// <summary>Number of vectors in each row.</summary>
+    public int[] VectorsOfRow { get; private set; } = [];
 
-    /// <summary>Rows of a band: with all samples in every pixel a band of 1024 px has a million.</summary>
-    public const int BandRows = 16;
+    /// <summary>
+    /// The bands in which the samples are drawn, from <see cref="Cut()"/>: rows of one band of <see cref="VisibleSurface"/>, with samples.
+    /// </summary>
+    public IReadOnlyList<SampledBand> Bands => _bands;
 
     /// <summary>Makes room for an image.</summary>
     public void Prepare(int width, int height)
     {
+        _height = height;
+        _bands.Clear();
         if (Codes.Length < width * height)
         {
             Codes = new byte[width * height];
         }
 
-        VectorsOfBand = new int[(height + BandRows - 1) / BandRows];
+        if (VectorsOfRow.Length < height)
+        {
+            VectorsOfRow = new int[height];
+        }
+    }
+
+    /// <summary>Cuts the image into bands: large ones, as each projects the terrain that it shows, where there are few samples.</summary>
+    public void Cut()
+    {
+        _bands.Clear();
+        for (int row = 0; row < _height; row += VisibleSurface.BandRows)
+        {
+            Cut(row, Math.Min(row + VisibleSurface.BandRows, _height));
+        }
+    }
+
+    private void Cut(int first, int end)
+    {
+        int vectors = 0;
+        for (int row = first; row < end; row++)
+        {
+            vectors += VectorsOfRow[row];
+        }
+
+        if (vectors > MaxVectorsOfBand && end - first > MinRows)
+        {
+            int middle = first + ((end - first) / 2);
+            Cut(first, middle);
+            Cut(middle, end);
+        }
+        else if (vectors > 0)
+        {
+            _bands.Add(new SampledBand(first, end - 1, vectors));
+        }
     }
 }

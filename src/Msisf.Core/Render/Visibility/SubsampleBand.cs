@@ -58,16 +58,15 @@ internal sealed class SubsampleBand
     /// <summary>Empties the band for new rows of an image, and places the samples of a pinhole.</summary>
     /// <param name="pixels">The pixels that get samples.</param>
     /// <param name="model">The camera.</param>
-    /// <param name="band">Index of the band.</param>
-    public void Begin(SampledPixels pixels, CameraModel model, int band)
+    /// <param name="band">The rows.</param>
+    public void Begin(SampledPixels pixels, CameraModel model, SampledBand band)
     {
         Width = model.Width;
-        FirstRow = band * SampledPixels.BandRows;
-        LastRow = Math.Min(model.Height, FirstRow + SampledPixels.BandRows) - 1;
+        (FirstRow, LastRow) = (band.FirstRow, band.LastRow);
         Window = new PixelRange(0, Width - 1, FirstRow, LastRow);
         Margin = SamplePattern.Reach;
         Records.Clear();
-        Count = pixels.VectorsOfBand[band] * SamplePattern.Lanes;
+        Count = band.Vectors * SamplePattern.Lanes;
         _codes = pixels.Codes;
         EnsureRoom(model.Lens is not null);
         InverseDepths.AsSpan(0, Count).Clear();

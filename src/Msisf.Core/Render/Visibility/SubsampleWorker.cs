@@ -15,24 +15,21 @@ internal sealed class SubsampleWorker
     /// <param name="surface">The surface.</param>
     /// <param name="frame">The frame, drawn with one sample a pixel at the pixels' centres.</param>
     /// <param name="pixels">The pixels that get samples.</param>
-    /// <param name="band">Index of the band.</param>
+    /// <param name="band">The band; with samples.</param>
     /// <param name="parts">Receives the parts.</param>
     /// <param name="merged">Receives the parts without regard to borders of shadows; null if nobody wants them.</param>
     public void Draw(
-        SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, int band, PixelParts parts, PixelParts? merged = null)
+        SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, SampledBand band, PixelParts parts, PixelParts? merged = null)
     {
         ImageView view = frame.View;
         _band.Begin(pixels, view.Camera.Model, band);
-        if (_band.Count > 0)
+        if (frame.Lens is { } lens)
         {
-            if (frame.Lens is { } lens)
-            {
-                DrawLens(surface, view, lens, frame.Blocks);
-            }
-            else
-            {
-                DrawPinhole(surface, view, frame.Blocks);
-            }
+            DrawLens(surface, view, lens, frame.Blocks);
+        }
+        else
+        {
+            DrawPinhole(surface, view, frame.Blocks);
         }
 
         parts.Take(_band, view.Camera.Model);

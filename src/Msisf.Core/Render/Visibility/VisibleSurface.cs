@@ -1,4 +1,5 @@
 using Msisf.Core.Mesh;
+using Msisf.Core.Numerics;
 using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render.Visibility;
@@ -10,8 +11,6 @@ internal sealed class VisibleSurface : ISurfaceRows
 {
     /// <summary>Number of rows of a band; the last band may have fewer.</summary>
     public const int BandRows = 64;
-
-    private const long NoFacet = -1;
 
     private readonly List<Band> _bands = [];
     private RowResolver _resolver = null!;
@@ -80,28 +79,41 @@ internal sealed class VisibleSurface : ISurfaceRows
         }
     }
 
-    /// <summary>Tells which pixels of a row show the same facet.</summary>
+    /// <summary>Tells which pixels of a row show the same facet, and how the facets' planes lie.</summary>
     /// <param name="y">1 to the height.</param>
-    /// <param name="facets">Receives a number for each pixel, the same for the same facet in all rows; -1 without surface.</param>
-    public void ReadFacets(int y, Span<long> facets)
+    /// <param name="row">Receives the facets.</param>
+    public void ReadFacets(int y, FacetRow row)
     {
-        Band band = BandOf(y, out int row);
-        int start = (row - band.FirstRow) * band.Stride;
-        ReadOnlySpan<double> inverses = band.InverseDepths.AsSpan(start, facets.Length);
-        ReadOnlySpan<int> numbers = band.Facets.AsSpan(start, facets.Length);
+        Band band = BandOf(y, out int index);
+        int start = (index - band.FirstRow) * band.Stride;
+        ReadOnlySpan<double> inverses = band.InverseDepths.AsSpan(start, Width);
+        ReadOnlySpan<int> numbers = band.Facets.AsSpan(start, Width);
         ReadOnlySpan<FacetRecord> records = band.Records.AsSpan();
+        row.Clear(Width);
+        Span<long> facets = row.Facets.AsSpan(1, Width);
+        Span<double> planeX = row.PlaneX.AsSpan(1, Width);
+        Span<double> planeY = row.PlaneY.AsSpan(1, Width);
+        Span<double> planeZ = row.PlaneZ.AsSpan(1, Width);
+        Vector3D camera = View.Camera.PositionMoonMe - View.Anchor;
         int last = Band.NotRecorded;
-        long facet = NoFacet;
+        long facet = FacetRow.NoSurface;
+        Vector3D plane = default;
         for (int i = 0; i < facets.Length; i++)
         {
             int number = inverses[i] > 0.0 ? numbers[i] : Band.NotRecorded;
             if (number != last)
             {
                 last = number;
-                facet = number == Band.NotRecorded ? NoFacet : ((long)records[number].Line << 32) | (uint)records[number].PartSampleAndHalf;
+                facet = FacetRow.NoSurface;
+                if (number != Band.NotRecorded)
+                {
+                    ref readonly FacetRecord record = ref records[number];
+                    facet = ((long)record.Line << 32) | (uint)record.PartSampleAndHalf;
+                    plane = record.Normal / (record.Offset - Vector3D.Dot(record.Normal, camera));
+                }
             }
 
-            facets[i] = facet;
+            (facets[i], planeX[i], planeY[i], planeZ[i]) = (facet, plane.X, plane.Y, plane.Z);
         }
     }
 

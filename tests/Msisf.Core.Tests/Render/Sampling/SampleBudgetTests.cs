@@ -42,6 +42,27 @@ public sealed class SampleBudgetTests
         Assert.NotEqual(0, code & SampledPixels.HasBorder);
     }
 
+    [Theory]
+    [InlineData(0.3, 0.4, true)] // rms by areas, error that is asked for
+    [InlineData(0.3, 0.2, false)]
+    public void CodesOf_KnownAreas_TakesThemWhereTheyAreGoodEnough(double byAreas, double error, bool isByAreas)
+    {
+        ClassError[] errors = Errors();
+        Measure(errors[Class], 1.0, merged: 0.0);
+        errors[Class].AreaSquares = byAreas * byAreas * Trials;
+
+        byte code = SampleBudget.CodesOf(Histogram((Class, 1000)), errors, error)[Class];
+
+        Assert.Equal(isByAreas, code == SampleBudget.Areas);
+    }
+
+    [Theory]
+    [InlineData(0.05, 1)]
+    [InlineData(1.0, 5)] // with one sample an error of 0.17 times the contrast is expected
+    [InlineData(50.0, 255)]
+    public void MinContrast_AnError_IsTheContrastThatIsExpectedToLeaveIt(double error, int expected) =>
+        Assert.Equal(expected, SampleBudget.MinContrast(error));
+
     [Fact]
     public void CodesOf_TwoClasses_SpendMoreWhereMoreErrorIs()
     {
@@ -76,6 +97,7 @@ public sealed class SampleBudgetTests
         error.Pixels = Trials;
         error.Parts = 2 * Trials;
         error.MergedSquares = merged * Trials;
+        error.AreaSquares = factor * Squares[0] * Trials; // no better than one sample
         for (int i = 0; i < Squares.Length; i++)
         {
             error.Squares[i] = factor * Squares[i] * Trials;

@@ -104,10 +104,10 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
         Array.Fill(pixels.Codes, (byte)(Vectors | (isSplit ? SampledPixels.HasBorder : 0)));
         SubsampleWorker worker = new();
         List<(int, FacetId, Vector3D, double)> found = [];
-        for (int band = 0; band < pixels.VectorsOfBand.Length; band++)
+        Array.Fill(pixels.VectorsOfRow, Vectors * camera.Width);
+        pixels.Cut();
+        foreach (SampledBand band in pixels.Bands)
         {
-            int rows = Math.Min(SampledPixels.BandRows, camera.Height - (band * SampledPixels.BandRows));
-            pixels.VectorsOfBand[band] = Vectors * rows * camera.Width;
             PixelParts parts = new();
             worker.Draw(surface, pass, pixels, band, parts);
             PartRows partRows = new();
