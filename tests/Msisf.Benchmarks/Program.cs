@@ -53,6 +53,14 @@ try
             }
 
             return 0;
+        case SampledFramesJob.Command:
+            SampledFramesJob sampled = JsonSerializer.Deserialize<SampledFramesJob>(args[1])!;
+            using (Sun sun = Sun.Open(Environment.CurrentDirectory))
+            {
+                Console.WriteLine(JsonSerializer.Serialize(SampledFramesChild.Run(sampled, sun.Ephemeris)));
+            }
+
+            return 0;
         case ThesisFrameJob.Command:
             ThesisFrameJob thesis = JsonSerializer.Deserialize<ThesisFrameJob>(args[1])!;
             using (Sun sun = Sun.Open(Environment.CurrentDirectory))

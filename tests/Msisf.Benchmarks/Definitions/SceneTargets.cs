@@ -7,4 +7,6 @@ namespace Msisf.Benchmarks.Definitions;
 /// <param name="TimesFasterThanPovRay">
 /// How many further frames take as long as POV-Ray's way to one image; null where nothing is asked for.
 /// </param>
-internal sealed record SceneTargets(double FirstSeconds, double FurtherSeconds, double MemoryBytes, double? TimesFasterThanPovRay = null);
+/// <param name="Sampled">What samples where they matter may cost; null where it is not measured.</param>
+internal sealed record SceneTargets(
+    double FirstSeconds, double FurtherSeconds, double MemoryBytes, double? TimesFasterThanPovRay = null, SampledTarget? Sampled = null);

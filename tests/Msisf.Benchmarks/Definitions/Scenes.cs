@@ -40,14 +40,14 @@ internal static class Scenes
         new()
         {
             Name = "far-4", About = "far, LDEM_4", Model = 4, State = Places.Far, Settings = Settings.All,
-            Targets = new SceneTargets(0.15, 0.012, 90 * Megabyte, TimesFasterThanPovRay: 200.0),
+            Targets = new SceneTargets(0.15, 0.012, 90 * Megabyte, TimesFasterThanPovRay: 200.0, Sampled: new SampledTarget(0.4, 0.050)),
         },
         new() { Name = "far-16", About = "far, LDEM_16", Model = 16, State = Places.Far, Settings = Settings.Few },
         new()
         {
             Name = "far-64", About = "far, LDEM_64", Model = 64, State = Places.Far, IsExact = true,
             Settings = Settings.Antialiased, MaxThesisTiles = 4,
-            Targets = new SceneTargets(0.28, 0.042, 230 * Megabyte),
+            Targets = new SceneTargets(0.28, 0.042, 230 * Megabyte, Sampled: new SampledTarget(1.1, 0.480)),
         },
         new()
         {
@@ -63,7 +63,7 @@ internal static class Scenes
         new()
         {
             Name = "nadir-64", About = "100 km, nadir, LDEM_64", Model = 64, State = Places.LowNadir, Settings = Settings.All,
-            Targets = new SceneTargets(0.18, 0.013, 110 * Megabyte),
+            Targets = new SceneTargets(0.18, 0.013, 110 * Megabyte, Sampled: new SampledTarget(0.4, 0.075)),
         },
         new()
         {
@@ -74,7 +74,7 @@ internal static class Scenes
         {
             Name = "oblique-64", About = "20 km, oblique, LDEM_64", Model = 64, State = Places.Oblique,
             Settings = Settings.Default, MaxThesisTiles = FineTiles,
-            Targets = new SceneTargets(0.18, 0.015, 110 * Megabyte),
+            Targets = new SceneTargets(0.18, 0.015, 110 * Megabyte, Sampled: new SampledTarget(0.4, 0.075)),
         },
         new()
         {

@@ -83,7 +83,11 @@ internal sealed class BenchmarkRun
             {
                 Say($"{scene.Name}, native frames: {scene.About}");
                 FirstFrameResult first = new FirstFrames(_bench, _options.Repeats).Measure(scene);
-                results.Add(new SceneResult(scene, targets, first, new FurtherFrames(_bench, _options.Repeats).Measure(scene)));
+                IReadOnlyList<FurtherFramesResult> further = new FurtherFrames(_bench, _options.Repeats).Measure(scene);
+                IReadOnlyList<SampledFramesResult> sampled = targets.Sampled is { } sampledTarget
+                    ? new SampledFrames(_bench, _options.Repeats).Measure(scene, sampledTarget)
+                    : [];
+                results.Add(new SceneResult(scene, targets, first, further, sampled));
             }
         }
 

@@ -1,10 +1,8 @@
 using System.Diagnostics;
 using System.Runtime.Intrinsics;
-using Msisf.Adapters.Terrain;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Lod;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
@@ -26,8 +24,8 @@ internal static class FurtherFramesChild
         Scene scene = Scenes.Named(job.Scene);
         SceneLight light = new(ephemeris.SunPositionMoonMe(scene.State.Time), IsSun: true);
         NativeRenderOptions options = new() { Reflectance = new LambertReflectance(Albedo) };
-        using IDisposable opened = Open(job.Label, out TerrainLevels levels);
-        ITerrainGrid grid = LevelFor(scene, levels);
+        using DrawnModel model = DrawnModel.Open(job.Label);
+        ITerrainGrid grid = model.LevelFor(scene);
         NativeRenderer renderer = new(grid);
         List<double> seconds = [];
         for (int frame = 0; frame < job.WarmUpFrames + job.Frames; frame++)
@@ -58,24 +56,4 @@ internal static class FurtherFramesChild
             check.OtherLight,
             check.LargestDistance);
     }
-
-    /// <summary>Opens a model without a pyramid file.</summary>
-    /// <returns>What keeps it open.</returns>
-    private static IDisposable Open(string label, out TerrainLevels levels)
-    {
-        if (LdemCatalog.TryReadMap(label) is { } map)
-        {
-            LdemMapImage polar = LdemMapImage.Open(map);
-            levels = MapLevels.Open(polar);
-            return polar;
-        }
-
-        LdemImage image = LdemImage.Open(LdemCatalog.Read(label));
-        levels = LodLevels.Open(image);
-        return image;
-    }
-
-    private static ITerrainGrid LevelFor(Scene scene, TerrainLevels levels) => levels.Grid(scene.IsExact
-        ? 0
-        : new DetailRule(levels, DetailRule.DefaultErrorOfImage).LevelOfImage(scene.Camera.Footprint, subsamplesPerAxis: 1));
 }

@@ -57,6 +57,18 @@ internal static class FigureList
             yield return Single(name, "pixels lit otherwise than by the exact tracer", setting, "1", further.OtherLight);
             yield return Single(name, "largest distance to the exact tracer's hit", setting, "m", further.LargestDistance);
         }
+
+        foreach (Figure figure in result.Sampled.SelectMany(sampled => Of(name, sampled)))
+        {
+            yield return figure;
+        }
+    }
+
+    private static IEnumerable<Figure> Of(string name, SampledFramesResult result)
+    {
+        string setting = $"--samples {result.Samples}";
+        yield return new Figure(name, "further frame", setting, "s", new Samples(result.FrameSeconds));
+        yield return Single(name, "rms error against 64 samples", setting, "levels", result.ErrorLevels);
     }
 
     private static IEnumerable<Figure> Of(string name, SequenceResult result)

@@ -29,6 +29,18 @@ internal static class Verdicts
             Unit.Milliseconds);
         yield return new Verdict(
             scene.About, "memory", result.Targets.MemoryBytes, IsUpperLimit: true, memory.Maximum, memory.Minimum, Unit.Megabytes);
+        if (result.Targets.Sampled is { } target && result.Sampled.FirstOrDefault(way => way.Samples == target.Samples) is { } sampled)
+        {
+            Samples seconds = new(sampled.FrameSeconds);
+            yield return new Verdict(
+                scene.About, $"further frames, --samples {target.Samples}", target.Seconds, IsUpperLimit: true, seconds.Median,
+                seconds.Minimum, Unit.Milliseconds);
+            double even = result.Sampled.First(way => way.Samples == "16").ErrorLevels;
+            yield return new Verdict(
+                scene.About, "error of these, as --samples 16", Math.Max(even, target.Error), IsUpperLimit: true, sampled.ErrorLevels,
+                sampled.ErrorLevels, Unit.Levels);
+        }
+
         if (result.Targets.TimesFasterThanPovRay is double times)
         {
             double full = all.Fronts.FirstOrDefault(front => front.Scene == scene)?.Of(Settings.PovRayFull)?.Seconds.Median ?? double.NaN;
