@@ -107,27 +107,25 @@ public sealed class LdemImage : IElevationGrid, IDisposable
     /// <inheritdoc/>
     public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
     {
-        CheckBlock(firstLine, lines, firstSample, samples);
         double minimum = double.PositiveInfinity;
         double maximum = double.NegativeInfinity;
-        int end = firstLine + lines;
-        for (int line = firstLine, next; line < end; line = next)
+        foreach ((LdemPart part, GridWindow block) in PiecesOf(firstLine, lines, firstSample, samples))
         {
-            // No file's border runs through a degree.
-            next = _parts.Length == 1 ? end : Math.Min(end, ((line / _pixelsPerDegree) + 1) * _pixelsPerDegree);
-            for (int done = 0; done < samples;)
-            {
-                int sample = firstSample + done < _samples ? firstSample + done : firstSample + done - _samples;
-                LdemPart part = PartAt(line, sample);
-                int count = Math.Min(samples - done, part.EndSample - sample);
-                (double min, double max) = part.RadiusBounds(line, next - line, sample, count);
-                minimum = Math.Min(minimum, min);
-                maximum = Math.Max(maximum, max);
-                done += count;
-            }
+            (double min, double max) = part.RadiusBounds(block.FirstLine, block.Lines, block.FirstSample, block.Samples);
+            minimum = Math.Min(minimum, min);
+            maximum = Math.Max(maximum, max);
         }
 
         return (minimum, maximum);
+    }
+
+    /// <inheritdoc/>
+    public void Prefetch(int firstLine, int lines, int firstSample, int samples)
+    {
+        foreach ((LdemPart part, GridWindow block) in PiecesOf(firstLine, lines, firstSample, samples))
+        {
+            part.Prefetch(block.FirstLine, block.Lines, block.FirstSample, block.Samples);
+        }
     }
 
     /// <summary>Unmaps the files.</summary>
@@ -151,6 +149,25 @@ public sealed class LdemImage : IElevationGrid, IDisposable
             throw new BadInputException(
                 $"{set.Location}: {missing.Length} images are missing: {FileNames.Listed(missing.Select(Path.GetFileName))}. "
                     + $"Put them beside their labels.");
+        }
+    }
+
+    /// <summary>What the files have of a block of samples.</summary>
+    private IEnumerable<(LdemPart Part, GridWindow Block)> PiecesOf(int firstLine, int lines, int firstSample, int samples)
+    {
+        CheckBlock(firstLine, lines, firstSample, samples);
+        int end = firstLine + lines;
+        for (int line = firstLine, next; line < end; line = next)
+        {
+            // No file's border runs through a degree.
+            next = _parts.Length == 1 ? end : Math.Min(end, ((line / _pixelsPerDegree) + 1) * _pixelsPerDegree);
+            for (int done = 0, count; done < samples; done += count)
+            {
+                int sample = firstSample + done < _samples ? firstSample + done : firstSample + done - _samples;
+                LdemPart part = PartAt(line, sample);
+                count = Math.Min(samples - done, part.EndSample - sample);
+                yield return (part, new GridWindow(line, next, sample, sample + count));
+            }
         }
     }
 

@@ -100,6 +100,10 @@ internal sealed unsafe class LdemPart : IDisposable
             : throw NotAllowed(firstLine, lines, firstSample, samples);
     }
 
+    /// <summary>Has the pages of a block of samples fetched, if some are not in memory.</summary>
+    public void Prefetch(int firstLine, int lines, int firstSample, int samples) =>
+        MemoryAdvice.Prefetch((nint)Address(firstLine, firstSample), _lineBytes, lines, samples * _sampleBytes);
+
     /// <summary>The bytes of a line, as they are in the file.</summary>
     public ReadOnlySpan<byte> LineBytes(int line) => new(Address(line, FirstSample), checked((int)_lineBytes));
 

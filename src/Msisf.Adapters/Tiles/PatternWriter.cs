@@ -17,6 +17,12 @@ public static class PatternWriter
     /// <summary>2^10 m are a unit of a mesh.</summary>
     private const int UnitExponent = 10;
 
+    /// <summary>
+    /// Number of vertices of a mesh up to which the text of each number is made once and copied for each triangle: far more than a part
+    /// has, and no more memory than its text takes.
+    /// </summary>
+    private const int MaxTexts = 1 << 16;
+
     /// <summary>Steps of 2^-7 m.</summary>
     private const int TileLatticeExponent = 7;
 
@@ -65,14 +71,13 @@ public static class PatternWriter
 
     private static void Write(Stream output, byte[] headerWithoutLength, Action<AsciiWriter> writeMesh)
     {
-        long start = output.Position;
-        AsciiWriter writer = new(output);
+        using AsciiWriter writer = new(output);
         writer.Write(headerWithoutLength);
         writer.Write(0, PatternHeader.LengthDigits);
         writer.Write("\n"u8);
         writeMesh(writer);
+        writer.WriteOver(headerWithoutLength.Length, writer.Length, PatternHeader.LengthDigits);
         writer.Flush();
-        WriteLength(output, start + headerWithoutLength.Length, writer.Length);
     }
 
     /// <summary>
@@ -97,12 +102,7 @@ public static class PatternWriter
 
         writer.Write("}\nface_indices{"u8);
         writer.Write(faces.Length / 3);
-        for (int i = 0; i < faces.Length; i += 3)
-        {
-            writer.Write(",\n"u8);
-            writer.WriteVector(faces[i], faces[isOneSided ? i + 2 : i + 1], faces[isOneSided ? i + 1 : i + 2]);
-        }
-
+        WriteFaces(writer, faces, offsets.Length / 3, isOneSided);
         writer.Write("}\ntranslate "u8);
         writer.WriteVector(origin.X, origin.Y, origin.Z);
         writer.Write("*k\nscale 1.024\n"u8);
@@ -110,6 +110,24 @@ public static class PatternWriter
         writer.Write("texture{moon}\n"u8);
         writer.Write(isOneSided ? "interior_texture{pigment{rgbt 1}}\n"u8 : ""u8);
         writer.Write("}\n"u8);
+    }
+
+    private static void WriteFaces(AsciiWriter writer, int[] faces, int vertices, bool isOneSided)
+    {
+        (int second, int third) = isOneSided ? (2, 1) : (1, 2);
+        ulong[] texts = vertices <= MaxTexts ? AsciiWriter.TextsOfNumbers(vertices) : [];
+        for (int i = 0; i < faces.Length; i += 3)
+        {
+            writer.Write(",\n"u8);
+            if (texts.Length > 0)
+            {
+                writer.WriteVectorOfTexts(texts[faces[i]], texts[faces[i + second]], texts[faces[i + third]]);
+            }
+            else
+            {
+                writer.WriteVector(faces[i], faces[i + second], faces[i + third]);
+            }
+        }
     }
 
     private static void WriteMesh(AsciiWriter writer, TileMesh mesh)
@@ -147,15 +165,5 @@ public static class PatternWriter
         writer.Write(decimals / DecimalsInKilometre, digits: 1);
         writer.Write("."u8);
         writer.Write(decimals % DecimalsInKilometre, digits: 10);
-    }
-
-    private static void WriteLength(Stream output, long position, long length)
-    {
-        long end = output.Position;
-        output.Position = position;
-        AsciiWriter writer = new(output);
-        writer.Write(length, PatternHeader.LengthDigits);
-        writer.Flush();
-        output.Position = end;
     }
 }

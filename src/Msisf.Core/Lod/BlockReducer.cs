@@ -19,6 +19,9 @@ namespace Msisf.Core.Lod;
 /// </remarks>
 public sealed class BlockReducer
 {
+    /// <summary>Number of samples of the finer model that are fetched together, at most, before they are read.</summary>
+    private const int SamplesFetched = 1 << 22;
+
     private readonly ITerrainGrid _finer;
     private readonly int _halvings;
     private readonly LodLayout[] _layouts;
@@ -66,8 +69,14 @@ public sealed class BlockReducer
         double[] scratch = ArrayPool<double>.Shared.Rent(4 * (samples << _halvings));
         try
         {
+            int linesFetched = Math.Max(1, SamplesFetched / ((samples << _halvings) << _halvings));
             for (int line = block.FirstLine; line < block.EndLine; line++)
             {
+                if ((line - block.FirstLine) % linesFetched == 0)
+                {
+                    Prefetch(block with { FirstLine = line, EndLine = Math.Min(line + linesFetched, block.EndLine) });
+                }
+
                 ReadLine(_halvings, line, block.FirstSample, radii[..samples], scratch);
                 Span<float> target = heights.Slice(LodLayout.IndexInBlock(line, block.FirstSample), samples);
                 for (int sample = 0; sample < samples; sample++)
@@ -80,6 +89,19 @@ public sealed class BlockReducer
         {
             ArrayPool<double>.Shared.Return(scratch);
         }
+    }
+
+    /// <summary>Tells the finer model that the samples of some of ours are read next.</summary>
+    private void Prefetch(GridWindow reduced)
+    {
+        GridWindow all = _layouts[0].Window;
+        int firstLine = Math.Max(reduced.FirstLine << _halvings, all.FirstLine);
+        int firstSample = Math.Max(reduced.FirstSample << _halvings, all.FirstSample);
+        _finer.Prefetch(
+            firstLine,
+            Math.Min(reduced.EndLine << _halvings, all.EndLine) - firstLine,
+            firstSample,
+            Math.Min(reduced.EndSample << _halvings, all.EndSample) - firstSample);
     }
 
     private void ReadLine(int halvings, int line, int firstSample, Span<double> radii, Span<double> scratch)

@@ -105,6 +105,15 @@ internal sealed class FacetMesh
         }
     }
 
+    /// <summary>Tells the model that the vertices of some cells are read next (<see cref="ITerrainGrid.Prefetch"/>).</summary>
+    public void Prefetch(CellRange cells)
+    {
+        int firstLine = Math.Max(cells.FirstLine, 0);
+        int endLine = Math.Min(cells.EndLine + 1, Lines);
+        int firstSample = IsClosed || _isRing ? ((cells.FirstSample % Samples) + Samples) % Samples : cells.FirstSample;
+        Grid.Prefetch(firstLine, endLine - firstLine, firstSample, Math.Min(cells.Samples + 1, Samples));
+    }
+
     /// <summary>The sample to the right of one that has a cell; a map across the prime meridian counts on there.</summary>
     public int Next(int sample) => sample + 1 == Samples && Cells.EndSample <= Samples ? 0 : sample + 1;
 

@@ -38,6 +38,18 @@ public interface ITerrainGrid : ITerrain
     /// <exception cref="BadInputException">A sample has no data, or can't be right: the file is damaged.</exception>
     void ReadRadii(int line, int firstSample, Span<double> radii);
 
+    /// <summary>
+    /// Tells that a block of samples is read next, so that a file which nobody has read yet is fetched there, and only there. It changes
+    /// nothing but the time that reading takes.
+    /// </summary>
+    /// <param name="firstLine">Top line.</param>
+    /// <param name="lines">How many lines.</param>
+    /// <param name="firstSample">Leftmost sample.</param>
+    /// <param name="samples">How many samples; the block of a model of the whole Moon continues across the prime meridian.</param>
+    void Prefetch(int firstLine, int lines, int firstSample, int samples)
+    {
+    }
+
     /// <summary>Minimum and maximum radius of a block of samples, m. Reads them all, where a grid has no quicker way.</summary>
     /// <param name="firstLine">Top line.</param>
     /// <param name="lines">How many lines.</param>

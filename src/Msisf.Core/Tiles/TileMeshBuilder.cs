@@ -34,6 +34,8 @@ public sealed class TileMeshBuilder
     public double[] ReadRadii(TileMeshLayout layout)
     {
         double[] radii = new double[layout.VertexCount];
+        _mesh.Prefetch(new CellRange(
+            layout.FirstLine, layout.FirstLine + layout.Lines - 1, layout.FirstSample, layout.FirstSample + layout.Samples - 1));
         int firstRow = layout.HasNorthPole ? 1 : 0;
         for (int row = 0; row < layout.Lines; row++)
         {

@@ -114,6 +114,22 @@ public sealed class LdemImageTests : IDisposable
         }
     }
 
+    [Fact]
+    public void Prefetch_AnyBlock_LeavesTheSamplesAsTheyAre()
+    {
+        using LdemImage image = Open(LdemSampleType.Int16LittleEndian);
+        double[] radii = new double[TestModel.Samples];
+        double[] before = new double[TestModel.Samples];
+        image.ReadRadii(179, 350, before);
+
+        image.Prefetch(0, 180, 0, 360);
+        image.Prefetch(178, 2, 350, 29); // across the prime meridian, and to the end of the file
+
+        image.ReadRadii(179, 350, radii);
+        Assert.Equal(before, radii);
+        Assert.Throws<ArgumentOutOfRangeException>(() => image.Prefetch(178, 3, 0, 1));
+    }
+
     [Theory]
     [InlineData(-2, 129598)]
     [InlineData(2, 129602)]

@@ -49,19 +49,37 @@ public class PatternWriterTests
     }
 
     [Theory]
-    [InlineData(PatternFormat.Mesh2)]
-    [InlineData(PatternFormat.Mesh)]
-    public void Write_AnyFormat_CarriesItsOwnLength(PatternFormat format)
+    [InlineData(PatternFormat.Mesh2, 4)] // fits into the writer's buffer
+    [InlineData(PatternFormat.Mesh2, 16)]
+    [InlineData(PatternFormat.Mesh, 16)]
+    public void Write_AnyFormat_CarriesItsOwnLength(PatternFormat format, int resolution)
     {
         using MemoryStream stream = new();
         stream.Write("before"u8);
-        PatternWriter.Write(stream, RoughMesh(resolution: 16), "TEST_GRID", format);
+        PatternWriter.Write(stream, RoughMesh(resolution), "TEST_GRID", format);
         string text = Encoding.ASCII.GetString(stream.ToArray());
 
         Assert.Equal(stream.Length, stream.Position);
         Assert.StartsWith("before// msisf-pattern 1 format=", text, StringComparison.Ordinal);
         Assert.Contains(string.Create(CultureInfo.InvariantCulture, $" bytes={text.Length - 6:D12}\n"), text, StringComparison.Ordinal);
         Assert.EndsWith("}\n", text, StringComparison.Ordinal);
+    }
+
+    /// <summary>The text of a vertex number is made once for small meshes, and anew each time for large ones.</summary>
+    [Theory]
+    [InlineData(4, 441)]
+    [InlineData(64, 103_041)]
+    public void Write_Mesh2_NamesTheVerticesOfEachTriangle(int resolution, int vertices)
+    {
+        TileMesh mesh = RoughMesh(resolution);
+        Assert.Equal(vertices, mesh.VertexCount);
+
+        string text = Write(mesh, PatternFormat.Mesh2);
+
+        int start = text.IndexOf("face_indices{", StringComparison.Ordinal);
+        string[] lines = text[start..text.IndexOf('}', start)].Split(",\n");
+        Assert.Equal($"face_indices{{{mesh.FaceCount}", lines[0]);
+        Assert.Equal(mesh.Faces.Chunk(3).Select(face => $"<{face[0]},{face[1]},{face[2]}>"), lines[1..]);
     }
 
     [Fact]

@@ -1,6 +1,7 @@
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tests.Terrain;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -49,6 +50,20 @@ public sealed class LodLevelsTests
                 Assert.Equal(halfMetres / (2.0 * factor * factor), radii[i]);
             }
         }
+    }
+
+    /// <summary>A block is 64 x 64 samples of the level; deep ones are fetched in several pieces.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(3)]
+    public void ReadRadii_OneBlock_FetchesExactlyWhatItReads(int level)
+    {
+        FetchedGrid grid = new(FunctionGrid.Hilly(16));
+
+        LodLevels.Open(grid).Level(level).ReadRadii(70, 130, new double[1]);
+
+        int edge = LodLayout.Side << level;
+        Assert.Equal((edge * edge, 0, 0), (grid.Read, grid.ReadUnfetched, grid.FetchedInVain));
     }
 
     [Fact]

@@ -13,6 +13,18 @@ internal sealed class BoundsTree
     /// <summary>Number of samples that are read for bounds before their memory is released: 8 MB of 16-bit samples.</summary>
     private const int SamplesBetweenReleases = 1 << 22;
 
+    /// <summary>
+    /// Number of samples of a node that are fetched together, at most, before they are read: most of a line's pages are asked for by one
+    /// call, and none leaves memory before it is read.
+    /// </summary>
+    private const long MaxSamplesFetched = SamplesBetweenReleases;
+
+    /// <summary>
+    /// Number of samples of a node for which it pays to ask whether they are in memory: they are read in some 10 microseconds, and asking
+    /// takes 1.
+    /// </summary>
+    private const long MinSamplesFetched = 1 << 12;
+
     private readonly FacetMesh? _mesh;
     private readonly NodeReader? _reader;
     private readonly NodeStore[] _stores;
@@ -67,8 +79,9 @@ internal sealed class BoundsTree
         }
 
         CellRange cells = Layout.Cells(level, row, column);
+        Prefetch(cells);
         bounds = _reader!.Read(cells);
-        long count = (long)(cells.EndLine - cells.FirstLine) * (cells.EndSample - cells.FirstSample);
+        long count = (long)cells.Lines * cells.Samples;
         long read = Interlocked.Add(ref _samplesRead, count);
         if (!_mesh!.IsClosed && read / SamplesBetweenReleases != (read - count) / SamplesBetweenReleases)
         {
@@ -115,13 +128,15 @@ internal sealed class BoundsTree
             cells[node] = Layout.Cells(0, row, firstColumn + node);
         }
 
+        CellRange all = cells[0] with { EndSample = cells[^1].EndSample };
+        Prefetch(all);
         _reader!.ReadRow(cells, bounds);
         for (int node = 0; node < count; node++)
         {
             Set(0, row, firstColumn + node, bounds[node]);
         }
 
-        Interlocked.Add(ref _samplesRead, (long)(cells[0].EndLine - cells[0].FirstLine) * (cells[^1].EndSample - cells[0].FirstSample));
+        Interlocked.Add(ref _samplesRead, (long)all.Lines * all.Samples);
     }
 
     /// <summary>The cap that holds the directions of all facets of a node.</summary>
@@ -198,6 +213,7 @@ internal sealed class BoundsTree
     {
         union = NodeBounds.Empty;
         NodeRange children = Layout.ChildrenOf(level, row, column);
+        bool isFetched = !reads;
         for (int childRow = children.FirstRow; childRow < children.EndRow; childRow++)
         {
             for (int childColumn = children.FirstColumn; childColumn < children.EndColumn; childColumn++)
@@ -209,6 +225,12 @@ internal sealed class BoundsTree
                         return false;
                     }
 
+                    if (!isFetched)
+                    {
+                        Prefetch(Layout.Cells(level, row, column));
+                        isFetched = true;
+                    }
+
                     child = Of(level - 1, childRow, childColumn);
                 }
 
@@ -218,6 +240,14 @@ internal sealed class BoundsTree
 
         Set(level, row, column, union);
         return true;
+    }
+
+    private void Prefetch(CellRange cells)
+    {
+        if ((long)cells.Lines * cells.Samples is >= MinSamplesFetched and <= MaxSamplesFetched)
+        {
+            _mesh!.Prefetch(cells);
+        }
     }
 
     private NodeGeometry GeometryOf(int level) => Volatile.Read(ref _geometries[level]) ?? NewGeometry(level);

@@ -1,6 +1,7 @@
 using Msisf.Core.Mesh;
 using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
+using Msisf.Core.Tests.Terrain;
 using Msisf.Core.Tiles;
 using Msisf.TestSupport;
 using Xunit;
@@ -46,6 +47,33 @@ public sealed class BoundsTreeTests
                 Assert.InRange(bounds.MaxSlope, 0.0, (2.5 * steepest) + 0.01); // a bound that says nothing would pass too
             }
         }
+    }
+
+    /// <summary>Squares of 1.25 degrees and tiles; at the prime meridian the vertices go on with sample 0.</summary>
+    [Theory]
+    [InlineData(1, 40, 12)]
+    [InlineData(1, 40, 287)]
+    [InlineData(2, 17, 71)]
+    public void Of_SquareOfManyCells_FetchesExactlyWhatItReads(int level, int row, int column)
+    {
+        FetchedGrid grid = new(FunctionGrid.Hilly(64));
+        BoundsTree tree = new(new TileLayout(64), new FacetMesh(grid));
+
+        tree.Of(level, row, column);
+
+        int edge = level == 1 ? 81 : 321;
+        Assert.Equal((edge * edge, 0, 0), (grid.Read, grid.ReadUnfetched, grid.FetchedInVain));
+    }
+
+    [Fact]
+    public void ReadRow_NodesBesideEachOther_FetchesExactlyWhatItReads()
+    {
+        FetchedGrid grid = new(FunctionGrid.Hilly(64));
+        BoundsTree tree = new(new TileLayout(64), new FacetMesh(grid));
+
+        tree.ReadRow(360, 1420, 20);
+
+        Assert.Equal((17 * 321, 0, 0), (grid.Read, grid.ReadUnfetched, grid.FetchedInVain));
     }
 
     /// <summary>Tangent of the angle between a facet's normal and the zenith of its middle; 0 for a fan's facet without area.</summary>
