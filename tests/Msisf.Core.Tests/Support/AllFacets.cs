@@ -10,7 +10,7 @@ internal sealed class AllFacets
 {
     private const double EdgeTolerance = 1e-11;
 
-    /// <summary>Facets that follow each other lie beside each other: where a ray misses the ball around so many, it misses them all.</summary>
+    /// <summary>Facets that follow each other lie side by side: a ray that misses the ball around so many misses them all.</summary>
     private const int FacetsOfBall = 32;
 
     /// <summary>1, of a ball's radius: far more than a facet is missed by where the ray is nearly in its plane.</summary>

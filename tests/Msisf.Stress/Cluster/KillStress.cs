@@ -13,7 +13,8 @@ public sealed class KillStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "kill -9 at random moments of runs that make 300 frames (150 at everyday length) by the native renderer or 4 by POV-Ray from an empty pattern repository: "
+        "kill -9 at random moments of runs that make 300 frames (150 at everyday length) by the native renderer "
+            + "or 4 by POV-Ray from an empty pattern repository: "
             + "of the program (a node that vanishes) or of POV-Ray. Up to six kills a folder, "
             + "each of a run that goes on where the one before was killed; "
             + "then a run that may end, msis verify, and a comparison with a set and patterns that one undisturbed process made.";
