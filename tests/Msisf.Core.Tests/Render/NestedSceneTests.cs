@@ -88,7 +88,7 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
             SceneLight sun = new(view.Sun, IsSun: true);
             TracedFrameTruth traced = new(view.Camera, sun, tracer);
             using NativeFrame drawn = renderer.Render(view.Camera, sun, Options, threads: 2);
-            for (int pixel = 0; pixel < Size * Size; pixel += TestLength.Of(5, 1))
+            for (int pixel = 0; pixel < Size * Size; pixel += TestLength.Of(11, 1))
             {
                 (int x, int y) = ((pixel % Size) + 1, (pixel / Size) + 1);
                 bool isSurface = traced.TryGet(x, y, out SurfaceHit expected, out PixelIllumination expectedLight);

@@ -10,49 +10,28 @@ internal sealed class AllFacets
 {
     private const double EdgeTolerance = 1e-11;
 
+    /// <summary>Facets that follow each other lie side by side: a ray that misses the ball around so many misses them all.</summary>
+    private const int FacetsOfBall = 32;
+
+    /// <summary>1, of a ball's radius: far more than a facet is missed by where the ray is nearly in its plane.</summary>
+    private const double BallMargin = 1.01;
+
+    private readonly (FacetId Facet, Vector3D A, Vector3D B, Vector3D C)[] _facets;
+    private readonly Lazy<(Vector3D Middle, double Radius)[]> _balls;
+
     public AllFacets(ITerrain terrain)
+        : this(Collect(terrain))
     {
-        SurfaceModel surface = SurfaceModel.Of(terrain);
-        List<(FacetId, Vector3D, Vector3D, Vector3D)> all = [];
-        for (int part = 0; part < surface.Parts.Count; part++)
-        {
-            CellRange cells = surface.Parts[part].Mesh.Cells;
-            for (int line = cells.FirstLine; line < cells.EndLine; line++)
-            {
-                for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
-                {
-                    foreach (FacetHalf half in new[] { FacetHalf.SouthWest, FacetHalf.NorthEast })
-                    {
-                        Add(new FacetId(line, sample, half) { Part = part });
-                    }
-                }
-            }
-        }
-
-        for (int seam = 0; seam < surface.Seams.Count; seam++)
-        {
-            Add(new FacetId(0, seam, FacetHalf.SouthWest) { Part = surface.Parts.Count });
-        }
-
-        Facets = all;
-
-        void Add(FacetId facet)
-        {
-            if (surface.Has(facet))
-            {
-                (Vector3D a, Vector3D b, Vector3D c) = surface.CornersOf(facet);
-                if (a != b && b != c && c != a) // at a pole a cell has one facet
-                {
-                    all.Add((facet, a, b, c));
-                }
-            }
-        }
     }
 
-    private AllFacets(IReadOnlyList<(FacetId Facet, Vector3D A, Vector3D B, Vector3D C)> facets) => Facets = facets;
+    private AllFacets((FacetId Facet, Vector3D A, Vector3D B, Vector3D C)[] facets)
+    {
+        _facets = facets;
+        _balls = new(() => [.. facets.Chunk(FacetsOfBall).Select(BallAround)]);
+    }
 
     /// <summary>The facets with their corners, m, counter-clockwise seen from outside.</summary>
-    public IReadOnlyList<(FacetId Facet, Vector3D A, Vector3D B, Vector3D C)> Facets { get; }
+    public IReadOnlyList<(FacetId Facet, Vector3D A, Vector3D B, Vector3D C)> Facets => _facets;
 
     /// <summary>Those facets of which a condition holds.</summary>
     public AllFacets Where(Func<(FacetId Facet, Vector3D A, Vector3D B, Vector3D C), bool> isThere) => new([.. Facets.Where(isThere)]);
@@ -90,8 +69,78 @@ internal sealed class AllFacets
     /// <summary>The first facet that a ray enters from outside, not counting hits before so many lengths of the direction.</summary>
     public (FacetId Facet, Vector3D Point, double T)? FirstHit(Vector3D origin, Vector3D direction, double minT = 0.0)
     {
-        (FacetId, Vector3D, double T)? best = null;
-        foreach ((FacetId facet, Vector3D a, Vector3D b, Vector3D c) in Facets)
+        (FacetId Facet, Vector3D Point, double T)? best = null;
+        for (int ball = 0; ball < _balls.Value.Length; ball++)
+        {
+            (Vector3D middle, double radius) = _balls.Value[ball];
+            if (Vector3D.Cross(middle - origin, direction).Length <= radius * direction.Length)
+            {
+                int start = ball * FacetsOfBall;
+                HitFirstOf(_facets.AsSpan(start, Math.Min(FacetsOfBall, _facets.Length - start)), origin, direction, minT, ref best);
+            }
+        }
+
+        return best;
+    }
+
+    /// <summary>Whether the way from a point on a facet to the light enters another facet.</summary>
+    public bool IsShadowed(FacetId facet, Vector3D point, Vector3D light)
+    {
+        Vector3D toLight = light - point;
+        return FirstHit(point, toLight, 1e-4 / toLight.Length) is (FacetId hit, _, double t) && t < 1.0 && hit != facet;
+    }
+
+    private static (FacetId Facet, Vector3D A, Vector3D B, Vector3D C)[] Collect(ITerrain terrain)
+    {
+        SurfaceModel surface = SurfaceModel.Of(terrain);
+        List<(FacetId, Vector3D, Vector3D, Vector3D)> all = [];
+        for (int part = 0; part < surface.Parts.Count; part++)
+        {
+            CellRange cells = surface.Parts[part].Mesh.Cells;
+            for (int line = cells.FirstLine; line < cells.EndLine; line++)
+            {
+                for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
+                {
+                    foreach (FacetHalf half in new[] { FacetHalf.SouthWest, FacetHalf.NorthEast })
+                    {
+                        Add(new FacetId(line, sample, half) { Part = part });
+                    }
+                }
+            }
+        }
+
+        for (int seam = 0; seam < surface.Seams.Count; seam++)
+        {
+            Add(new FacetId(0, seam, FacetHalf.SouthWest) { Part = surface.Parts.Count });
+        }
+
+        return [.. all];
+
+        void Add(FacetId facet)
+        {
+            if (surface.Has(facet))
+            {
+                (Vector3D a, Vector3D b, Vector3D c) = surface.CornersOf(facet);
+                if (a != b && b != c && c != a) // at a pole a cell has one facet
+                {
+                    all.Add((facet, a, b, c));
+                }
+            }
+        }
+    }
+
+    private static (Vector3D Middle, double Radius) BallAround((FacetId Facet, Vector3D A, Vector3D B, Vector3D C)[] facets)
+    {
+        Vector3D[] corners = [.. facets.SelectMany(facet => new[] { facet.A, facet.B, facet.C })];
+        Vector3D middle = corners.Aggregate((sum, corner) => sum + corner) / corners.Length;
+        return (middle, BallMargin * corners.Max(corner => (corner - middle).Length));
+    }
+
+    private static void HitFirstOf(
+        ReadOnlySpan<(FacetId Facet, Vector3D A, Vector3D B, Vector3D C)> facets, Vector3D origin, Vector3D direction, double minT,
+        ref (FacetId Facet, Vector3D Point, double T)? best)
+    {
+        foreach ((FacetId facet, Vector3D a, Vector3D b, Vector3D c) in facets)
         {
             Vector3D ab = b - a;
             Vector3D ac = c - a;
@@ -117,14 +166,5 @@ internal sealed class AllFacets
                 best = (facet, origin + (t * direction), t);
             }
         }
-
-        return best;
-    }
-
-    /// <summary>Whether the way from a point on a facet to the light enters another facet.</summary>
-    public bool IsShadowed(FacetId facet, Vector3D point, Vector3D light)
-    {
-        Vector3D toLight = light - point;
-        return FirstHit(point, toLight, 1e-4 / toLight.Length) is (FacetId hit, _, double t) && t < 1.0 && hit != facet;
     }
 }

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Globalization;
 using Msisf.Core.Attitude;
 using Msisf.Core.Numerics;
@@ -14,6 +15,9 @@ public sealed class VectorWidthTests : IDisposable
     /// <summary>m: over the north pole, with day, night and long shadows in the image.</summary>
     private static readonly Vector3D Position = new(1e5, 2e5, 1.9e6);
 
+    /// <summary>The files of the vectors that the machine has, drawn once for all that is compared with them.</summary>
+    private static readonly ConcurrentDictionary<bool, Lazy<byte[][]>> AsTheMachineHas = new();
+
     private readonly TemporaryFolder _folder = new();
 
     public void Dispose() => _folder.Dispose();
@@ -27,7 +31,7 @@ public sealed class VectorWidthTests : IDisposable
         string[] shading = isShadedEarly
             ? ["--shading", "facet", "--reflectance", "moon", "--albedo-map", Map()]
             : ["--shading", "smooth", "--reflectance", "hapke"];
-        byte[][] asTheMachineHas = Render("wide", shading, []);
+        byte[][] asTheMachineHas = AsTheMachineHas.GetOrAdd(isShadedEarly, _ => new(() => Render("wide", shading, []))).Value;
         byte[][] narrower = Render("narrow", shading, new() { [switchOfTheRuntime] = "0" });
 
         Assert.Equal(["view.fits", "view.png", "view.xml"], Files("narrow").Select(Path.GetFileName));

@@ -23,7 +23,7 @@ public sealed class CrowdStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        (int processes, int native, int povRay) = length == StressLength.Full ? (16, 5000, 64) : (8, 300, 5);
+        (int processes, int native, int povRay) = length == StressLength.Full ? (16, 5000, 64) : (8, 120, 3);
         SetJudge judge = new();
         CaseCount patterns = new();
         Crowd(processes, new FrameSeries(native, Size: 64), "native", judge, patterns);

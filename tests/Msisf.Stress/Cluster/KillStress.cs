@@ -13,7 +13,8 @@ public sealed class KillStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "kill -9 at random moments of runs that make 300 frames by the native renderer or 4 by POV-Ray from an empty pattern repository: "
+        "kill -9 at random moments of runs that make 300 frames (150 at everyday length) by the native renderer "
+            + "or 4 by POV-Ray from an empty pattern repository: "
             + "of the program (a node that vanishes) or of POV-Ray. Up to six kills a folder, "
             + "each of a run that goes on where the one before was killed; "
             + "then a run that may end, msis verify, and a comparison with a set and patterns that one undisturbed process made.";
@@ -24,10 +25,10 @@ public sealed class KillStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        (int native, int program, int povRay) = length == StressLength.Full ? (480, 240, 220) : (4, 2, 2);
+        (int frames, int native, int program, int povRay) = length == StressLength.Full ? (300, 480, 240, 220) : (150, 4, 2, 2);
         SetJudge judge = new();
         CaseCount unnoticed = new();
-        using KilledSet nativeSet = new(frames: 300, size: 64, isPovRay: false);
+        using KilledSet nativeSet = new(frames, size: 64, isPovRay: false);
         using KilledSet povRaySet = new(frames: 4, size: 32, isPovRay: true);
         int kills = Kill(native, "native, msis", new CaseRandom(seed, part: 0), (most, random, what) =>
             nativeSet.Run(most, isPovRayKilled: false, random, judge, unnoticed, what));

@@ -30,7 +30,7 @@ public sealed class LongSeriesStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "10,000 frames (1,500 at everyday length) of 64 x 64 px by the native renderer in one process: "
+        "10,000 frames (1,200 at everyday length) of 64 x 64 px by the native renderer in one process: "
             + "time of a frame and memory at its end against its beginning; "
             + "then msis status, and the same call again, which finds all frames made.";
 
@@ -44,7 +44,7 @@ public sealed class LongSeriesStress : IStressTest
     public StressReport Run(StressLength length, int seed)
     {
         bool isFull = length == StressLength.Full;
-        FrameSeries series = new(isFull ? 10_000 : 1_500, Size: 64);
+        FrameSeries series = new(isFull ? 10_000 : 1_200, Size: 64);
         using TemporaryFolder folder = new();
         (double settled, double last) = Memory(folder, series);
         double[] seconds = SecondsOfFrames(folder[Times]);

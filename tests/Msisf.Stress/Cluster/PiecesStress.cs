@@ -15,7 +15,7 @@ public sealed class PiecesStress : IStressTest
 
     /// <inheritdoc/>
     public string Subject =>
-        "An orbit of 200 frames (80 at everyday length) of 128 x 128 px by the native renderer, in one process "
+        "An orbit of 200 frames (40 at everyday length) of 128 x 128 px by the native renderer, in one process "
             + "and in 10 pieces by the scripts of msis batchconvert: GNU parallel, and Slurm with two nodes on this machine.";
 
     /// <inheritdoc/>
@@ -25,7 +25,7 @@ public sealed class PiecesStress : IStressTest
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)
     {
-        FrameSeries series = new(length == StressLength.Full ? 200 : 80, Size: 128);
+        FrameSeries series = new(length == StressLength.Full ? 200 : 40, Size: 128);
         SetJudge judge = new();
         CaseCount manifests = new();
         using TemporaryFolder one = new();

@@ -13,6 +13,11 @@ use PHPUnit\Framework\TestCase;
 /** generate_pattern.php on the real LDEM_4 in the private server. */
 abstract class GenerationTestCase extends TestCase
 {
+    /** Half of the Moon: enough where other tests compare all of it. */
+    protected const NORTH = ['--lat=0:90'];
+
+    private const PATTERNS_OF_NORTH = 1296;
+
     protected TemporaryFolder $folder;
 
     /** @var array<string, string> the connection */
@@ -50,5 +55,13 @@ abstract class GenerationTestCase extends TestCase
     protected static function assertAllPatternsOfMsis(string $repository): void
     {
         self::assertSame([], ReferencePatterns::ldem4()->differencesIn($repository, wantAll: true));
+    }
+
+    /** The same of a repository that has those of the northern half, and nothing else. */
+    protected static function assertNorthernPatternsOfMsis(string $repository): void
+    {
+        self::assertSame([], ReferencePatterns::ldem4()->differencesIn($repository, wantAll: false));
+        self::assertCount(self::PATTERNS_OF_NORTH, preg_grep('/_lat_\d.*(?<!\.partial)\.inc$/', scandir("$repository/4")));
+        self::assertSame([], glob("$repository/4/*_lat_-*"));
     }
 }

@@ -12,12 +12,16 @@ final class InterruptedGenerationTest extends GenerationTestCase
 {
     private const SEED = 20120222;
 
-    /** @dataProvider jobs */
+    /**
+     * One process makes half of the Moon in the time in which two make all of it.
+     *
+     * @dataProvider jobs
+     */
     public function testGeneratorKilledAtRandomMomentsLosesNothing(int $jobs): void
     {
         mt_srand(self::SEED + $jobs);
         $repository = $this->folder->path('repository');
-        $command = ['--all', "--jobs=$jobs", '--repository', $repository];
+        $command = [...($jobs === 1 ? self::NORTH : ['--all']), "--jobs=$jobs", '--repository', $repository];
         $killed = 0;
         for ($i = 0; $i < 5; $i++) {
             $run = $this->start($command);
@@ -34,7 +38,11 @@ final class InterruptedGenerationTest extends GenerationTestCase
         $run = $this->generate($command);
 
         self::assertSame(0, $run->exitCode, $run->errors);
-        self::assertAllPatternsOfMsis($repository);
+        if ($jobs === 1) {
+            self::assertNorthernPatternsOfMsis($repository);
+        } else {
+            self::assertAllPatternsOfMsis($repository);
+        }
     }
 
     public static function jobs(): array
@@ -46,7 +54,7 @@ final class InterruptedGenerationTest extends GenerationTestCase
     {
         mt_srand(self::SEED);
         $repository = $this->folder->path('repository');
-        $command = ['--all', '--jobs=2', '--query=spatial', '--repository', $repository];
+        $command = [...self::NORTH, '--jobs=2', '--query=spatial', '--repository', $repository];
         for ($i = 0; $i < 3; $i++) {
             $run = $this->start([...$command, '--no-resume']);
             usleep(mt_rand(200_000, 700_000));
@@ -61,6 +69,6 @@ final class InterruptedGenerationTest extends GenerationTestCase
         $run = $this->generate($command);
 
         self::assertSame(0, $run->exitCode, $run->errors);
-        self::assertAllPatternsOfMsis($repository);
+        self::assertNorthernPatternsOfMsis($repository);
     }
 }

@@ -12,7 +12,11 @@ use Msisf\Tests\Support\ScriptRun;
 /** The patterns from the database are those that msis makes from the image, byte for byte. */
 final class SamePatternsTest extends GenerationTestCase
 {
-    /** @dataProvider ways */
+    /**
+     * Two processes with the grid's query: testSceneOfSection92FromPatternsOfTheDatabaseIsTheSameImage.
+     *
+     * @dataProvider ways
+     */
     public function testAllTilesOfTheRealMoonAreThoseOfMsis(array $arguments): void
     {
         $repository = $this->folder->path('repository');
@@ -31,7 +35,6 @@ final class SamePatternsTest extends GenerationTestCase
     {
         return [
             'grid' => [[]],
-            'grid, two processes' => [['--jobs=2', '--query=grid']],
             'spatial, two processes' => [['--jobs', '2', '--query', 'spatial']],
         ];
     }
@@ -103,8 +106,8 @@ final class SamePatternsTest extends GenerationTestCase
         $repository = $this->folder->path('repository');
         $label = preg_replace('/IMG$/', 'LBL', Parts::ldem4Image());
         $runs = [
-            $this->start(['--all', '--repository', $repository]),
-            $this->start(['--all', '--repository', $repository, '--query=spatial']),
+            $this->start([...self::NORTH, '--repository', $repository]),
+            $this->start([...self::NORTH, '--repository', $repository, '--query=spatial']),
             ScriptRun::start([Parts::msis(), 'patterns', '-b', '--ldem', $label, '-p', $repository]),
         ];
         foreach ($runs as $run) {
@@ -117,7 +120,7 @@ final class SamePatternsTest extends GenerationTestCase
     public function testSceneOfSection92FromPatternsOfTheDatabaseIsTheSameImage(): void
     {
         $repository = $this->folder->path('repository');
-        self::assertSame(0, $this->generate(['--all', '--jobs=2', '--repository', $repository])->exitCode);
+        self::assertSame(0, $this->generate(['--all', '--jobs=2', '--query=grid', '--repository', $repository])->exitCode);
 
         $fromDatabase = $this->render($repository, 'database');
         $fromImage = $this->render(ReferencePatterns::ldem4()->repository(), 'image');
