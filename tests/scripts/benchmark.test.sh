@@ -286,6 +286,7 @@ test_benchmark_quick_run_measures() {
     [ -s "$MSISF_TESTED_ROOT/benchmark/front-quick.svg" ] || fail 'there is no plot'
     assert_says '| far, LDEM_4 | first frame, from process start | at most 150 ms |'
     assert_says '| far, LDEM_4 | further frames | at most 12.0 ms |'
+    assert_says '| far, LDEM_4 | further frames, --samples auto:0.4 | at most 50.0 ms |'
     assert_says '| orbit of 20 frames | images and meta files | at least 80.0 frames/s |'
     assert_says '| and all layers, FITS | 2 |'
     assert_says '| 0, 0 of '

@@ -122,7 +122,7 @@ internal static class Scenes
     /// <summary>A scene by its name.</summary>
     /// <exception cref="BenchmarkException">There is none; the message has the names.</exception>
     public static Scene Named(string name) => name == Quick
-        ? Named(QuickFrom) with { Name = Quick, Side = QuickSide }
+        ? Named(QuickFrom) with { Name = Quick, Side = QuickSide, Settings = Settings.Few }
         : All.FirstOrDefault(scene => scene.Name == name)
             ?? throw new BenchmarkException(
                 $"there is no scene {name}; there are {string.Join(", ", All.Select(scene => scene.Name))}, {FromNothing}, {Sequence}, "

@@ -32,7 +32,8 @@ internal static class MarkdownReport
             Append(text, "Its further frames in one process, ms to draw one; minimum / median.", FurtherFrames(result.Scenes));
             Append(
                 text,
-                "With several samples a pixel, ms to draw one, minimum / median; rms error of one against 64 samples in every pixel, levels of 255.",
+                "With several samples a pixel, ms to draw one, minimum / median; rms error of one against 64 samples in every pixel, "
+                    + "levels of 255.",
                 SampledFrames(result.Scenes));
         }
 

@@ -9,6 +9,8 @@ internal enum FacetsAround : byte
     /// <summary>They meet it in straight lines of which several cross the pixel.</summary>
     Lines,
 
-    /// <summary>One meets it in no line between the two, as at a silhouette, or none is the same: facets are about as small as pixels.</summary>
+    /// <summary>
+    /// One meets it in no line between the two, as at a silhouette, or none of them is the same: facets are about as small as pixels.
+    /// </summary>
     Other,
 }

@@ -32,6 +32,14 @@ internal static class PixelClass
         int bin => Math.ScaleB(1.0, bin - 1),
     };
 
+    /// <summary>Smallest contrast of a class, levels of 255.</summary>
+    public static int MinContrastOf(int pixelClass) => (pixelClass % Contrasts) switch
+    {
+        0 => 0,
+        1 => 1,
+        int bin => (1 << (bin - 2)) + 1,
+    };
+
     /// <summary>How the facets of the neighbours lie to those of a class's pixels.</summary>
     public static FacetsAround FacetsOf(int pixelClass) => (FacetsAround)(pixelClass / (2 * Contrasts));
 

@@ -8,9 +8,6 @@ internal static class SampleBudget
     /// <summary>Part of the squared error that is planned: the rest is for the error of a measured error.</summary>
     private const double Planned = 0.75;
 
-    /// <summary>Part of the error that is asked for below which a pixel's own error matters little.</summary>
-    private const double Small = 1.0;
-
     /// <summary>Trials whose weight the expectation has against what was measured.</summary>
     private const double ExpectedTrials = 8.0;
 
@@ -42,12 +39,13 @@ internal static class SampleBudget
     /// <param name="error">Rms error that is asked for, levels of 255.</param>
     public static byte[] CodesOf(ReadOnlySpan<int> histogram, IReadOnlyList<ClassError> errors, double error)
     {
+        int minContrast = MinContrast(error);
         double pixels = 0.0;
         Option[][] options = new Option[histogram.Length][];
         for (int i = 0; i < histogram.Length; i++)
         {
             pixels += histogram[i];
-            options[i] = [.. OptionsOf(errors[i], i)];
+            options[i] = [.. OptionsOf(errors[i], i, minContrast)];
         }
 
         double allowed = Planned * error * error * pixels;
@@ -71,9 +69,10 @@ internal static class SampleBudget
         return best;
     }
 
-    /// <summary>The smallest contrast whose expected error with one sample matters.</summary>
+    /// <summary>The smallest contrast of a class whose expected error with one sample may matter.</summary>
     /// <param name="error">Rms error that is asked for, levels of 255.</param>
-    public static int MinContrast(double error) => Math.Max(1, (int)Math.Min(byte.MaxValue, Small * error / Expected[0]));
+    public static int MinContrast(double error) => Enumerable.Range(0, PixelClass.Count).Select(PixelClass.MinContrastOf)
+        .Where(contrast => contrast <= Math.Max(1.0, error / Expected[0])).Max();
 
     /// <summary>The squared error with one sample that is expected of a class, levels of 255.</summary>
     public static double ExpectedSquare(int pixelClass) => Math.Pow(Expected[0] * PixelClass.ContrastOf(pixelClass), 2.0);
@@ -92,7 +91,7 @@ internal static class SampleBudget
         return codes;
     }
 
-    private static IEnumerable<Option> OptionsOf(ClassError measured, int pixelClass)
+    private static IEnumerable<Option> OptionsOf(ClassError measured, int pixelClass, int minContrast)
     {
         double contrast = PixelClass.ContrastOf(pixelClass);
         double Mean(double squares, double expected) =>
@@ -102,7 +101,7 @@ internal static class SampleBudget
         double merged = measured.MergedSquares / (measured.Pixels + ExpectedTrials);
         double parts = Math.Max(1.0, measured.Parts / Math.Max(measured.Pixels, 1));
         yield return new Option(0, Square(0), 0.0);
-        if (PixelClass.FacetsOf(pixelClass) != FacetsAround.Other && contrast > 0.0)
+        if (PixelClass.FacetsOf(pixelClass) != FacetsAround.Other && PixelClass.MinContrastOf(pixelClass) >= minContrast)
         {
             yield return new Option(Areas, Mean(measured.AreaSquares, ExpectedByAreas), AreaCost);
         }

@@ -86,7 +86,7 @@ internal sealed class SampleChooser
     /// <summary>The class of a pixel.</summary>
     public byte ClassOf(int pixel) => _classes[pixel];
 
-    /// <summary>I/F of each pixel by the areas of its facets, where its class is plain.</summary>
+    /// <summary>I/F of each pixel by the areas of its facets, where its class offers it.</summary>
     public ReadOnlySpan<double> Means => _means;
 
     /// <summary>Gives some pixels all samples, each with light of its own, and the others none.</summary>
@@ -225,7 +225,8 @@ internal sealed class SampleChooser
     }
 
     /// <summary>Finds the classes of a band's pixels.</summary>
-    private void Look((ContrastWindow Contrasts, FacetAreas Areas) windows, VisibleSurface visible, double[] factors, int minContrast, int band)
+    private void Look(
+        (ContrastWindow Contrasts, FacetAreas Areas) windows, VisibleSurface visible, double[] factors, int minContrast, int band)
     {
         Span<int> histogram = stackalloc int[PixelClass.Count];
         histogram.Clear();
@@ -237,11 +238,11 @@ internal sealed class SampleChooser
             Span<byte> codes = Pixels.Codes.AsSpan(here, _width);
             windows.Contrasts.Look(
                 _levels, _light, Math.Max(row - 1, 0) * _width, here, Math.Min(row + 1, _height - 1) * _width, classes, codes);
-            windows.Areas.Look(visible, row, row == first, classes, minContrast, factors);
-            windows.Areas.Means[.._width].CopyTo(_means.AsSpan(here));
+            windows.Areas.Look(visible, row, row == first, classes, minContrast, factors, _means.AsSpan(here, _width));
+            ReadOnlySpan<FacetsAround> kinds = windows.Areas.Kinds[..classes.Length];
             for (int i = 0; i < classes.Length; i++)
             {
-                classes[i] = PixelClass.Of(classes[i], codes[i] == ContrastWindow.Mixed, windows.Areas.Kinds[i]);
+                classes[i] = PixelClass.Of(classes[i], codes[i] == ContrastWindow.Mixed, kinds[i]);
                 histogram[classes[i]]++;
             }
         }

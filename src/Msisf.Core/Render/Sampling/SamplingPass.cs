@@ -94,7 +94,8 @@ internal sealed class SamplingPass
             work.Threads,
             count,
             (worker, index) => _workers[worker].Draw(
-                _surface, frame, _chooser.Pixels, _chooser.Pixels.Bands[bands.First + index], _parts[index], isTrial ? _parts[count + index] : null),
+                _surface, frame, _chooser.Pixels, _chooser.Pixels.Bands[bands.First + index], _parts[index],
+                isTrial ? _parts[count + index] : null),
             work.Cancellation);
         _rows.Begin(frame.View);
         _firstRows.Clear();

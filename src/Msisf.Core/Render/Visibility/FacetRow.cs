@@ -2,7 +2,7 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// The facets that the pixels of a row show, with their planes as the camera sees them. The first pixel is element 1; before and behind the
-/// pixels there are elements that show no facet of the image, so that eight pixels and their neighbours can be read anywhere.
+/// pixels there are elements that show no facet of the image, so that four pixels and their neighbours can be read anywhere.
 /// </summary>
 internal sealed class FacetRow
 {
@@ -12,7 +12,7 @@ internal sealed class FacetRow
     /// <summary>The facet of places outside the image.</summary>
     public const long Outside = -2;
 
-    private const int Padding = 10;
+    private const int Padding = 6;
 
     /// <summary>A number for each pixel, the same for the same facet in all rows.</summary>
     public long[] Facets { get; private set; } = [];

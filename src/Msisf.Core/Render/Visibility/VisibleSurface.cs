@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tracing;
@@ -95,25 +96,26 @@ internal sealed class VisibleSurface : ISurfaceRows
         Span<double> planeY = row.PlaneY.AsSpan(1, Width);
         Span<double> planeZ = row.PlaneZ.AsSpan(1, Width);
         Vector3D camera = View.Camera.PositionMoonMe - View.Anchor;
+        facets.Fill(FacetRow.NoSurface);
+        ReadOnlySpan<long> bits = MemoryMarshal.Cast<double, long>(inverses); // 0 without surface
         int last = Band.NotRecorded;
         long facet = FacetRow.NoSurface;
         Vector3D plane = default;
-        for (int i = 0; i < facets.Length; i++)
+        for (int i = 0, next; i < bits.Length && (next = bits[i..].IndexOfAnyExcept(0L)) >= 0;)
         {
-            int number = inverses[i] > 0.0 ? numbers[i] : Band.NotRecorded;
-            if (number != last)
+            for (i += next; i < bits.Length && bits[i] != 0; i++)
             {
-                last = number;
-                facet = FacetRow.NoSurface;
-                if (number != Band.NotRecorded)
+                int number = numbers[i];
+                if (number != last)
                 {
+                    last = number;
                     ref readonly FacetRecord record = ref records[number];
                     facet = ((long)record.Line << 32) | (uint)record.PartSampleAndHalf;
                     plane = record.Normal / (record.Offset - Vector3D.Dot(record.Normal, camera));
                 }
-            }
 
-            (facets[i], planeX[i], planeY[i], planeZ[i]) = (facet, plane.X, plane.Y, plane.Z);
+                (facets[i], planeX[i], planeY[i], planeZ[i]) = (facet, plane.X, plane.Y, plane.Z);
+            }
         }
     }
 

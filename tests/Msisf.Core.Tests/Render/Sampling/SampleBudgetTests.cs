@@ -58,9 +58,11 @@ public sealed class SampleBudgetTests
 
     [Theory]
     [InlineData(0.05, 1)]
-    [InlineData(1.0, 5)] // with one sample an error of 0.17 times the contrast is expected
-    [InlineData(50.0, 255)]
-    public void MinContrast_AnError_IsTheContrastThatIsExpectedToLeaveIt(double error, int expected) =>
+    [InlineData(0.4, 2)] // with one sample an error of 0.17 times the contrast is expected
+    [InlineData(0.7, 3)] // in the class of contrasts of 3 and 4
+    [InlineData(1.0, 5)]
+    [InlineData(50.0, 65)] // in the last class
+    public void MinContrast_AnError_IsTheLeastContrastOfTheClassThatIsExpectedToLeaveIt(double error, int expected) =>
         Assert.Equal(expected, SampleBudget.MinContrast(error));
 
     [Fact]

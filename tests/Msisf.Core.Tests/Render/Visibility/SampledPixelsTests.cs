@@ -26,7 +26,8 @@ public sealed class SampledPixelsTests
 
         Assert.All(bands, band => Assert.InRange(band.LastRow - band.FirstRow + 1, 8, 16));
         Assert.Equal(Height * SamplePattern.MaxVectors * Width, bands.Sum(band => band.Vectors));
-        Assert.Equal(Enumerable.Range(0, Height), bands.SelectMany(band => Enumerable.Range(band.FirstRow, band.LastRow - band.FirstRow + 1)));
+        Assert.Equal(
+            Enumerable.Range(0, Height), bands.SelectMany(band => Enumerable.Range(band.FirstRow, band.LastRow - band.FirstRow + 1)));
     }
 
     private static SampledPixels Cut(Func<int, int> vectorsOfRow)
