@@ -60,6 +60,8 @@ note_failed_build() {
 note_failed_build
 scripts/get-ldem.sh --real-only || warn 'going on without the elevation model: its tests are skipped'
 scripts/get-cspice.sh || warn 'going on without CSPICE: its tests are skipped'
+# Before any test: one of them installs it, and images drawn before and after would differ.
+scripts/get-albedo.sh || warn 'going on without a map of the reflectance'
 run_suites 2 "${early[@]}" &
 seldom_collecting check build 'scripts/build.sh' scripts/build.sh
 note_failed_build

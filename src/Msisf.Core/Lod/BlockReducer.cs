@@ -69,7 +69,7 @@ public sealed class BlockReducer
         double[] scratch = ArrayPool<double>.Shared.Rent(4 * (samples << _halvings));
         try
         {
-            int linesFetched = Math.Max(1, SamplesFetched / ((samples << _halvings) << _halvings));
+            int linesFetched = (int)Math.Max(1L, SamplesFetched / ((long)samples << (2 * _halvings)));
             for (int line = block.FirstLine; line < block.EndLine; line++)
             {
                 if ((line - block.FirstLine) % linesFetched == 0)
