@@ -16,7 +16,7 @@ public sealed class NativeRendererAdaptiveTests(RuggedTerrain rugged) : IClassFi
     private const int White = 65535;
     private const double FineLevels = 257.0; // of 65535 in one of 255
 
-    /// <summary>Few pixels of so small an image tell the error: 0.58 levels where 0.4 were asked for is the worst here.</summary>
+    /// <summary>Few pixels of so small an image tell the error.</summary>
     private const double Overshoot = 1.5;
 
     private static readonly GreyScale Grey = new();
