@@ -15,7 +15,6 @@ namespace Msisf.Benchmarks.Fronts;
 internal sealed class ImageTruth
 {
     private const int SubsamplesPerAxis = 8;
-    private const double Albedo = 0.64; // POV-Ray's scene: pigment 0.8, diffuse 0.8
     private const int White = 255;
 
     private ImageTruth(double[,] levels, double[,] litFractions, double[,] coverage)
@@ -61,7 +60,7 @@ internal sealed class ImageTruth
         }
 
         return new ImageTruth(
-            Drawn(sun, new LambertReflectance(Albedo), radiance => grey.Level(radiance, White)),
+            Drawn(sun, new LambertReflectance(PovRayScene.Albedo), radiance => grey.Level(radiance, White)),
             Drawn(sun, new EvenReflectance(), part => part),
             Drawn(lamp, new EvenReflectance(), part => part));
     }

@@ -13,9 +13,6 @@ namespace Msisf.Benchmarks.Measures;
 /// <summary>Draws the frames of a job in this process.</summary>
 internal static class FurtherFramesChild
 {
-    /// <summary>The albedo of POV-Ray's scene; the time does not depend on it.</summary>
-    private const double Albedo = 0.64;
-
     /// <summary>Measures.</summary>
     /// <param name="job">What.</param>
     /// <param name="ephemeris">For the Sun.</param>
@@ -23,7 +20,7 @@ internal static class FurtherFramesChild
     {
         Scene scene = Scenes.Named(job.Scene);
         SceneLight light = new(ephemeris.SunPositionMoonMe(scene.State.Time), IsSun: true);
-        NativeRenderOptions options = new() { Reflectance = new LambertReflectance(Albedo) };
+        NativeRenderOptions options = new() { Reflectance = new LambertReflectance(PovRayScene.Albedo) };
         using DrawnModel model = DrawnModel.Open(job.Label);
         ITerrainGrid grid = model.LevelFor(scene);
         NativeRenderer renderer = new(grid);

@@ -15,10 +15,9 @@ internal sealed class SampledFramesChild
     private const int TruthPerAxis = 8;
     private const int White = 65535;
     private const double FineLevels = 257.0; // of 65535 in one of 255
-    private const double Albedo = 0.64; // POV-Ray's scene: pigment 0.8, diffuse 0.8
 
     private static readonly GreyScale Grey = new();
-    private static readonly NativeRenderOptions Lambert = new() { Reflectance = new LambertReflectance(Albedo) };
+    private static readonly NativeRenderOptions Lambert = new() { Reflectance = new LambertReflectance(PovRayScene.Albedo) };
 
     private readonly SampledFramesJob _job;
     private readonly Scene _scene;
