@@ -6,6 +6,7 @@ using Msisf.Core.Render.Sampling;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
 using Msisf.Core.Tests.Support;
+using Msisf.Core.Tracing;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render.Sampling;
@@ -96,6 +97,32 @@ public sealed class FacetAreasTests(RuggedTerrain rugged) : IClassFixture<Rugged
         }
 
         Assert.InRange(checkedPixels, Side / 2, Side * Side);
+    }
+
+    /// <summary>
+    /// Ridges before farther ground: there the planes do not meet between the pixels, though no sky is near and a neighbour is on the same
+    /// facet.
+    /// </summary>
+    [Fact]
+    public void Look_ARidgeBeforeFartherGround_IsOther()
+    {
+        (PinholeCamera camera, SceneLight light) = Scene("along-parallel", Side);
+        (FacetsAround[] kinds, _) = Look(camera, light);
+        VisibleSurface visible = new VisibilityPass(new(rugged.Grid)).Run(camera, 2, CancellationToken.None);
+
+        int ridges = 0;
+        for (int pixel = Side; pixel < kinds.Length; pixel++)
+        {
+            if (visible.TryGet((pixel % Side) + 1, (pixel / Side) + 1, out SurfaceHit near)
+                && visible.TryGet((pixel % Side) + 1, pixel / Side, out SurfaceHit above)
+                && Math.Abs(above.Facet.Sample - near.Facet.Sample) > 5)
+            {
+                Assert.Equal(FacetsAround.Other, kinds[pixel]);
+                ridges++;
+            }
+        }
+
+        Assert.InRange(ridges, 3, kinds.Length);
     }
 
     private static double PartBeyond(double atCentre, double perColumn, double perRow) =>
