@@ -15,6 +15,6 @@ internal sealed class ClassError
     /// <summary>Sum of the squared errors with all samples but one light for each facet.</summary>
     public double MergedSquares { get; set; }
 
-    /// <summary>Sum of the squared errors with the brightness by the areas of the facets; of a plain class.</summary>
+    /// <summary>Sum of the squared errors with the brightness by the areas of the facets, where the class offers it.</summary>
     public double AreaSquares { get; set; }
 }
