@@ -124,8 +124,11 @@ public sealed class PinholeCamera
     /// <summary>Component of each ray's direction along the viewing direction.</summary>
     public double ImagePlaneDistance => _imagePlaneDistance;
 
-    /// <summary>Direction of the ray along the optical axis, as <see cref="RayThrough"/> has it for a camera with a lens.</summary>
-    internal Vector3D LensAxis => _imagePlaneDistance * ForwardMoonMe;
+    /// <summary>
+    /// Direction of the ray along the optical axis, MOON_ME: the part along the axis of each ray's direction. <see cref="Direction"/> leads
+    /// elsewhere where the principal point is not in the middle, and is longer.
+    /// </summary>
+    internal Vector3D OpticalAxis => _imagePlaneDistance * ForwardMoonMe;
 
     /// <summary>Change of the direction of a ray with the tangent to the right, for a camera with a lens.</summary>
     internal Vector3D LensRight => _imagePlaneDistance * UnitRight;
@@ -149,7 +152,7 @@ public sealed class PinholeCamera
         if (Model.Lens is not null)
         {
             (double idealRight, double idealDown) = Model.ToIdeal(x, y);
-            return new Ray(PositionMoonMe, LensAxis + (idealRight * LensRight) + (idealDown * LensDown));
+            return new Ray(PositionMoonMe, OpticalAxis + (idealRight * LensRight) + (idealDown * LensDown));
         }
 
         double up = (1.0 + Height - (2.0 * y)) / (2.0 * Height);

@@ -14,9 +14,9 @@ public static class PixelBeam
     /// <param name="ray">The pixel's ray, as <see cref="PinholeCamera.RayThrough"/> has it.</param>
     /// <param name="rayParameter">Where on the ray: origin + parameter times direction.</param>
     public static double SideAt(PinholeCamera camera, Ray ray, double rayParameter) =>
-        SideAt(camera, camera.Direction.Length, ray.Direction, ray.Direction.Length, rayParameter);
+        SideAt(camera, camera.OpticalAxis.Length, ray.Direction, ray.Direction.Length, rayParameter);
 
-    /// <summary>The same, for a caller that knows the lengths of the camera's direction and of the ray's.</summary>
+    /// <summary>The same, for a caller that knows the length of the ray's direction and its component along the optical axis.</summary>
     internal static double SideAt(
         PinholeCamera camera, double axisLength, Vector3D direction, double directionLength, double rayParameter)
     {

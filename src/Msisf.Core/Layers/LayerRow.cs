@@ -38,7 +38,7 @@ internal sealed class LayerRow
         MeshPixelsPerDegree = meshPixelsPerDegree;
         ReferenceRadius = referenceRadius;
         RadianceOfUnitFactor = radianceOfUnitFactor;
-        AxisLength = Camera.Direction.Length;
+        AxisLength = Camera.OpticalAxis.Length;
     }
 
     [Flags]
@@ -55,7 +55,7 @@ internal sealed class LayerRow
 
     public PinholeCamera Camera => _frame.Camera;
 
-    /// <summary>Length of the camera's direction vector: of a ray's component along the optical axis.</summary>
+    /// <summary>Component of each ray's direction along the optical axis.</summary>
     public double AxisLength { get; }
 
     /// <summary>Position of the Sun, or of the lamp that replaces it, m.</summary>

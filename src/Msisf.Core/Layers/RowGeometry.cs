@@ -38,7 +38,7 @@ internal static class RowGeometry
             if (hasLens)
             {
                 LanePoints ideal = camera.Model.ToIdeal(x, Vector512.Create(y));
-                LaneVector alongRow = LaneVector.All(camera.LensAxis) + (ideal.X * LaneVector.All(camera.LensRight));
+                LaneVector alongRow = LaneVector.All(camera.OpticalAxis) + (ideal.X * LaneVector.All(camera.LensRight));
                 (alongRow + (ideal.Y * LaneVector.All(camera.LensDown))).Store(directions, i);
                 continue;
             }

@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Layers;
 using Msisf.Core.Mesh;
 using Msisf.Core.Metadata;
@@ -81,6 +82,27 @@ public class LayerSamplerTests
 
         Assert.Equal(slope, values[0], 1e-9);
         Assert.Equal(aspect, values[1], 1e-6);
+    }
+
+    [Theory]
+    [InlineData(0.0, false)]
+    [InlineData(0.0, true)]
+    [InlineData(7.0, false)]
+    public void SampleRow_PrincipalPointOffTheMiddle_DepthIsTheThirdCoordinateInTheCamera(double skew, bool hasLens)
+    {
+        Distortion? lens = hasLens ? new OpenCvDistortion([0.1], []) : null;
+        CameraModel model = new(33, 21, (30.0, 32.0), (4.0, 27.0), skew, lens);
+        PinholeCamera camera = new(new Vector3D(3e6, 0.0, 0.0), UnitQuaternion.Identity, model);
+        CameraMatrix matrix = CameraMatrix.Of(camera);
+
+        double[][] planes = Sample(new SphereTruth(camera, Sun, 4), "depth", "position");
+
+        Assert.Contains(planes[0], double.IsFinite);
+        for (int i = 0; i < planes[0].Length; i++)
+        {
+            Vector3D inCamera = (matrix.Rotation * new Vector3D(planes[1][i], planes[2][i], planes[3][i])) + matrix.Translation;
+            Assert.Equal(inCamera.Z, planes[0][i], 1e-8);
+        }
     }
 
     [Fact]

@@ -87,7 +87,7 @@ internal sealed class RowResolver
         }
         else
         {
-            Locate(pixels, camera.LensAxis, camera.LensRight, camera.LensDown, withNormals);
+            Locate(pixels, camera.OpticalAxis, camera.LensRight, camera.LensDown, withNormals);
         }
     }
 
@@ -144,7 +144,7 @@ internal sealed class RowResolver
         }
         else
         {
-            Locate(points, camera.LensAxis, camera.LensRight, camera.LensDown, withNormals);
+            Locate(points, camera.OpticalAxis, camera.LensRight, camera.LensDown, withNormals);
         }
     }
 
