@@ -8,7 +8,7 @@ namespace Msisf.MySql;
 /// An elevation model in a table that scripts/ldem_mysql_insert.php has filled (docs/database.md). Samples are read in blocks of a line and
 /// cached, because neighbouring tiles share them. Thread-safe.
 /// </summary>
-public sealed class LdemTableGrid : IElevationGrid
+public sealed class LdemTableGrid : IGlobalGrid
 {
     private readonly Database _database;
     private readonly string _table;

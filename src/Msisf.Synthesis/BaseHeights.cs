@@ -16,12 +16,12 @@ internal sealed class BaseHeights
     private const double FullySmoothedDegrees = 80.0;
     private const double CosineOfHonoured = 0.34202014332566873;
 
-    private readonly IElevationGrid _model;
+    private readonly IGlobalGrid _model;
     private readonly int _lines;
     private readonly int _around;
 
     /// <summary>Wraps a model.</summary>
-    public BaseHeights(IElevationGrid model)
+    public BaseHeights(IGlobalGrid model)
     {
         _model = model;
         _lines = 180 * model.PixelsPerDegree;

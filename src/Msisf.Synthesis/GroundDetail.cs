@@ -29,7 +29,7 @@ public sealed class GroundDetail : IGroundDetail
     /// <param name="cancellation">Stops the reading.</param>
     public GroundDetail(ulong seed, IReadOnlyList<ITerrainGrid> models, CancellationToken cancellation = default)
     {
-        _maria = new MareMask((IElevationGrid)models[0], cancellation);
+        _maria = new MareMask((IGlobalGrid)models[0], cancellation);
         GroundMemory memory = new();
         _grounds = [.. models.Select(model => new ModelGround(model, seed, _maria, memory))];
         _borders = [.. models.Select((model, index) => index == 0 ? null : new ModelBorder(model, _grounds[index - 1].Spacing))];

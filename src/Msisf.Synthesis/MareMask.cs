@@ -24,7 +24,7 @@ internal sealed class MareMask
     /// <summary>Measures a model.</summary>
     /// <param name="model">Any resolution.</param>
     /// <param name="cancellation">Stops the reading.</param>
-    public MareMask(IElevationGrid model, CancellationToken cancellation)
+    public MareMask(IGlobalGrid model, CancellationToken cancellation)
     {
         int resolution = model.PixelsPerDegree;
         int lines = Math.Min(LinesPerDegree, resolution);

@@ -1,5 +1,5 @@
 using System.Collections.Concurrent;
-using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Synthesis;

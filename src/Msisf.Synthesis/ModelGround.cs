@@ -35,7 +35,7 @@ internal sealed class ModelGround
     public ModelGround(ITerrainGrid model, ulong seed, MareMask maria, GroundMemory memory)
     {
         (_model, _seed, _maria, _memory) = (model, seed, maria, memory);
-        IElevationGrid? moon = model as IElevationGrid;
+        IGlobalGrid? moon = model as IGlobalGrid;
         _base = moon is null ? null : new BaseHeights(moon);
         _slopes = moon is null ? new ModelSlopes(null, null) : ModelSlopes.Of(moon, maria);
         _around = model.Projection is Equirectangular && model.Window.Samples == model.Samples ? model.Samples : 0;

@@ -17,7 +17,7 @@ internal sealed record ModelSlopes(double? Highlands, double? Maria)
     /// <summary>Measures a model on lines and samples about a degree apart.</summary>
     /// <param name="model">Any resolution.</param>
     /// <param name="maria">Its mare mask.</param>
-    public static ModelSlopes Of(IElevationGrid model, MareMask maria)
+    public static ModelSlopes Of(IGlobalGrid model, MareMask maria)
     {
         int resolution = model.PixelsPerDegree;
         int around = 360 * resolution;

@@ -10,7 +10,7 @@ namespace Msisf.Synthesis;
 /// <remarks>
 /// The slopes follow those of LDEM_4: median 3.6 degrees at 7.6 km and 1.5 degrees at 61 km on highlands, so about baseline^-0.45.
 /// </remarks>
-internal sealed class SyntheticShape : IElevationGrid
+internal sealed class SyntheticShape : IGlobalGrid
 {
     private const int Lines = 180;
     private const int Samples = 360;

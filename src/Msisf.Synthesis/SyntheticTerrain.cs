@@ -36,7 +36,7 @@ public sealed class SyntheticTerrain
     /// <param name="baseModel">The model to refine; null for an invented shape.</param>
     /// <param name="cancellation">Stops the reading.</param>
     /// <exception cref="BadInputException">The resolution does not fit.</exception>
-    public SyntheticTerrain(int pixelsPerDegree, ulong seed, IElevationGrid? baseModel, CancellationToken cancellation = default)
+    public SyntheticTerrain(int pixelsPerDegree, ulong seed, IGlobalGrid? baseModel, CancellationToken cancellation = default)
     {
         Guard.InRange(pixelsPerDegree, 1, LargestResolution, "the synthetic model's resolution (samples a degree)");
         if (baseModel is not null)
@@ -46,7 +46,7 @@ public sealed class SyntheticTerrain
 
         PixelsPerDegree = pixelsPerDegree;
         HasBase = baseModel is not null;
-        IElevationGrid model = baseModel ?? new SyntheticShape(seed);
+        IGlobalGrid model = baseModel ?? new SyntheticShape(seed);
         Base = new BaseHeights(model);
         SamplesPerPixel = pixelsPerDegree / model.PixelsPerDegree;
         Kernel = new PixelMeanKernel(SamplesPerPixel);
@@ -54,10 +54,10 @@ public sealed class SyntheticTerrain
         (Octaves, _craters) = DetailOf(ModelSlopes.Spacing(pixelsPerDegree), seed, model);
     }
 
-    private SyntheticTerrain(ulong seed, IElevationGrid? baseModel, double metresPerPixel, CancellationToken cancellation)
+    private SyntheticTerrain(ulong seed, IGlobalGrid? baseModel, double metresPerPixel, CancellationToken cancellation)
     {
         HasBase = baseModel is not null;
-        IElevationGrid model = baseModel ?? new SyntheticShape(seed);
+        IGlobalGrid model = baseModel ?? new SyntheticShape(seed);
         Base = new BaseHeights(model);
         SamplesPerPixel = Math.Clamp(
             2 * (int)Math.Round(0.5 * ModelSlopes.Spacing(model.PixelsPerDegree) / metresPerPixel), 2, LargestRatio);
@@ -73,10 +73,10 @@ public sealed class SyntheticTerrain
     /// <param name="baseModel">The model to refine; null for an invented shape.</param>
     /// <param name="cancellation">Stops the reading.</param>
     public static SyntheticTerrain ForMap(
-        double metresPerPixel, ulong seed, IElevationGrid? baseModel, CancellationToken cancellation = default) =>
+        double metresPerPixel, ulong seed, IGlobalGrid? baseModel, CancellationToken cancellation = default) =>
         new(seed, baseModel, metresPerPixel, cancellation);
 
-    private (NoiseOctave[] Octaves, CraterPopulation Craters) DetailOf(double spacing, ulong seed, IElevationGrid model)
+    private (NoiseOctave[] Octaves, CraterPopulation Craters) DetailOf(double spacing, ulong seed, IGlobalGrid model)
     {
         double baseSpacing = ModelSlopes.Spacing(model.PixelsPerDegree);
         return (
@@ -129,7 +129,7 @@ public sealed class SyntheticTerrain
         (double)frame.FirstSample / PixelsPerDegree,
         (double)frame.Samples / PixelsPerDegree);
 
-    private static void RequireFit(int pixelsPerDegree, IElevationGrid baseModel)
+    private static void RequireFit(int pixelsPerDegree, IGlobalGrid baseModel)
     {
         int ratio = pixelsPerDegree / baseModel.PixelsPerDegree;
         if (ratio * baseModel.PixelsPerDegree != pixelsPerDegree || ratio % 2 != 0 || ratio is < 2 or > LargestRatio)

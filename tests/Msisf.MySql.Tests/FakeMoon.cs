@@ -8,11 +8,11 @@ namespace Msisf.MySql.Tests;
 /// <summary>The tables of docs/database.md with a grid in them; counts the questions for samples.</summary>
 internal sealed class FakeMoon
 {
-    private readonly IElevationGrid _grid;
+    private readonly IGlobalGrid _grid;
     private readonly List<object[]> _records;
     private int _sampleQueries;
 
-    public FakeMoon(IElevationGrid grid, params object[][] records)
+    public FakeMoon(IGlobalGrid grid, params object[][] records)
     {
         _grid = grid;
         _records = [.. records];

@@ -7,7 +7,7 @@ namespace Msisf.Stress;
 /// <summary>A Moon and what judges the program's answers about it: rays against every facet.</summary>
 /// <param name="Grid">The model.</param>
 /// <param name="Facets">All its facets.</param>
-internal sealed record JudgedMoon(IElevationGrid Grid, BruteForceMoon Facets)
+internal sealed record JudgedMoon(IGlobalGrid Grid, BruteForceMoon Facets)
 {
     private static readonly Lazy<JudgedMoon> LazyReal = new(MakeReal);
 
@@ -23,7 +23,7 @@ internal sealed record JudgedMoon(IElevationGrid Grid, BruteForceMoon Facets)
 
     private static JudgedMoon MakeReal()
     {
-        IElevationGrid grid = TestParts.Ldem4Label is null ? MemoryElevationGrid.Of(FunctionGrid.Rugged(4)) : MemoryElevationGrid.Ldem4();
+        IGlobalGrid grid = TestParts.Ldem4Label is null ? MemoryElevationGrid.Of(FunctionGrid.Rugged(4)) : MemoryElevationGrid.Ldem4();
         return new JudgedMoon(grid, new BruteForceMoon(grid));
     }
 }

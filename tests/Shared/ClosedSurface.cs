@@ -1,4 +1,4 @@
-using Msisf.Core.Mesh;
+using Msisf.Core.Surface;
 using Msisf.Core.Tiles;
 
 namespace Msisf.TestSupport;

@@ -3,7 +3,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.TestSupport;
 
 /// <summary>An elevation grid whose radii a function of line and sample gives.</summary>
-internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> radiusOf) : IElevationGrid
+internal sealed class FunctionGrid(int pixelsPerDegree, Func<int, int, double> radiusOf) : IGlobalGrid
 {
     public string ProductId => "TEST_GRID";
 

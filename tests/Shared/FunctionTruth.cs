@@ -1,7 +1,7 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 
 namespace Msisf.TestSupport;

@@ -3,6 +3,8 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
+using Msisf.Core.Surface.Sources;
+
 namespace Msisf.TestSupport;
 
 /// <summary>A smooth Moon some way over the reference sphere, and a Sun at a fixed place.</summary>

@@ -3,7 +3,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.TestSupport;
 
 /// <summary>A part of a model of the whole Moon; asking for other samples is an error.</summary>
-internal sealed class WindowGrid(IElevationGrid moon, GridWindow window) : ITerrainGrid
+internal sealed class WindowGrid(IGlobalGrid moon, GridWindow window) : ITerrainGrid
 {
     public string ProductId => "TEST_WINDOW";
 

@@ -10,7 +10,7 @@ internal sealed class PyramidBands : BlockedGrid
 
     /// <param name="source">The model.</param>
     /// <param name="level">How many times its resolution is halved.</param>
-    public PyramidBands(IElevationGrid source, int level)
+    public PyramidBands(IGlobalGrid source, int level)
         : base(source, level)
     {
         int samples = Layout.BlockColumns * LodLayout.BlockSamples;

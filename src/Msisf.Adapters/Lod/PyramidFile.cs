@@ -15,7 +15,7 @@ public sealed unsafe class PyramidFile : IDisposable
     private readonly MemoryMappedViewAccessor _view;
     private readonly PyramidLevel[] _levels;
 
-    private PyramidFile(string path, PyramidHeader header, FileStream stream, uint[] checksums, IElevationGrid source)
+    private PyramidFile(string path, PyramidHeader header, FileStream stream, uint[] checksums, IGlobalGrid source)
     {
         FilePath = path;
         _header = header;
@@ -39,7 +39,7 @@ public sealed unsafe class PyramidFile : IDisposable
     public string FilePath { get; }
 
     /// <summary>The stored levels, finest first: level 2 of the model and all coarser ones.</summary>
-    public IReadOnlyList<IElevationGrid> Levels => _levels;
+    public IReadOnlyList<IGlobalGrid> Levels => _levels;
 
     /// <summary>Opens a sidecar if it is complete and of this model. Neither its samples nor the model's are read for that.</summary>
     /// <param name="path">The file.</param>

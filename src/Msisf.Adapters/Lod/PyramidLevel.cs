@@ -5,7 +5,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Lod;
 
 /// <summary>One level of a mapped sidecar. A block is checked when it is first read. Safe for several threads.</summary>
-internal sealed unsafe class PyramidLevel : BlockedGrid, IElevationGrid
+internal sealed unsafe class PyramidLevel : BlockedGrid, IGlobalGrid
 {
     private readonly string _path;
     private readonly float* _blocks;
@@ -19,7 +19,7 @@ internal sealed unsafe class PyramidLevel : BlockedGrid, IElevationGrid
     /// <param name="blocks">The level's first block; valid as long as the level is used.</param>
     /// <param name="checksums">Of all levels' blocks.</param>
     /// <param name="firstBlock">Number of the level's first block among them.</param>
-    public PyramidLevel(IElevationGrid source, int level, string path, float* blocks, uint[] checksums, int firstBlock)
+    public PyramidLevel(IGlobalGrid source, int level, string path, float* blocks, uint[] checksums, int firstBlock)
         : base(source, level)
     {
         PixelsPerDegree = source.PixelsPerDegree >> level;

@@ -1,7 +1,7 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Surface;
 
 namespace Msisf.Adapters.Metadata;
 

@@ -19,7 +19,7 @@ public sealed record SyntheticLdemOptions(int PixelsPerDegree, ulong Seed, strin
     public CelestialBody Body { get; init; } = CelestialBody.Moon;
 
     /// <summary>The model whose terrain is refined; null for a made-up global shape.</summary>
-    public IElevationGrid? Base { get; init; }
+    public IGlobalGrid? Base { get; init; }
 
     /// <summary>The part with detail; its samples are those of a model with detail everywhere.</summary>
     public MoonRegion Region { get; init; } = MoonRegion.WholeMoon;

@@ -13,7 +13,7 @@ namespace Msisf.Adapters.Synthesis;
 public sealed record SyntheticMapOptions(bool IsSouth, double MetresPerPixel, double LatitudeDegrees, ulong Seed, string OutputFolder)
 {
     /// <summary>The model whose terrain is refined; null for a made-up global shape.</summary>
-    public IElevationGrid? Base { get; init; }
+    public IGlobalGrid? Base { get; init; }
 
     /// <summary>How the samples are stored.</summary>
     public SyntheticSampleFormat Format { get; init; } = SyntheticSampleFormat.Floats;

@@ -25,7 +25,7 @@ public static class ElevationSummaryFile
     /// <param name="path">The file beside the model.</param>
     /// <param name="source">What the model is now.</param>
     /// <param name="grid">The model.</param>
-    public static ElevationSummary Open(string path, SummarySource source, IElevationGrid grid)
+    public static ElevationSummary Open(string path, SummarySource source, IGlobalGrid grid)
     {
         try
         {
@@ -80,7 +80,7 @@ public static class ElevationSummaryFile
 
     /// <summary>Reads a summary.</summary>
     /// <returns>Null if the content is not a whole summary of this very source.</returns>
-    public static ElevationSummary? Read(ReadOnlySpan<byte> content, SummarySource source, IElevationGrid grid)
+    public static ElevationSummary? Read(ReadOnlySpan<byte> content, SummarySource source, IGlobalGrid grid)
     {
         int head = Magic.Length + (2 * HashBytes);
         if (content.Length < head || content.Length % sizeof(float) != head % sizeof(float) || !content.StartsWith(Magic)

@@ -9,7 +9,7 @@ namespace Msisf.Adapters.Terrain;
 /// size, and only the samples that are asked for are read. The radius of a sample is OFFSET + SCALING_FACTOR * value in doubles, in m.
 /// </summary>
 /// <remarks>Don't use it after or while it is disposed. A file that is made shorter while it is open ends the process.</remarks>
-public sealed class LdemImage : IElevationGrid, IDisposable
+public sealed class LdemImage : IGlobalGrid, IDisposable
 {
     private readonly LdemPart[] _parts;
     private readonly ushort[] _partOfDegree;

@@ -2,8 +2,8 @@ using System.Globalization;
 using Msisf.Adapters.Terrain.Pds;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 
 namespace Msisf.Adapters.Terrain;
 

@@ -2,7 +2,7 @@ using System.Buffers.Binary;
 using System.Security.Cryptography;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Surface.Sources;
 
 namespace Msisf.Adapters.Terrain;
 
@@ -26,7 +26,7 @@ public sealed class SeamFiles(IReadOnlyList<LdemSet> sets, string? cacheFolder, 
     private static ReadOnlySpan<byte> Magic => "MSISFSE1"u8;
 
     /// <inheritdoc/>
-    public SeamFilling? Find(string productId, string border)
+    public GapTriangulation? Find(string productId, string border)
     {
         if (PlacesOf(productId, border) is not { } places)
         {
@@ -37,7 +37,7 @@ public sealed class SeamFiles(IReadOnlyList<LdemSet> sets, string? cacheFolder, 
     }
 
     /// <inheritdoc/>
-    public void Keep(SeamFilling filling)
+    public void Keep(GapTriangulation filling)
     {
         if (PlacesOf(filling.ProductId, filling.Key) is not { } places)
         {
@@ -61,7 +61,7 @@ public sealed class SeamFiles(IReadOnlyList<LdemSet> sets, string? cacheFolder, 
             ? SidecarPlaces.Of(set, $".{border[..NameDigits]}.seam", cacheFolder)
             : null;
 
-    private static SeamFilling? Read(string path, string productId, string border)
+    private static GapTriangulation? Read(string path, string productId, string border)
     {
         try
         {
@@ -73,7 +73,7 @@ public sealed class SeamFiles(IReadOnlyList<LdemSet> sets, string? cacheFolder, 
         }
     }
 
-    private static SeamFilling? Parse(ReadOnlySpan<byte> content, string productId, string border)
+    private static GapTriangulation? Parse(ReadOnlySpan<byte> content, string productId, string border)
     {
         int head = Magic.Length + HashBytes;
         if (content.Length < head + (2 * sizeof(int)) || !content.StartsWith(Magic)
@@ -103,11 +103,11 @@ public sealed class SeamFiles(IReadOnlyList<LdemSet> sets, string? cacheFolder, 
             numbers[i] = BinaryPrimitives.ReadInt32LittleEndian(rest[(i * sizeof(int))..]);
         }
 
-        SeamFilling filling = new(productId, hashes, numbers);
+        GapTriangulation filling = new(productId, hashes, numbers);
         return filling.Key == border ? filling : null;
     }
 
-    private static void Write(Stream stream, SeamFilling filling)
+    private static void Write(Stream stream, GapTriangulation filling)
     {
         byte[] rest = new byte[(2 * sizeof(int)) + (filling.Borders.Count * HashBytes) + (filling.Corners.Length * sizeof(int))];
         BinaryPrimitives.WriteInt32LittleEndian(rest, filling.Borders.Count);

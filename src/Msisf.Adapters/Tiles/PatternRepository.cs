@@ -66,7 +66,7 @@ public sealed class PatternRepository : IDisposable
     /// <exception cref="ExternalPartException">The repository can't be read or written.</exception>
     public PatternSet EnsurePatterns(
         IEnumerable<TileId> tiles,
-        IElevationGrid grid,
+        IGlobalGrid grid,
         PatternOptions options,
         int maxParallelism,
         IProgress<int>? progress = null,

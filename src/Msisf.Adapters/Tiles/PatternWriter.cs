@@ -1,5 +1,5 @@
 using Msisf.Core.Blocks;
-using Msisf.Core.Mesh;
+using Msisf.Core.Surface;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Adapters.Tiles;

@@ -20,7 +20,7 @@ internal static class AlbedoSource
         AlbedoSettings albedo = settings.Albedo;
         if (albedo.MapPath is { } given)
         {
-            return AlbedoOptions.Map.Concerned(() => Open(Find(given, host), albedo, host));
+            return AlbedoOptions.Map.NamedInErrors(() => Open(Find(given, host), albedo, host));
         }
 
         bool isMoon = settings.Renderer == RendererKind.Native && settings.Native.ReflectanceText == "moon";

@@ -10,11 +10,10 @@ using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Nesting;
-using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 using Msisf.Core.Tracing;
@@ -86,7 +85,7 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>The samples of a model of the whole Moon.</summary>
     /// <exception cref="UsageException">It is a map of a part.</exception>
-    public IElevationGrid WholeMoon => _image ?? throw NotWholeMoon();
+    public IGlobalGrid WholeMoon => _image ?? throw NotWholeMoon();
 
     /// <summary>Identifies the model; the fingerprint is the same on every computer.</summary>
     public LdemFingerprint Fingerprint() => LdemFingerprint.Of(Sets);
@@ -148,7 +147,7 @@ internal sealed class ElevationModel : IDisposable
     {
         try
         {
-            return SurfaceOptions.Ldem.Concerned(() =>
+            return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
                 RefinedTerrain terrain = new(Grid, InventedGround.Of(detail.Seed, RefinedTerrain.GridsOf(Grid)), detail.FinestLevel);
                 host.Log.Note(string.Create(

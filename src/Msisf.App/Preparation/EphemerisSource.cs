@@ -27,7 +27,7 @@ internal sealed class EphemerisSource : IDisposable
     {
         if (Opened is null)
         {
-            Opened = LightOptions.Kernels.Concerned(() => EphemerisFactory.Open(new EphemerisRequest(
+            Opened = LightOptions.Kernels.NamedInErrors(() => EphemerisFactory.Open(new EphemerisRequest(
                 _settings.Ephemeris, KernelNames, _host.Installation.Root, _host.Environment("MSISF_CSPICE"))
             {
                 Body = _settings.Body,
@@ -39,7 +39,7 @@ internal sealed class EphemerisSource : IDisposable
     }
 
     /// <summary>The kernels that the engine reads, in load order; the call opens no kernel.</summary>
-    public IReadOnlyList<string> KernelFiles() => LightOptions.Kernels.Concerned(() => KernelList.Expand(KernelNames));
+    public IReadOnlyList<string> KernelFiles() => LightOptions.Kernels.NamedInErrors(() => KernelList.Expand(KernelNames));
 
     public void Dispose() => Opened?.Dispose();
 }

@@ -11,20 +11,20 @@ internal sealed class GridSource : IDisposable
 {
     private readonly IDisposable _owner;
 
-    private GridSource(IElevationGrid grid, IDisposable owner)
+    private GridSource(IGlobalGrid grid, IDisposable owner)
     {
         Grid = grid;
         _owner = owner;
     }
 
-    public IElevationGrid Grid { get; }
+    public IGlobalGrid Grid { get; }
 
     /// <summary>Opens the elevation model.</summary>
     public static GridSource Open(WholeMoonSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         if (settings.IsDatabase)
         {
-            DatabaseSettings database = PatternsOptions.DefaultsFile.Concerned(
+            DatabaseSettings database = PatternsOptions.DefaultsFile.NamedInErrors(
                 () => DatabaseSettings.Read(settings.DefaultsFile, host.Environment));
             return FromDatabase(database, settings.PixelsPerDegree, host, cancellation);
         }

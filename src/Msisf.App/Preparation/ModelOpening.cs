@@ -7,7 +7,7 @@ using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preparation;
@@ -34,11 +34,11 @@ internal static class ModelOpening
             return OpenMap(explicitPath!, host);
         }
 
-        LdemSet set = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(
+        LdemSet set = SurfaceOptions.Resolution.NamedInErrors(() => SurfaceOptions.Ldem.NamedInErrors(
             () => LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host), body: body)));
         if (!set.IsWholeMoon)
         {
-            LdemBandImage band = SurfaceOptions.Ldem.Concerned(() => LdemBandImage.Open(set));
+            LdemBandImage band = SurfaceOptions.Ldem.NamedInErrors(() => LdemBandImage.Open(set));
             Tell(set, host.Log);
             host.Log.Note(string.Create(
                 CultureInfo.InvariantCulture,
@@ -47,7 +47,7 @@ internal static class ModelOpening
             return new ElevationModel(band, set, band);
         }
 
-        LdemImage image = SurfaceOptions.Resolution.Concerned(() => SurfaceOptions.Ldem.Concerned(() => LdemImage.Open(set)));
+        LdemImage image = SurfaceOptions.Resolution.NamedInErrors(() => SurfaceOptions.Ldem.NamedInErrors(() => LdemImage.Open(set)));
         Tell(set, host.Log);
         return new ElevationModel(image, host.Log, () => OpenLevels(image, isSparing, host));
     }
@@ -70,7 +70,7 @@ internal static class ModelOpening
                 opened.Add(Open(path, resolution, isSparing: false, host));
             }
 
-            return SurfaceOptions.Ldem.Concerned(() =>
+            return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
                 SeamFiles files = new([.. opened.Select(model => model.Set)], CacheFolder.Of(host), host.Log.Warning);
                 NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files));
@@ -89,7 +89,7 @@ internal static class ModelOpening
     /// <summary>Whether <see cref="Open"/> finds a model of a resolution if no path is given.</summary>
     /// <exception cref="BadInputException">There is one, but its parts don't make up a whole Moon.</exception>
     public static bool IsThere(int pixelsPerDegree, ProgramHost host) =>
-        SurfaceOptions.Resolution.Concerned(() => LdemCatalog.TryFind(pixelsPerDegree, explicitPath: null, Folders(host))) is not null;
+        SurfaceOptions.Resolution.NamedInErrors(() => LdemCatalog.TryFind(pixelsPerDegree, explicitPath: null, Folders(host))) is not null;
 
     /// <summary>Folders in which models are searched if no path is given, in the order of the search.</summary>
     public static string[] Folders(ProgramHost host) =>
@@ -98,9 +98,9 @@ internal static class ModelOpening
     /// <summary>Resolution of a cylindrical label; of a GeoTIFF, which knows its own, any.</summary>
     private static GridResolution LdemResolutionOf(string path) => GeoTiffGrid.IsNameOf(path)
         ? 1
-        : SurfaceOptions.Ldem.Concerned(() => LdemCatalog.Read(path).PixelsPerDegree);
+        : SurfaceOptions.Ldem.NamedInErrors(() => LdemCatalog.Read(path).PixelsPerDegree);
 
-    private static ElevationModel OpenMap(string path, ProgramHost host) => SurfaceOptions.Ldem.Concerned(() =>
+    private static ElevationModel OpenMap(string path, ProgramHost host) => SurfaceOptions.Ldem.NamedInErrors(() =>
     {
         LdemLabel label = LdemCatalog.TryReadMap(path)
             ?? throw new BadInputException($"{path}: was a polar map when the options were read, and is none any more.");
@@ -110,7 +110,7 @@ internal static class ModelOpening
         return new ElevationModel(image, set, image);
     });
 
-    private static ElevationModel OpenGeoTiff(string path, ProgramHost host) => SurfaceOptions.Ldem.Concerned(() =>
+    private static ElevationModel OpenGeoTiff(string path, ProgramHost host) => SurfaceOptions.Ldem.NamedInErrors(() =>
     {
         GeoTiffGrid grid = host.GeoTiffs.Open(path);
         LdemSet set = LdemSet.OfMap(grid.ToLabel());

@@ -94,7 +94,7 @@ internal sealed class StateReader
 
     private SpacecraftState[] AtPlace(PlaceSettings settings, CancellationToken cancellation)
     {
-        Vector3D position = PointingOptions.Position.Concerned(
+        Vector3D position = PointingOptions.Position.NamedInErrors(
             () => settings.Place.ToPositionMoonMe(_scene.GroundRadius, _scene.ReferenceRadius));
         if (settings.Pointing.IsTargetHidden(position, _scene))
         {

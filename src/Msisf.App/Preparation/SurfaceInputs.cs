@@ -21,7 +21,7 @@ internal sealed record SurfaceInputs(OpenedAlbedoMap? Albedo, HapkeMapFile? Hapk
     public static SurfaceInputs Open(RenderSettings settings, ProgramHost host)
     {
         HapkeMapFile? hapke = settings is { Renderer: RendererKind.Native, Native.HapkeMap: { } path }
-            ? NativeOptions.HapkeMap.Concerned(() => HapkeMapFile.Read(path))
+            ? NativeOptions.HapkeMap.NamedInErrors(() => HapkeMapFile.Read(path))
             : null;
         OpenedAlbedoMap? albedo = AlbedoSource.Open(settings, host);
         List<InputFile> files = [.. albedo?.Files ?? []];

@@ -47,7 +47,7 @@ internal static class SyntheticModel
             Format = new SyntheticSampleFormat(settings.SampleType ?? LdemSampleType.Float32LittleEndian),
         };
         using IRunProgress progress = host.Progress.Start("Synthesis", FractionProgress.Steps, settings.Unattended);
-        return ModelOptions.Latitude.Concerned(
+        return ModelOptions.Latitude.NamedInErrors(
             () => SyntheticMapWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation));
     }
 }

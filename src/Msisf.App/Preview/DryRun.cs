@@ -4,10 +4,10 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 using Msisf.Core.Preview;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preview;

@@ -2,9 +2,9 @@ using System.Globalization;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
-using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Preview;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 

@@ -1,7 +1,7 @@
 using System.Globalization;
 using Msisf.Adapters.Tiles;
 using Msisf.Core.Blocks;
-using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 

@@ -2,8 +2,8 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
-using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Metadata;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;

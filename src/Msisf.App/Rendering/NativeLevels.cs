@@ -1,8 +1,8 @@
 using System.Runtime.CompilerServices;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Render;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 

@@ -87,7 +87,7 @@ internal sealed class RenderRun
     }
 
     private string FindPovRay() =>
-        PovOptions.Program.Concerned(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+        PovOptions.Program.NamedInErrors(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
         PreparedRun run, RunPlan plan, RunInputs inputs, SurfaceInputs maps, CancellationToken cancellation)
@@ -165,7 +165,7 @@ internal sealed class RenderRun
         return new NativeFrameRenderer(new NativeDrawing(_settings.Native, model.Grid, maps, levels, _times), files, _times);
     }
 
-    private static void CreateFolder(string folder) => OutputOptions.Folder.Concerned(
+    private static void CreateFolder(string folder) => OutputOptions.Folder.NamedInErrors(
         () => FileErrors.ToExternalPart($"--output-dir {folder}: the folder can't be made", () =>
         {
             Directory.CreateDirectory(folder);

@@ -130,7 +130,7 @@ internal sealed class JsonOptions
         }
         else if (key == ImageOptions.Camera.Key && value.ValueKind == JsonValueKind.Object)
         {
-            _camera = ImageOptions.Camera.Concerned(() => CameraFileReader.Parse(
+            _camera = ImageOptions.Camera.NamedInErrors(() => CameraFileReader.Parse(
                 Encoding.UTF8.GetBytes(value.GetRawText()), InlineCamera, mayNameFiles: false));
             Put(ImageOptions.Camera, InlineCamera);
         }

@@ -32,7 +32,7 @@ internal sealed class ServedModels : IDisposable
     {
         _host = host;
         string[] folders = ModelOpening.Folders(host);
-        All = [.. SurfaceOptions.Ldem.Concerned(() => ldem.Count < 2 ? Whole(ldem.SingleOrDefault(), folders) : ldem.SelectMany(
+        All = [.. SurfaceOptions.Ldem.NamedInErrors(() => ldem.Count < 2 ? Whole(ldem.SingleOrDefault(), folders) : ldem.SelectMany(
             path => Map(path) is { } map ? [map] : Whole(path, folders)))
             .OrderByDescending(model => model.Resolution.MetresPerPixel)];
         if (All.Count == 0)

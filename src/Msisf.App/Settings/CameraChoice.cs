@@ -38,7 +38,7 @@ internal static class CameraChoice
                 .About(wrong, ImageOptions.Camera);
         }
 
-        CameraFile camera = ImageOptions.Camera.Concerned(
+        CameraFile camera = ImageOptions.Camera.NamedInErrors(
             () => open is null ? Open(given, Installation.Above(AppContext.BaseDirectory)) : open(given));
         return camera.Model.Distortion is null || RendererOptions.Renderer.Read(values) == RendererKind.Native
             ? camera

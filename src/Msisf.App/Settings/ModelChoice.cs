@@ -58,11 +58,11 @@ internal static class ModelChoice
         return paths.Select(path => ResolutionOfMap(path, geoTiffs) ?? ResolutionOfLabel(path)).MinBy(found => found.MetresPerPixel);
     }
 
-    private static GridResolution ResolutionOfLabel(string path) => SurfaceOptions.Ldem.Concerned(() => Directory.Exists(path)
+    private static GridResolution ResolutionOfLabel(string path) => SurfaceOptions.Ldem.NamedInErrors(() => Directory.Exists(path)
         ? throw new BadInputException($"{path}: a folder; of several --ldem each names the label or the image of a model.")
         : LdemCatalog.Read(path).PixelsPerDegree);
 
     private static GridResolution? ResolutionOfMap(string path, GeoTiffFiles geoTiffs) => GeoTiffGrid.IsNameOf(path)
-        ? SurfaceOptions.Ldem.Concerned(() => geoTiffs.ResolutionOf(path))
+        ? SurfaceOptions.Ldem.NamedInErrors(() => geoTiffs.ResolutionOf(path))
         : LdemCatalog.TryReadMap(path)?.Polar?.Resolution;
 }

@@ -150,7 +150,7 @@ internal static class ModelOptions
                 : throw new UsageException(
                     $"{Seed.Name} is '{values.Text(Seed)}'; a whole number from 0 to {ulong.MaxValue} is needed.").About(Seed),
             Base.ReadIfGiven(values),
-            Region.ReadIfGiven(values) is { } region ? Region.Concerned(() => MoonRegion.Parse(region)) : MoonRegion.WholeMoon,
+            Region.ReadIfGiven(values) is { } region ? Region.NamedInErrors(() => MoonRegion.Parse(region)) : MoonRegion.WholeMoon,
             Rest.Read(values),
             SampleType.ReadIfGiven(values),
             NewFolder.Read(values),

@@ -24,7 +24,7 @@ internal static class NativeSettingsReader
         double? albedo = NativeOptions.Albedo.ReadIfGiven(values);
         RefuseTwoBrightnesses(albedo, map);
         LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
-            ? DetectorChoice.LayersOf(NativeOptions.Layers.Concerned(() => Layers(names)), detector)
+            ? DetectorChoice.LayersOf(NativeOptions.Layers.NamedInErrors(() => Layers(names)), detector)
             : null;
         RefineSettings? refine = RefineSettings.Read(values);
         if (layers is not null && (refine is not null || SurfaceOptions.Ldem.ReadAll(values).Count > 1))
@@ -43,7 +43,7 @@ internal static class NativeSettingsReader
         {
             Render = new NativeRenderOptions
             {
-                Reflectance = NativeOptions.Reflectance.Concerned(
+                Reflectance = NativeOptions.Reflectance.NamedInErrors(
                     () => (albedo is null ? (OptionSpec)NativeOptions.Reflectance : NativeOptions.Albedo).Named(
                         () => ReflectanceFactory.Create(law, parameters, albedo, map.Band))),
                 Sun = NativeOptions.Sun.Read(values),

@@ -1,7 +1,7 @@
 using System.Globalization;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh.Refining;
+using Msisf.Core.Surface.Sources;
 
 namespace Msisf.App.Settings;
 

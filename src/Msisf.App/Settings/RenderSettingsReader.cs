@@ -57,7 +57,7 @@ internal static class RenderSettingsReader
             Aberration = Aberration(values),
             Kernels = LightOptions.Kernels.ReadIfGiven(values),
             PovPath = PovOptions.Program.ReadIfGiven(values),
-            PovOptions = PovOptions.MoreOptions.Concerned(
+            PovOptions = PovOptions.MoreOptions.NamedInErrors(
                 () => PovRayOptions.Parse(PovOptions.MoreOptions.ReadIfGiven(values) ?? string.Empty)),
             Timeout = PovOptions.Timeout.ReadIfGiven(values) is { } seconds ? TimeSpan.FromSeconds(seconds) : null,
             Jobs = RunOptions.Jobs.ReadIfGiven(values),

@@ -94,7 +94,7 @@ internal static partial class ServeOptions
 
         return new ServeSettings(
             address,
-            token is null ? null : TokenFile.Concerned(() => ReadToken(token)),
+            token is null ? null : TokenFile.NamedInErrors(() => ReadToken(token)),
             certificate is null ? null : (certificate, key!),
             Hosts.ReadIfGiven(values)?.Split(',') ?? [],
             MaxPixels.Read(values),

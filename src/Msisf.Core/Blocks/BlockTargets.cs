@@ -1,8 +1,7 @@
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Blocks;
 
@@ -93,7 +92,7 @@ internal sealed class BlockTargets : IReceiverBounds
             return (surface.Seams.Blocks[block.Column].Node, 0.0);
         }
 
-        GridSurface part = surface.Parts[block.Part];
+        GridPatch part = surface.Parts[block.Part];
         return (part.Bounds.Node(SquareLayout.CellBlockLevel, block.Row, block.Column), part.Geometry.CellAngle);
     }
 }

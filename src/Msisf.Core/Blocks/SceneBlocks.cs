@@ -1,11 +1,10 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
-using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 
@@ -131,7 +130,7 @@ public sealed class SceneBlocks
 
     private BlockMesh MeshOfCells(SceneBlock block)
     {
-        GridSurface part = _surface.Parts[block.Part];
+        GridPatch part = _surface.Parts[block.Part];
         CellRange cells = CellsOf(block);
         BlockMeshBuilder mesh = new(part.Geometry.StepsPerMetre);
         double[] radii = new double[cells.Samples + 1];

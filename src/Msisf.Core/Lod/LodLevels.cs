@@ -9,9 +9,9 @@ namespace Msisf.Core.Lod;
 /// </summary>
 public sealed class LodLevels : TerrainLevels
 {
-    private readonly IElevationGrid[] _levels;
+    private readonly IGlobalGrid[] _levels;
 
-    private LodLevels(IElevationGrid[] levels) => _levels = levels;
+    private LodLevels(IGlobalGrid[] levels) => _levels = levels;
 
     /// <inheritdoc/>
     /// <remarks>The resolution of every level is a whole number.</remarks>
@@ -25,13 +25,13 @@ public sealed class LodLevels : TerrainLevels
     /// <param name="cacheBytes">Memory for computed blocks, all levels together.</param>
     /// <param name="samplesBetweenReleases">Number of samples of the model that are read before their memory is released.</param>
     public static LodLevels Open(
-        IElevationGrid source,
-        IReadOnlyList<IElevationGrid>? stored = null,
+        IGlobalGrid source,
+        IReadOnlyList<IGlobalGrid>? stored = null,
         long cacheBytes = DefaultCacheBytes,
         int samplesBetweenReleases = DefaultSamplesBetweenReleases)
     {
         LodCache cache = new(cacheBytes);
-        IElevationGrid[] levels = new IElevationGrid[CountOf(source.PixelsPerDegree)];
+        IGlobalGrid[] levels = new IGlobalGrid[CountOf(source.PixelsPerDegree)];
         levels[0] = source;
         for (int level = 1; level < levels.Length; level++)
         {
@@ -48,7 +48,7 @@ public sealed class LodLevels : TerrainLevels
 
     /// <summary>One level.</summary>
     /// <param name="level">0 (the model itself) to <see cref="Count"/> - 1.</param>
-    public IElevationGrid Level(int level) => _levels[level];
+    public IGlobalGrid Level(int level) => _levels[level];
 
     /// <inheritdoc/>
     public override ITerrainGrid Grid(int level) => _levels[level];

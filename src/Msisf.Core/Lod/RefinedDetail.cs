@@ -1,5 +1,5 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh.Refining;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Lod;

@@ -1,6 +1,6 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Surface;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Metadata;

@@ -1,8 +1,9 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 
@@ -36,7 +37,7 @@ public sealed record FramePreview(
         double radius = RadiusBelow(position, terrain);
         SphereShare share = SphereCoverage.Of(camera, light, radius);
         BoresightView? middle = InTheMiddle(camera, light, radius);
-        bool isBesideMap = share.Moon > 0.0 && terrain is ITerrainGrid map and not IElevationGrid
+        bool isBesideMap = share.Moon > 0.0 && terrain is ITerrainGrid map and not IGlobalGrid
             && !IsInView(map, camera, middle);
         return new FramePreview(
             SelenographicPoint.Below(position),

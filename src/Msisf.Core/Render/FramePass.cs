@@ -1,10 +1,10 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Sampling;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render;

@@ -1,8 +1,7 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Nesting;
-using Msisf.Core.Mesh.Refining;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render;

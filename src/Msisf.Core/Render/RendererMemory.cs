@@ -1,5 +1,5 @@
 using System.Collections.Concurrent;
-using Msisf.Core.Mesh;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render;
 

@@ -1,5 +1,5 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Render.Visibility;
+using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render;

@@ -1,7 +1,8 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles.Selection;
 
@@ -24,14 +25,14 @@ public static class Dspsa
     /// <exception cref="BadInputException">
     /// The camera is inside the Moon, the Sun is no higher than the terrain, or the summary is of another model.
     /// </exception>
-    public static TileSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, IElevationGrid grid, ElevationSummary summary)
+    public static TileSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, IGlobalGrid grid, ElevationSummary summary)
     {
         Check(camera, sunPositionMoonMe, grid, summary);
         return new DspsaRun(new ViewFrustum(camera, AntialiasingPixels), sunPositionMoonMe, grid, summary).Select();
     }
 
     /// <summary>Refuses input for which no selection is possible.</summary>
-    internal static void Check(PinholeCamera camera, Vector3D? sunPositionMoonMe, IElevationGrid grid, ElevationSummary summary)
+    internal static void Check(PinholeCamera camera, Vector3D? sunPositionMoonMe, IGlobalGrid grid, ElevationSummary summary)
     {
         summary.CheckFits(grid);
         TerrainHeight.RequireAbove(grid, camera.PositionMoonMe);

@@ -1,6 +1,5 @@
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles;
@@ -13,9 +12,9 @@ public sealed class ElevationSummary
 {
     private readonly BoundsTree _tree;
     private readonly TileLayout _layout;
-    private readonly IElevationGrid? _grid;
+    private readonly IGlobalGrid? _grid;
 
-    private ElevationSummary(BoundsTree tree, TileLayout layout, NodeBounds limits, IElevationGrid? grid = null)
+    private ElevationSummary(BoundsTree tree, TileLayout layout, NodeBounds limits, IGlobalGrid? grid = null)
     {
         _grid = grid;
         _tree = tree;
@@ -44,7 +43,7 @@ public sealed class ElevationSummary
     public IReadOnlyList<SummaryLevel> Levels { get; }
 
     /// <summary>Reads the whole model once, line by line.</summary>
-    public static ElevationSummary Build(IElevationGrid grid)
+    public static ElevationSummary Build(IGlobalGrid grid)
     {
         TileLayout layout = new(grid.PixelsPerDegree);
         BoundsTree tree = new(layout, new FacetMesh(grid));
@@ -62,7 +61,7 @@ public sealed class ElevationSummary
     /// <param name="grid">The model.</param>
     /// <param name="known">What is known of it: <see cref="ToValues"/> of an earlier summary, or nothing.</param>
     /// <exception cref="BadInputException">The count is not that of a model of this resolution, or a value is impossible.</exception>
-    public static ElevationSummary OnDemand(IElevationGrid grid, ReadOnlySpan<float> known = default)
+    public static ElevationSummary OnDemand(IGlobalGrid grid, ReadOnlySpan<float> known = default)
     {
         TileLayout layout = new(grid.PixelsPerDegree);
         BoundsTree tree = new(layout, new FacetMesh(grid));
@@ -136,7 +135,7 @@ public sealed class ElevationSummary
 
     /// <summary>Refuses a summary of another model.</summary>
     /// <exception cref="BadInputException">The resolutions differ.</exception>
-    internal void CheckFits(IElevationGrid grid)
+    internal void CheckFits(IGlobalGrid grid)
     {
         if (grid.PixelsPerDegree != PixelsPerDegree)
         {

@@ -1,5 +1,5 @@
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles;
@@ -17,7 +17,7 @@ public static class LevelDeviation
             return 0.0;
         }
 
-        IElevationGrid model = levels.Level(0);
+        IGlobalGrid model = levels.Level(0);
         TileMeshLayout layout = TileMeshLayout.For(part, model.PixelsPerDegree);
         int samples = (layout.Samples - 1) << part.Level;
         int firstSample = ((layout.FirstSample << part.Level) + (1 << (part.Level - 1))) % (360 * model.PixelsPerDegree);

@@ -10,13 +10,13 @@ namespace Msisf.Core.Tiles;
 public sealed class LevelMeshBuilders
 {
     private readonly ConcurrentDictionary<int, Lazy<TileMeshBuilder>> _builders = new();
-    private readonly IElevationGrid _grid;
+    private readonly IGlobalGrid _grid;
     private readonly Func<LodLevels> _levels;
 
     /// <summary>Takes the model.</summary>
     /// <param name="grid">The model.</param>
     /// <param name="levels">Gives its levels; called when one is first needed, from any thread.</param>
-    public LevelMeshBuilders(IElevationGrid grid, Func<LodLevels> levels)
+    public LevelMeshBuilders(IGlobalGrid grid, Func<LodLevels> levels)
     {
         _grid = grid;
         _levels = levels;

@@ -15,7 +15,7 @@ namespace Msisf.Core.Tiles;
 public sealed class PartSelector
 {
     private readonly LodLevels _levels;
-    private readonly IElevationGrid _grid;
+    private readonly IGlobalGrid _grid;
     private readonly ElevationSummary _summary;
     private readonly DetailRule _rule;
     private readonly int _cells;

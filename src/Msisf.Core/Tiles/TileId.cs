@@ -1,5 +1,5 @@
 using System.Globalization;
-using Msisf.Core.Mesh;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Tiles;
 

@@ -1,5 +1,4 @@
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Tiles;
 

@@ -1,7 +1,7 @@
 using System.Globalization;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles;
@@ -18,7 +18,7 @@ public sealed class TileMeshBuilder
 
     /// <summary>Prepares the directions of the grid's samples.</summary>
     /// <param name="grid">The whole Moon.</param>
-    public TileMeshBuilder(IElevationGrid grid)
+    public TileMeshBuilder(IGlobalGrid grid)
     {
         _mesh = new FacetMesh(grid);
         _directions = new GridDirections(grid.PixelsPerDegree);

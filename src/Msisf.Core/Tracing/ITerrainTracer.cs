@@ -1,6 +1,6 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Tracing;
 

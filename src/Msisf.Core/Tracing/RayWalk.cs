@@ -1,8 +1,7 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
-using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tracing;
@@ -29,7 +28,7 @@ internal ref struct RayWalk
 
     private readonly double _bottom;
     private readonly Vector3D _unitDirection;
-    private GridSurface _part;
+    private GridPatch _part;
     private int _partNumber;
     private CellWedge _wedge;
     private double _sagitta;

@@ -1,7 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tracing;

@@ -7,6 +7,8 @@ using Msisf.Core.Terrain;
 using Msisf.TestSupport;
 using Xunit;
 
+using Msisf.Core.Surface.Sources;
+
 namespace Msisf.Adapters.Tests.Input;
 
 /// <summary>Batch files whose first line names their columns.</summary>

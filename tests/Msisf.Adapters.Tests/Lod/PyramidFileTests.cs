@@ -246,7 +246,7 @@ public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTes
         Assert.Null(levels.Warning);
     }
 
-    private static double[] Everything(IElevationGrid grid)
+    private static double[] Everything(IGlobalGrid grid)
     {
         int samples = 360 * grid.PixelsPerDegree;
         double[] radii = new double[180 * grid.PixelsPerDegree * samples];

@@ -1,9 +1,9 @@
 using System.Text;
 using Msisf.Adapters.Metadata;
-using Msisf.Core.Mesh;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 using Xunit;

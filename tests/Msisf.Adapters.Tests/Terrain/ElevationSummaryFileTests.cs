@@ -110,7 +110,7 @@ public sealed class ElevationSummaryFileTests : IDisposable
         return stream.ToArray();
     }
 
-    private sealed class CountingGrid : IElevationGrid
+    private sealed class CountingGrid : IGlobalGrid
     {
         public int Reads { get; private set; }
 

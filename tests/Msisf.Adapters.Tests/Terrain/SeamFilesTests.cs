@@ -1,5 +1,5 @@
 using Msisf.Adapters.Terrain;
-using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Surface.Sources;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -21,7 +21,7 @@ public sealed class SeamFilesTests : IDisposable
         SeamFiles files = Files(Model());
         files.Keep(Filling());
 
-        SeamFilling found = files.Find("LDEM_1", Borders[1])!;
+        GapTriangulation found = files.Find("LDEM_1", Borders[1])!;
         Assert.Equal(Borders, found.Borders);
         Assert.Equal(Filling().Corners, found.Corners);
         Assert.Equal(["LDEM_1.0123456789abcdef.seam"], Seams().Select(Path.GetFileName));
@@ -89,7 +89,7 @@ public sealed class SeamFilesTests : IDisposable
         Assert.Null(Files(model).Find("LDEM_1", Borders[1]));
     }
 
-    private static SeamFilling Filling() => new("LDEM_1", Borders, [0, 1, 2, 70000, 3, 1]);
+    private static GapTriangulation Filling() => new("LDEM_1", Borders, [0, 1, 2, 70000, 3, 1]);
 
     private SeamFiles Files(string model) => new([LdemCatalog.Read(model)], cacheFolder: null, _warnings.Add);
 

@@ -1,6 +1,6 @@
 using Msisf.Adapters.Tiles;
 using Msisf.Core.Blocks;
-using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.TestSupport;
 using Xunit;

@@ -2,7 +2,7 @@ using System.Globalization;
 using System.Text;
 using Msisf.Adapters.Terrain;
 using Msisf.Adapters.Tiles;
-using Msisf.Core.Mesh;
+using Msisf.Core.Surface;
 using Msisf.Core.Tiles;
 using Msisf.TestSupport;
 using Xunit;

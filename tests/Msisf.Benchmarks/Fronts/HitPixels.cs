@@ -20,7 +20,7 @@ internal sealed class HitPixels
     /// <summary>Takes the pixels and traces them.</summary>
     /// <param name="camera">Of the image.</param>
     /// <param name="model">The full model.</param>
-    public HitPixels(PinholeCamera camera, IElevationGrid model)
+    public HitPixels(PinholeCamera camera, IGlobalGrid model)
     {
         _camera = camera;
         Random random = new(Seed);
@@ -37,7 +37,7 @@ internal sealed class HitPixels
 
     /// <summary>The points that the native renderer shows.</summary>
     /// <param name="drawn">The level of the model that it draws.</param>
-    public IReadOnlyList<Vector3D?> ByNative(IElevationGrid drawn)
+    public IReadOnlyList<Vector3D?> ByNative(IGlobalGrid drawn)
     {
         NativeRenderOptions options = new() { Reflectance = new EvenReflectance(), KeepGroundTruth = true };
         SceneLight lamp = new(_camera.PositionMoonMe, IsSun: false);

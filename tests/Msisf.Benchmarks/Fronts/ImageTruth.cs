@@ -41,7 +41,7 @@ internal sealed class ImageTruth
     /// <param name="camera">Of the image.</param>
     /// <param name="sun">Its light.</param>
     /// <param name="model">The full model.</param>
-    public static ImageTruth Draw(PinholeCamera camera, SceneLight sun, IElevationGrid model)
+    public static ImageTruth Draw(PinholeCamera camera, SceneLight sun, IGlobalGrid model)
     {
         NativeRenderer renderer = new(model);
         GreyScale grey = new();

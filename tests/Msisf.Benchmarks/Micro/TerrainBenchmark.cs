@@ -4,11 +4,11 @@ using Msisf.Adapters.Tiles;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Tiles;
 using Msisf.Core.Tracing;
-using CellBlock = Msisf.Core.Mesh.CellBlock;
+using CellBlock = Msisf.Core.Surface.CellBlock;
 
 namespace Msisf.Benchmarks.Micro;
 

@@ -1,11 +1,11 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Layers;
-using Msisf.Core.Mesh;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 using Msisf.Core.Tracing;

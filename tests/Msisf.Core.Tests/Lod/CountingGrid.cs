@@ -5,7 +5,7 @@ using Msisf.TestSupport;
 namespace Msisf.Core.Tests.Lod;
 
 /// <summary>Counts the samples that are read of a model, and fails when it is told to.</summary>
-internal sealed class CountingGrid(FunctionGrid grid) : IElevationGrid
+internal sealed class CountingGrid(FunctionGrid grid) : IGlobalGrid
 {
     private long _samplesRead;
 

@@ -29,7 +29,7 @@ public sealed class LodLevelsTests
     public void ReadRadii_HalfMetreSteps_AreTheExactMeans(int level)
     {
         FunctionGrid source = FunctionGrid.Rough(8); // heights are multiples of 0.5 m
-        IElevationGrid coarse = LodLevels.Open(source).Level(level);
+        IGlobalGrid coarse = LodLevels.Open(source).Level(level);
         int factor = 1 << level;
         int samples = 360 * coarse.PixelsPerDegree;
         double[] radii = new double[samples];
@@ -104,7 +104,7 @@ public sealed class LodLevelsTests
     {
         const int BlockBytes = 64 * 64 * sizeof(float);
         CountingGrid source = new(FunctionGrid.Rough(8));
-        IElevationGrid small = LodLevels.Open(source, cacheBytes: 20 * BlockBytes).Level(1);
+        IGlobalGrid small = LodLevels.Open(source, cacheBytes: 20 * BlockBytes).Level(1);
         double[] expected = OneOfEachBlock(LodLevels.Open(source).Level(1));
         Assert.Equal(expected, OneOfEachBlock(small));
 
@@ -120,7 +120,7 @@ public sealed class LodLevelsTests
     public void ReadRadii_BlockUsedAgainAndAgain_StaysInASmallCache()
     {
         CountingGrid source = new(FunctionGrid.Rough(16));
-        IElevationGrid grid = LodLevels.Open(source, cacheBytes: 0).Level(1); // the minimum: 8 blocks
+        IGlobalGrid grid = LodLevels.Open(source, cacheBytes: 0).Level(1); // the minimum: 8 blocks
         double[] radii = new double[1];
         for (int block = 0; block < 45; block++)
         {
@@ -135,7 +135,7 @@ public sealed class LodLevelsTests
     public void ReadRadii_ManyThreadsAtOnce_ComputeABlockOnce()
     {
         CountingGrid source = new(FunctionGrid.Rough(64));
-        IElevationGrid grid = LodLevels.Open(source).Level(4);
+        IGlobalGrid grid = LodLevels.Open(source).Level(4);
         const int Threads = 8;
         using Barrier start = new(Threads);
         double[][] radii = [.. Enumerable.Range(0, Threads).Select(_ => new double[64])];
@@ -155,7 +155,7 @@ public sealed class LodLevelsTests
     public void ReadRadii_AfterAFailure_ReadsAgain()
     {
         CountingGrid source = new(FunctionGrid.Rough(4)) { Fails = true };
-        IElevationGrid grid = LodLevels.Open(source).Level(1);
+        IGlobalGrid grid = LodLevels.Open(source).Level(1);
         double[] radii = new double[3];
         Assert.Throws<BadInputException>(() => grid.ReadRadii(0, 0, radii));
         source.Fails = false;
@@ -171,7 +171,7 @@ public sealed class LodLevelsTests
     [InlineData(719, 1, 3, 1)]
     public void RadiusBounds_AnyBlock_AreThoseOfItsSamples(int firstLine, int lines, int firstSample, int samples)
     {
-        IElevationGrid grid = LodLevels.Open(FunctionGrid.Rough(8)).Level(1);
+        IGlobalGrid grid = LodLevels.Open(FunctionGrid.Rough(8)).Level(1);
         double[] all = Everything(grid);
         double[] radii =
         [
@@ -191,7 +191,7 @@ public sealed class LodLevelsTests
     [InlineData(0, 0, 721)]
     public void ReadRadii_OutsideTheGrid_Throws(int line, int firstSample, int count)
     {
-        IElevationGrid grid = LodLevels.Open(FunctionGrid.Rough(4)).Level(1);
+        IGlobalGrid grid = LodLevels.Open(FunctionGrid.Rough(4)).Level(1);
 
         Assert.Throws<ArgumentOutOfRangeException>(() => grid.ReadRadii(line, firstSample, new double[count]));
     }
@@ -206,7 +206,7 @@ public sealed class LodLevelsTests
         Assert.NotSame(stored, levels.Level(1));
     }
 
-    private static double[] OneOfEachBlock(IElevationGrid grid)
+    private static double[] OneOfEachBlock(IGlobalGrid grid)
     {
         LodLayout layout = new(grid.PixelsPerDegree);
         double[] radii = new double[layout.Blocks];
@@ -219,7 +219,7 @@ public sealed class LodLevelsTests
         return radii;
     }
 
-    private static double[] Everything(IElevationGrid grid)
+    private static double[] Everything(IGlobalGrid grid)
     {
         int samples = 360 * grid.PixelsPerDegree;
         double[] radii = new double[180 * grid.PixelsPerDegree * samples];

@@ -1,7 +1,7 @@
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Xunit;
@@ -120,7 +120,7 @@ public sealed class NestedLevelsTests
     private static List<(Vector3D, Vector3D, Vector3D)> CornersOf(SeamMesh seams) =>
         [.. Enumerable.Range(0, seams.Count).Select(seams.CornersOf)];
 
-    private static double[][] RadiiOf(GridSurface part) => [.. Enumerable.Range(0, part.Grid.Lines).Select(line =>
+    private static double[][] RadiiOf(GridPatch part) => [.. Enumerable.Range(0, part.Grid.Lines).Select(line =>
     {
         double[] radii = new double[part.Grid.Samples];
         part.Grid.ReadRadii(line, 0, radii);

@@ -1,8 +1,9 @@
 using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Tests.Support;
 using Xunit;
 

@@ -1,8 +1,8 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 using Msisf.Core.Tracing;

@@ -49,7 +49,7 @@ public sealed class NativeRendererSceneTests(ITestOutputHelper output)
         TestLength.Of(60, 10_000),
         [.. RenderScenes.All.Where(scene => TestLength.IsLong || !WideScenes.Contains(scene.Name))]);
 
-    private void Compare(IElevationGrid grid, int cellsAcross, int pixels, IReadOnlyList<RenderScenes.RenderSceneCase> scenes)
+    private void Compare(IGlobalGrid grid, int cellsAcross, int pixels, IReadOnlyList<RenderScenes.RenderSceneCase> scenes)
     {
         NativeRenderer renderer = new(grid);
         TerrainTracer tracer = new(grid);

@@ -1,11 +1,12 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
@@ -80,7 +81,7 @@ public sealed class OtherSphereSceneTests
     {
         const double Radius = 2_439_400.0;
         FunctionGrid grid = FunctionGrid.RuggedOn(Radius, 4);
-        IElevationGrid level = LodLevels.Open(grid).Level(1);
+        IGlobalGrid level = LodLevels.Open(grid).Level(1);
         double[] radii = new double[9];
         level.ReadRadii(100, 50, radii);
 

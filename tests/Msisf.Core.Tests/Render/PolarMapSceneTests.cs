@@ -1,10 +1,10 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;

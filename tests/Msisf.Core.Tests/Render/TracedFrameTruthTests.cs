@@ -1,8 +1,8 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 using Xunit;
 

@@ -1,5 +1,5 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 
@@ -24,7 +24,7 @@ internal sealed class BruteForceMoon
 
     /// <param name="grid">The model.</param>
     /// <param name="subdivisions">"Tiles" are so many times smaller along an edge.</param>
-    public BruteForceMoon(IElevationGrid grid, int subdivisions = 1)
+    public BruteForceMoon(IGlobalGrid grid, int subdivisions = 1)
     {
         _lines = 180 * grid.PixelsPerDegree;
         _samples = 360 * grid.PixelsPerDegree;
@@ -90,7 +90,7 @@ internal sealed class BruteForceMoon
 
     private static double Rounded(double metres) => Math.Round(metres * 128.0) / 128.0;
 
-    private Vector3D[] MakeVertices(IElevationGrid grid)
+    private Vector3D[] MakeVertices(IGlobalGrid grid)
     {
         Vector3D[] vertices = new Vector3D[(_lines + 2) * _samples];
         double[] radii = new double[_samples];

@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tests.Support;
@@ -14,7 +15,7 @@ internal static class CameraCases
     /// <param name="number">Of the case.</param>
     /// <param name="grid">The cameras stand above its surface.</param>
     /// <param name="pixels">Pixels of the image, about.</param>
-    public static (PinholeCamera Camera, Vector3D Sun, string Kind) Make(int number, IElevationGrid grid, int pixels)
+    public static (PinholeCamera Camera, Vector3D Sun, string Kind) Make(int number, IGlobalGrid grid, int pixels)
     {
         Random random = new(20120222 + number);
         double Between(double low, double high) => low + ((high - low) * random.NextDouble());

@@ -1,5 +1,5 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tests.Support;
@@ -19,7 +19,7 @@ internal sealed class FacetsNearRay
 
     /// <param name="grid">The model.</param>
     /// <param name="relief">m: no height is farther from the reference radius.</param>
-    public FacetsNearRay(IElevationGrid grid, double relief)
+    public FacetsNearRay(IGlobalGrid grid, double relief)
     {
         _vertices = new LatticeVertices(grid);
         _lowest = (1_737_400.0 - relief - 1.0) * Math.Cos(Math.PI / _vertices.Lines);

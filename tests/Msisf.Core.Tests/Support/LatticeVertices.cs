@@ -1,5 +1,5 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tests.Support;
@@ -7,12 +7,12 @@ namespace Msisf.Core.Tests.Support;
 /// <summary>The vertices of the surface by docs/pattern-format.md, one by one: a sample's lattice point, and the poles.</summary>
 internal sealed class LatticeVertices
 {
-    private readonly IElevationGrid _grid;
+    private readonly IGlobalGrid _grid;
     private readonly GridDirections _directions;
     private readonly Vector3D _northPole;
     private readonly Vector3D _southPole;
 
-    public LatticeVertices(IElevationGrid grid)
+    public LatticeVertices(IGlobalGrid grid)
     {
         _grid = grid;
         _directions = new GridDirections(grid.PixelsPerDegree);

@@ -16,7 +16,7 @@ public sealed class Ldem4Fixture
         _moon = new Lazy<BruteForceMoon>(() => new BruteForceMoon(_grid.Value));
     }
 
-    public IElevationGrid Grid => _grid.Value;
+    public IGlobalGrid Grid => _grid.Value;
 
     public ElevationSummary Summary => _summary.Value;
 

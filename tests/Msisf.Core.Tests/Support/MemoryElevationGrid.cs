@@ -5,7 +5,7 @@ using Msisf.TestSupport;
 namespace Msisf.Core.Tests.Support;
 
 /// <summary>A model in memory, for tests that must not depend on the program's own reader.</summary>
-internal sealed class MemoryElevationGrid : IElevationGrid
+internal sealed class MemoryElevationGrid : IGlobalGrid
 {
     private readonly float[] _radii;
     private readonly Lazy<(double Min, double Max)> _limits;
@@ -46,7 +46,7 @@ internal sealed class MemoryElevationGrid : IElevationGrid
     }
 
     /// <summary>A copy of another model, for one that is slow to ask.</summary>
-    public static MemoryElevationGrid Of(IElevationGrid grid)
+    public static MemoryElevationGrid Of(IGlobalGrid grid)
     {
         double[] radius = new double[1];
         return new MemoryElevationGrid(grid.ProductId, grid.PixelsPerDegree, (line, sample) =>

@@ -1,6 +1,6 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh.Nesting;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.TestSupport;
 
@@ -69,7 +69,7 @@ internal static class NestedScenes
 
     /// <summary>The levels of a surface; nothing is kept of other tests.</summary>
     public static NestedLevels NewLevelsOf(NestedTerrain scene) => new(scene, [.. scene.Models.Select(
-        TerrainLevels (model) => model is IElevationGrid moon ? LodLevels.Open(moon) : MapLevels.Open(model, keepsGaps: true))]);
+        TerrainLevels (model) => model is IGlobalGrid moon ? LodLevels.Open(moon) : MapLevels.Open(model, keepsGaps: true))]);
 
     /// <summary>All facets of a scene, collected once for all tests.</summary>
     public static AllFacets FacetsOf(string name) => Collected.GetOrAdd(name, static made => new(() => new AllFacets(Named(made)))).Value;

@@ -24,7 +24,7 @@ public sealed class RuggedMoon
         Moon = new BruteForceMoon(grid);
     }
 
-    public IElevationGrid Grid { get; }
+    public IGlobalGrid Grid { get; }
 
     public ElevationSummary Summary { get; }
 

@@ -6,7 +6,7 @@ namespace Msisf.Core.Tests.Support;
 /// <summary>The mountains of <see cref="FunctionGrid.Rugged"/> at 4 px/deg, computed once and then read from memory.</summary>
 public sealed class RuggedTerrain
 {
-    public IElevationGrid Grid { get; } = InMemory(4);
+    public IGlobalGrid Grid { get; } = InMemory(4);
 
     /// <summary>The same at any resolution.</summary>
     internal static MemoryElevationGrid InMemory(int pixelsPerDegree)

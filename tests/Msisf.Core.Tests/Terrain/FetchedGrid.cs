@@ -5,7 +5,7 @@ using Xunit;
 namespace Msisf.Core.Tests.Terrain;
 
 /// <summary>Notes which samples of a model are fetched before they are read, and which are not. For one thread.</summary>
-internal sealed class FetchedGrid(FunctionGrid grid) : IElevationGrid
+internal sealed class FetchedGrid(FunctionGrid grid) : IGlobalGrid
 {
     private readonly HashSet<(int Line, int Sample)> _fetched = [];
     private readonly HashSet<(int Line, int Sample)> _read = [];

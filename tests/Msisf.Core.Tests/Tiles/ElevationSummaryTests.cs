@@ -1,7 +1,6 @@
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
 using Xunit;

@@ -50,7 +50,7 @@ public class PartMeshTests
             Assert.All(
                 Enumerable.Range(mesh.Layout.VertexCount, edges),
                 foot => Assert.InRange(mesh.Vertex(foot).PositionMoonMe.Length, mesh.SkirtFootRadius - 0.01, mesh.SkirtFootRadius + 0.01));
-            Assert.True(mesh.SkirtFootRadius < ((IElevationGrid)grid).RadiusLimits.Min);
+            Assert.True(mesh.SkirtFootRadius < ((IGlobalGrid)grid).RadiusLimits.Min);
         }
     }
 
@@ -122,7 +122,7 @@ public class PartMeshTests
         Assert.True(rays > 200 * cameras, $"only {rays} rays met the ground");
     }
 
-    private static LevelMeshBuilders Builders(IElevationGrid grid) => new(grid, () => LodLevels.Open(grid));
+    private static LevelMeshBuilders Builders(IGlobalGrid grid) => new(grid, () => LodLevels.Open(grid));
 
     private static TileMesh Build(LevelMeshBuilders builders, SurfacePart part)
     {

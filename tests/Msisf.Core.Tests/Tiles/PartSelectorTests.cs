@@ -112,7 +112,7 @@ public sealed class PartSelectorTests(Ldem4Fixture ldem4, RuggedMoon rugged) : I
     public void Select_CameraInsideTheMoon_IsBadInput() => Assert.Throws<BadInputException>(() => Selector(0.3).Select(
         new PinholeCamera(new Vector3D(1.7e6, 0.0, 0.0), UnitQuaternion.Identity, 0.5, 64, 64), Sun));
 
-    private static (int Dropped, int Selected) CheckExactParts(IElevationGrid grid, ElevationSummary summary, int subdivisions, int cells)
+    private static (int Dropped, int Selected) CheckExactParts(IGlobalGrid grid, ElevationSummary summary, int subdivisions, int cells)
     {
         BruteForceMoon moon = new(grid, subdivisions);
         PartSelector selector = new(LodLevels.Open(grid), summary, 0.0, cells);

@@ -1,6 +1,6 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
@@ -25,7 +25,7 @@ public sealed class TerrainTracerSceneTests
     public void Trace_RuggedModel_IsAsBruteForce(int pixelsPerDegree, int pixels, int pixelsInLongForm) =>
         Compare(FunctionGrid.Rugged(pixelsPerDegree), FunctionGrid.RuggedRelief, TestLength.Of(pixels, pixelsInLongForm));
 
-    private static void Compare(IElevationGrid grid, double relief, int pixels)
+    private static void Compare(IGlobalGrid grid, double relief, int pixels)
     {
         TerrainTracer tracer = new(grid);
         FacetsNearRay facets = new(grid, relief);

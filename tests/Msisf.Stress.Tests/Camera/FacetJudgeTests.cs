@@ -1,6 +1,6 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 using Msisf.Stress.Camera;
 using Msisf.TestSupport;

@@ -1,8 +1,9 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 

@@ -1,4 +1,4 @@
-using Msisf.Core.Mesh;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
@@ -10,7 +10,7 @@ namespace Msisf.Stress.Camera;
 /// <param name="moon">The model.</param>
 internal sealed class TerrainUnderTest(JudgedMoon moon)
 {
-    public IElevationGrid Grid => moon.Grid;
+    public IGlobalGrid Grid => moon.Grid;
 
     public TerrainTracer Tracer { get; } = new(moon.Grid);
 

@@ -3,9 +3,9 @@ using Msisf.Adapters.Tiles;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Visibility;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
@@ -40,7 +40,7 @@ public static class WorkCounts
     public static IEnumerable<string> OfRuggedMoon() => Of("RUGGED_16", FunctionGrid.Rugged(16), Views[..2], side: 96);
 
     private static IEnumerable<string> Of(
-        string model, IElevationGrid grid, (string Name, Vector3D Position, double Degrees)[] views, int side)
+        string model, IGlobalGrid grid, (string Name, Vector3D Position, double Degrees)[] views, int side)
     {
         LodLevels levels = LodLevels.Open(grid);
         ElevationSummary summary = ElevationSummary.Build(grid);
@@ -60,7 +60,7 @@ public static class WorkCounts
 
     private static IEnumerable<(string Count, long Value)> Of(PinholeCamera camera, LodLevels levels, ElevationSummary summary)
     {
-        IElevationGrid grid = levels.Level(0);
+        IGlobalGrid grid = levels.Level(0);
         DspsaRun run = new(new ViewFrustum(camera, Dspsa.AntialiasingPixels), Sun, grid, summary);
         yield return ("tiles", run.Select().Kept.Count);
         yield return ("nodes visited", run.NodesVisited);
@@ -78,7 +78,7 @@ public static class WorkCounts
         yield return ("facets drawn", counts.FacetsDrawn);
     }
 
-    private static long BytesOfAPattern(IElevationGrid grid)
+    private static long BytesOfAPattern(IGlobalGrid grid)
     {
         TileMeshBuilder builder = new(grid);
         TileMeshLayout layout = TileMeshLayout.For(new TileId(10, 20), grid.PixelsPerDegree);

@@ -11,4 +11,4 @@ namespace Msisf.Stress.Engines;
 /// <param name="MarginSamples">Rings of cells around each tile.</param>
 /// <param name="Tiles">By latitude, then longitude.</param>
 internal sealed record PatternJob(
-    IElevationGrid Grid, string Image, PatternFormat Format, int MarginSamples, IReadOnlyList<TileId> Tiles);
+    IGlobalGrid Grid, string Image, PatternFormat Format, int MarginSamples, IReadOnlyList<TileId> Tiles);

@@ -14,7 +14,7 @@ namespace Msisf.Stress.Engines;
 /// <param name="grid">LDEM_4.</param>
 /// <param name="ephemeris">Where the Sun is.</param>
 /// <param name="pixels">Of an image, about.</param>
-internal sealed class RendererScenes(TemporaryFolder folder, IElevationGrid grid, IEphemeris ephemeris, int pixels)
+internal sealed class RendererScenes(TemporaryFolder folder, IGlobalGrid grid, IEphemeris ephemeris, int pixels)
 {
     /// <summary>1, of the Sun's zenith distance below the camera: the twilight's far side, where peaks are still lit.</summary>
     private const double MinSunCosine = -0.1;

@@ -32,7 +32,7 @@ internal sealed class TraceBlock
     /// <param name="builder">Of the grid.</param>
     /// <param name="grid">The model.</param>
     /// <param name="layout">The block.</param>
-    public TraceBlock(TileMeshBuilder builder, IElevationGrid grid, TileMeshLayout layout)
+    public TraceBlock(TileMeshBuilder builder, IGlobalGrid grid, TileMeshLayout layout)
     {
         _mesh = builder.Build(layout, builder.ReadRadii(layout));
         _productId = grid.ProductId;

@@ -18,7 +18,7 @@ internal static class OptionErrors
     }
 
     /// <summary>Runs work on an option's value, and adds the option to any exception.</summary>
-    public static T Concerned<T>(this OptionSpec option, Func<T> work)
+    public static T NamedInErrors<T>(this OptionSpec option, Func<T> work)
     {
         try
         {
@@ -32,7 +32,7 @@ internal static class OptionErrors
     }
 
     /// <summary>Checks an option's value, and adds the option to any exception.</summary>
-    public static void Concerned(this OptionSpec option, Action work) => option.Concerned(() =>
+    public static void NamedInErrors(this OptionSpec option, Action work) => option.NamedInErrors(() =>
     {
         work();
         return true;
@@ -44,7 +44,7 @@ internal static class OptionErrors
     {
         try
         {
-            return option.Concerned(read);
+            return option.NamedInErrors(read);
         }
         catch (BadInputException exception)
         {

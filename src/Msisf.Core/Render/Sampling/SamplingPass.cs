@@ -1,7 +1,7 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Sampling;
 

@@ -1,8 +1,8 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render.Shading;

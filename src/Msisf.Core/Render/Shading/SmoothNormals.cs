@@ -1,6 +1,6 @@
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 
 namespace Msisf.Core.Render.Shading;
 
@@ -16,7 +16,7 @@ internal sealed class SmoothNormals
     private const int KeptVertices = 1 << 11;
 
     private readonly SurfaceModel _surface;
-    private GridSurface _part;
+    private GridPatch _part;
     private int _partNumber;
     private readonly Corner[] _kept = new Corner[KeptVertices];
     private readonly long[] _keptKeys = new long[KeptVertices];

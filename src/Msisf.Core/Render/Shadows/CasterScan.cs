@@ -1,7 +1,7 @@
 using System.Numerics;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Mesh;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;
 

@@ -1,7 +1,6 @@
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;
 
@@ -147,7 +146,7 @@ internal sealed class CasterSearch
     /// <summary>Finds the blocks of a group of blocks that may cast a shadow on a receiver; reads blocks that were not read yet.</summary>
     private int FindBlocks(CellBlock group, CasterBounds bounds, Span<CellBlock> blocks)
     {
-        GridSurface part = _surface.Parts[group.Part];
+        GridPatch part = _surface.Parts[group.Part];
         BoundsTree tree = part.Bounds;
         NodeRange children = tree.Layout.ChildrenOf(SquareLayout.GroupLevel, group.Row, group.Column);
         int count = 0;

@@ -1,7 +1,7 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;
 

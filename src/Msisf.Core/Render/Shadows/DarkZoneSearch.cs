@@ -1,6 +1,5 @@
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;
 
@@ -26,7 +25,7 @@ internal sealed class DarkZoneSearch
     private const double CellsPerPlane = 2.0;
 
     private readonly SurfaceModel _surface;
-    private readonly GridSurface? _model;
+    private readonly GridPatch? _model;
     private readonly NodeBounds _modelBounds;
     private readonly double _maxRadius;
     private readonly double _solidRadius;

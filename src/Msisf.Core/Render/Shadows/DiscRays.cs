@@ -1,6 +1,6 @@
 using System.Numerics;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;
 

@@ -1,6 +1,6 @@
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;
 

@@ -1,4 +1,4 @@
-using Msisf.Core.Mesh;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Visibility;
 

@@ -1,10 +1,9 @@
 using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
-using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 
 namespace Msisf.Core.Render.Visibility;
 
@@ -154,7 +153,7 @@ internal sealed class BlockCuller
     /// <remarks>From a facet's middle to its corners, up turns by less than the angle of a cell.</remarks>
     private VisibleBlock? Look(CellBlock block, ViewFrustum frustum, MoonHorizon horizon)
     {
-        GridSurface part = _surface.Parts[block.Part];
+        GridPatch part = _surface.Parts[block.Part];
         NodeBounds bounds = part.Bounds.Of(SquareLayout.CellBlockLevel, block.Row, block.Column);
         if (bounds.Min < _limits.Min || bounds.Max > _limits.Max)
         {
@@ -172,7 +171,7 @@ internal sealed class BlockCuller
         return new VisibleBlock(block, rows, frustum.IsOfLens ? frustum.TangentsOf(box.Box) : default);
     }
 
-    private BadInputException OutsideLimits(GridSurface part, CellBlock block, NodeBounds bounds)
+    private BadInputException OutsideLimits(GridPatch part, CellBlock block, NodeBounds bounds)
     {
         CellRange cells = block.Cells(part.Mesh);
         return new BadInputException(string.Create(
@@ -183,6 +182,6 @@ internal sealed class BlockCuller
                 + $"The file is damaged: get it again."));
     }
 
-    private static double LowestPoint(GridSurface part, double minRadius) =>
+    private static double LowestPoint(GridPatch part, double minRadius) =>
         (minRadius * part.Geometry.Sagitta) - Tolerances.VertexLattice;
 }

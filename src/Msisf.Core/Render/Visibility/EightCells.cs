@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Mesh;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Visibility;
 

@@ -1,6 +1,6 @@
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Nesting;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 
 namespace Msisf.Core.Render.Visibility;
 

@@ -1,5 +1,5 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Visibility;
 

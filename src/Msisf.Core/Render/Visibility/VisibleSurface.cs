@@ -1,6 +1,6 @@
 using System.Runtime.InteropServices;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render.Visibility;

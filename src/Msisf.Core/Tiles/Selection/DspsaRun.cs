@@ -1,7 +1,6 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;
@@ -35,7 +34,7 @@ internal sealed class DspsaRun
     public DspsaRun(
         ViewFrustum frame,
         Vector3D? sunPositionMoonMe,
-        IElevationGrid grid,
+        IGlobalGrid grid,
         ElevationSummary summary,
         double slack = 0.0)
     {

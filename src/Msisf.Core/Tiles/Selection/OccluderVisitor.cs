@@ -1,7 +1,6 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Tiles.Selection;
 

@@ -1,6 +1,5 @@
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Tiles.Selection;
 

@@ -1,8 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
-using Msisf.Core.Mesh;
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Tiles.Selection;
 

@@ -1,10 +1,10 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Render.Photometry;
 using Msisf.Core.Tests.Support;
@@ -32,7 +32,7 @@ public sealed class RowReflectionTests
             Reflectance = ReflectanceFactory.Create("moon", new Dictionary<string, double>()),
             Albedo = hasMap ? Map : null,
         };
-        IElevationGrid grid = FunctionGrid.Rugged(4);
+        IGlobalGrid grid = FunctionGrid.Rugged(4);
         RenderScenes.RenderSceneCase given = RenderScenes.Named(scene);
         PinholeCamera camera = given.Camera(grid, Side, Side);
         SurfaceModel surface = new(grid);

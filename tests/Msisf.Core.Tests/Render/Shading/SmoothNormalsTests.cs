@@ -1,6 +1,6 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shading;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
@@ -140,7 +140,7 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
         double[] radius = new double[1];
         int at = (sample + surface.Parts[0].Mesh.Samples) % surface.Parts[0].Mesh.Samples;
         surface.Parts[0].Mesh.ReadRadii(line, at, radius);
-        SineCosine longitude = new GridDirections(((IElevationGrid)surface.Parts[0].Grid).PixelsPerDegree).Longitude(at);
+        SineCosine longitude = new GridDirections(((IGlobalGrid)surface.Parts[0].Grid).PixelsPerDegree).Longitude(at);
         return LatticePoint.Nearest(radius[0], ((CylinderGeometry)surface.Parts[0].Geometry).Latitude(line), longitude).PositionMoonMe;
     }
 }

@@ -1,8 +1,8 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
@@ -21,7 +21,7 @@ public sealed class SunwardPointsTests
     [InlineData("grazing-sun", -0.005)]
     public void Read_AllRowsAndSomeAgain_GivesThePointsAndCosinesOfThePlainFormula(string scene, double minCosine)
     {
-        IElevationGrid grid = FunctionGrid.Rugged(4);
+        IGlobalGrid grid = FunctionGrid.Rugged(4);
         RenderScenes.RenderSceneCase given = RenderScenes.Named(scene);
         PinholeCamera camera = given.Camera(grid, Side, Side);
         VisibleSurface visible = new VisibilityPass(new SurfaceModel(grid)).Run(camera, threads: 1, CancellationToken.None);

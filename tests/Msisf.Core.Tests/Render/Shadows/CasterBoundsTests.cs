@@ -1,6 +1,6 @@
-using Msisf.Core.Mesh.Bounds;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
+using Msisf.Core.Surface;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render.Shadows;

@@ -1,6 +1,6 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
@@ -32,7 +32,7 @@ public sealed class DarkZonesTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixt
     }
 
     private static void Compare(
-        IElevationGrid grid, BruteForceMoon moon, Vector3D middle, double radius, double elevation, double minShare)
+        IGlobalGrid grid, BruteForceMoon moon, Vector3D middle, double radius, double elevation, double minShare)
     {
         SurfaceModel surface = new(grid);
         CasterSearch search = new(surface);

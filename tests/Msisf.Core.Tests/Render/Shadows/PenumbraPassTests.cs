@@ -1,6 +1,7 @@
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
@@ -117,7 +118,7 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
 
     private static double CosFromTerminator(int sample) => Math.Cos((((sample + 0.5) / 4.0) - Terminator) * Math.PI / 180.0);
 
-    private static void Compare(IElevationGrid grid, BruteForceMoon moon, Vector3D middle, double radius, bool findsDarkZones)
+    private static void Compare(IGlobalGrid grid, BruteForceMoon moon, Vector3D middle, double radius, bool findsDarkZones)
     {
         Random random = new(20120222);
         PenumbraPass pass = new(new SurfaceModel(grid), findsDarkZones);

@@ -1,9 +1,9 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
@@ -30,7 +30,7 @@ public sealed class ShadowPassSceneTests
     public void Run_FineModel_IsWhatRaysSay(int pixelsPerDegree, params string[] scenes) =>
         Compare(FunctionGrid.Rugged(pixelsPerDegree), 32, scenes);
 
-    private static void Compare(IElevationGrid grid, int size, string[] scenes)
+    private static void Compare(IGlobalGrid grid, int size, string[] scenes)
     {
         TerrainTracer tracer = new(grid);
         SurfaceModel surface = new(grid);

@@ -1,7 +1,7 @@
 using Msisf.Core.Errors;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
@@ -128,7 +128,7 @@ public sealed class ShadowPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fix
             new CancellationToken(canceled: true)));
     }
 
-    private static void Compare(IElevationGrid grid, BruteForceMoon moon, Vector3D middle, double radiusDegrees)
+    private static void Compare(IGlobalGrid grid, BruteForceMoon moon, Vector3D middle, double radiusDegrees)
     {
         Random random = new(20120222);
         ShadowPass pass = new(new SurfaceModel(grid));

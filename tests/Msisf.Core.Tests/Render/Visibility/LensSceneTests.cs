@@ -1,7 +1,7 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Visibility;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
@@ -86,7 +86,7 @@ public sealed class LensSceneTests
         return scenes.Where((_, number) => TestLength.IsLong || number % 3 == first);
     }
 
-    private static PinholeCamera Camera(RenderScenes.RenderSceneCase scene, string lens, IElevationGrid grid, int width, int height)
+    private static PinholeCamera Camera(RenderScenes.RenderSceneCase scene, string lens, IGlobalGrid grid, int width, int height)
     {
         PinholeCamera pinhole = scene.Camera(grid, width, height);
         return new PinholeCamera(
@@ -94,7 +94,7 @@ public sealed class LensSceneTests
     }
 
     private static void Compare(
-        IElevationGrid grid, string lens, int width, int height, IEnumerable<string> scenes, double offsetX, double offsetY)
+        IGlobalGrid grid, string lens, int width, int height, IEnumerable<string> scenes, double offsetX, double offsetY)
     {
         TerrainTracer tracer = new(grid);
         VisibilityPass pass = new(new SurfaceModel(grid));

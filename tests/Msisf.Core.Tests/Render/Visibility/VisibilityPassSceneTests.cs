@@ -1,7 +1,7 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Mesh;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Visibility;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
@@ -59,7 +59,7 @@ public sealed class VisibilityPassSceneTests
         }
     }
 
-    private static void Compare(IElevationGrid grid, int size, string[] scenes)
+    private static void Compare(IGlobalGrid grid, int size, string[] scenes)
     {
         TerrainTracer tracer = new(grid);
         VisibilityPass pass = new(new SurfaceModel(grid));

@@ -1,0 +1,39 @@
+namespace Msisf.Core.Surface;
+
+/// <summary>
+/// A block of up to 32 x 32 cells, or of facets of the seams between models: the unit in which the renderer culls, reads and draws the
+/// surface.
+/// </summary>
+/// <param name="Row">Row of the block from the top; row 0 of a closed mesh begins with the northern fan. 0 for seams.</param>
+/// <param name="Column">Column of the block from the left; of the seams its number.</param>
+internal readonly record struct CellBlock(int Row, int Column)
+{
+    /// <summary>Number of cells along an edge; those at the lower and right end may have fewer.</summary>
+    public const int Size = 32;
+
+    /// <summary>Number of the block's model in <see cref="SurfaceModel.Parts"/>; the number of models for the seams between them.</summary>
+    public int Part { get; init; }
+
+    /// <summary>
+    /// 0 for all cells of the block; else a rectangle of those that a finer model has left, counted from 1 (<see cref="CellMask.Pieces"/>).
+    /// </summary>
+    public int Piece { get; init; }
+
+    /// <summary>Number of rows of blocks of a mesh.</summary>
+    public static int RowsOf(FacetMesh mesh) => (mesh.Cells.Lines + Size - 1) / Size;
+
+    /// <summary>Number of columns of blocks of a mesh.</summary>
+    public static int ColumnsOf(FacetMesh mesh) => (mesh.Cells.Samples + Size - 1) / Size;
+
+    /// <summary>The block of a closed mesh that contains a cell.</summary>
+    /// <param name="line">Line of the cell, -1 to the mesh's lines - 1.</param>
+    /// <param name="sample">Sample of the cell, 0 to the mesh's samples - 1.</param>
+    public static CellBlock Containing(int line, int sample) => new((line + 1) / Size, sample / Size);
+
+    /// <summary>The block's cells.</summary>
+    public CellRange Cells(FacetMesh mesh) => new(
+        mesh.Cells.FirstLine + (Row * Size),
+        Math.Min(mesh.Cells.FirstLine + ((Row + 1) * Size), mesh.Cells.EndLine),
+        mesh.Cells.FirstSample + (Column * Size),
+        Math.Min(mesh.Cells.FirstSample + ((Column + 1) * Size), mesh.Cells.EndSample));
+}

@@ -1,0 +1,146 @@
+using System.Diagnostics;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Surface;
+
+/// <summary>
+/// The mesh of a model in simple cylindrical projection; lines and samples count in the grid of the whole Moon. The vertices are those of
+/// the pattern files (<see cref="LatticePoint.Nearest"/>): the same products in the same order, none of them fused.
+/// </summary>
+internal sealed class CylinderGeometry : MeshGeometry
+{
+    /// <summary>Maximum width, in degrees, of a rectangle that two planes through the axis can bound well.</summary>
+    private const int WidestDegrees = 90;
+
+    private readonly SineCosine[] _latitudes;
+    private readonly double[] _longitudeSines;
+    private readonly double[] _longitudeCosines;
+
+    /// <summary>Computes the tables of a mesh.</summary>
+    public CylinderGeometry(FacetMesh mesh)
+    {
+        int pixelsPerDegree = ((Equirectangular)mesh.Grid.Projection).PixelsPerDegree;
+        CellAngle = Math.PI / 180.0 / pixelsPerDegree;
+        Sagitta = MeshBounds.SagittaFactor(pixelsPerDegree);
+        WidestColumns = WidestDegrees * pixelsPerDegree;
+        GridDirections directions = new(pixelsPerDegree);
+        _latitudes = new SineCosine[mesh.Lines + 2];
+        for (int line = -1; line <= mesh.Lines; line++)
+        {
+            _latitudes[line + 1] = directions.Latitude(line);
+        }
+
+        // The last cell block is read in whole vectors, which extend beyond the prime meridian; so do maps across it.
+        _longitudeSines = new double[Math.Max(mesh.Samples, mesh.Grid.Window.EndSample) + BlockVertices.Stride];
+        _longitudeCosines = new double[_longitudeSines.Length];
+        for (int sample = 0; sample < _longitudeSines.Length; sample++)
+        {
+            (_longitudeSines[sample], _longitudeCosines[sample]) = directions.Longitude(sample % mesh.Samples);
+        }
+    }
+
+    /// <inheritdoc/>
+    public override double StepsPerMetre => LatticePoint.StepsPerMetre;
+
+    /// <inheritdoc/>
+    public override double CellAngle { get; }
+
+    /// <inheritdoc/>
+    public override double Sagitta { get; }
+
+    /// <inheritdoc/>
+    public override int WidestColumns { get; }
+
+    /// <summary>Latitude of a vertex line.</summary>
+    /// <param name="line">-1 (north pole) to the mesh's lines (south pole).</param>
+    public SineCosine Latitude(int line) => _latitudes[line + 1];
+
+    /// <summary>
+    /// Longitude of a sample, from 0 to the mesh's number of samples, which is sample 0 again, and on to the end of the map.
+    /// </summary>
+    public SineCosine Longitude(int sample) => new(_longitudeSines[sample], _longitudeCosines[sample]);
+
+    /// <inheritdoc/>
+    public override Vector3D Vertex(int line, int sample, double radius) =>
+        LatticePoint.Nearest(radius, Latitude(line), Longitude(sample)).PositionMoonMe;
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
+    public override void PlaceLine(
+        int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originMoonMe, Span<double> x, Span<double> y, Span<double> z)
+    {
+        Debug.Assert(x.Length >= radii.Length && y.Length >= radii.Length && z.Length >= radii.Length, "A line reaches beyond its block.");
+        Debug.Assert(firstSample + radii.Length <= _longitudeSines.Length, "A line reaches beyond the table of longitudes.");
+        SineCosine latitude = Latitude(line);
+        ref double radiiStart = ref MemoryMarshal.GetReference(radii);
+        ref double sines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_longitudeSines), firstSample);
+        ref double cosines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_longitudeCosines), firstSample);
+        ref double toX = ref MemoryMarshal.GetReference(x);
+        ref double toY = ref MemoryMarshal.GetReference(y);
+        ref double toZ = ref MemoryMarshal.GetReference(z);
+        Vector512<double> stepsPerMetre = Vector512.Create((double)LatticePoint.StepsPerMetre);
+        Vector512<double> metresPerStep = Vector512.Create(1.0 / LatticePoint.StepsPerMetre);
+        Vector512<double> half = Vector512.Create(0.5);
+        Vector512<double> sinLatitude = Vector512.Create(latitude.Sine);
+        Vector512<double> cosLatitude = Vector512.Create(latitude.Cosine);
+        for (nuint i = 0; i < (nuint)radii.Length; i += (nuint)Vector512<double>.Count)
+        {
+            Vector512<double> steps = stepsPerMetre * Vector512.LoadUnsafe(ref radiiStart, i);
+            Vector512<double> equatorial = steps * cosLatitude;
+            Vector512<double> px = Vector512.Floor((equatorial * Vector512.LoadUnsafe(ref cosines, i)) + half) * metresPerStep;
+            Vector512<double> py = Vector512.Floor((equatorial * Vector512.LoadUnsafe(ref sines, i)) + half) * metresPerStep;
+            Vector512<double> pz = Vector512.Floor((steps * sinLatitude) + half) * metresPerStep;
+            (px - Vector512.Create(originMoonMe.X)).StoreUnsafe(ref toX, i);
+            (py - Vector512.Create(originMoonMe.Y)).StoreUnsafe(ref toY, i);
+            (pz - Vector512.Create(originMoonMe.Z)).StoreUnsafe(ref toZ, i);
+        }
+    }
+
+    /// <inheritdoc/>
+    /// <remarks>The borders are meridian planes.</remarks>
+    public override bool TryGetColumnBorders(CellRange cells, out Vector3D west, out Vector3D east)
+    {
+        if (cells.Samples > WidestColumns)
+        {
+            (west, east) = (default, default);
+            return false;
+        }
+
+        SineCosine atWest = Longitude(cells.FirstSample);
+        SineCosine atEast = Longitude(cells.EndSample);
+        west = new Vector3D(-atWest.Sine, atWest.Cosine, 0.0);
+        east = new Vector3D(atEast.Sine, -atEast.Cosine, 0.0);
+        return true;
+    }
+
+    /// <inheritdoc/>
+    /// <remarks>
+    /// The vertices of a parallel do not lie in one plane through the centre. So the border is the plane through the two corners on one
+    /// side of the equator, and the plane that touches the parallel in the middle on the other. With half the rectangle's width D and the
+    /// longitude d from its middle, a vertex at latitude p is north of the plane with slope q if tan p >= cos d tan q, and
+    /// cos D &lt;= cos d &lt;= 1.
+    /// </remarks>
+    public override (Vector3D North, Vector3D South) LineBorders(CellRange cells)
+    {
+        SineCosine west = Longitude(cells.FirstSample);
+        SineCosine east = Longitude(cells.EndSample);
+
+        // Direction of the rectangle's middle. Its length is the cosine of half the rectangle's width, which shortens the normals below by
+        // the same factor.
+        double x = 0.5 * (west.Cosine + east.Cosine);
+        double y = 0.5 * (west.Sine + east.Sine);
+        double squaredCosine = (x * x) + (y * y);
+        double cosine = Math.Sqrt(squaredCosine);
+        SineCosine north = Latitude(cells.FirstLine);
+        SineCosine south = Latitude(cells.EndLine);
+        double northZ = north.Cosine * (north.Sine >= 0.0 ? squaredCosine : cosine);
+        double southZ = south.Cosine * (south.Sine >= 0.0 ? cosine : squaredCosine);
+        return (
+            new Vector3D(north.Sine * x, north.Sine * y, -northZ),
+            new Vector3D(-south.Sine * x, -south.Sine * y, southZ));
+    }
+}

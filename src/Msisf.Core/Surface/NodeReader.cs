@@ -1,0 +1,202 @@
+using System.Globalization;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Surface;
+
+/// <summary>Computes the bounds of nodes by reading the vertices of their cells. Safe for several threads.</summary>
+internal sealed class NodeReader
+{
+    /// <summary>
+    /// Factor on computed slopes: a cell's legs are neither exactly straight nor exactly at right angles, which changes a slope by less
+    /// than 1 percent at 1 px/deg.
+    /// </summary>
+    private const double SlopeMargin = 1.02;
+
+    /// <summary>Maximum number of vertices of a line for which the buffer is on the stack.</summary>
+    private const int StackSamples = 64;
+
+    private readonly FacetMesh _mesh;
+    private readonly PlaneNodes? _plane;
+    private readonly (double East, double North)[] _perRadian = [];
+
+    /// <summary>Takes the model.</summary>
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="plane">The geometry of a polar stereographic mesh; null for one of latitude and longitude.</param>
+    public NodeReader(FacetMesh mesh, PlaneNodes? plane)
+    {
+        _mesh = mesh;
+        _plane = plane;
+        if (plane is not null)
+        {
+            return;
+        }
+
+        _perRadian = new (double, double)[mesh.Lines + 2];
+        double cellAngle = 2.0 * Math.PI / mesh.Samples;
+        for (int line = -1; line <= mesh.Lines; line++)
+        {
+            double latitude = FacetMesh.Latitude(line, mesh.Lines);
+            double stepNorth = FacetMesh.Latitude(line - 1, mesh.Lines) - latitude;
+            bool isPole = line < 0 || line == mesh.Lines;
+            _perRadian[line + 1] = (isPole ? 0.0 : 1.0 / (Math.Cos(latitude) * cellAngle), stepNorth > 0.0 ? 1.0 / stepNorth : 0.0);
+        }
+    }
+
+    /// <summary>Reads the bounds of one node.</summary>
+    /// <exception cref="BadInputException">The model has a radius there outside the range of the Moon's surface.</exception>
+    public NodeBounds Read(CellRange cells)
+    {
+        Extremes found = Extremes.None;
+        Read(new ReadOnlySpan<CellRange>(in cells), new Span<Extremes>(ref found));
+        double reference = _mesh.Grid.ReferenceRadius;
+        if (!(Math.Max(reference - found.Min, found.Max - reference) <= MoonConstants.MaxRelief))
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{_mesh.Grid.ProductId} has radii from {found.Min:R} to {found.Max:R} m around line {cells.FirstLine + 2}, "
+                    + $"sample {cells.FirstSample + 1}; a surface within {MoonConstants.MaxRelief:R} m of "
+                    + $"{reference:R} m is needed. Check the model and its label."));
+        }
+
+        return found.ToBounds();
+    }
+
+    /// <summary>
+    /// Reads the bounds of neighbouring nodes of one row; each vertex line is read once for all of them. Any radius is accepted.
+    /// </summary>
+    /// <param name="nodes">The cells of each node, from west to east.</param>
+    /// <param name="bounds">Receives the bounds of each node.</param>
+    public void ReadRow(ReadOnlySpan<CellRange> nodes, Span<NodeBounds> bounds)
+    {
+        Extremes[] found = new Extremes[nodes.Length];
+        Array.Fill(found, Extremes.None);
+        Read(nodes, found);
+        for (int node = 0; node < nodes.Length; node++)
+        {
+            bounds[node] = found[node].ToBounds();
+        }
+    }
+
+    private void Read(ReadOnlySpan<CellRange> nodes, Span<Extremes> found)
+    {
+        CellRange first = nodes[0];
+        int samples = nodes[^1].EndSample - first.FirstSample + 1;
+        Span<double> radii = samples <= StackSamples ? stackalloc double[2 * StackSamples] : new double[2 * samples];
+        Span<double> north = radii[..samples];
+        Span<double> south = radii.Slice(samples, samples);
+        _mesh.ReadRadii(first.FirstLine, first.FirstSample, north);
+        AddLine(first.FirstLine, nodes, found, north, north);
+        for (int line = first.FirstLine + 1; line <= first.EndLine; line++)
+        {
+            _mesh.ReadRadii(line, first.FirstSample, south);
+            AddLine(line, nodes, found, north, south);
+            Span<double> read = south;
+            south = north;
+            north = read;
+        }
+    }
+
+    private void AddLine(
+        int line, ReadOnlySpan<CellRange> nodes, Span<Extremes> found, ReadOnlySpan<double> north, ReadOnlySpan<double> south)
+    {
+        (double perRadianEast, double perRadianNorth) = _plane is null ? _perRadian[line + 1] : default;
+        for (int node = 0; node < nodes.Length; node++)
+        {
+            int start = nodes[node].FirstSample - nodes[0].FirstSample;
+            int count = nodes[node].EndSample - nodes[node].FirstSample + 1;
+            if (_plane is not null)
+            {
+                perRadianEast = perRadianNorth = _plane.PerRadian(line, nodes[node].FirstSample, nodes[node].EndSample);
+            }
+
+            found[node].Add(north.Slice(start, count), south.Slice(start, count), perRadianEast, perRadianNorth);
+        }
+    }
+
+    /// <summary>The bounds of a node over the lines that have been read so far.</summary>
+    private struct Extremes
+    {
+        public double Min;
+        public double Max;
+        private double _eastSlope;
+        private double _northSlope;
+
+        public static Extremes None => new() { Min = double.PositiveInfinity, Max = double.NegativeInfinity };
+
+        /// <summary>Adds a line of vertices; for the northernmost line <paramref name="north"/> is the line itself.</summary>
+        public void Add(ReadOnlySpan<double> north, ReadOnlySpan<double> south, double perRadianEast, double perRadianNorth)
+        {
+            double stepEast = 0.0;
+            double stepNorth = Math.Abs(south[0] - north[0]);
+            Min = Math.Min(Min, south[0]);
+            Max = Math.Max(Max, south[0]);
+            if (south.Length > Vector512<double>.Count)
+            {
+                AddWide(
+                    ref MemoryMarshal.GetReference(north),
+                    ref MemoryMarshal.GetReference(south),
+                    south.Length,
+                    ref stepEast,
+                    ref stepNorth);
+            }
+            else
+            {
+                for (int i = 1; i < south.Length; i++)
+                {
+                    Min = Math.Min(Min, south[i]);
+                    Max = Math.Max(Max, south[i]);
+                    stepEast = Math.Max(stepEast, Math.Abs(south[i] - south[i - 1]));
+                    stepNorth = Math.Max(stepNorth, Math.Abs(south[i] - north[i]));
+                }
+            }
+
+            // Rounding to the lattice also tilts a facet, most where the samples of a polar line are close together.
+            _eastSlope = Math.Max(_eastSlope, (stepEast + (2.0 * Tolerances.VertexLattice)) * perRadianEast / Min);
+            _northSlope = Math.Max(_northSlope, (stepNorth + (2.0 * Tolerances.VertexLattice)) * perRadianNorth / Min);
+        }
+
+        public readonly NodeBounds ToBounds() => new(
+            MathF.BitDecrement((float)Min),
+            MathF.BitIncrement((float)Max),
+            MathF.BitIncrement((float)(SlopeMargin * double.Hypot(_eastSlope, _northSlope))));
+
+        /// <summary>
+        /// Adds all vertices of a line except the first; the line must have at least as many of them as a vector has lanes.
+        /// </summary>
+        [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
+        private void AddWide(ref double north, ref double south, int count, ref double stepEast, ref double stepNorth)
+        {
+            Vector512<double> min = Vector512.Create(Min);
+            Vector512<double> max = Vector512.Create(Max);
+            Vector512<double> east = Vector512<double>.Zero;
+            Vector512<double> down = Vector512.Create(stepNorth);
+            for (int i = 1; i < count; i += Vector512<double>.Count)
+            {
+                // The last vector begins early enough to end with the line; the vertices that it repeats do not change the bounds.
+                nuint at = (nuint)Math.Min(i, count - Vector512<double>.Count);
+                Vector512<double> radius = Vector512.LoadUnsafe(ref south, at);
+                min = Vector512.Min(min, radius);
+                max = Vector512.Max(max, radius);
+                east = Vector512.Max(east, Vector512.Abs(radius - Vector512.LoadUnsafe(ref south, at - 1)));
+                down = Vector512.Max(down, Vector512.Abs(radius - Vector512.LoadUnsafe(ref north, at)));
+            }
+
+            Min = -MaxOf(-min);
+            Max = MaxOf(max);
+            stepEast = MaxOf(east);
+            stepNorth = MaxOf(down);
+        }
+
+        private static double MaxOf(Vector512<double> values)
+        {
+            Vector256<double> four = Vector256.Max(values.GetLower(), values.GetUpper());
+            Vector128<double> two = Vector128.Max(four.GetLower(), four.GetUpper());
+            return Math.Max(two[0], two[1]);
+        }
+    }
+}

@@ -1,0 +1,133 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Surface.Sources;
+
+/// <summary>
+/// Several elevation models as one closed surface: everywhere the finest model that has data, joined without a crack and without a step
+/// (docs/elevation-models.md). The seams are made when the surface is first needed. Safe for several threads.
+/// </summary>
+public sealed class NestedTerrain : ITerrain
+{
+    /// <summary>Maximum number of models.</summary>
+    public const int MaxModels = 100;
+
+    private readonly IReadOnlyList<ITerrainGrid?> _drawn;
+    private readonly Lazy<NestedParts> _parts;
+    private readonly Lazy<SurfaceModel> _surface;
+    private readonly ISeamStore? _seams;
+
+    /// <summary>Takes the models; nothing is read yet.</summary>
+    /// <param name="models">Two or more, in any order; the coarsest is one of the whole Moon.</param>
+    /// <param name="seams">Keeps the seams for another time; null to make them each time.</param>
+    /// <exception cref="BadInputException">They are no such models.</exception>
+    public NestedTerrain(IEnumerable<ITerrainGrid> models, ISeamStore? seams = null)
+    {
+        Models = [.. models.OrderByDescending(model => model.Projection.Resolution.MetresPerPixel)
+            .ThenByDescending(model => model.ProductId, StringComparer.Ordinal)];
+        if (Models.Count is < 2 or > MaxModels)
+        {
+            throw new BadInputException($"{Models.Count} elevation models: 2 to {MaxModels} make a scene of several.");
+        }
+
+        if (Models[0] is not IGlobalGrid)
+        {
+            throw new BadInputException(
+                $"{Models[0].ProductId}, the coarsest of several elevation models, is not of the whole Moon. Give one that is as well, for "
+                    + "instance LDEM_4: around the others there would be nothing, and no horizon would throw shadows.");
+        }
+
+        if (Models.Skip(1).FirstOrDefault(model => model is IGlobalGrid) is { } whole)
+        {
+            throw new BadInputException(
+                $"{whole.ProductId} is of the whole Moon and finer than {Models[0].ProductId}, of which nothing would be seen. "
+                    + "Leave that one out.");
+        }
+
+        if (Models.FirstOrDefault(model => model.ReferenceRadius != Models[0].ReferenceRadius) is { } other)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{other.ProductId} has heights over a sphere of {other.ReferenceRadius:R} m, {Models[0].ProductId} over one of "
+                    + $"{Models[0].ReferenceRadius:R} m: they are of different bodies. Leave one of them out."));
+        }
+
+        _seams = seams;
+        _drawn = Models;
+        _parts = new Lazy<NestedParts>(() => NestedParts.OfAll(Models));
+        _surface = new Lazy<SurfaceModel>(Join);
+    }
+
+    /// <summary>The surface of the same models at levels of detail.</summary>
+    /// <param name="scene">The models themselves.</param>
+    /// <param name="levels">The level of each model; null for one that is left out. The first is there.</param>
+    /// <param name="alike">A surface whose first models may be at the same levels: what these have computed is used again.</param>
+    internal NestedTerrain(NestedTerrain scene, IReadOnlyList<ITerrainGrid?> levels, NestedTerrain alike)
+    {
+        Models = [.. scene.Models.Zip(levels, (model, level) => level ?? model)];
+        _seams = scene._seams;
+        _drawn = levels;
+        _parts = new Lazy<NestedParts>(() => NestedParts.OfLevels(Models, levels, alike.WholeParts, alike.CountSame(levels)));
+        _surface = new Lazy<SurfaceModel>(Join);
+    }
+
+    /// <summary>The models, the coarsest first; a facet's part is an index here.</summary>
+    public IReadOnlyList<ITerrainGrid> Models { get; }
+
+    /// <inheritdoc/>
+    public double ReferenceRadius => Models[0].ReferenceRadius;
+
+    /// <inheritdoc/>
+    public int PartCount => Models.Count;
+
+    /// <inheritdoc/>
+    public string ProductId => string.Join('+', Models.Select(model => model.ProductId));
+
+    /// <inheritdoc/>
+    public GridResolution Resolution => _drawn.Last(level => level is not null)!.Projection.Resolution;
+
+    /// <summary>The resolution at which each model is drawn; null for one that is left out, because a coarser one is as fine.</summary>
+    public IReadOnlyList<GridResolution?> DrawnResolutions => [.. _drawn.Select(level => level?.Projection.Resolution)];
+
+    /// <inheritdoc/>
+    public (double Min, double Max) RadiusLimits =>
+        (Models.Min(model => model.RadiusLimits.Min), Models.Max(model => model.RadiusLimits.Max));
+
+    /// <summary>The surface; made at the first request.</summary>
+    /// <exception cref="BadInputException">The models can't be joined.</exception>
+    internal SurfaceModel Surface => _surface.Value;
+
+    /// <summary>The models with the cells that the surface has of them; without the seams, which take long.</summary>
+    /// <exception cref="BadInputException">Nothing would be seen of a model.</exception>
+    internal IReadOnlyList<GridPatch> Parts => _parts.Value.Kept;
+
+    /// <summary>The models with all their cells.</summary>
+    internal IReadOnlyList<GridPatch> WholeParts => _parts.Value.Whole;
+
+    /// <summary>
+    /// Distance from the Moon's centre to the ground in a direction, of the finest model there, m; in a seam about that of the surface.
+    /// </summary>
+    internal double GroundRadius(Vector3D direction) => new CoarserGround(WholeParts).RadiusAt(direction);
+
+    /// <summary>Number of first models that another surface has at the same levels.</summary>
+    internal int CountSame(IReadOnlyList<ITerrainGrid?> levels) =>
+        _drawn.Zip(levels).TakeWhile(pair => ReferenceEquals(pair.First, pair.Second)).Count();
+
+    /// <summary>Looks at the models now, so that an error is told before any work.</summary>
+    /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them the surface of the models is made too.</param>
+    /// <exception cref="BadInputException">The models can't be joined.</exception>
+    public void Prepare(bool hasLevels) => _ = hasLevels ? (object)Parts : Surface;
+
+    /// <inheritdoc/>
+    public void ReleasePages()
+    {
+        foreach (ITerrainGrid model in Models)
+        {
+            model.ReleasePages();
+        }
+    }
+
+    private SurfaceModel Join() => new(Parts, SeamBuilder.Join(Parts, _seams));
+}

@@ -1,0 +1,119 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Surface.Sources;
+
+/// <summary>The facets between several models, which close the gaps between their cells; immutable.</summary>
+/// <remarks>
+/// The renderer's kernels know blocks of cells. A block of seams is laid out so: in lines 0, 2, 4 ... of cells each second cell has one
+/// facet as its south-western half; the cells between stand for nothing (<see cref="CellsOfLine"/>).
+/// </remarks>
+internal sealed class SeamMesh
+{
+    /// <summary>Number of facets of a block; the last one may have fewer.</summary>
+    public const int BlockFacets = 64;
+
+    /// <summary>Facets of all seams together are fewer.</summary>
+    public const int MaxFacets = 1 << 23;
+
+    private const int LineFacets = 16;
+    private const uint EverySecondCell = 0x55555555;
+
+    private readonly SeamVertex[] _vertices;
+    private readonly int[] _corners;
+
+    /// <summary>Takes the facets.</summary>
+    /// <param name="vertices">The vertices.</param>
+    /// <param name="corners">
+    /// Three indices of vertices for each facet, counter-clockwise seen from outside; neighbours follow each other.
+    /// </param>
+    public SeamMesh(SeamVertex[] vertices, int[] corners)
+    {
+        _vertices = vertices;
+        _corners = corners;
+        SeamBlock[] blocks = new SeamBlock[(Count + BlockFacets - 1) / BlockFacets];
+        for (int block = 0; block < blocks.Length; block++)
+        {
+            int first = 3 * BlockFacets * block;
+            blocks[block] = SeamBlock.Of(
+                [.. corners.AsSpan(first, 3 * FacetsOf(block)).ToArray().Select(corner => vertices[corner].Position)]);
+        }
+
+        Blocks = blocks;
+        double widest = 0.0;
+        for (int facet = 0; facet < Count; facet++)
+        {
+            (Vector3D a, Vector3D b, Vector3D c) = CornersOf(facet);
+            Vector3D middle = a + b + c;
+            widest = Math.Max(widest, Math.Max(SineSquare(middle, a), Math.Max(SineSquare(middle, b), SineSquare(middle, c))));
+        }
+
+        double angle = Math.Atan2(Math.Sqrt(widest), Math.Sqrt(1.0 - widest));
+        Sagitta = Count == 0 ? 1.0 : Math.Cos(angle + Tolerances.CapRadius);
+    }
+
+    /// <summary>No facets: the surface of one model.</summary>
+    public static SeamMesh None { get; } = new([], []);
+
+    /// <summary>Number of facets.</summary>
+    public int Count => _corners.Length / 3;
+
+    /// <summary>Bounds of each block.</summary>
+    public IReadOnlyList<SeamBlock> Blocks { get; }
+
+    /// <summary>Ratio of a facet's minimum radius to its minimum vertex radius, at least.</summary>
+    public double Sagitta { get; }
+
+    /// <summary>The cells of a line of a block that have facets, as bits.</summary>
+    /// <param name="line">The line.</param>
+    /// <param name="facets">Number of facets of the block.</param>
+    public static uint CellsOfLine(int line, int facets)
+    {
+        int count = Math.Clamp(facets - (line / 2 * LineFacets), 0, LineFacets);
+        return (line & 1) != 0 ? 0 : EverySecondCell & (uint)((1UL << (2 * count)) - 1);
+    }
+
+    /// <summary>Number in its block of the facet of a cell.</summary>
+    public static int FacetAt(int line, int sample) => (line / 2 * LineFacets) + (sample / 2);
+
+    /// <summary>Number of facets of a block.</summary>
+    public int FacetsOf(int block) => Math.Min(BlockFacets, Count - (block * BlockFacets));
+
+    /// <summary>The corners of a facet, m, MOON_ME, counter-clockwise seen from outside.</summary>
+    public (Vector3D A, Vector3D B, Vector3D C) CornersOf(int facet) =>
+        (VertexOf(facet, 0).Position, VertexOf(facet, 1).Position, VertexOf(facet, 2).Position);
+
+    /// <summary>A corner of a facet.</summary>
+    /// <param name="facet">The facet.</param>
+    /// <param name="corner">0 to 2.</param>
+    public SeamVertex VertexOf(int facet, int corner) => _vertices[_corners[(3 * facet) + corner]];
+
+    /// <summary>Square of the sine of the angle between two directions, which is far below a right angle.</summary>
+    private static double SineSquare(Vector3D u, Vector3D v) => Vector3D.Cross(u, v).LengthSquared / (u.LengthSquared * v.LengthSquared);
+
+    /// <summary>Writes a block's vertices to the arrays of <see cref="BlockVertices"/>.</summary>
+    /// <param name="block">Number of the block.</param>
+    /// <param name="originMoonMe">Is subtracted from each vertex with one rounding a component, m, MOON_ME.</param>
+    /// <param name="x">Receives m.</param>
+    /// <param name="y">As <paramref name="x"/>.</param>
+    /// <param name="z">As <paramref name="x"/>.</param>
+    /// <returns>Number of lines of vertices, and of vertices a line.</returns>
+    public (int Lines, int Samples) Place(int block, Vector3D originMoonMe, double[] x, double[] y, double[] z)
+    {
+        int facets = FacetsOf(block);
+        int lines = 2 * ((facets + LineFacets - 1) / LineFacets);
+        for (int i = 0; i < lines / 2 * LineFacets; i++)
+        {
+            // Places without a facet repeat the last one, so that all numbers are of the block.
+            (Vector3D a, Vector3D b, Vector3D c) = CornersOf((block * BlockFacets) + Math.Min(i, facets - 1));
+            int at = (i / LineFacets * 2 * BlockVertices.Stride) + (i % LineFacets * 2);
+            Put(at, a - originMoonMe);
+            Put(at + 1, c - originMoonMe);
+            Put(at + BlockVertices.Stride, b - originMoonMe);
+            Put(at + BlockVertices.Stride + 1, c - originMoonMe);
+        }
+
+        return (lines, 2 * LineFacets);
+
+        void Put(int index, Vector3D position) => (x[index], y[index], z[index]) = (position.X, position.Y, position.Z);
+    }
+}

@@ -1,0 +1,149 @@
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tests.Support;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Core.Tests.Surface.Sources;
+
+/// <summary>The surface of several models, over all of its facets.</summary>
+public sealed class NestedTerrainTests
+{
+    public static TheoryData<string> Scenes => [.. NestedScenes.Names];
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void Surface_AllFacets_AreOneClosedSurface(string name) => Assert.Null(NestedScenes.FacetsOf(name).FindFlaw());
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void Surface_Facets_FaceOutwards(string name) => Assert.DoesNotContain(
+        NestedScenes.FacetsOf(name).Facets, facet => !(Vector3D.Dot(facet.A, Vector3D.Cross(facet.B, facet.C)) > 0.0));
+
+    /// <summary>The finest model that has data wins: inside its border each of its samples is a vertex with its own radius.</summary>
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void Surface_InsideTheBorder_HasTheFinestModelsOwnHeights(string name)
+    {
+        NestedTerrain terrain = NestedScenes.Named(name);
+        GridPatch finest = terrain.Surface.Parts[^1];
+        BorderBlend blend = Assert.IsType<BorderBlend>(finest.Grid);
+        ITerrainGrid own = terrain.Models[^1];
+        GridWindow window = own.Window;
+        double[] radius = new double[1];
+        int inside = 0;
+        for (int line = window.FirstLine + blend.Width + 1; line < window.EndLine - blend.Width - 1; line++)
+        {
+            for (int sample = window.FirstSample + blend.Width + 1; sample < window.EndSample - blend.Width - 1; sample++)
+            {
+                if (own.MayHaveGaps)
+                {
+                    continue;
+                }
+
+                own.ReadRadii(line, sample, radius);
+                Assert.True(finest.Has(line, sample));
+                Assert.Equal(finest.Vertex(line, sample, radius[0]), finest.Corners(line, sample).NorthWest);
+                inside++;
+            }
+        }
+
+        Assert.True(inside > 0 || own.MayHaveGaps);
+    }
+
+    /// <summary>No step: the outermost vertices of a model lie on the facets of the coarser one, up to the lattice.</summary>
+    [Theory]
+    [InlineData("polar")]
+    [InlineData("gaps")]
+    [InlineData("band")]
+    public void Surface_Border_LiesOnTheCoarserFacets(string name)
+    {
+        NestedTerrain terrain = NestedScenes.Named(name);
+        SurfaceModel surface = terrain.Surface;
+        FacetMesh coarse = new(terrain.Models[0]);
+        int count = 0;
+        for (int facet = 0; facet < surface.Seams.Count; facet++)
+        {
+            for (int corner = 0; corner < 3; corner++)
+            {
+                SeamVertex vertex = surface.Seams.VertexOf(facet, corner);
+                if (vertex.Part == 1)
+                {
+                    double under = TerrainHeight.RadiusOn(coarse, vertex.Position.Normalized())!.Value;
+                    Assert.InRange(vertex.Position.Length - under, -0.1, 0.1); // a lattice step beside a slope
+                    count++;
+                }
+            }
+        }
+
+        Assert.True(count > 100);
+    }
+
+    [Fact]
+    public void Surface_ModelsInAnotherOrder_IsTheSame()
+    {
+        IReadOnlyList<ITerrainGrid> models = NestedScenes.ModelsOf("five");
+        AllFacets one = NestedScenes.FacetsOf("five");
+        AllFacets other = new(new NestedTerrain(models.Reverse()));
+        Assert.Equal(one.Facets, other.Facets);
+    }
+
+    /// <summary>Where a model is without data the surface is that of the coarser one, and its facets cover the hole.</summary>
+    [Fact]
+    public void Surface_WideHole_ShowsTheCoarserModelsCells()
+    {
+        FunctionGrid moon = FunctionGrid.Rugged(4);
+        PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 2000.0, 160, 79.5, 79.5);
+        GridWithGaps holed = new(map, (line, sample) => line is > 40 and < 120 && sample is > 40 and < 120);
+        SurfaceModel surface = new NestedTerrain([holed, moon]).Surface;
+        Assert.True(surface.Parts[0].Has(718, 77)); // beside the pole, in the middle of the hole
+        Assert.False(surface.Parts[1].Has(79, 79));
+        Assert.True(surface.Parts[1].Has(20, 20));
+        Assert.False(surface.Parts[0].Has(718 - 16, 77)); // 4 degrees from the pole, where the map has data
+    }
+
+    [Fact]
+    public void RadiusBelow_AnyDirection_IsOnTheFacetThatTheBruteForceFinds()
+    {
+        NestedTerrain terrain = NestedScenes.Named("five");
+        AllFacets all = NestedScenes.FacetsOf("five");
+        Random random = new(20120301);
+        for (int number = 0; number < 60; number++)
+        {
+            double fromPole = Math.Pow(10.0, (random.NextDouble() * 4.0) - 4.0);
+            double longitude = random.NextDouble() * 2.0 * Math.PI;
+            Vector3D direction = new(
+                Math.Sin(fromPole) * Math.Cos(longitude), Math.Sin(fromPole) * Math.Sin(longitude), -Math.Cos(fromPole));
+            Vector3D top = 1.8e6 * direction;
+            (_, Vector3D point, _) = all.FirstHit(top, -top)!.Value;
+            Assert.InRange(TerrainHeight.RadiusBelow(terrain, direction) - point.Length, -1e-6, 1e-6);
+        }
+    }
+
+    [Fact]
+    public void Constructor_NoModelOfTheWholeMoon_SaysWhatToAdd()
+    {
+        PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 5000.0, 70, 34.5, 34.5);
+        PolarFunctionGrid site = PolarFunctionGrid.Rugged(true, 500.0, 70, 34.5, 34.5);
+        BadInputException refused = Assert.Throws<BadInputException>(() => new NestedTerrain([map, site]));
+        Assert.Contains("whole Moon", refused.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Constructor_TwoOfTheWholeMoon_SaysWhichIsHidden() => Assert.Contains(
+        "Leave that one out",
+        Assert.Throws<BadInputException>(() => new NestedTerrain([FunctionGrid.Rugged(1), FunctionGrid.Rugged(4)])).Message,
+        StringComparison.Ordinal);
+
+    [Fact]
+    public void Surface_ModelUnderAFinerOne_SaysThatNothingIsSeen()
+    {
+        PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 5000.0, 40, 19.5, 19.5);
+        PolarFunctionGrid over = PolarFunctionGrid.Rugged(true, 4000.0, 90, 44.5, 44.5);
+        NestedTerrain terrain = new([FunctionGrid.Rugged(1), map, over]);
+        Assert.Contains("nothing would be seen", Assert.Throws<BadInputException>(() => terrain.Surface).Message, StringComparison.Ordinal);
+    }
+}

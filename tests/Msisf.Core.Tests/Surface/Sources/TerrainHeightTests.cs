@@ -1,0 +1,95 @@
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tests.Support;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Core.Tests.Surface.Sources;
+
+public sealed class TerrainHeightTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
+{
+    [RequiresFact(Part.Ldem4)]
+    public void RadiusBelow_ManyDirections_IsWhereARayFromTheCentreMeetsTheFacets()
+    {
+        Random random = new(20120222);
+        for (int number = 0; number < 2000; number++)
+        {
+            double z = number < 200
+                ? (number % 2 == 0 ? 1.0 : -1.0) * (1.0 - (1e-6 * random.NextDouble()))
+                : (2.0 * random.NextDouble()) - 1.0;
+            double longitude = (random.NextDouble() - (number < 400 ? 0.5 : 0.0)) * (number < 400 ? 1e-3 : 2.0 * Math.PI);
+            double across = Math.Sqrt((1.0 - z) * (1.0 + z));
+            Vector3D direction = new(across * Math.Cos(longitude), across * Math.Sin(longitude), z);
+
+            // The brute force rounds vertices to 2^-7 m; on a slope that moves the surface up to a few times as much.
+            Assert.Equal(ldem4.Moon.FirstHit(default, direction)!.Value.T, TerrainHeight.RadiusBelow(ldem4.Grid, direction), 0.02);
+        }
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void RadiusBelow_Pole_IsTheMeanOfTheLastRow()
+    {
+        double[] row = new double[1440];
+        ldem4.Grid.ReadRadii(0, 0, row);
+
+        Assert.Equal(row.Average(), TerrainHeight.RadiusBelow(ldem4.Grid, new Vector3D(0.0, 0.0, 3.0)), 1e-6);
+    }
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData(0.0)]
+    [InlineData(1e-300)]
+    [InlineData(1.3e-10)]
+    [InlineData(1e-6)]
+    [InlineData(1e-3)]
+    [InlineData(1.0)]
+    public void RadiusBelow_NextToAPole_IsTheFansRadius(double offset)
+    {
+        foreach (double z in (double[])[-2.2e6, 1.9e6])
+        {
+            double pole = TerrainHeight.RadiusBelow(ldem4.Grid, new Vector3D(0.0, 0.0, z));
+            for (double angle = 0.0; angle < 6.3; angle += 0.1)
+            {
+                Vector3D position = new(offset * Math.Cos(angle), offset * Math.Sin(angle), z);
+                Assert.Equal(pole, TerrainHeight.RadiusBelow(ldem4.Grid, position), 1.0);
+            }
+        }
+    }
+
+    [Fact]
+    public void RadiusBelow_FinestModelBesideThePole_IsOnItsNarrowFacets()
+    {
+        FunctionGrid sphere = new(1024, (_, _) => 1_737_400.0);
+        for (double offset = 0.1; offset < 1000.0; offset *= 1.37)
+        {
+            double radius = TerrainHeight.RadiusBelow(sphere, new Vector3D(-offset, 0.7 * offset, -1.9e6));
+            Assert.InRange(radius, 1_737_399.99, 1_737_400.0 + 1e-6);
+        }
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void RadiusBelow_OnASample_IsTheSample()
+    {
+        double[] radius = new double[1];
+        ldem4.Grid.ReadRadii(338, 805, radius); // the highest: 10504.0 m at 5.375 N 201.375 E (LDEM_4's own maximum, 21008 x 0.5 m)
+        SelenographicPoint point = new(5.375 * Math.PI / 180.0, 201.375 * Math.PI / 180.0);
+
+        Assert.Equal(1_747_904.0, radius[0]);
+        Assert.Equal(1_747_904.0, TerrainHeight.RadiusBelow(ldem4.Grid, 2e6 * point.ToDirectionMoonMe()), 1e-6);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void RequireAbove_JustOverAndUnderTheGround_TellsThemApart()
+    {
+        // in the deepest crater, 8.9 km under the reference
+        Vector3D direction = new SelenographicPoint(-1.2282, 3.2747).ToDirectionMoonMe();
+        double ground = TerrainHeight.RadiusBelow(ldem4.Grid, direction);
+        TerrainHeight.RequireAbove(ldem4.Grid, (ground + 1.0) * direction);
+
+        Assert.True(ground < MoonConstants.ReferenceRadius - 7_000.0);
+        Assert.Throws<BadInputException>(() => TerrainHeight.RequireAbove(ldem4.Grid, (ground - 1.0) * direction));
+        Assert.Throws<BadInputException>(() => TerrainHeight.RequireAbove(ldem4.Grid, default));
+    }
+}
