@@ -6,8 +6,7 @@ namespace Msisf.Architecture.Tests;
 
 /// <summary>
 /// Which namespaces use which others: in base types, interfaces, attributes, fields, signatures, local variables and the instructions of
-/// methods. A namespace inside another is a part of it: A.B.C uses A.D.E makes A.B use A.D, and what A.B and A.B.C use of each other does
-/// not count. A constant of another namespace is not seen, because the compiler copies it.
+/// methods. A.B and A.B.C are two namespaces as any others. A constant of another namespace is not seen, because the compiler copies it.
 /// </summary>
 internal sealed class NamespaceGraph
 {
@@ -36,6 +35,10 @@ internal sealed class NamespaceGraph
             }
         }
     }
+
+    /// <summary>Each use of a namespace by another, with a type of each: "A -> B", "by user's used".</summary>
+    public IEnumerable<(string User, string Used, string By)> Uses =>
+        _uses.SelectMany(user => user.Value.Select(used => (user.Key, used.Key, used.Value)));
 
     /// <summary>The shortest way from each namespace back to itself, each cycle once: "A -> B (by type) -> A (by type)".</summary>
     public IReadOnlyList<string> Cycles()
@@ -87,28 +90,17 @@ internal sealed class NamespaceGraph
 
     private void Add(Type type, Type used)
     {
-        if (used.Namespace is not { } target || !_own.Contains(target) || Siblings(type.Namespace!, target) is not { } edge)
+        if (used.Namespace is not { } target || !_own.Contains(target) || target == type.Namespace)
         {
             return;
         }
 
-        if (!_uses.TryGetValue(edge.User, out SortedDictionary<string, string>? uses))
+        if (!_uses.TryGetValue(type.Namespace!, out SortedDictionary<string, string>? uses))
         {
-            _uses[edge.User] = uses = new SortedDictionary<string, string>(StringComparer.Ordinal);
+            _uses[type.Namespace!] = uses = new SortedDictionary<string, string>(StringComparer.Ordinal);
         }
 
-        uses.TryAdd(edge.Used, $"{Outermost(type).Name}'s {used.Name}");
-    }
-
-    /// <summary>The outermost namespaces that two do not share; null if one is inside the other.</summary>
-    private static (string User, string Used)? Siblings(string user, string used)
-    {
-        string[] users = user.Split('.');
-        string[] useds = used.Split('.');
-        int shared = users.Zip(useds).TakeWhile(pair => pair.First == pair.Second).Count();
-        return shared == users.Length || shared == useds.Length
-            ? null
-            : (string.Join('.', users[..(shared + 1)]), string.Join('.', useds[..(shared + 1)]));
+        uses.TryAdd(target, $"{Outermost(type).Name}'s {used.Name}");
     }
 
     private static Type Outermost(Type type) => type.DeclaringType is { } outer ? Outermost(outer) : type;

@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Detector.Psf;
+using Msisf.Core.Parallel;
 using Msisf.Core.Render;
 
 namespace Msisf.Core.Detector;

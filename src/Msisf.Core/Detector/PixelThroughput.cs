@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
+using Msisf.Core.Parallel;
 using Msisf.Core.Render;
 
 namespace Msisf.Core.Detector;

@@ -122,7 +122,7 @@ public sealed class ElevationSummary
 
         int side = _layout.Subdivisions(0);
         TileId[] unread = [.. tiles.Where(tile => Levels[0].NodeUnread(tile).IsUnread)];
-        Parallel.For(0, unread.Length * side, job =>
+        System.Threading.Tasks.Parallel.For(0, unread.Length * side, job =>
         {
             (int index, int row) = int.DivRem(job, side);
             _tree.ReadRow((unread[index].RowFromNorth * side) + row, unread[index].Column * side, side);

@@ -78,7 +78,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
         FrameValues[] together = new FrameValues[scenes.Length];
 
         using NativeFrame held = _renderer.Render(scenes[0].Camera, scenes[0].Sun, Options, threads: 1);
-        Parallel.For(0, scenes.Length, index =>
+        System.Threading.Tasks.Parallel.For(0, scenes.Length, index =>
             together[index] = FrameValues.Of(_renderer, scenes[index].Camera, scenes[index].Sun, Options, threads: 2));
 
         Assert.Equal(expected, together);

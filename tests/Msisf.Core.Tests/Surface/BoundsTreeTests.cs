@@ -88,7 +88,8 @@ public sealed class BoundsTreeTests
     {
         SurfaceModel surface = new(FunctionGrid.Hilly(4));
         NodeBounds[] found = new NodeBounds[64];
-        Parallel.For(0, found.Length, i => found[i] = surface.Parts[0].Bounds.Of(SquareLayout.CellBlockLevel, 3, i % 4));
+        System.Threading.Tasks.Parallel.For(
+            0, found.Length, i => found[i] = surface.Parts[0].Bounds.Of(SquareLayout.CellBlockLevel, 3, i % 4));
         for (int i = 4; i < found.Length; i++)
         {
             Assert.Equal(found[i - 4], found[i]);

@@ -178,7 +178,8 @@ public sealed class TerrainTracerTests
         TerrainTracer alone = new(grid);
         Vector3D[] directions = Directions(2000);
         SurfaceHit[] hits = new SurfaceHit[directions.Length];
-        Parallel.For(0, hits.Length, i => shared.TryTrace(new Ray(3e6 * directions[i], -directions[i]), out hits[i]));
+        System.Threading.Tasks.Parallel.For(
+            0, hits.Length, i => shared.TryTrace(new Ray(3e6 * directions[i], -directions[i]), out hits[i]));
 
         Assert.All(Enumerable.Range(0, hits.Length), i =>
         {

@@ -1,3 +1,4 @@
+using Msisf.Core.Parallel;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
 

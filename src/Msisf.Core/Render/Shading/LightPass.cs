@@ -1,4 +1,5 @@
 using Msisf.Core.Numerics;
+using Msisf.Core.Parallel;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;

@@ -4,6 +4,7 @@ using System.Collections.Concurrent;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
+using Msisf.Core.Parallel;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;

@@ -2,13 +2,13 @@ using System.Diagnostics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Parallel;
 
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
 /// The receivers of a frame, sorted into a grid of rectangular bins across the Sun's rays. Receivers in neighbouring bins of a row are
-/// contiguous in the arrays, so that a facet can be tested against eight of them at a time.
-/// </summary>
+/// contiguous in the arrays, so that a facet can be tested against eight of them at a time.</summary>
 /// <remarks>
 /// This is a counting sort: call <see cref="Lay"/>, <see cref="Count"/> for each row, <see cref="Place"/>, then <see cref="Sort"/> for
 /// each row. The depths are known after <see cref="Place"/>; <see cref="Want"/> then marks the bins that must be sorted, and

@@ -1,4 +1,5 @@
 using Msisf.Core.Numerics;
+using Msisf.Core.Parallel;
 
 namespace Msisf.Core.Render.Shadows;
 

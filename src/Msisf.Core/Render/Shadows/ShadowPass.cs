@@ -1,5 +1,6 @@
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
+using Msisf.Core.Parallel;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;

@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
+using Msisf.Core.Parallel;
 using Msisf.Core.Surface;
 using Msisf.Core.Surface.Sources;
 

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Msisf.Core.Parallel;
 
 namespace Msisf.Core.Render.Visibility;
 

@@ -2,6 +2,7 @@ using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
+using Msisf.Core.Parallel;
 
 namespace Msisf.Core.Render.Visibility;
 

@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Parallel;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Visibility;

@@ -1,6 +1,6 @@
 using System.Runtime.ExceptionServices;
 
-namespace Msisf.Core.Render;
+namespace Msisf.Core.Parallel;
 
 /// <summary>
 /// Distributes items of work among threads. Which thread does which item is not defined, so items must not depend on each other.
@@ -33,7 +33,8 @@ internal static class WorkerTeam
 
         try
         {
-            Parallel.For(0, workers, new ParallelOptions { MaxDegreeOfParallelism = workers, CancellationToken = cancellation }, Worker);
+            ParallelOptions options = new() { MaxDegreeOfParallelism = workers, CancellationToken = cancellation };
+            System.Threading.Tasks.Parallel.For(0, workers, options, Worker);
         }
         catch (AggregateException exception)
         {

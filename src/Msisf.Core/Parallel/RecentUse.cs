@@ -1,4 +1,4 @@
-namespace Msisf.Core.Render;
+namespace Msisf.Core.Parallel;
 
 /// <summary>
 /// How much of a buffer the last frames have used. A buffer that grows with the frames of an orbit would else keep for ever the size that

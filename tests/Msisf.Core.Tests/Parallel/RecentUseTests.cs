@@ -1,7 +1,8 @@
+using Msisf.Core.Parallel;
 using Msisf.Core.Render;
 using Xunit;
 
-namespace Msisf.Core.Tests.Render;
+namespace Msisf.Core.Tests.Parallel;
 
 public sealed class RecentUseTests
 {
