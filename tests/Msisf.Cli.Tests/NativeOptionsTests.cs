@@ -49,7 +49,7 @@ public sealed class NativeOptionsTests : IDisposable
     [InlineData($"{Native} --exposure NaN", 1, "'NaN' is not finite")]
 
     // Laws.
-    [InlineData($"{Native} --reflectance phong", 1, "law 'phong' is not known. Known laws: lambert, lommel-seeliger, lunar-lambert")]
+    [InlineData($"{Native} --reflectance phong", 1, "law 'phong' is not known. Known laws: akimov (parameter mu), hapke (")]
     [InlineData($"{Native} --reflectance lambert:l=1", 1, "law lambert has no parameter 'l'. It has none")]
     [InlineData($"{Native} --reflectance hapke:V=0.3", 1, "law hapke has no parameter 'v'. It has w, b, c, b0, h, theta")]
     [InlineData($"{Native} --reflectance hapke:w", 1, "'w' is no parameter; name=number is needed")]

@@ -23,7 +23,7 @@ internal static class AlbedoSource
             return AlbedoOptions.Map.NamedInErrors(() => Open(Find(given, host), albedo, host));
         }
 
-        bool isMoon = settings.Renderer == RendererKind.Native && settings.Native.ReflectanceText == "moon";
+        bool isMoon = settings.Renderer == RendererKind.Native && settings.Native.ReflectanceText == ReflectanceFactory.DefaultLaw;
         if (isMoon && !settings.Body.IsMoon)
         {
             host.Log.Note(

@@ -46,7 +46,7 @@ internal static class NativeOptions
     /// <summary>Reflectance law and its parameters.</summary>
     public static TextSpec Reflectance { get; } = new(
         "--reflectance", "LAW",
-        "Law of reflectance: moon, nac, lambert, lommel-seeliger, lunar-lambert or hapke; parameters after a colon: hapke:w=0.3,b0=1.2")
+        $"Law of reflectance: {string.Join(", ", ReflectanceFactory.Laws)}; parameters after a colon: hapke:w=0.3,b0=1.2")
     {
         Default = ReflectanceFactory.DefaultLaw,
         Words = ReflectanceFactory.Laws,

@@ -20,7 +20,7 @@ internal static class NativeSettingsReader
     /// <exception cref="MsisfException">A value is wrong.</exception>
     public static NativeSettings Read(OptionValues values, AlbedoSettings map, CameraFileDetector? detector, bool needsTruth)
     {
-        (string law, SortedDictionary<string, double> parameters) = Reflectance(NativeOptions.Reflectance.Read(values));
+        (string law, SortedDictionary<string, double> parameters) = ReflectanceText.Parse(NativeOptions.Reflectance.Read(values));
         double? albedo = NativeOptions.Albedo.ReadIfGiven(values);
         RefuseTwoBrightnesses(albedo, map);
         LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
@@ -34,7 +34,7 @@ internal static class NativeSettingsReader
 
         GreyScale grey = NativeOptions.Exposure.Named(
             () => new GreyScale(
-                NativeOptions.Exposure.ReadIfGiven(values) ?? (ReflectanceFactory.IsAbsolute(law, parameters)
+                NativeOptions.Exposure.ReadIfGiven(values) ?? (ReflectanceFactory.IsAbsolute(law, parameters.Keys)
                     ? NativeOptions.ExposureOfMoon
                     : NativeOptions.ExposureOfOtherLaws),
                 NativeOptions.Transfer.Read(values)));
@@ -101,33 +101,5 @@ internal static class NativeSettingsReader
         return wrong is not null && NearestName.Question(wrong, NativeOptions.Layers.Words) is { Length: > 0 } question
             ? throw new UsageException($"{NativeOptions.Layers.Name} {names}: '{wrong}' is no layer{question}")
             : LayerSet.Parse(names);
-    }
-
-    /// <summary>Parses a text such as "hapke:w=0.3,b0=1.2" to the law and its named parameters.</summary>
-    private static (string Law, SortedDictionary<string, double> Parameters) Reflectance(string text)
-    {
-        string[] parts = text.ToLowerInvariant().Split(':', 2);
-        SortedDictionary<string, double> parameters = new(StringComparer.Ordinal);
-        foreach (string parameter in parts.Length == 2 ? parts[1].Split(',') : [])
-        {
-            string[] pair = parameter.Split('=', 2, StringSplitOptions.TrimEntries);
-            if (pair.Length != 2 || !NumberText.TryParse(pair[1], out double value))
-            {
-                throw new UsageException($"--reflectance: '{parameter}' is no parameter; "
-                    + $"name=number is needed, as in hapke:w=0.3,b0=1.2.").About(NativeOptions.Reflectance);
-            }
-
-            if (!parameters.TryAdd(pair[0], value))
-            {
-                throw new UsageException(
-                    $"--reflectance: the parameter {pair[0]} is given twice. Leave one out.").About(NativeOptions.Reflectance);
-            }
-        }
-
-        string law = parts[0].Trim();
-        return NativeOptions.Reflectance.Words.Contains(law) || NearestName.Question(
-            law, NativeOptions.Reflectance.Words) is not { Length: > 0 } question
-            ? (law, parameters)
-            : throw new UsageException($"{NativeOptions.Reflectance.Name}: '{law}' is no law{question}").About(NativeOptions.Reflectance);
     }
 }

@@ -46,9 +46,7 @@ internal sealed class ConfigRules
             rules.LeaveOut(PatternsOptions.DefaultsFile);
         }
 
-        string law = rules.Effective(NativeOptions.Reflectance) ?? ReflectanceFactory.DefaultLaw;
-        if (law.ToLowerInvariant() is "moon" or "nac"
-            || (law.StartsWith("hapke:", StringComparison.OrdinalIgnoreCase) && law.Contains("w=", StringComparison.OrdinalIgnoreCase)))
+        if (ReflectanceText.IsAbsolute(rules.Effective(NativeOptions.Reflectance) ?? ReflectanceFactory.DefaultLaw))
         {
             rules.LeaveOut(NativeOptions.Albedo);
         }

@@ -58,8 +58,28 @@ public sealed class HapkeReflectance : IReflectance
         return new HapkeReflectance(parameters, Guard.InRange(albedo, 0.0, 1.0, "albedo") / unscaled);
     }
 
+    /// <summary>The law as a user names it; a parameter that is not given has the Moon's value.</summary>
+    public static ReflectanceLaw Law { get; } = new("hapke", Make)
+    {
+        Parameters = ["w", "b", "c", "b0", "h", "theta"],
+        BrightnessParameter = "w",
+    };
+
     /// <inheritdoc/>
     public bool DependsOnViewer => true;
+
+    private static HapkeReflectance Make(ReflectanceValues values)
+    {
+        HapkeParameters moon = new();
+        HapkeParameters wanted = new(
+            values.Parameter("w") ?? moon.SingleScatteringAlbedo,
+            values.Parameter("b") ?? moon.LobeWidth,
+            values.Parameter("c") ?? moon.BackwardWeight,
+            values.Parameter("b0") ?? moon.SurgeAmplitude,
+            values.Parameter("h") ?? moon.SurgeWidth,
+            values.Parameter("theta") ?? moon.MeanSlopeDegrees);
+        return values.Parameter("w") is null ? WithNormalAlbedo(wanted, values.Albedo) : new HapkeReflectance(wanted);
+    }
 
     /// <inheritdoc/>
     public double RadianceFactor(double cosIncidence, double cosEmission, double phaseHaversine)

@@ -10,6 +10,9 @@ public sealed class LambertReflectance : IReflectance
         Albedo = Guard.InRange(albedo, 0.0, 1.0, "albedo");
     }
 
+    /// <summary>The law as a user names it.</summary>
+    public static ReflectanceLaw Law { get; } = new("lambert", values => new LambertReflectance(values.Albedo));
+
     /// <summary>I/F divided by the cosine of the incidence angle, for a renderer that computes the law in its own loop.</summary>
     public double Albedo { get; }
 

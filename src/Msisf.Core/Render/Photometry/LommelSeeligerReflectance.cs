@@ -15,6 +15,9 @@ public sealed class LommelSeeligerReflectance : IReflectance
         _twiceAlbedo = 2.0 * Guard.InRange(albedo, 0.0, 1.0, "albedo");
     }
 
+    /// <summary>The law as a user names it.</summary>
+    public static ReflectanceLaw Law { get; } = new("lommel-seeliger", values => new LommelSeeligerReflectance(values.Albedo));
+
     /// <inheritdoc/>
     public bool DependsOnViewer => true;
 

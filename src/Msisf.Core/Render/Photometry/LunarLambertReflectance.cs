@@ -26,6 +26,10 @@ public sealed class LunarLambertReflectance : IReflectance
         _weight = weight is double given ? Guard.InRange(given, 0.0, 1.0, "lunar-lambert parameter l") : null;
     }
 
+    /// <summary>The law as a user names it.</summary>
+    public static ReflectanceLaw Law { get; } =
+        new("lunar-lambert", values => new LunarLambertReflectance(values.Albedo, values.Parameter("l"))) { Parameters = ["l"] };
+
     /// <inheritdoc/>
     public bool DependsOnViewer => true;
 

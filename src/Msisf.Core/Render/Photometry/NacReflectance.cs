@@ -14,6 +14,9 @@ public sealed class NacReflectance : IReflectance
     private const double Incidence = 0.66367146;
     private const double IncidenceSquared = -0.439918609;
 
+    /// <summary>The law as a user names it.</summary>
+    public static ReflectanceLaw Law { get; } = new("nac", _ => new NacReflectance()) { HasOwnBrightness = true };
+
     /// <inheritdoc/>
     public bool DependsOnViewer => true;
 

@@ -9,6 +9,7 @@ public class ReflectanceFactoryTests
     private static readonly Dictionary<string, double> None = [];
 
     [Theory]
+    [InlineData("akimov")]
     [InlineData("lambert")]
     [InlineData("lommel-seeliger")]
     [InlineData("lunar-lambert")]
@@ -44,7 +45,7 @@ public class ReflectanceFactoryTests
         "phong",
         "",
         0.0,
-        "Reflectance law 'phong' is not known. Known laws: lambert, lommel-seeliger, lunar-lambert (parameter l), hapke (")]
+        "Reflectance law 'phong' is not known. Known laws: akimov (parameter mu), hapke (parameters w, b, c, b0, h, theta), lambert")]
     [InlineData("Lambert", "", 0.0, "Reflectance law 'Lambert' is not known.")]
     [InlineData("lambert", "l", 0.5, "Reflectance law lambert has no parameter 'l'. It has none.")]
     [InlineData("hapke", "B0", 1.0, "Reflectance law hapke has no parameter 'B0'. It has w, b, c, b0, h, theta.")]
@@ -65,6 +66,7 @@ public class ReflectanceFactoryTests
     }
 
     [Theory]
+    [InlineData("akimov")]
     [InlineData("lambert")]
     [InlineData("lommel-seeliger")]
     [InlineData("lunar-lambert")]
