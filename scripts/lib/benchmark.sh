@@ -18,9 +18,8 @@ make_model() {
 # publish_performance FOLDER: what a whole run has left there goes into the docs; plots of scenes that are no more go out.
 publish_performance() {
     replace_block docs/performance.md "$1/summary.md"
-    replace_block docs/performance-tables.md "$1/tables.md"
+    replace_block docs/benchmark/performance-tables.md "$1/tables.md"
     replace_block docs/scaling.md "$1/scaling.md"
-    mkdir -p docs/benchmark
     rm -f docs/benchmark/front-*.svg
     cp "$1"/{figures,targets,front}.csv "$1"/{time,error,memory}.svg "$1"/front-*.svg docs/benchmark/
 }
@@ -62,8 +61,7 @@ validate() {
 # publish_stress FOLDER: what a run of the stress tests has left there goes into the docs; plots of tests that are no more go out.
 publish_stress() {
     replace_block docs/accuracy.md "$1/promises.md"
-    replace_block docs/accuracy-tables.md "$1/tables.md"
-    mkdir -p docs/benchmark
+    replace_block docs/benchmark/accuracy-tables.md "$1/tables.md"
     rm -f docs/benchmark/stress_*.svg
     cp "$1"/stress.csv "$1"/stress_machine.csv "$1"/stress_series.csv "$1"/stress_*.svg docs/benchmark/
 }

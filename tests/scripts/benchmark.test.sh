@@ -91,7 +91,8 @@ PARTS
     printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '| old |' '<!-- benchmark.sh: end -->' 'after' >clone/docs/performance.md
     cp clone/docs/performance.md page
     local name
-    for name in accuracy accuracy-tables performance-tables scaling; do
+    mkdir -p clone/docs/benchmark
+    for name in accuracy benchmark/accuracy-tables benchmark/performance-tables scaling; do
         cp page "clone/docs/$name.md"
     done
 }
@@ -103,10 +104,10 @@ with_real_plots() {
 
 assert_page_untouched() {
     local name
-    for name in accuracy accuracy-tables performance performance-tables scaling; do
+    for name in accuracy benchmark/accuracy-tables performance benchmark/performance-tables scaling; do
         cmp "clone/docs/$name.md" page || fail "docs/$name.md has changed"
     done
-    assert_no_file clone/docs/benchmark
+    assert_same "$(cd clone/docs/benchmark && echo *)" 'accuracy-tables.md performance-tables.md'
 }
 
 test_benchmark_replaces_only_the_text_between_the_marks() {
@@ -115,7 +116,7 @@ test_benchmark_replaces_only_the_text_between_the_marks() {
     run clone/benchmark.sh
     assert_code 0
     assert_same "$(grep matplotlib "$CALLS")" 'parts povray matplotlib downloader certificates'
-    assert_same "$(cat clone/docs/performance-tables.md)" \
+    assert_same "$(cat clone/docs/benchmark/performance-tables.md)" \
         "$(printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '' '| fresh |' '' '<!-- benchmark.sh: end -->' 'after')"
     assert_same "$(grep -e '^| Far ' clone/docs/performance.md)" '| Far | 2.00 (scaled) | - | 0.300 | - | - | - | - |'
     assert_same "$(grep -e '^| an hour' -e '^| outputs' clone/docs/scaling.md)" "$(printf '%s\n' \
@@ -123,7 +124,8 @@ test_benchmark_replaces_only_the_text_between_the_marks() {
         '| outputs, 200 kB a frame | 8.0 MB/s | 0.080 MB/s |' '| outputs of 1e6 frames | 200 GB | 200 GB |')"
     assert_same "$(head -n 1 clone/docs/scaling.md; tail -n 1 clone/docs/scaling.md)" $'before\nafter'
     assert_same "$(cat clone/docs/benchmark/targets.csv)" targets
-    assert_same "$(cd clone/docs/benchmark && echo *)" 'error.svg figures.csv front-far-4.svg front.csv memory.svg targets.csv time.svg'
+    assert_same "$(cd clone/docs/benchmark && echo *.csv *.svg)" \
+        'figures.csv front.csv targets.csv error.svg front-far-4.svg memory.svg time.svg'
     cp -R clone/docs once
     run clone/benchmark.sh
     diff -r clone/docs once || fail 'a second run has changed something'
@@ -200,15 +202,15 @@ test_benchmark_that_fails_leaves_the_docs_alone() {
 
 test_benchmark_stress_replaces_tables_and_plots() {
     make_benchmark_clone
-    mkdir clone/docs/benchmark
     touch clone/docs/benchmark/stress_gone_1.svg clone/docs/benchmark/figures.csv
     run clone/benchmark.sh --stress
     assert_code 0
     assert_same "$(grep -c '^| Bytes in which .* | 0 | 0 | ' clone/docs/accuracy.md)" 1
-    assert_same "$(cat clone/docs/accuracy-tables.md)" \
+    assert_same "$(cat clone/docs/benchmark/accuracy-tables.md)" \
         "$(printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '' '| kepler |' '' '<!-- benchmark.sh: end -->' 'after')"
     cmp clone/docs/performance.md page || fail 'docs/performance.md has changed'
-    assert_same "$(cd clone/docs/benchmark && echo *)" 'figures.csv stress.csv stress_kepler_1.svg stress_machine.csv stress_series.csv'
+    assert_same "$(cd clone/docs/benchmark && echo *.csv *.svg)" \
+        'figures.csv stress.csv stress_machine.csv stress_series.csv stress_kepler_1.svg'
     assert_same "$(cat clone/docs/benchmark/stress_kepler_1.svg)" series
     assert_same "$(grep -e 'povray matplotlib' -e ' slurm' -e '^stress' "$CALLS")" \
         $'parts povray matplotlib downloader certificates\nparts slurm parallel\nstress --folder benchmark/stress'

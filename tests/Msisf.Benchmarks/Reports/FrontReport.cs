@@ -18,7 +18,7 @@ internal static class FrontReport
         if (front.Results.Any(result => result.Error is not null))
         {
             text.Append(
-                CultureInfo.InvariantCulture, $"![Time against error: {front.Scene.About}](benchmark/front-{front.Scene.Name}.svg)\n\n");
+                CultureInfo.InvariantCulture, $"![Time against error: {front.Scene.About}](front-{front.Scene.Name}.svg)\n\n");
         }
 
         text.Append(Costs(front).ToMarkdown()).Append('\n');

@@ -5,7 +5,7 @@ using Msisf.Stress;
 
 namespace Msisf.Benchmarks.Reports;
 
-/// <summary>The tables and plots for docs/accuracy-tables.md.</summary>
+/// <summary>The tables and plots for docs/benchmark/accuracy-tables.md.</summary>
 internal static class StressMarkdown
 {
     public static string Write(StressResult result)
@@ -64,7 +64,7 @@ internal static class StressMarkdown
         {
             StressSeries series = report.Series[index];
             text.Append("\n![").Append(report.Name).Append(": ").Append(
-                series.Quantity).Append(" over ").Append(series.Input).Append("](benchmark/")
+                series.Quantity).Append(" over ").Append(series.Input).Append("](")
                 .Append(PlotOf(report.Name, index + 1)).Append(")\n");
         }
     }
