@@ -58,7 +58,7 @@ def data_flow():
     box(1, rows[0], f"{stage('Orbit')}, {stage('Attitude')}", "a state for each time")
     box(1, rows[1], stage("Ephemeris"), "Sun, Moon's axes")
     box(1, rows[2], stage("Terrain"), "heights on a grid")
-    box(2, rows[2], f"{stage('Mesh')}, {stage('Lod')}", "facets, levels")
+    box(2, rows[2], f"{stage('Surface')}, {stage('Lod')}", "facets, levels")
     box(2, rows[0], stage("Camera"), "rays of the pixels")
     box(2, rows[3], stage("Tiles"), "which, patterns", BLUE)
     box(3, rows[3], stage("Scene"), ".pov, POV-Ray", BLUE)
