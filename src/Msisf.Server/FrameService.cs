@@ -105,6 +105,10 @@ internal sealed class FrameService : IDisposable
         return answer;
     }
 
+    /// <summary>Waits for the end of all work.</summary>
+    /// <returns>Whether it has ended in time.</returns>
+    public Task<bool> EndsWithinAsync(TimeSpan limit) => _queue.EndsWithinAsync(limit);
+
     /// <summary>Closes the models and sessions.</summary>
     public void Dispose()
     {

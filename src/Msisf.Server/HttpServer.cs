@@ -1,3 +1,4 @@
+using System.Net.Sockets;
 using System.Runtime.InteropServices;
 using System.Security.Cryptography.X509Certificates;
 using Microsoft.AspNetCore.Builder;
@@ -12,6 +13,7 @@ using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.FileProviders;
 using Microsoft.Extensions.Hosting;
 using Msisf.App.Host;
+using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
@@ -29,15 +31,19 @@ internal sealed class HttpServer : IAsyncDisposable
     private static readonly TimeSpan HeadersTimeout = TimeSpan.FromSeconds(10);
     private static readonly TimeSpan KeepAlive = TimeSpan.FromMinutes(5);
 
-    /// <summary>s: beside the longest request, for sending its answer.</summary>
-    private static readonly TimeSpan TimeToSend = TimeSpan.FromSeconds(10);
+    /// <summary>A server that ends with its client lets frames end that are all but finished.</summary>
+    private static readonly TimeSpan TimeWithoutClient = TimeSpan.FromMilliseconds(200);
+
+    /// <summary>How long stopped work may take to notice that it is stopped.</summary>
+    private static readonly TimeSpan TimeToStop = TimeSpan.FromSeconds(1);
 
     private readonly WebApplication _web;
     private readonly FrameService _frames;
     private readonly ServeSettings _settings;
+    private readonly SocketFile? _socket;
 
-    private HttpServer(WebApplication web, FrameService frames, ServeSettings settings) =>
-        (_web, _frames, _settings) = (web, frames, settings);
+    private HttpServer(WebApplication web, FrameService frames, ServeSettings settings, SocketFile? socket) =>
+        (_web, _frames, _settings, _socket) = (web, frames, settings, socket);
 
     /// <summary>Where clients find the server: a URL, or the path of its Unix socket.</summary>
     public string Address => _settings.Listen.SocketPath
@@ -54,58 +60,62 @@ internal sealed class HttpServer : IAsyncDisposable
     public static async Task<HttpServer> StartAsync(ServeSettings settings, ProgramHost host)
     {
         ServerThreads.Reserve();
+        SocketFile? socket = settings.Listen.SocketPath is { } path ? new SocketFile(path) : null;
+        socket?.RequireShortPath();
         FrameService frames = new(settings, host);
         WebApplicationBuilder builder = WebApplication.CreateEmptyBuilder(
             new WebApplicationOptions { ContentRootPath = AppContext.BaseDirectory });
-        builder.WebHost.UseKestrel(options => Configure(options, settings));
+        builder.WebHost.UseKestrel(options => Configure(options, settings, socket));
         builder.Services.AddRouting();
-        builder.Services.Configure<HostOptions>(options => options.ShutdownTimeout = settings.TimeLimit + TimeToSend);
+        builder.Services.Configure<HostOptions>(options => options.ShutdownTimeout = Timeout.InfiniteTimeSpan);
         WebApplication web = builder.Build();
-        HttpServer server = new(web, frames, settings);
+        HttpServer server = new(web, frames, settings, socket);
         server.AddRoutes(host);
         try
         {
             await web.StartAsync().ConfigureAwait(false);
+            socket?.Publish();
         }
-        catch (Exception exception) when (exception.IsFileError())
+        catch (Exception exception) when (exception.IsFileError() || exception is SocketException)
         {
             await server.DisposeAsync().ConfigureAwait(false);
             throw new ExternalPartException(
-                $"--listen {settings.Listen}: can't be listened on: {exception.Message} Choose another one.", exception);
+                $"--listen {settings.Listen}: can't be listened on: {exception.Message.TrimEnd('.')}. Choose another one.", exception);
+        }
+        catch
+        {
+            await server.DisposeAsync().ConfigureAwait(false);
+            throw;
         }
 
-        RestrictSocket(settings);
-        host.Log.Note($"Listening on {server.Address}. The end of standard input or a signal ends it.");
+        host.Log.Note($"Listening on {server.Address}. {(settings.EndsWithInput ? "It ends with its client." : "A signal ends it.")}");
         return server;
     }
 
-    /// <summary>Serves until the input ends, or the program gets a signal; requests that are running are finished.</summary>
+    /// <summary>
+    /// Serves until the input ends, or the program gets a signal. Requests that are running are finished; those are dropped that take
+    /// longer than a request may, or until a second signal. Without its client the server drops them at once.
+    /// </summary>
     /// <param name="input">Its end ends the server.</param>
     public async Task RunAsync(TextReader input)
     {
         TaskCompletionSource end = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        using CancellationTokenSource drop = new();
         using PosixSignalRegistration term = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
         using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
         using PosixSignalRegistration hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Stop);
-        Thread reading = new(() =>
-        {
-            while (input.Read() >= 0)
-            {
-            }
-
-            end.TrySetResult();
-        })
-        {
-            IsBackground = true,
-        };
-        reading.Start();
-        await end.Task.ConfigureAwait(false);
-        await _web.StopAsync().ConfigureAwait(false);
+        await Task.WhenAny(end.Task, Starter.InputEndedAsync(input)).ConfigureAwait(false);
+        end.TrySetResult();
+        drop.CancelAfter(_settings.EndsWithInput ? TimeWithoutClient : _settings.TimeLimit + TimeToStop);
+        await _web.StopAsync(drop.Token).ConfigureAwait(false);
 
         void Stop(PosixSignalContext context)
         {
             context.Cancel = true;
-            end.TrySetResult();
+            if (!end.TrySetResult())
+            {
+                drop.Cancel();
+            }
         }
     }
 
@@ -113,14 +123,14 @@ internal sealed class HttpServer : IAsyncDisposable
     public async ValueTask DisposeAsync()
     {
         await _web.DisposeAsync().ConfigureAwait(false);
-        _frames.Dispose();
-        if (_settings.Listen.SocketPath is { } path)
+        _socket?.Dispose();
+        if (await _frames.EndsWithinAsync(TimeToStop).ConfigureAwait(false))
         {
-            File.Delete(path);
+            _frames.Dispose(); // not under work that does not end: it would read memory that is gone
         }
     }
 
-    private static void Configure(KestrelServerOptions options, ServeSettings settings)
+    private static void Configure(KestrelServerOptions options, ServeSettings settings, SocketFile? socket)
     {
         options.AddServerHeader = false;
         options.Limits.MaxRequestBodySize = JsonBody.LargestRequest;
@@ -129,9 +139,9 @@ internal sealed class HttpServer : IAsyncDisposable
         options.Limits.MaxResponseBufferSize = ResponseBuffer;
         options.Limits.RequestHeadersTimeout = HeadersTimeout;
         options.Limits.KeepAliveTimeout = KeepAlive;
-        if (settings.Listen.SocketPath is { } path)
+        if (socket is not null)
         {
-            options.ListenUnixSocket(path);
+            options.ListenUnixSocket(socket.BoundPath);
             return;
         }
 
@@ -155,15 +165,6 @@ internal sealed class HttpServer : IAsyncDisposable
             throw new BadInputException(
                 $"--tls-certificate {certificate}: it and its key {key} can't be read as PEM: {exception.Message}", exception)
                 .About(ServeOptions.Certificate, ServeOptions.CertificateKey);
-        }
-    }
-
-    /// <summary>The socket is for the user who started the server.</summary>
-    private static void RestrictSocket(ServeSettings settings)
-    {
-        if (settings.Listen.SocketPath is { } path && !OperatingSystem.IsWindows())
-        {
-            File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserWrite);
         }
     }
 

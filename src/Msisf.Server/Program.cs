@@ -19,3 +19,9 @@ catch (MsisfException exception)
     log.Error(exception.Message);
     return exception.ExitCode;
 }
+catch (Exception exception)
+{
+    log.Error($"a bug in msis, please report it with the command line and this text: {exception.GetType().Name}: {exception.Message}");
+    log.Raw(exception.StackTrace ?? string.Empty);
+    return 70;
+}

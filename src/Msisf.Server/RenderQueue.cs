@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Globalization;
 using Microsoft.AspNetCore.Http;
 
@@ -11,6 +12,8 @@ namespace Msisf.Server;
 /// <param name="limit">Longest time of a request, waiting included.</param>
 internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : IDisposable
 {
+    private static readonly TimeSpan BetweenLooks = TimeSpan.FromMilliseconds(10);
+
     private readonly SemaphoreSlim _slots = new(cores);
     private int _waiting;
     private int _running;
@@ -52,6 +55,19 @@ internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : I
                     $"the image took longer than the server's --max-seconds of {limit.TotalSeconds} s. Ask for a smaller one or for fewer "
                         + $"samples."));
         }
+    }
+
+    /// <summary>Waits for the end of all work.</summary>
+    /// <returns>Whether it has ended in time.</returns>
+    public async Task<bool> EndsWithinAsync(TimeSpan limit)
+    {
+        long start = Stopwatch.GetTimestamp();
+        while (Running > 0 && Stopwatch.GetElapsedTime(start) < limit)
+        {
+            await Task.Delay(BetweenLooks).ConfigureAwait(false);
+        }
+
+        return Running == 0;
     }
 
     /// <summary>Frees the queue.</summary>

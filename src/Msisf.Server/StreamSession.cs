@@ -23,6 +23,12 @@ internal sealed class StreamSession : IDisposable
     /// <summary>Messages that are read ahead in lock-step.</summary>
     private const int Ahead = 16;
 
+    /// <summary>Who opens a stream says at once what for.</summary>
+    private static readonly TimeSpan LongestOpening = TimeSpan.FromSeconds(10);
+
+    /// <summary>How long a client may take to hear that the server ends.</summary>
+    private static readonly TimeSpan LongestClosing = TimeSpan.FromMilliseconds(200);
+
     private static ReadOnlySpan<byte> Magic => "MSIF"u8;
 
     private readonly FrameService _frames;
@@ -48,7 +54,7 @@ internal sealed class StreamSession : IDisposable
     {
         try
         {
-            if (await _socket.ReceiveAsync(_gone.Token).ConfigureAwait(false) is not { } first
+            if (await ReceiveFirstAsync().ConfigureAwait(false) is not { } first
                 || !await OpenAsync(first).ConfigureAwait(false))
             {
                 await _socket.CloseAsync(WebSocketCloseStatus.PolicyViolation, "the first message says the frame", _gone.Token)
@@ -63,6 +69,7 @@ internal sealed class StreamSession : IDisposable
                 SingleWriter = true,
             });
             Task reading = ReadAsync(messages.Writer);
+            using CancellationTokenRegistration end = _stopping.Register(() => messages.Writer.TryComplete());
             await foreach (StreamMessage message in messages.Reader.ReadAllAsync(_gone.Token).ConfigureAwait(false))
             {
                 await AnswerAsync(message).ConfigureAwait(false);
@@ -76,6 +83,11 @@ internal sealed class StreamSession : IDisposable
                 _stopping.IsCancellationRequested ? WebSocketCloseStatus.EndpointUnavailable : WebSocketCloseStatus.NormalClosure,
                 "end",
                 _gone.Token).ConfigureAwait(false);
+            if (await Task.WhenAny(reading, Task.Delay(LongestClosing)).ConfigureAwait(false) != reading)
+            {
+                _socket.Abort();
+            }
+
             await reading.ConfigureAwait(false);
         }
         catch (Exception exception) when (exception is WebSocketException or OperationCanceledException)
@@ -91,6 +103,13 @@ internal sealed class StreamSession : IDisposable
         _gone.Cancel();
         _gone.Dispose();
         _opening?.Dispose();
+    }
+
+    private async Task<StreamMessage?> ReceiveFirstAsync()
+    {
+        using CancellationTokenSource late = CancellationTokenSource.CreateLinkedTokenSource(_gone.Token, _stopping);
+        late.CancelAfter(LongestOpening);
+        return await _socket.ReceiveAsync(late.Token).ConfigureAwait(false);
     }
 
     /// <summary>Reads the first message.</summary>
@@ -197,7 +216,11 @@ internal sealed class StreamSession : IDisposable
                 await messages.WriteAsync(message, _gone.Token).ConfigureAwait(false);
             }
 
-            messages.Complete();
+            messages.TryComplete();
+        }
+        catch (ChannelClosedException)
+        {
+            // The server ends; what the client sends is no longer drawn.
         }
         catch (Exception exception) when (exception is WebSocketException or OperationCanceledException)
         {

@@ -10,6 +10,8 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
 {
     private const int LargestMessage = 1 << 16;
 
+    private static readonly TimeSpan LongestWrite = TimeSpan.FromSeconds(30);
+
     /// <summary>The next message; null if the client closes, or sends more than a message may hold.</summary>
     public async Task<StreamMessage?> ReceiveAsync(CancellationToken cancellation)
     {
@@ -44,8 +46,8 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
     }
 
     /// <summary>Sends a binary message.</summary>
-    public ValueTask SendAsync(ReadOnlyMemory<byte> message, CancellationToken cancellation) =>
-        socket.SendAsync(message, WebSocketMessageType.Binary, endOfMessage: true, cancellation);
+    public Task SendAsync(ReadOnlyMemory<byte> message, CancellationToken cancellation) =>
+        SendAsync(message, WebSocketMessageType.Binary, cancellation);
 
     /// <summary>Sends a JSON object.</summary>
     public async Task SendAsync(Action<Utf8JsonWriter> writeMembers, CancellationToken cancellation)
@@ -58,7 +60,7 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
             json.WriteEndObject();
         }
 
-        await socket.SendAsync(stream.ToArray(), WebSocketMessageType.Text, endOfMessage: true, cancellation).ConfigureAwait(false);
+        await SendAsync(stream.ToArray(), WebSocketMessageType.Text, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Says that nothing more comes, if the client can still hear it.</summary>
@@ -72,4 +74,12 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
 
     /// <summary>Ends the connection at once.</summary>
     public void Abort() => socket.Abort();
+
+    /// <summary>A client that does not read is given up.</summary>
+    private async Task SendAsync(ReadOnlyMemory<byte> message, WebSocketMessageType type, CancellationToken cancellation)
+    {
+        using CancellationTokenSource late = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        late.CancelAfter(LongestWrite);
+        await socket.SendAsync(message, type, endOfMessage: true, late.Token).ConfigureAwait(false);
+    }
 }

@@ -132,32 +132,6 @@ public sealed class GuardTests(RunningServer server) : IClassFixture<RunningServ
         Assert.Contains($"--tls-certificate {certificate}", exception.Message, StringComparison.Ordinal);
     }
 
-    [RequiresFact(Part.Ldem4)]
-    public async Task UnixSocket_Answers_AndIsRemovedAtTheEnd()
-    {
-        string folder = Directory.CreateTempSubdirectory("msis").FullName; // short: a socket's path has 107 bytes at most
-        string path = Path.Combine(folder, "sock");
-        using RunningServer running = await RunningServer.StartAsync((ServeOptions.Listen, path));
-        using SocketsHttpHandler handler = new()
-        {
-            ConnectCallback = async (_, cancellation) =>
-            {
-                Socket socket = new(AddressFamily.Unix, SocketType.Stream, ProtocolType.Unspecified);
-                await socket.ConnectAsync(new UnixDomainSocketEndPoint(path), cancellation);
-                return new NetworkStream(socket, ownsSocket: true);
-            },
-        };
-        using HttpClient client = new(handler);
-
-        Assert.Equal("ok\n", await client.GetStringAsync(new Uri("http://localhost/healthz")));
-        Assert.True(
-            OperatingSystem.IsWindows() || File.GetUnixFileMode(path) == (UnixFileMode.UserRead | UnixFileMode.UserWrite),
-            "others may use the socket");
-        await running.DisposeAsync();
-        Assert.False(File.Exists(path));
-        Directory.Delete(folder);
-    }
-
     [Theory]
     [InlineData("0.0.0.0:8810", "--token-file")]
     [InlineData("192.168.1.1:80", "--token-file")]

@@ -50,14 +50,14 @@ public sealed class LimitTests
         using CancellationTokenSource away = new();
         Task[] waiting = [.. Enumerable.Range(0, Environment.ProcessorCount + 1).Select(
             _ => server.PostAsync("/v1/render", LongFrame, cancellation: away.Token))];
-        await WaitForAsync(server, "msisf_waiting 1");
+        await server.WaitForMetricAsync("msisf_waiting 1");
 
         using HttpResponseMessage refused = await server.PostAsync("/v1/render", LongFrame);
         await away.CancelAsync();
 
         Assert.Equal(HttpStatusCode.TooManyRequests, refused.StatusCode);
         Assert.Equal(TimeSpan.FromSeconds(1), refused.Headers.RetryAfter!.Delta);
-        await WaitForAsync(server, "msisf_running 0");
+        await server.WaitForMetricAsync("msisf_running 0");
         Assert.Equal(HttpStatusCode.OK, await StatusAsync(server, $"{{{RunningServer.SmallFrame}}}"));
         foreach (Task task in waiting)
         {
@@ -78,30 +78,9 @@ public sealed class LimitTests
         await server.DisposeAsync();
     }
 
-    /// <summary>Stopping lets a running frame end.</summary>
-    [RequiresFact(Part.Ldem4)]
-    public async Task EndOfInput_FinishesWhatRuns()
-    {
-        using RunningServer server = await RunningServer.StartAsync((ServeOptions.TimeLimit, "600"));
-        string frame = $"{{{RunningServer.SmallFrame.Replace("64", "512", StringComparison.Ordinal)}, \"samples\": 64}}";
-        Task<HttpResponseMessage> running = server.PostAsync("/v1/render", frame);
-        await WaitForAsync(server, "msisf_running 1");
-
-        await Within.Seconds(600.0, "the end of the server", server.Server.RunAsync(TextReader.Null));
-
-        using HttpResponseMessage answer = await running;
-        Assert.Equal(HttpStatusCode.OK, answer.StatusCode);
-        await server.DisposeAsync();
-    }
-
     private static async Task<HttpStatusCode> StatusAsync(RunningServer server, string json)
     {
         using HttpResponseMessage answer = await server.PostAsync("/v1/render", json);
         return answer.StatusCode;
     }
-
-    private static Task WaitForAsync(RunningServer server, string line) => Within.Seconds(
-        60.0,
-        $"the line '{line}' of /metrics",
-        () => server.Client.GetStringAsync("/metrics").GetAwaiter().GetResult().Contains($"\n{line}\n", StringComparison.Ordinal));
 }

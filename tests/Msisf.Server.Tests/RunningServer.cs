@@ -95,6 +95,12 @@ public sealed class RunningServer : IAsyncLifetime, IDisposable
         return bytes;
     }
 
+    /// <summary>Waits for a line of /metrics.</summary>
+    public Task WaitForMetricAsync(string line) => Within.Seconds(
+        60.0,
+        $"the line '{line}' of /metrics",
+        () => Client.GetStringAsync("/metrics").GetAwaiter().GetResult().Contains($"\n{line}\n", StringComparison.Ordinal));
+
     /// <summary>The answer's JSON.</summary>
     public static async Task<JsonElement> JsonOf(HttpResponseMessage answer) =>
         JsonDocument.Parse(await answer.Content.ReadAsByteArrayAsync()).RootElement;

@@ -16,9 +16,16 @@ class ServerProcess:
     """A running ``msis serve`` at a free port of this computer."""
 
     def __init__(self, program: Optional[str], options: Sequence[str]) -> None:
-        command: List[str] = [program or find_program(), "serve", "--listen", "127.0.0.1:0", *options]
+        command: List[str] = [program or find_program(), "serve", "--listen", "127.0.0.1:0", "--end-with-input", *options]
         try:
-            self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self._process = subprocess.Popen(
+                command,
+                stdin=subprocess.PIPE,  # its end ends the server, however this program ends
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
+                start_new_session=True,  # Ctrl-C is for this program, which may go on
+            )
         except OSError as error:
             raise ServerError(f"{command[0]}: can't be started: {error}") from error
         assert self._process.stdout is not None and self._process.stderr is not None
@@ -32,11 +39,11 @@ class ServerProcess:
         self._reader.start()
 
     def close(self) -> None:
-        """Ends the server, which finishes what it is doing."""
+        """Ends the server at once."""
         if self._process.poll() is None:
             self._process.terminate()
             try:
-                self._process.wait(30.0)
+                self._process.wait(5.0)
             except subprocess.TimeoutExpired:
                 self._process.kill()
                 self._process.wait()

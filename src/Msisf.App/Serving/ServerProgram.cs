@@ -20,12 +20,19 @@ internal static class ServerProgram
     /// <param name="onAddress">Gets the address on which it listens; without it the server prints the address itself.</param>
     /// <returns>The server's exit code.</returns>
     /// <exception cref="MsisfException">An option is wrong, or the program is not there.</exception>
-    public static Task<int> RunAsync(
+    public static async Task<int> RunAsync(
         OptionValues values, ProgramHost host, CancellationToken cancellation, Action<string>? onAddress = null)
     {
-        ServeOptions.Read(values); // what is wrong is said by msis, before anything is started
+        ServeSettings settings = ServeOptions.Read(values); // what is wrong is said by msis, before anything is started
         ChildProgram program = new(Find(host), ServeArguments.ToWords(values, CommandTable.Serve));
-        return program.RunUntilInputEndsAsync(cancellation, onAddress);
+        using CancellationTokenSource end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        if (settings.EndsWithInput)
+        {
+            _ = Starter.GoneAsync(host.StandardInput(), end.Token).ContinueWith(
+                _ => end.Cancel(), cancellation, TaskContinuationOptions.None, TaskScheduler.Default);
+        }
+
+        return await program.RunUntilInputEndsAsync(end.Token, onAddress).ConfigureAwait(false);
     }
 
     private static string Find(ProgramHost host)

@@ -157,7 +157,10 @@ internal static class CommandTable
             ("For other computers:", "msis serve --listen 0.0.0.0:8810 --token-file token --tls-certificate cert.pem --tls-key key.pem"),
         ],
         MakeGroups = () =>
-            [ServeOptions.Group, new OptionGroup("Files", [SurfaceOptions.Ldem, LightOptions.Kernels]), ViewOptions.OfServe, General],
+            [
+                ServeOptions.Group, new OptionGroup("Files", [SurfaceOptions.Ldem, LightOptions.Kernels]), ViewOptions.OfServe,
+                ServeOptions.OfClients, General,
+            ],
     };
 
     /// <summary>msis view.</summary>

@@ -6,7 +6,7 @@ namespace Msisf.App.Settings;
 
 /// <summary>Where a server listens.</summary>
 /// <param name="EndPoint">Address and port; null for a Unix socket.</param>
-/// <param name="SocketPath">Path of the Unix socket; null for an address.</param>
+/// <param name="SocketPath">Whole path of the Unix socket; null for an address.</param>
 internal sealed record ListenAddress(IPEndPoint? EndPoint, string? SocketPath)
 {
     /// <summary>Whether only this computer can reach it.</summary>
@@ -18,7 +18,7 @@ internal sealed record ListenAddress(IPEndPoint? EndPoint, string? SocketPath)
     {
         if (text.Contains('/', StringComparison.Ordinal))
         {
-            return new ListenAddress(null, text);
+            return new ListenAddress(null, Path.GetFullPath(text));
         }
 
         int colon = text.LastIndexOf(':');

@@ -62,9 +62,18 @@ internal static partial class ServeOptions
         Default = DefaultTimeLimit,
     };
 
+    /// <summary>Whether the server ends with the program that started it.</summary>
+    public static FlagSpec EndWithInput { get; } = new(
+        "--end-with-input",
+        "End, without finishing images, when standard input ends or the program dies that started this one; for clients that start a "
+            + "server");
+
     /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Server", [Listen, TokenFile, Certificate, CertificateKey, Hosts, MaxPixels, Queue, TimeLimit]);
+
+    /// <summary>The options of a server that belongs to a client.</summary>
+    public static OptionGroup OfClients { get; } = new("Clients", [EndWithInput]);
 
     /// <summary>Reads and checks all options.</summary>
     /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
@@ -103,6 +112,7 @@ internal static partial class ServeOptions
             SurfaceOptions.Ldem.ReadAll(values),
             LightOptions.Kernels.ReadIfGiven(values))
         {
+            EndsWithInput = EndWithInput.Read(values),
             Folders = NamedPaths.Read(ViewOptions.Folders, values),
             Catalogues = NamedPaths.Read(ViewOptions.Catalogues, values),
         };
