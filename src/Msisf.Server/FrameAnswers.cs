@@ -155,12 +155,12 @@ internal sealed class FrameAnswers
         PixelSampler pixels = session.Description.Sampler(frame.Frame, rendered);
         if (form == AnswerForm.Xml)
         {
-            MetadataXmlWriter.Write(stream, metadata, pixels, cancellation);
+            MetadataXmlWriter.Write(stream, metadata, pixels, cancellation: cancellation);
             return;
         }
 
         using MemoryStream xml = new();
-        MetadataXmlWriter.Write(xml, metadata, pixels, cancellation);
+        MetadataXmlWriter.Write(xml, metadata, pixels, LongEDigits.RoundTrip, cancellation);
         xml.Position = 0;
         MetadataJson.Write(stream, xml);
     }

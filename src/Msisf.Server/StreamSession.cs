@@ -40,6 +40,7 @@ internal sealed class StreamSession : IDisposable
     private RequestedFrame? _frame;
     private JsonElement _base;
     private uint _number;
+    private uint _numberOfFirst;
     private bool _isNewestOnly;
     private bool _isTimed;
 
@@ -150,12 +151,12 @@ internal sealed class StreamSession : IDisposable
     /// <summary>Draws the frame of a message and sends it, or what is wrong with it.</summary>
     private async Task AnswerAsync(StreamMessage message)
     {
-        _number++;
+        _number = message.Order + _numberOfFirst; // counts states that were left out too: the client knows which one this is
         try
         {
             (RequestedFrame requested, CameraSettings place) = message.Type == WebSocketMessageType.Binary
                 ? (_frame!, PlaceOf(message.Bytes))
-                : ReadChanges(message.Bytes);
+                : ReadChanges(message);
             using Answer answer = await _frames.DrawAsync(requested, place, _form, _gone.Token, HeadLength).ConfigureAwait(false);
             if (_isTimed)
             {
@@ -191,15 +192,16 @@ internal sealed class StreamSession : IDisposable
     }
 
     /// <summary>The options of the first message with those of a later one, which may give the frame's number too.</summary>
-    private (RequestedFrame Requested, CameraSettings Place) ReadChanges(byte[] text)
+    private (RequestedFrame Requested, CameraSettings Place) ReadChanges(StreamMessage message)
     {
-        using JsonDocument json = JsonDocument.Parse(text);
+        using JsonDocument json = JsonDocument.Parse(message.Bytes);
         Dictionary<string, JsonElement> changes = new(JsonText.Members(json.RootElement), StringComparer.Ordinal);
         if (changes.Remove("number", out JsonElement number))
         {
             _number = number.ValueKind == JsonValueKind.Number && number.TryGetUInt32(out uint given)
                 ? given
                 : throw new UsageException("'number' is the frame's number, a whole number from 0 to 4294967295.");
+            _numberOfFirst = _number - message.Order;
         }
 
         RequestedFrame requested = _frames.Read(_base, changes);

@@ -12,6 +12,8 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
 
     private static readonly TimeSpan LongestWrite = TimeSpan.FromSeconds(30);
 
+    private uint _received;
+
     /// <summary>The next message; null if the client closes, or sends more than a message may hold.</summary>
     public async Task<StreamMessage?> ReceiveAsync(CancellationToken cancellation)
     {
@@ -28,7 +30,7 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
 
             if (part.EndOfMessage)
             {
-                return new StreamMessage(part.MessageType, buffer[..length]);
+                return new StreamMessage(part.MessageType, buffer[..length], _received++);
             }
 
             if (length == LargestMessage)

@@ -115,7 +115,7 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
             """{"frame": {"width": 256, "height": 256, "samples": 9}, "mode": "newest-only"}""");
         for (int i = 1; i <= 50; i++)
         {
-            await SendAsync(socket, $"{{\"number\": {i}, \"fixed-state\": [55289, 1.9e6, 0, 0, 0, 0, 0, 1]}}");
+            await SendAsync(socket, State);
         }
 
         List<uint> numbers = [];

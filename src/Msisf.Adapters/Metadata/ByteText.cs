@@ -7,9 +7,16 @@ namespace Msisf.Adapters.Metadata;
 internal ref struct ByteText
 {
     private readonly Span<byte> _destination;
+    private readonly LongEDigits _digits;
 
     /// <summary>Begins at the destination's first byte.</summary>
-    public ByteText(Span<byte> destination) => _destination = destination;
+    /// <param name="destination">Receives the text.</param>
+    /// <param name="digits">Of the numbers in the longE format.</param>
+    public ByteText(Span<byte> destination, LongEDigits digits)
+    {
+        _destination = destination;
+        _digits = digits;
+    }
 
     /// <summary>Bytes written.</summary>
     public int Length { get; private set; }
@@ -34,7 +41,7 @@ internal ref struct ByteText
     /// <summary>Appends a number in the longE format.</summary>
     public void Append(double value)
     {
-        LongE.Write(value, _destination[Length..]);
-        Length += LongE.Length;
+        LongE.Write(value, _destination[Length..], _digits);
+        Length += LongE.LengthOf(_digits);
     }
 }

@@ -20,21 +20,24 @@ public static class MetadataXmlWriter
     /// <param name="stream">Receives the file; stays open.</param>
     /// <param name="frame">What holds for the whole frame.</param>
     /// <param name="pixels">Gives the pixels, by rows from the top; its surface decides what the file tells of them.</param>
+    /// <param name="digits">Of the numbers; those of a meta file are the thesis's.</param>
     /// <param name="cancellation">Stops between rows.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
-    public static void Write(Stream stream, FrameMetadata frame, PixelSampler pixels, CancellationToken cancellation = default)
+    public static void Write(
+        Stream stream, FrameMetadata frame, PixelSampler pixels, LongEDigits digits = LongEDigits.Thesis,
+        CancellationToken cancellation = default)
     {
-        stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame, pixels.Surface)));
-        WritePixels(stream, pixels, cancellation);
+        stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame, pixels.Surface, digits)));
+        WritePixels(stream, pixels, digits, cancellation);
         stream.Write("  </PixelInformation>\n</MSISRendering>\n"u8);
     }
 
-    private static void WritePixels(Stream stream, PixelSampler pixels, CancellationToken cancellation)
+    private static void WritePixels(Stream stream, PixelSampler pixels, LongEDigits digits, CancellationToken cancellation)
     {
         bool parallel = (long)pixels.Grid.Rows * pixels.Grid.Columns >= MinPixelsInParallel;
         int workers = parallel ? Environment.ProcessorCount : 1;
         ParallelOptions options = new() { MaxDegreeOfParallelism = workers, CancellationToken = cancellation };
-        RowBuffer[] buffers = [.. Enumerable.Range(0, Math.Min(workers, pixels.Grid.Rows)).Select(_ => new RowBuffer(pixels))];
+        RowBuffer[] buffers = [.. Enumerable.Range(0, Math.Min(workers, pixels.Grid.Rows)).Select(_ => new RowBuffer(pixels, digits))];
         for (int firstRow = 0; firstRow < pixels.Grid.Rows; firstRow += buffers.Length)
         {
             int rows = Math.Min(buffers.Length, pixels.Grid.Rows - firstRow);
@@ -46,7 +49,7 @@ public static class MetadataXmlWriter
         }
     }
 
-    private static string GeneralInformation(FrameMetadata frame, PixelSurface surface)
+    private static string GeneralInformation(FrameMetadata frame, PixelSurface surface, LongEDigits digits)
     {
         return string.Create(CultureInfo.InvariantCulture, $"""
             <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
@@ -54,26 +57,26 @@ public static class MetadataXmlWriter
             <MSISRendering>
               <GeneralInformation>
                 <SimulationTime>
-                  <MJD>{LongE.ToText(frame.SimulationTime.Days)}</MJD>
+                  <MJD>{LongE.ToText(frame.SimulationTime.Days, digits)}</MJD>
                   <UTC>{frame.SimulationTime.ToIsoUtc()}</UTC>
                 </SimulationTime>
                 <CameraPosition unit="m">
-                  {Vector3DElement(frame.Camera.PositionMoonMe)}
+                  {Vector3DElement(frame.Camera.PositionMoonMe, digits)}
                 </CameraPosition>
                 <CameraOrientation>
-                  {QuaternionElement(frame.Camera.MoonFromCamera)}
+                  {QuaternionElement(frame.Camera.MoonFromCamera, digits)}
                 </CameraOrientation>
                 <SunPosition unit="m">
-                  {Vector3DElement(frame.SunPositionMoonMe)}
+                  {Vector3DElement(frame.SunPositionMoonMe, digits)}
                 </SunPosition>
-                <FlightAltitude unit="m">{LongE.ToText(frame.FlightAltitude)}</FlightAltitude>
+                <FlightAltitude unit="m">{LongE.ToText(frame.FlightAltitude, digits)}</FlightAltitude>
                 <SurfaceResolution unit="{frame.Elevation.Resolution.Unit}">{frame.Elevation.Resolution.NumberText}</SurfaceResolution>
                 <FOV unit="deg">{frame.FieldOfViewDegrees:R}</FOV>
                 <MSISVersion>{XmlText.Escape(frame.Version)}</MSISVersion>
                 <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>{SurfaceLine(surface, frame)}
                 <FormatVersion>{FormatVersion}</FormatVersion>
-                <HeightOverTerrain unit="m">{LongE.ToText(frame.HeightOverTerrain)}</HeightOverTerrain>
-            {OriginXml.Lines(frame)}
+                <HeightOverTerrain unit="m">{LongE.ToText(frame.HeightOverTerrain, digits)}</HeightOverTerrain>
+            {OriginXml.Lines(frame, digits)}
               </GeneralInformation>
               <PixelInformation>
 
@@ -86,14 +89,15 @@ public static class MetadataXmlWriter
             $"\n    <PixelSurface type=\"terrain\" renderer=\"{frame.RendererName}\" formatVersion=\"{FormatVersion}\" />")
         : string.Empty;
 
-    private static string Vector3DElement(Vector3D v) =>
-        $"""<Vector3D x="{LongE.ToText(v.X)}" y="{LongE.ToText(v.Y)}" z="{LongE.ToText(v.Z)}" />""";
+    private static string Vector3DElement(Vector3D v, LongEDigits digits) =>
+        $"""<Vector3D x="{LongE.ToText(v.X, digits)}" y="{LongE.ToText(v.Y, digits)}" z="{LongE.ToText(v.Z, digits)}" />""";
 
-    private static string QuaternionElement(UnitQuaternion q) =>
-        $"""<Quaternion r="{LongE.ToText(q.W)}" x="{LongE.ToText(q.X)}" y="{LongE.ToText(q.Y)}" z="{LongE.ToText(q.Z)}" />""";
+    private static string QuaternionElement(UnitQuaternion q, LongEDigits digits) =>
+        $"<Quaternion r=\"{LongE.ToText(q.W, digits)}\" x=\"{LongE.ToText(q.X, digits)}\" "
+            + $"y=\"{LongE.ToText(q.Y, digits)}\" z=\"{LongE.ToText(q.Z, digits)}\" />";
 
     /// <summary>The memory of one worker: a row's records and their text.</summary>
-    private sealed class RowBuffer(PixelSampler pixels)
+    private sealed class RowBuffer(PixelSampler pixels, LongEDigits digits)
     {
         private readonly PixelRecord[] _records = new PixelRecord[pixels.Grid.Columns];
         private readonly byte[] _text = new byte[pixels.Grid.Columns * PixelXml.MaximumLength(pixels.Surface)];
@@ -107,7 +111,7 @@ public static class MetadataXmlWriter
             _length = 0;
             foreach (ref readonly PixelRecord record in _records.AsSpan(0, count))
             {
-                _length += PixelXml.Write(record, _text.AsSpan(_length));
+                _length += PixelXml.Write(record, _text.AsSpan(_length), digits);
             }
         }
     }

@@ -19,12 +19,14 @@ internal static class OriginXml
     public const string PiecesChecksum = "sha256OfPieces";
 
     /// <summary>The lines, without the last LF.</summary>
-    public static string Lines(FrameMetadata frame) =>
+    /// <param name="frame">The frame.</param>
+    /// <param name="digits">Of the numbers.</param>
+    public static string Lines(FrameMetadata frame, LongEDigits digits) =>
         string.Join(
             '\n',
             [
-                .. Body(frame.Globe), Model(frame.Elevation), .. frame.Elevation.Parts.Select(Part),
-                .. Camera(CameraMatrix.Of(frame.Camera)), .. frame.Inputs.Select(Input),
+                .. Body(frame.Globe, digits), Model(frame.Elevation), .. frame.Elevation.Parts.Select(Part),
+                .. Camera(CameraMatrix.Of(frame.Camera), digits), .. frame.Inputs.Select(Input),
             ]);
 
     /// <summary>The word by which an Input element names its kind.</summary>
@@ -40,12 +42,12 @@ internal static class OriginXml
     };
 
     /// <summary>Names another body than the Moon, its frame and its sphere; files of the Moon need no such line.</summary>
-    private static IEnumerable<string> Body(DrawnGlobe globe) => globe.Body.IsMoon
+    private static IEnumerable<string> Body(DrawnGlobe globe, LongEDigits digits) => globe.Body.IsMoon
         ? []
         : (string[])
         [
             $"    <Body name=\"{globe.Body.Name}\" frame=\"{globe.Body.Frame}\" "
-                + $"referenceRadius=\"{LongE.ToText(globe.ReferenceRadius)}\" unit=\"m\" />",
+                + $"referenceRadius=\"{LongE.ToText(globe.ReferenceRadius, digits)}\" unit=\"m\" />",
         ];
 
     private static string Model(DrawnElevation model) => string.Create(
@@ -61,28 +63,30 @@ internal static class OriginXml
             + $"drawn=\"{part.Drawn?.NumberText ?? "no"}\" "
             + $"unit=\"{part.Resolution.Unit}\" />");
 
-    private static IEnumerable<string> Camera(CameraMatrix camera) =>
+    private static IEnumerable<string> Camera(CameraMatrix camera, LongEDigits digits) =>
     [
         string.Create(CultureInfo.InvariantCulture, $"    <Camera width=\"{camera.Width}\" height=\"{camera.Height}\">"),
         "      <K unit=\"px\">",
-        .. camera.IntrinsicRows.Select(Row),
+        .. camera.IntrinsicRows.Select(row => Row(row, digits)),
         "      </K>",
         "      <R>",
-        .. camera.RotationRows.Select(Row),
+        .. camera.RotationRows.Select(row => Row(row, digits)),
         "      </R>",
         "      <t unit=\"m\">",
-        Row(camera.Translation),
+        Row(camera.Translation, digits),
         "      </t>",
         .. camera.Distortion is { } distortion
-            ? [Lens(distortion)]
+            ? [Lens(distortion, digits)]
             : (string[])[],
         "    </Camera>",
     ];
 
-    private static string Lens(Distortion distortion) =>
-        $"      <Distortion model=\"{distortion.Name}\">{string.Join(' ', distortion.Coefficients.Select(LongE.ToText))}</Distortion>";
+    private static string Lens(Distortion distortion, LongEDigits digits) =>
+        $"      <Distortion model=\"{distortion.Name}\">"
+            + $"{string.Join(' ', distortion.Coefficients.Select(coefficient => LongE.ToText(coefficient, digits)))}</Distortion>";
 
-    private static string Row(Vector3D row) => $"        {LongE.ToText(row.X)} {LongE.ToText(row.Y)} {LongE.ToText(row.Z)}";
+    private static string Row(Vector3D row, LongEDigits digits) =>
+        $"        {LongE.ToText(row.X, digits)} {LongE.ToText(row.Y, digits)} {LongE.ToText(row.Z, digits)}";
 
     private static string Input(InputFile file) => string.Create(
         CultureInfo.InvariantCulture,

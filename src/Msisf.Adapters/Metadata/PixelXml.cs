@@ -8,7 +8,7 @@ internal static class PixelXml
     /// <summary>
     /// Bytes of the longest Pixel element on the reference sphere: 161 bytes of markup, two whole numbers, three longE numbers.
     /// </summary>
-    private const int MaximumLengthOnSphere = 161 + (2 * 10) + (3 * LongE.Length);
+    private const int MaximumLengthOnSphere = 161 + (2 * 10) + (3 * LongE.MaximumLength);
 
     /// <summary>No Pixel element is longer.</summary>
     public static int MaximumLength(PixelSurface surface) =>
@@ -17,10 +17,11 @@ internal static class PixelXml
     /// <summary>Writes the element of a record.</summary>
     /// <param name="record">The pixel.</param>
     /// <param name="destination">At least <see cref="MaximumLength"/> bytes.</param>
+    /// <param name="digits">Of the numbers.</param>
     /// <returns>How many bytes there are.</returns>
-    public static int Write(in PixelRecord record, Span<byte> destination)
+    public static int Write(in PixelRecord record, Span<byte> destination, LongEDigits digits = LongEDigits.Thesis)
     {
-        ByteText text = new(destination);
+        ByteText text = new(destination, digits);
         text.Append("    <Pixel h=\""u8);
         text.Append(record.H);
         text.Append("\" v=\""u8);

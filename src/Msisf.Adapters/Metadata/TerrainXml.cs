@@ -11,7 +11,7 @@ internal static class TerrainXml
     /// <summary>
     /// Bytes of the longest content: 431 bytes of markup, the longest state, tile and half; three whole numbers, twelve longE numbers.
     /// </summary>
-    public const int MaximumLength = 431 + 8 + 23 + 2 + (3 * 10) + (12 * LongE.Length);
+    public const int MaximumLength = 431 + 8 + 23 + 2 + (3 * 10) + (12 * LongE.MaximumLength);
 
     /// <summary>Writes the elements.</summary>
     /// <param name="terrain">The terrain point.</param>

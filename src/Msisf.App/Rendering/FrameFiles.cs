@@ -55,7 +55,8 @@ internal sealed class FrameFiles
         }
 
         _times.Measure(
-            Phase.Xml, () => files.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation)));
+            Phase.Xml,
+            () => files.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation: cancellation)));
         paths.Add($"{stem}.xml");
         if (rendered.Detected is DetectorImage detected && _settings.Native.Detector is { WritesFits: true } detector)
         {

@@ -35,6 +35,20 @@ public class LongETests
         Assert.Equal("-1.000000000000000E-005\0", Encoding.ASCII.GetString(bytes));
     }
 
+    // Python: print('%+.16e' % x), the exponent padded to 3 digits. 16 digits read back to a neighbour.
+    [Theory]
+    [InlineData(0.1 + 0.2, "+3.0000000000000004E-001")]
+    [InlineData(-1837400.0000000002, "-1.8374000000000002E+006")]
+    [InlineData(-0.0, "+0.0000000000000000E+000")]
+    public void ToText_RoundTrip_ReadsBackToTheSameDouble(double value, string expected)
+    {
+        string text = LongE.ToText(value, LongEDigits.RoundTrip);
+
+        Assert.Equal(expected, text);
+        Assert.Equal(value, double.Parse(text, System.Globalization.CultureInfo.InvariantCulture));
+        Assert.True(value == 0.0 || value != double.Parse(LongE.ToText(value), System.Globalization.CultureInfo.InvariantCulture));
+    }
+
     [Theory]
     [InlineData(double.NaN)]
     [InlineData(double.NegativeInfinity)]

@@ -279,7 +279,7 @@ public class MetadataXmlWriterTests
         CancellationToken cancelled = new(canceled: true);
 
         Assert.ThrowsAny<OperationCanceledException>(
-            () => MetadataXmlWriter.Write(Stream.Null, frame, Sampler(frame, spacing: 1), cancelled));
+            () => MetadataXmlWriter.Write(Stream.Null, frame, Sampler(frame, spacing: 1), cancellation: cancelled));
     }
 
     private static FrameMetadata Frame()

@@ -28,7 +28,7 @@ public class PixelXmlTests
         PixelRecord record = new(int.MaxValue, int.MaxValue, new SelenographicPoint(-1.0, 6.0), 6.0);
         byte[] bytes = new byte[PixelXml.MaximumLength(PixelSurface.Sphere)];
 
-        Assert.Equal(bytes.Length, PixelXml.Write(record, bytes));
+        Assert.Equal(bytes.Length, PixelXml.Write(record, bytes, LongEDigits.RoundTrip));
         Assert.EndsWith("</IlluminationDirection>\n    </Pixel>\n", Encoding.UTF8.GetString(bytes), StringComparison.Ordinal);
     }
 
@@ -45,7 +45,7 @@ public class PixelXmlTests
         PixelRecord record = new(int.MaxValue, int.MaxValue, new SelenographicPoint(-1.0, 6.0), 6.0, terrain);
         byte[] bytes = new byte[PixelXml.MaximumLength(PixelSurface.Terrain)];
 
-        Assert.Equal(bytes.Length, PixelXml.Write(record, bytes));
+        Assert.Equal(bytes.Length, PixelXml.Write(record, bytes, LongEDigits.RoundTrip));
         Assert.EndsWith("half=\"SW\" />\n    </Pixel>\n", Encoding.UTF8.GetString(bytes), StringComparison.Ordinal);
     }
 

@@ -1,4 +1,3 @@
-using System.Numerics;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;
@@ -52,16 +51,12 @@ internal sealed class TerrainSections
 
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
-            uint inBlock = uint.MaxValue >> (CellBlock.Size + 1 - _vertices.Samples);
-            for (uint cells = _vertices.CellsOfLine(line) & inBlock; cells != 0; cells &= cells - 1)
+            int end = (line * BlockVertices.Stride) + _vertices.Samples - 1;
+            for (int northWest = line * BlockVertices.Stride; northWest < end; northWest++)
             {
-                int northWest = (line * BlockVertices.Stride) + BitOperations.TrailingZeroCount(cells);
                 int southWest = northWest + BlockVertices.Stride;
                 AddFacet(northWest, southWest, southWest + 1);
-                if (!_vertices.IsOfSeams)
-                {
-                    AddFacet(northWest, southWest + 1, northWest + 1);
-                }
+                AddFacet(northWest, southWest + 1, northWest + 1);
             }
         }
     }

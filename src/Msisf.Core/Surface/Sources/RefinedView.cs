@@ -3,7 +3,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Surface.Sources;
 
 /// <summary>The surface that one frame shows: the elevation models, and windows of generated ground inside each other.</summary>
-public sealed class RefinedView : ITerrain, ISurfaceSource
+public sealed class RefinedView : ITerrain
 {
     private readonly RefinedTerrain _terrain;
     private readonly Lazy<SurfaceModel> _surface;
@@ -49,8 +49,6 @@ public sealed class RefinedView : ITerrain, ISurfaceSource
 
     /// <summary>The surface; made at the first request.</summary>
     internal SurfaceModel Surface => _surface.Value;
-
-    SurfaceModel ISurfaceSource.Surface => Surface;
 
     /// <inheritdoc/>
     public void ReleasePages() => _terrain.ReleasePages();

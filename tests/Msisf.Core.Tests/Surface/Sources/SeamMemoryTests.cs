@@ -1,5 +1,4 @@
 using Msisf.Core.Numerics;
-using Msisf.Core.Surface;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
@@ -20,9 +19,9 @@ public sealed class SeamMemoryTests
     {
         IReadOnlyList<ITerrainGrid> models = NestedScenes.ModelsOf(name);
         CountingStore store = new();
-        SeamPatch first = new NestedTerrain(models, store).Surface.Seams;
+        SeamMesh first = new NestedTerrain(models, store).Surface.Seams;
         int made = store.Kept.Count;
-        SeamPatch again = new NestedTerrain(models, store).Surface.Seams;
+        SeamMesh again = new NestedTerrain(models, store).Surface.Seams;
 
         Assert.True(made >= leastGaps, $"{made} gaps");
         Assert.Equal(made, store.Kept.Count); // none was made again
@@ -55,7 +54,7 @@ public sealed class SeamMemoryTests
         foreach (int kilometres in (int[])[272, 274, 282])
         {
             PolarFunctionGrid site = PolarFunctionGrid.Rugged(true, 100.0, 16, 7.5, 7.5 - (10.0 * kilometres));
-            SeamPatch seams = new NestedTerrain([moon, map, site], store).Surface.Seams;
+            SeamMesh seams = new NestedTerrain([moon, map, site], store).Surface.Seams;
             Assert.Equal(FacetsOf(new NestedTerrain([moon, map, site]).Surface.Seams), FacetsOf(seams));
             within += borders.All(border => store.Kept[^1].Borders.Contains(border)) ? 1 : 0;
         }
@@ -71,7 +70,7 @@ public sealed class SeamMemoryTests
     {
         IReadOnlyList<ITerrainGrid> models = NestedScenes.ModelsOf("polar");
         CountingStore store = new();
-        SeamPatch seams = new NestedTerrain(models, store).Surface.Seams;
+        SeamMesh seams = new NestedTerrain(models, store).Surface.Seams;
         GapTriangulation filling = Assert.Single(store.Kept);
         store.Known[filling.Key] = hasForeignCorners
             ? filling with { Corners = [.. filling.Corners.Select(corner => corner + 1)] }
@@ -94,7 +93,7 @@ public sealed class SeamMemoryTests
         Assert.Null(new SeamMemory(files).Find("A", "1"));
     }
 
-    private static List<(Vector3D, Vector3D, Vector3D)> FacetsOf(SeamPatch seams) =>
+    private static List<(Vector3D, Vector3D, Vector3D)> FacetsOf(SeamMesh seams) =>
         [.. Enumerable.Range(0, seams.Count).Select(seams.CornersOf)];
 
     private sealed class CountingStore : ISeamStore

@@ -1,12 +1,13 @@
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
 using Xunit;
 
-namespace Msisf.Core.Tests.Surface;
+namespace Msisf.Core.Tests.Surface.Sources;
 
 public sealed class TerrainHeightTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
 {
