@@ -35,11 +35,18 @@ if [ "$code" -ne 0 ] && [ "$(count failed python)" -eq 0 ]; then
     record failed python "pytest ended with exit code $code"
 fi
 
-# Of a copy: setuptools writes beside the sources. Nothing is fetched.
+# As on a computer without setuptools and wheel. Nothing is fetched, and nothing is written beside the sources.
 if part_is_here pip; then
-    cp -r clients/python "$work/client"
-    check python 'pip install' /usr/bin/python3 -m pip install -q --disable-pip-version-check --root-user-action=ignore \
-        --no-build-isolation --no-deps --no-index --target "$work/site" "$work/client"
+    for module in setuptools wheel; do
+        mkdir -p "$work/missing/$module"
+        echo 'raise ImportError("not on this computer")' >"$work/missing/$module/__init__.py"
+    done
+    find clients/python -not -name '*.pyc' | sort >"$work/before"
+    check python 'pip install' env PYTHONPATH="$work/missing" PYTHONDONTWRITEBYTECODE=1 \
+        /usr/bin/python3 -m pip install -q --disable-pip-version-check --root-user-action=ignore \
+        --no-build-isolation --no-deps --no-index --target "$work/site" "$PWD/clients/python"
+    find clients/python -not -name '*.pyc' | sort >"$work/after"
+    check python 'pip install leaves the tree as it was' cmp "$work/before" "$work/after"
     check python 'import of the installed package' env PYTHONPATH="$work/site" \
         /usr/bin/python3 -c 'import msisf, pathlib; assert (pathlib.Path(msisf.__file__).parent / "py.typed").exists()'
 else
