@@ -8,7 +8,7 @@ ground in both pictures, asks where these spots are, and corrects its position a
 
 from __future__ import annotations
 
-import sys
+import argparse
 from typing import List, Tuple
 
 import msisf
@@ -170,7 +170,14 @@ def run(moon: msisf.Moon, frames: int = 300) -> np.ndarray:
     return np.array(errors)
 
 
-if __name__ == "__main__":
-    with msisf.Moon() as the_moon:
-        found = run(the_moon, int(sys.argv[1]) if len(sys.argv) > 1 else 300)
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("frames", type=int, nargs="?", default=300, help="number of pictures (300)")
+    words = parser.parse_args()
+    with msisf.Moon() as moon:
+        found = run(moon, words.frames)
     print(f"error of the position: {found[0]:.0f} m after the first frame, {found[-1]:.0f} m after the last")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,11 +1,11 @@
-"""A data set with truth for learning: images, depth, normals and cameras of random places of the Moon.
+"""Makes a data set with truth for learning: images, depth, normals and cameras of random places of the Moon.
 
     python data_set.py FOLDER [COUNT]
 """
 
 from __future__ import annotations
 
-import sys
+import argparse
 from pathlib import Path
 
 import msisf
@@ -41,6 +41,15 @@ def make(moon: msisf.Moon, folder: Path, count: int = 200, seed: int = 1) -> Non
         made += 1
 
 
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=Path, help="receives 00000.npz, 00001.npz, ...; it is made if it is missing")
+    parser.add_argument("count", type=int, nargs="?", default=200, help="number of images (200)")
+    parser.add_argument("--seed", type=int, default=1, help="of the places and times (1); the same seed gives the same files")
+    words = parser.parse_args()
+    with msisf.Moon() as moon:
+        make(moon, words.folder, words.count, words.seed)
+
+
 if __name__ == "__main__":
-    with msisf.Moon() as the_moon:
-        make(the_moon, Path(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 200)
+    main()

@@ -1,10 +1,25 @@
 """The examples do what they promise."""
 
+import sys
+
 import closed_loop
 import data_set
 import latency
 import numpy as np
+import pytest
 import soak
+
+
+@pytest.mark.parametrize("example", [closed_loop, data_set, latency, soak])
+def test_help_helps(example, monkeypatch, capsys, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "argv", [f"{example.__name__}.py", "--help"])
+    with pytest.raises(SystemExit) as end:
+        example.main()
+    assert end.value.code == 0
+    help_text = capsys.readouterr().out
+    assert help_text.startswith(f"usage: {example.__name__}.py [-h]") and example.__doc__.splitlines()[0][:40] in help_text
+    assert not list(tmp_path.iterdir())
 
 
 def test_closed_loop_finds_its_position(moon):
