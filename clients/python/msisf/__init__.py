@@ -2,9 +2,10 @@
 
 from ._camera import Camera
 from ._errors import MsisfError, RequestError, ServerError
-from ._frame import Frame, SurfacePoint, View
+from ._frame import Frame
 from ._moon import Moon
-from ._stream import Stream
+from ._stream import Stream, StreamImage
+from ._view import SurfacePoint, View
 
-__all__ = ["Camera", "Frame", "Moon", "MsisfError", "RequestError", "ServerError", "Stream", "SurfacePoint", "View"]
+__all__ = ["Camera", "Frame", "Moon", "MsisfError", "RequestError", "ServerError", "Stream", "StreamImage", "SurfacePoint", "View"]
 __version__ = "2.0.0"

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Dict, Mapping, Union
 
+from ._values import named, plain
+
 
 @dataclass(frozen=True)
 class Camera:
@@ -28,5 +30,5 @@ AnyCamera = Union[Camera, str, Mapping[str, Any]]
 def options_of(camera: AnyCamera) -> Dict[str, Any]:
     """The options of a request that describe a camera."""
     if isinstance(camera, Camera):
-        return {"width": camera.width, "height": camera.height, "fov": camera.fov}
-    return {"camera": camera if isinstance(camera, str) else dict(camera)}
+        return named({"width": camera.width, "height": camera.height, "fov": camera.fov})
+    return {"camera": plain(camera, "camera")}

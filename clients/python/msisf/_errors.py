@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Sequence
+import http.client
+from contextlib import contextmanager
+from typing import Any, Iterator, Sequence, Tuple
 
 
 class MsisfError(Exception):
@@ -22,6 +24,22 @@ class RequestError(MsisfError):
         self.status = status
         self.options = list(options)
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self), (self.args[0], self.status, self.options)  # processes hand each other their exceptions in pickles
+
 
 class ServerError(MsisfError):
-    """The server can't be started or reached, or it ended."""
+    """The server can't be started or reached, it ended, or its answer is not what it should be."""
+
+
+@contextmanager
+def answers_of(address: str) -> Iterator[None]:
+    """Makes a ServerError of all that goes wrong with a server's answer, whatever the server sends or does not send."""
+    try:
+        yield
+    except MsisfError:
+        raise
+    except (OSError, http.client.HTTPException) as error:
+        raise ServerError(f"{address}: no answer of the server: {error or type(error).__name__}") from error
+    except Exception as error:  # no list is complete: anything can come from a network
+        raise ServerError(f"{address}: the server's answer can't be read: {type(error).__name__}: {error}") from error

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import http.client
 import json
+import os
+import selectors
 import socket
 import ssl
 import threading
@@ -12,7 +14,8 @@ from email.parser import BytesHeaderParser
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple
 from urllib.parse import urlsplit
 
-from ._errors import RequestError, ServerError
+from ._errors import RequestError, answers_of
+from ._values import json_of
 
 
 class Part(NamedTuple):
@@ -63,15 +66,18 @@ class Http:
 
     def get(self, path: str) -> Any:
         """Asks for JSON."""
-        return json.loads(self._send("GET", path, None, "application/json")[1])
+        with answers_of(self.address):
+            return json.loads(self._send("GET", path, None, "application/json")[1])
 
     def get_text(self, path: str) -> str:
         """Asks for a text."""
-        return self._send("GET", path, None, "text/plain")[1].decode()
+        with answers_of(self.address):
+            return self._send("GET", path, None, "text/plain")[1].decode()
 
     def post(self, path: str, body: Mapping[str, Any], accept: str) -> Tuple[http.client.HTTPMessage, bytes]:
         """Sends JSON; the answer's headers and content."""
-        return self._send("POST", path, json.dumps(body, allow_nan=False).encode(), accept)
+        with answers_of(self.address):
+            return self._send("POST", path, json_of(body), accept)
 
     def close(self) -> None:
         """Closes the connections of all threads."""
@@ -85,33 +91,47 @@ class Http:
         headers = {**self.headers(), "Accept": accept}
         if body is not None:
             headers["Content-Type"] = "application/json"
-        kept = getattr(self._local, "connection", None)
+        kept = self._kept()
         if kept is not None:
             try:
-                return self._exchange(kept, method, path, body, headers)
+                return _exchange(kept, method, path, body, headers)
             except (ConnectionError, http.client.BadStatusLine):
-                kept.close()  # the server closes connections that were idle for long
+                pass  # the server closes connections that were idle for long
+        return _exchange(self._new(), method, path, body, headers)
+
+    def _kept(self) -> Optional[http.client.HTTPConnection]:
+        """This thread's connection, if it can be used again. That of the process that this one was forked from is not ours."""
+        owner, kept = getattr(self._local, "kept", (0, None))
+        if kept is None or kept.sock is None or owner != os.getpid():
+            return None
+        with selectors.DefaultSelector() as selector:
+            selector.register(kept.sock, selectors.EVENT_READ)
+            if not selector.select(0):
+                return kept  # type: ignore[no-any-return]
+        kept.close()  # its end, or what nobody asked for: not the answer to the next request
+        return None
+
+    def _new(self) -> http.client.HTTPConnection:
         connection = self.connection()
         with self._gate:
             self._open = [other for other in self._open if other.sock is not None] + [connection]
-        self._local.connection = connection
-        try:
-            return self._exchange(connection, method, path, body, headers)
-        except (OSError, http.client.HTTPException) as error:
-            self._local.connection = None
-            connection.close()
-            raise ServerError(f"{self.address}: no answer of the server: {error}") from error
+        self._local.kept = (os.getpid(), connection)
+        return connection
 
-    @staticmethod
-    def _exchange(
-        connection: http.client.HTTPConnection, method: str, path: str, body: Optional[bytes], headers: Dict[str, str]
-    ) -> Tuple[http.client.HTTPMessage, bytes]:
+
+def _exchange(
+    connection: http.client.HTTPConnection, method: str, path: str, body: Optional[bytes], headers: Dict[str, str]
+) -> Tuple[http.client.HTTPMessage, bytes]:
+    try:
         connection.request(method, path, body, headers)
         answer = connection.getresponse()
         content = answer.read()
-        if answer.status != 200:
-            raise problem_of(answer.status, content)
-        return answer.headers, content
+    except BaseException:  # a timeout or Ctrl-C too: what comes later would be taken for the answer to another request
+        connection.close()
+        raise
+    if answer.status != 200:
+        raise problem_of(answer.status, content)
+    return answer.headers, content
 
 
 def problem_of(status: int, content: bytes) -> RequestError:
@@ -119,7 +139,7 @@ def problem_of(status: int, content: bytes) -> RequestError:
     try:
         problem = json.loads(content)
         return RequestError(problem["detail"], status, problem.get("options", []))
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, AttributeError):
         return RequestError(f"the server answers with status {status}", status)
 
 
@@ -132,6 +152,8 @@ def parts_of(headers: Message, content: bytes) -> Dict[str, Part]:
         end = content.index(b"\r\n\r\n", place) + 4
         head = BytesHeaderParser().parsebytes(content[place + 2 : end])
         length = int(head["Content-Length"])
+        if not 0 <= length <= len(content) - end:
+            raise ValueError(f"a part has {length} bytes of {len(content) - end}")
         part = Part(head.get_filename() or "", head, content[end : end + length])
         parts[part.name] = part
         place = end + length + 2 + len(boundary)

@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
-import datetime
 import io
 import json
+import os
 import ssl
 import threading
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Tuple, Type, Union
+from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Type, Union
 from urllib.parse import urlencode
 
 import numpy as np
 
 from ._camera import AnyCamera, Camera, options_of
-from ._errors import MsisfError
-from ._frame import Frame, View
+from ._errors import MsisfError, answers_of
+from ._frame import Frame
 from ._http import Http, parts_of
 from ._process import ServerProcess
 from ._stream import Stream
+from ._values import Time, array_of, listed, named, numbers, plain, time_text
+from ._view import View
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
-
-#: MJD (days, UTC), ISO 8601 with its zone, or a datetime with its zone.
-Time = Union[float, str, datetime.datetime]
 
 
 class Moon:
@@ -39,14 +38,14 @@ class Moon:
         camera: For images that name none.
         program: Path of msis, to start it; None to look for it.
         serve: Options of msis serve, e.g. ["--ldem", "models"].
-        timeout: Seconds to wait for an answer.
+        timeout: Seconds without a byte of an answer after which it is given up; the next request has a new connection.
         context: Of TLS, for certificates of your own.
         options: Further options of all images under the names of the command line, "-" as "_": ``samples=4``, ``reflectance="hapke"``.
     """
 
     def __init__(
         self,
-        address: Optional[str] = None,
+        address: "Union[str, os.PathLike[str], None]" = None,
         *,
         token: Optional[str] = None,
         model: Union[str, Sequence[str], None] = None,
@@ -57,13 +56,16 @@ class Moon:
         context: Optional[ssl.SSLContext] = None,
         **options: Any,
     ) -> None:
-        self._process = ServerProcess(program, serve) if address is None else None
         self._camera = camera
-        self._options = _named(options)
+        self._options = named(options)
         if model is not None:
-            self._options["model"] = model if isinstance(model, str) else list(model)
+            self._options["model"] = plain(model, "model")
+        (seconds,) = numbers(timeout, "timeout", 1)
+        if seconds <= 0.0:
+            raise MsisfError(f"timeout is {seconds}; seconds above 0 are needed")
         self._local = threading.local()
-        self._http = Http(address or (self._process.address if self._process else ""), token, timeout, context)
+        self._process = ServerProcess(program, [str(word) for word in listed(serve, "serve")]) if address is None else None
+        self._http = Http(self._process.address if self._process else os.fspath(address or ""), token, seconds, context)
 
     @property
     def address(self) -> str:
@@ -80,12 +82,12 @@ class Moon:
         self,
         position: "ArrayLike",
         orientation_xyz0: Optional["ArrayLike"] = None,
-        time: Time = 55289.0,
+        time: Optional[Time] = None,
         *,
-        look_at: Union[str, Sequence[float], None] = None,
+        look_at: Union[str, "ArrayLike", None] = None,
         nadir: bool = False,
         camera: Optional[AnyCamera] = None,
-        layers: Sequence[str] = (),
+        layers: Union[str, Sequence[str]] = (),
         **options: Any,
     ) -> Frame:
         """Draws an image.
@@ -94,11 +96,12 @@ class Moon:
             position: m, MOON_ME (mean Earth/polar axis) with ``orientation_xyz0``; else (latitude, longitude, height): degrees,
                 degrees east, m over the sphere of 1 737 400 m.
             orientation_xyz0: Unit quaternion (qx, qy, qz, q0) that turns camera axes (looks along -x, y right, z up) into MOON_ME.
-            time: MJD (days, UTC), ISO 8601 with its zone, or a datetime with its zone.
+            time: MJD (days, UTC), ISO 8601 with its zone, a datetime with its zone, or NumPy's datetime64 (UTC). Always needed: it says
+                where the Sun is.
             look_at: In place of the quaternion: (latitude, longitude[, height]), "sun", or "horizon:AZIMUTH".
             nadir: In place of the quaternion: look straight down.
             camera: A Camera, the name of a preset, or a mapping with the keys of a camera file.
-            layers: Names of ground truth layers, e.g. ["depth", "normal"]; ``models()["layers"]`` has all.
+            layers: Names of ground truth layers, e.g. ["depth", "normal"], or one name; ``models()["layers"]`` has all.
             options: Further options of the command line, "-" as "_": ``samples=9``, ``sun="disc"``.
 
         Raises:
@@ -106,19 +109,19 @@ class Moon:
             ServerError: The server does not answer.
         """
         request = self._request(position, orientation_xyz0, time, look_at, nadir, camera, options)
-        if layers:
-            request.update({"layers": list(layers), "layers-format": "npy"})
-        headers, content = self._http.post("/v1/render", request, "multipart/mixed, application/x-npy, application/json")
-        self._local.times = _times(headers.get("Server-Timing", ""))
-        parts = parts_of(headers, content)
-        arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
-        image = arrays.pop("image")
-        warning = headers.get("X-Msisf-Warning")
-        for_truth = {name: value for name, value in request.items() if name not in ("layers", "layers-format")}
-        return Frame(self, for_truth, image, arrays, json.loads(parts["json"].content), [warning] if warning else [])
+        wanted = listed(layers, "layers") or listed(request.pop("layers", None), "layers")
+        in_answer = {**request, "layers": wanted, "layers-format": "npy"} if wanted else request
+        headers, content = self._http.post("/v1/render", in_answer, "multipart/mixed, image/png, application/json")
+        with answers_of(self.address):
+            self._local.times = _times(headers.get("Server-Timing", ""))
+            parts = parts_of(headers, content)
+            arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
+            warning = headers.get("X-Msisf-Warning")
+            meta = json.loads(parts["json"].content)
+            return Frame(self, request, parts["image.png"].content, arrays, meta, [warning] if warning else [])
 
     def view(
-        self, position: "ArrayLike", orientation_xyz0: "ArrayLike", time: Time = 55289.0, *, camera: Optional[Camera] = None, **options: Any
+        self, position: "ArrayLike", orientation_xyz0: "ArrayLike", time: Time, *, camera: Optional[Camera] = None, **options: Any
     ) -> View:
         """A camera without its image: nothing is drawn, but the Moon can be asked what it would see.
 
@@ -135,7 +138,7 @@ class Moon:
         request = self._request(position, orientation_xyz0, time, None, False, pinhole, options)
         focal = 0.5 * pinhole.width / np.tan(np.radians(0.5 * pinhole.fov))
         K = np.array([[focal, 0.0, 0.5 * (pinhole.width - 1)], [0.0, focal, 0.5 * (pinhole.height - 1)], [0.0, 0.0, 1.0]])
-        turn = np.asarray(orientation_xyz0, dtype=float).ravel()
+        turn = array_of(orientation_xyz0, "orientation_xyz0").ravel()
         x, y, z, w = turn / np.linalg.norm(turn)
         moon_from_camera = np.array([
             [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)],
@@ -143,7 +146,8 @@ class Moon:
             [2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)],
         ])  # fmt: skip
         R = np.array([moon_from_camera[:, 1], -moon_from_camera[:, 2], -moon_from_camera[:, 0]])
-        return View(self, request, K, R, -R @ np.asarray(position, dtype=float).ravel())
+        place = array_of(position, "position").ravel()
+        return View(self, request, place, (K, R, -R @ place))
 
     def stream(
         self, *, camera: Optional[AnyCamera] = None, newest_only: bool = False, timing: bool = False, **options: Any
@@ -156,7 +160,7 @@ class Moon:
             timing: Ask the server what each image took: ``last_times`` of the stream.
             options: As for ``render``.
         """
-        frame = {**self._options, **options_of(camera if camera is not None else self._camera), **_named(options)}
+        frame = {**self._options, **options_of(camera if camera is not None else self._camera), **named(options)}
         return Stream(self._http, frame, newest_only, timing)
 
     def models(self) -> Dict[str, Any]:
@@ -167,14 +171,16 @@ class Moon:
     def metrics(self) -> Dict[str, float]:
         """What the server counts (docs/server.md), by the names of Prometheus with their labels."""
         lines = self._http.get_text("/metrics").splitlines()
-        pairs = (line.rsplit(" ", 1) for line in lines if not line.startswith("#"))
-        return {name: float(value) for name, value in pairs}
+        with answers_of(self.address):
+            pairs = (line.rsplit(" ", 1) for line in lines if not line.startswith("#"))
+            return {name: float(value) for name, value in pairs}
 
-    def sun(self, time: Time, place: Optional[Tuple[float, float]] = None) -> Dict[str, Any]:
+    def sun(self, time: Time, place: "Optional[ArrayLike]" = None) -> Dict[str, Any]:
         """Where the Sun is at a time, and where it stands in the sky of a place (latitude, longitude in degrees)."""
-        query = {"mjd" if isinstance(time, (int, float)) else "utc": _time(time)}
+        when = time_text(time)
+        query = {"utc" if "T" in when else "mjd": when}
         if place is not None:
-            query.update({"latitude": repr(float(place[0])), "longitude": repr(float(place[1]))})
+            query.update(zip(("latitude", "longitude"), map(repr, numbers(place, "place", 2))))
         answer: Dict[str, Any] = self._http.get(f"/v1/sun?{urlencode(query)}")
         return answer
 
@@ -194,43 +200,29 @@ class Moon:
         self.close()
 
     def _post(self, path: str, body: Mapping[str, Any]) -> Any:
-        return json.loads(self._http.post(path, body, "application/json")[1])
+        with answers_of(self.address):
+            return json.loads(self._http.post(path, body, "application/json")[1])
 
     def _request(
         self,
         position: "ArrayLike",
         orientation: Optional["ArrayLike"],
-        time: Time,
-        look_at: Union[str, Sequence[float], None],
+        time: Optional[Time],
+        look_at: Union[str, "ArrayLike", None],
         nadir: bool,
         camera: Optional[AnyCamera],
         options: Mapping[str, Any],
     ) -> Dict[str, Any]:
-        if (orientation is not None) + (look_at is not None) + nadir != 1:
+        if (orientation is not None) + (look_at is not None) + bool(nadir) != 1:
             raise MsisfError("give one of orientation_xyz0, look_at and nadir=True: it says how the camera points")
-        place = [float(number) for number in np.asarray(position, dtype=float).ravel()]
-        request = {**self._options, **options_of(camera if camera is not None else self._camera), **_named(options)}
+        when, place = time_text(time), numbers(position, "position", 3)
+        request = {**self._options, **options_of(camera if camera is not None else self._camera), **named(options)}
         if orientation is not None:
-            turn = [float(number) for number in np.asarray(orientation, dtype=float).ravel()]
-            request["fixed-state"] = [_time(time), *place, *turn]
-        else:
-            request.update({"position": place, "time": _time(time)})
-            request["look-at"] = "nadir" if nadir else look_at if isinstance(look_at, str) else [float(x) for x in look_at or ()]
-        return request
-
-
-def _named(options: Mapping[str, Any]) -> Dict[str, Any]:
-    return {name.replace("_", "-"): value for name, value in options.items()}
+            return {**request, "fixed-state": [when, *place, *numbers(orientation, "orientation_xyz0", 4)]}
+        target = "nadir" if nadir else str(look_at) if isinstance(look_at, str) else numbers(look_at, "look_at", 2, 3)
+        return {**request, "position": place, "time": when, "look-at": target}
 
 
 def _times(text: str) -> Dict[str, float]:
     pairs = (entry.strip().split(";dur=") for entry in text.split(",") if ";dur=" in entry)
     return {name: float(value) for name, value in pairs}
-
-
-def _time(time: Time) -> str:
-    if isinstance(time, datetime.datetime):
-        if time.tzinfo is None:
-            raise MsisfError("the time has no zone; give datetime(..., tzinfo=timezone.utc)")
-        return time.isoformat()
-    return time if isinstance(time, str) else repr(float(time))

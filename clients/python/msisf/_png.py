@@ -1,23 +1,34 @@
-"""Images as PNG files, without a library."""
+"""The server's PNG files, without a library."""
 
 from __future__ import annotations
 
 import struct
 import zlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Dict, List
+
+import numpy as np
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-
-def png_of(image: "NDArray[Any]") -> bytes:
-    """A grey image [height, width] of 8 or 16 bits as the bytes of a PNG file."""
-    height, width = image.shape
-    rows = image.astype(">u2" if image.itemsize == 2 else "u1").view("u1").reshape(height, -1)
-    data = b"".join(b"\0" + row.tobytes() for row in rows)  # 0: the row is stored as it is
-    head = struct.pack(">IIBBBBB", width, height, 8 * image.itemsize, 0, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + _chunk(b"IHDR", head) + _chunk(b"IDAT", zlib.compress(data)) + _chunk(b"IEND", b"")
+_UP = 2  # filter: each row is the difference from the row above
 
 
-def _chunk(name: bytes, content: bytes) -> bytes:
-    return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
+def image_of(png: bytes) -> "NDArray[Any]":
+    """The levels of a grey image as the server writes it, [height, width]; of a detector its numbers: sample >> (16 - bits)."""
+    chunks: Dict[bytes, List[bytes]] = {}
+    place = 8
+    while place < len(png):
+        length, kind = struct.unpack_from(">I4s", png, place)
+        chunks.setdefault(kind, []).append(png[place + 8 : place + 8 + length])
+        place += 12 + length
+    width, height, depth, colors = struct.unpack_from(">IIBB", chunks[b"IHDR"][0])
+    packed = np.frombuffer(zlib.decompress(b"".join(chunks[b"IDAT"])), np.uint8).reshape(height, 1 + width * depth // 8)
+    if depth not in (8, 16) or colors != 0 or (packed[:, 0] != _UP).any():
+        raise ValueError("the PNG is not of the kind that msis writes")
+    levels = np.add.accumulate(packed[:, 1:], axis=0, dtype=np.uint8)
+    if depth == 8:
+        return levels
+    bits = chunks[b"sBIT"][0][0] if b"sBIT" in chunks else 16
+    numbers: "NDArray[Any]" = levels.view(">u2").astype(np.uint16) >> np.uint16(16 - bits)
+    return numbers

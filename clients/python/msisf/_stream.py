@@ -1,34 +1,34 @@
-"""A WebSocket to the server (RFC 6455), no more of it than a stream of images needs."""
+"""A stream: states go in, images come out."""
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import http.client
 import json
 import os
-import socket
 import struct
+from contextlib import contextmanager
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, NamedTuple, Optional, Tuple, Type
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Type
 
 import numpy as np
 
-from ._errors import RequestError, ServerError
-from ._http import Http, problem_of
+from ._errors import MsisfError, RequestError, ServerError, answers_of
+from ._http import Http
+from ._values import json_of, numbers
+from ._websocket import BINARY, TEXT, WebSocket
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-_TEXT, _BINARY, _CLOSE, _PING, _PONG = 1, 2, 8, 9, 10
-_GUID = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11"
+_HEAD = struct.Struct("<4sIII")  # of an image: "MSIF", number, width, height
+_LONGEST_TEXT = 1 << 20  # bytes
 
 
 class StreamImage(NamedTuple):
     """An image of a stream.
 
     Attributes:
-        number: Of the frame, from 1 in the order of the states.
+        number: Of the state, from 1 in the order in which they were sent.
         image: Grey levels [height, width].
     """
 
@@ -39,26 +39,27 @@ class StreamImage(NamedTuple):
 class Stream:
     """Draws one image for each state with a camera that stays the same. Not for several threads.
 
+    A timeout, Ctrl-C or a broken answer closes the stream, so that no image is taken for that of a later state; open another one then.
+
     Attributes:
         last_times: With ``timing``, ms that the server took for the last image: "wait", "draw" and "write".
     """
 
     def __init__(self, server: Http, frame: Mapping[str, Any], newest_only: bool, timing: bool = False) -> None:
-        connection = server.connection()
-        try:
-            connection.connect()
-            self._socket = _upgrade(connection, server.headers())
-        except (OSError, http.client.HTTPException) as error:
-            raise ServerError(f"{server.address}: no stream of the server: {error}") from error
-        self._connection = connection
+        self._address = server.address
+        self._newest_only = bool(newest_only)
+        self._connection: Optional[http.client.HTTPConnection] = None
+        self._owner = os.getpid()
+        self._end: Optional[str] = None
+        self._sent = self._answered = 0
+        self._size = (0, 0)
         self.last_times: Dict[str, float] = {}
-        first = {"frame": frame, "mode": "newest-only" if newest_only else "lock-step", "format": "u8", "timing": timing}
-        self._send(_TEXT, json.dumps(first, allow_nan=False).encode())
-        kind, content = self._receive()
-        answer = json.loads(content) if kind == _TEXT else {}
-        if not answer.get("ready"):
-            self.close()
-            raise RequestError(answer.get("error", "the server closed the stream"), 400)
+        try:
+            with self._exchange():
+                self._open(server, frame, timing)
+        except BaseException:
+            self._close("it did not open")
+            raise
 
     def render(self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float) -> "NDArray[Any]":
         """Sends a state and waits for its image.
@@ -68,44 +69,40 @@ class Stream:
             orientation_xyz0: Unit quaternion (qx, qy, qz, q0) that turns camera axes (looks along -x, y right, z up) into MOON_ME.
             mjd: Time, days, UTC.
         """
-        self.send(position, orientation_xyz0, mjd)
-        return self.receive().image
+        state = _state(position, orientation_xyz0, mjd)
+        if self._sent != self._answered and self._end is None:
+            raise MsisfError(f"{self._sent - self._answered} images of send() are not received yet; receive() them before render()")
+        with self._exchange():
+            self._send_state(state)
+            return self._next().image
 
     def send(self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float) -> None:
         """Sends a state; ``receive`` gives its image."""
-        state = np.concatenate(([mjd], np.asarray(position, dtype=float).ravel(), np.asarray(orientation_xyz0, dtype=float).ravel()))
-        self._send(_BINARY, state.astype("<f8").tobytes())
+        state = _state(position, orientation_xyz0, mjd)
+        with self._exchange():
+            self._send_state(state)
 
     def receive(self) -> StreamImage:
         """The next image.
 
         Raises:
             RequestError: The server refuses the state; the stream goes on.
-            ServerError: The server closed the stream.
+            ServerError: The stream is closed.
         """
-        kind, content = self._receive()
-        while kind == _TEXT:
-            answer = json.loads(content)
-            if "error" in answer:
-                raise RequestError(answer["error"], 400)
-            self.last_times = {name: answer[name] for name in ("wait", "draw", "write")}
-            kind, content = self._receive()
-        number, width, height = struct.unpack_from("<III", content, 4)
-        levels = "<u2" if len(content) - 16 == 2 * width * height else "u1"
-        return StreamImage(number, np.frombuffer(content, levels, offset=16).reshape(height, width))
+        if self._sent == self._answered and self._end is None:
+            raise MsisfError("there is nothing to receive: all states that were sent are answered")
+        with self._exchange():
+            return self._next()
 
     def __iter__(self) -> Iterator[StreamImage]:
-        while True:
+        while self._sent != self._answered:
             yield self.receive()
 
     def close(self) -> None:
         """Closes the stream."""
-        try:
-            self._send(_CLOSE, struct.pack(">H", 1000))
-        except (OSError, ServerError):
-            pass  # the server is gone already
-        self._socket.close()
-        self._connection.close()
+        if self._end is None and self._owner == os.getpid():
+            self._socket.close()
+        self._close("close() was called")
 
     def __enter__(self) -> "Stream":
         return self
@@ -115,72 +112,65 @@ class Stream:
     ) -> None:
         self.close()
 
-    def _send(self, kind: int, content: bytes) -> None:
-        mask = os.urandom(4)
-        length = len(content)
-        if length < 126:
-            head = struct.pack("!BB", 0x80 | kind, 0x80 | length)
-        elif length < 65536:
-            head = struct.pack("!BBH", 0x80 | kind, 0x80 | 126, length)
-        else:
-            head = struct.pack("!BBQ", 0x80 | kind, 0x80 | 127, length)
-        key = np.resize(np.frombuffer(mask, np.uint8), length)
-        masked = np.bitwise_xor(np.frombuffer(content, np.uint8), key).tobytes()
+    def _open(self, server: Http, frame: Mapping[str, Any], timing: bool) -> None:
+        self._connection = server.connection()
+        self._socket = WebSocket(self._connection, "/v1/stream", server.headers())
+        mode = "newest-only" if self._newest_only else "lock-step"
+        self._socket.send(TEXT, json_of({"frame": frame, "mode": mode, "format": "u8", "timing": bool(timing)}))
+        answer = json.loads(self._socket.receive(_LONGEST_TEXT)[1])
+        if "error" in answer:
+            raise RequestError(str(answer["error"]), 400)
+        self._size = (int(answer["width"]), int(answer["height"]))
+
+    @contextmanager
+    def _exchange(self) -> Iterator[None]:
+        """Closes the stream if something does not end as it should: a late answer would be taken for that of the next state."""
+        if self._end is None and self._owner != os.getpid():
+            self._close("it belongs to the process that this one was forked from")
+        if self._end is not None:
+            raise ServerError(f"the stream is closed: {self._end}. Open another one with Moon.stream()")
         try:
-            self._socket.sendall(head + mask + masked)
-        except OSError as error:
-            raise ServerError(f"the stream is closed: {error}") from error
+            with answers_of(self._address):
+                yield
+        except RequestError:
+            raise
+        except BaseException as error:
+            self._close(str(error) or type(error).__name__)
+            raise
 
-    def _receive(self) -> Tuple[int, bytearray]:
-        """The next message, put together from its fragments."""
-        message = bytearray()
-        kind = 0
-        while True:
-            first, second = self._read(2)
-            length = second & 0x7F
-            if length == 126:
-                (length,) = struct.unpack("!H", self._read(2))
-            elif length == 127:
-                (length,) = struct.unpack("!Q", self._read(8))
-            content = self._read(length)
-            code = first & 0x0F
-            if code == _PING:
-                self._send(_PONG, bytes(content))
-            elif code == _CLOSE:
-                reason = bytes(content[2:]).decode(errors="replace")
-                raise ServerError(f"the server closed the stream: {reason}")
-            elif code != _PONG:
-                kind = code or kind
-                message = message + content if message else content  # one fragment is not copied
-                if first & 0x80:
-                    return kind, message
+    def _close(self, reason: str) -> None:
+        self._end = self._end or reason
+        if self._connection is not None:
+            self._connection.close()
 
-    def _read(self, length: int) -> bytearray:
-        buffer = bytearray(length)
-        view = memoryview(buffer)
-        taken = 0
-        while taken < length:
-            try:
-                count = self._socket.recv_into(view[taken:])
-            except OSError as error:
-                raise ServerError(f"the stream is closed: {error}") from error
-            if count == 0:
-                raise ServerError("the server closed the stream")
-            taken += count
-        return buffer
+    def _send_state(self, state: List[float]) -> None:
+        self._sent += 1
+        self._socket.send(BINARY, struct.pack("<8d", *state))
+
+    def _next(self) -> StreamImage:
+        longest = max(_LONGEST_TEXT, _HEAD.size + 2 * self._size[0] * self._size[1])
+        kind, content = self._socket.receive(longest)
+        while kind == TEXT:
+            answer = json.loads(content)
+            if "error" in answer:
+                self._count(answer["number"])
+                raise RequestError(str(answer["error"]), 400)
+            self.last_times = {name: float(answer[name]) for name in ("wait", "draw", "write")}
+            kind, content = self._socket.receive(longest)
+        magic, number, width, height = _HEAD.unpack_from(content)
+        pixels = width * height
+        if magic != b"MSIF" or (width, height) != self._size or len(content) - _HEAD.size not in (pixels, 2 * pixels):
+            raise ValueError(f"{len(content)} bytes are no image of {self._size[0]} x {self._size[1]} px")
+        self._count(number)
+        levels = "<u2" if len(content) - _HEAD.size == 2 * pixels else "u1"
+        return StreamImage(number, np.frombuffer(content, levels, offset=_HEAD.size).reshape(height, width))
+
+    def _count(self, number: int) -> None:
+        due = self._sent if self._newest_only else self._answered + 1
+        if not self._answered < number <= due <= self._sent:
+            raise ValueError(f"the answer has number {number}, and {due} is due")
+        self._answered = number
 
 
-def _upgrade(connection: http.client.HTTPConnection, headers: Mapping[str, str]) -> socket.socket:
-    """Turns a connection into a WebSocket."""
-    key = base64.b64encode(os.urandom(16)).decode()
-    own = {"Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Key": key, "Sec-WebSocket-Version": "13"}
-    connection.request("GET", "/v1/stream", headers={**headers, **own})
-    plain = connection.sock
-    answer = http.client.HTTPResponse(plain)
-    answer.begin()
-    if answer.status != 101:
-        raise problem_of(answer.status, answer.read())
-    expected = base64.b64encode(hashlib.sha1((key + _GUID).encode()).digest()).decode()
-    if answer.headers["Sec-WebSocket-Accept"] != expected:
-        raise ServerError("the server's answer is not that of a WebSocket")
-    return plain
+def _state(position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: "ArrayLike") -> List[float]:
+    return [*numbers(mjd, "mjd", 1), *numbers(position, "position", 3), *numbers(orientation_xyz0, "orientation_xyz0", 4)]

@@ -1,8 +1,8 @@
 """Moon.render against what geometry says, and against msis itself."""
 
 import datetime
+import json
 import subprocess
-import zlib
 
 import msisf
 import numpy as np
@@ -11,6 +11,13 @@ from msisf import _process
 
 STATE = {"position": (1.9e6, 0.0, 0.0), "orientation_xyz0": (0.0, 0.0, 0.0, 1.0), "time": 55289.0}
 SMALL = msisf.Camera(64, 48, 40.0)
+DETECTOR = {
+    "width": 64, "height": 48, "focal-length": 10, "pixel-pitch": 0.1,
+    "detector": {
+        "f-number": 4, "band": [500, 650], "transmission": 0.8, "quantum-efficiency": 0.45, "exposure-time": 2e-5, "gain": 2,
+        "read-noise": 15, "bias": 64, "full-well": 40000, "adc-bits": 12, "seed": 7,
+    },
+}  # fmt: skip
 
 
 def test_image_is_that_of_msis(moon, tmp_path):
@@ -27,6 +34,9 @@ def test_image_is_that_of_msis(moon, tmp_path):
         (path,) = tmp_path.glob(f"*.{name}.npy")
         np.testing.assert_array_equal(frame.layers[name], np.load(path))
     assert frame.image.max() > 50
+    frame.save(tmp_path / "saved.png")
+    (path,) = tmp_path.glob("Moon*.png")
+    assert (tmp_path / "saved.png").read_bytes() == path.read_bytes()
 
 
 def test_invented_detail_is_that_of_msis_and_says_so(moon, tmp_path):
@@ -45,18 +55,32 @@ def test_invented_detail_is_that_of_msis_and_says_so(moon, tmp_path):
     assert not moon.render(**near, camera=SMALL).locate([[31.5, 23.5]])[0].invented
 
 
-def test_saved_file_is_a_png_of_the_levels(moon, tmp_path):
-    frame = moon.render(**STATE, camera=SMALL, bit_depth=16)
+def test_file_of_a_detector_is_that_of_msis(moon, tmp_path):
+    (tmp_path / "camera.yaml").write_text(json.dumps(DETECTOR))  # JSON is YAML
+    subprocess.run(
+        [_process.find_program(), "--fixed-state", "{55289,1.9e6,0,0,0,0,0,1}", "--renderer", "native",
+         "--camera", str(tmp_path / "camera.yaml"), "--output-dir", str(tmp_path), "--batch"],
+        check=True, capture_output=True,
+    )  # fmt: skip
 
-    frame.save(tmp_path / "moon.png")
+    frame = moon.render(**STATE, camera=DETECTOR)
 
-    png = (tmp_path / "moon.png").read_bytes()
-    assert png[:8] == b"\x89PNG\r\n\x1a\n"
-    assert png[16:26] == bytes([0, 0, 0, 64, 0, 0, 0, 48, 16, 0])  # width, height, bits, grey
-    length = int.from_bytes(png[33:37], "big")
-    rows = np.frombuffer(zlib.decompress(png[41 : 41 + length]), np.uint8).reshape(48, 1 + 2 * 64)
-    np.testing.assert_array_equal(rows[:, 1:].copy().view(">u2"), frame.image)
-    assert zlib.crc32(png[37 : 41 + length]).to_bytes(4, "big") == png[41 + length : 45 + length]
+    frame.save(tmp_path / "saved.png")
+    (path,) = tmp_path.glob("Moon*.png")
+    assert (tmp_path / "saved.png").read_bytes() == path.read_bytes()
+    assert frame.image.dtype == np.uint16 and 100 < frame.image.max() < 4096
+
+
+@pytest.mark.parametrize("options", [{}, {"bit_depth": 16}, {"camera": DETECTOR}, {"camera": {**DETECTOR, "width": 1, "height": 1}}])
+def test_image_is_that_of_a_stream(moon, options):
+    options = {"camera": SMALL, **options}
+    with moon.stream(**options) as stream:  # levels as they are, without a PNG around them
+        levels = stream.render(*STATE.values())
+
+    image = moon.render(**STATE, **options).image
+
+    np.testing.assert_array_equal(image, levels)
+    assert image.dtype == levels.dtype and image.max() > 50
 
 
 def test_camera_looks_along_minus_x_with_y_to_the_right(moon):
@@ -72,7 +96,8 @@ def test_camera_looks_along_minus_x_with_y_to_the_right(moon):
 
 
 def test_depth_normals_and_sun_fit_together(moon):
-    frame = moon.render(position=(10.0, 20.0, 1e5), time="2010-04-03T00:00:00Z", nadir=True, camera=SMALL, layers=["depth", "position", "normal", "incidence"])
+    layers = ["depth", "position", "normal", "incidence"]
+    frame = moon.render(position=(10.0, 20.0, 1e5), time="2010-04-03T00:00:00Z", nadir=True, camera=SMALL, layers=layers)
 
     ahead = frame.layers["position"] @ frame.R.T + frame.t
     np.testing.assert_allclose(ahead[..., 2], frame.depth, rtol=1e-9)
@@ -156,6 +181,11 @@ def test_two_ways_to_point_are_refused(moon):
         moon.render(**STATE, nadir=True)
     with pytest.raises(msisf.MsisfError, match="has no zone"):
         moon.render(position=(0, 0, 1e5), time=datetime.datetime(2010, 4, 3), nadir=True)
+
+
+def test_time_is_needed(moon):
+    with pytest.raises(msisf.MsisfError, match="time is missing: give an MJD"):
+        moon.render((0, 0, 1e5), nadir=True)
 
 
 def test_layer_that_was_not_asked_for_is_named(moon):
