@@ -26,7 +26,6 @@ namespace Msisf.Architecture.Tests
         /// <summary>Uses against the order, which close circles, that still stand: who ends one takes it out, and none comes in.</summary>
         private static readonly string[] StandingUses =
         [
-            "Surface -> Surface.Sources",
             "Render.Photometry -> Render.Visibility",
             "Render.Sampling -> Render",
             "Render.Shading -> Render",

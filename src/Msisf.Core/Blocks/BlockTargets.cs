@@ -87,12 +87,7 @@ internal sealed class BlockTargets : IReceiverBounds
 
     private static (TerrainNode Node, double CellAngle) NodeOf(SurfaceModel surface, CellBlock block)
     {
-        if (block.Part == surface.Parts.Count)
-        {
-            return (surface.Seams.Blocks[block.Column].Node, 0.0);
-        }
-
-        GridPatch part = surface.Parts[block.Part];
-        return (part.Bounds.Node(SquareLayout.CellBlockLevel, block.Row, block.Column), part.Geometry.CellAngle);
+        Patch patch = surface.Patches[block.Part];
+        return (patch.NodeOf(block.Node, patch.BoundsOf(block.Node)), patch.CellAngle);
     }
 }

@@ -29,15 +29,14 @@ public sealed class SceneBlocks
     public SceneBlocks(ITerrain terrain)
     {
         _surface = SurfaceModel.Of(terrain);
-        _sides = [.. _surface.Parts.Select(part => SideOf(part.Geometry.CellAngle))];
+        _sides = [.. _surface.Patches.Select(patch => SideOf(patch.CellAngle))];
     }
 
     /// <summary>Whether the surface goes around the whole Moon, so that no ray can meet it from below.</summary>
     public bool IsClosed => _surface.IsClosed;
 
     /// <summary>PRODUCT_ID of a block's model; null for seams.</summary>
-    public string? ProductIdOf(SceneBlock block) =>
-        block.Part < _surface.Parts.Count ? _surface.Parts[block.Part].Grid.ProductId : null;
+    public string? ProductIdOf(SceneBlock block) => _surface.Patches[block.Part].ProductId;
 
     /// <summary>
     /// Selects the blocks that an image needs: all that may be seen, and all that may throw a shadow on these. A ray of the image, one
@@ -71,15 +70,14 @@ public sealed class SceneBlocks
     }
 
     /// <summary>Number of facets of blocks; at poles, and beside finer models, an upper bound.</summary>
-    public long CountFaces(IEnumerable<SceneBlock> blocks) => blocks.Sum(block => block.Part == _surface.Parts.Count
-        ? _surface.Seams.FacetsOf(block.Column)
-        : 2L * CellsOf(block).Lines * CellsOf(block).Samples);
+    public long CountFaces(IEnumerable<SceneBlock> blocks) =>
+        blocks.Sum(block => _surface.Patches[block.Part].CountFacets(CellsOf(block)));
 
     /// <summary>The meshes of a block: one, or several where facets of seams reach far.</summary>
     /// <exception cref="BadInputException">The model can't be read, or a mesh is too large for its lattice.</exception>
-    public IReadOnlyList<BlockMesh> MeshesOf(SceneBlock block) => block.Part == _surface.Parts.Count
-        ? [.. MeshesOfSeams(block.Column * SeamMesh.BlockFacets, _surface.Seams.FacetsOf(block.Column))]
-        : [MeshOfCells(block)];
+    public IReadOnlyList<BlockMesh> MeshesOf(SceneBlock block) => _surface.Patches[block.Part] is GridPatch part
+        ? [MeshOfCells(part, CellsOf(block))]
+        : [.. MeshesOfSeams(block.Column * SeamPatch.BlockFacets, _surface.Seams.FacetsOf(block.Column))];
 
     private static int SideOf(double cellAngle)
     {
@@ -96,7 +94,7 @@ public sealed class SceneBlocks
 
     private CellRange CellsOf(SceneBlock block)
     {
-        CellRange all = _surface.Parts[block.Part].Mesh.Cells;
+        CellRange all = _surface.Patches[block.Part].Layout.AllCells;
         int side = _sides[block.Part];
         return new CellRange(
             all.FirstLine + (block.Row * side),
@@ -105,16 +103,10 @@ public sealed class SceneBlocks
             Math.Min(all.FirstSample + ((block.Column + 1) * side), all.EndSample));
     }
 
-    /// <summary>The squares of a block of cells that have facets; a block of seams is one.</summary>
+    /// <summary>The squares of a block that have facets; a block of seams is one.</summary>
     private IEnumerable<SceneBlock> SquaresOf(CellBlock block)
     {
-        if (block.Part == _surface.Parts.Count)
-        {
-            yield return new SceneBlock(block.Part, 0, block.Column);
-            yield break;
-        }
-
-        CellMask? kept = _surface.Parts[block.Part].Kept;
+        CellMask? kept = _surface.Patches[block.Part].Kept;
         int squares = CellBlock.Size / _sides[block.Part];
         for (int square = 0; square < squares * squares; square++)
         {
@@ -128,10 +120,8 @@ public sealed class SceneBlocks
         }
     }
 
-    private BlockMesh MeshOfCells(SceneBlock block)
+    private static BlockMesh MeshOfCells(GridPatch part, CellRange cells)
     {
-        GridPatch part = _surface.Parts[block.Part];
-        CellRange cells = CellsOf(block);
         BlockMeshBuilder mesh = new(part.Geometry.StepsPerMetre);
         double[] radii = new double[cells.Samples + 1];
         Vector3D[] north = [];
@@ -163,7 +153,7 @@ public sealed class SceneBlocks
     /// <summary>The meshes of some facets of seams, each of as many as its lattice can hold.</summary>
     private IEnumerable<BlockMesh> MeshesOfSeams(int first, int count)
     {
-        SeamMesh seams = _surface.Seams;
+        SeamPatch seams = _surface.Seams;
         double stepsPerMetre = 0.0;
         for (int corner = 3 * first; corner < 3 * (first + count); corner++)
         {

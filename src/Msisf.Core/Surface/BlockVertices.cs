@@ -3,7 +3,6 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
-using Msisf.Core.Surface.Sources;
 
 namespace Msisf.Core.Surface;
 
@@ -24,7 +23,7 @@ internal sealed class BlockVertices
     private const int Rows = CellBlock.Size + 1;
 
     private readonly double[] _radii = new double[Stride];
-    private int _facets;
+    private int _seamFacets;
 
     /// <summary>Number of lines of vertices that are loaded.</summary>
     public int Lines { get; private set; }
@@ -38,8 +37,14 @@ internal sealed class BlockVertices
     /// <summary>The block.</summary>
     public CellBlock Block { get; private set; }
 
-    /// <summary>Whether the block has facets of seams: only one half of the cells of <see cref="SeamMesh.CellsOfLine"/>.</summary>
-    public bool IsOfSeams { get; private set; }
+    /// <summary>Line of the cells of the southern fan; a number that no line has if there is none.</summary>
+    public int SouthFanLine { get; private set; }
+
+    /// <summary>Whether the block has facets of seams: only one half of the cells of <see cref="SeamPatch.CellsOfLine"/>.</summary>
+    public bool IsOfSeams => _seamFacets > 0;
+
+    /// <summary>Room for the radii of a line, for the patch that loads the block.</summary>
+    internal Span<double> Radii => _radii;
 
     /// <summary>
     /// Coordinate of each vertex, m, MOON_ME, relative to the origin of the last <see cref="Load"/>; line by line with <see cref="Stride"/>
@@ -76,11 +81,11 @@ internal sealed class BlockVertices
     }
 
     /// <summary>The cells of a line that have facets, as bits from the left.</summary>
-    public uint CellsOfLine(int line) => IsOfSeams ? SeamMesh.CellsOfLine(line, _facets) : uint.MaxValue;
+    public uint CellsOfLine(int line) => IsOfSeams ? SeamPatch.CellsOfLine(line, _seamFacets) : uint.MaxValue;
 
-    /// <summary>Number of a facet of seams in <see cref="SeamMesh"/>.</summary>
+    /// <summary>Number of a facet of seams in <see cref="SeamPatch"/>.</summary>
     /// <param name="index">Index of the facet's first vertex.</param>
-    public int SeamFacet(int index) => (Block.Column * SeamMesh.BlockFacets) + SeamMesh.FacetAt(index / Stride, index % Stride);
+    public int SeamFacet(int index) => (Block.Column * SeamPatch.BlockFacets) + SeamPatch.FacetAt(index / Stride, index % Stride);
 
     /// <summary>Reads the vertices of a block.</summary>
     /// <param name="surface">The surface.</param>
@@ -89,27 +94,17 @@ internal sealed class BlockVertices
     public void Load(SurfaceModel surface, CellBlock block, Vector3D originMoonMe)
     {
         Block = block;
-        IsOfSeams = block.Part == surface.Parts.Count;
-        if (IsOfSeams)
-        {
-            _facets = surface.Seams.FacetsOf(block.Column);
-            (Lines, Samples) = surface.Seams.Place(block.Column, originMoonMe, X, Y, Z);
-            return;
-        }
-
-        GridPatch part = surface.Parts[block.Part];
-        Cells = part.CellsOf(block);
-        Lines = Cells.EndLine - Cells.FirstLine + 1;
-        Samples = Cells.EndSample - Cells.FirstSample + 1;
-        int whole = (Samples + Vector512<double>.Count - 1) / Vector512<double>.Count * Vector512<double>.Count;
-        _radii.AsSpan(Samples).Fill(part.Grid.ReferenceRadius);
-        for (int line = 0; line < Lines; line++)
-        {
-            int start = line * Stride;
-            part.Mesh.ReadRadii(Cells.FirstLine + line, Cells.FirstSample, _radii.AsSpan(0, Samples));
-            part.Geometry.PlaceLine(
-                Cells.FirstLine + line, Cells.FirstSample, _radii.AsSpan(0, whole), originMoonMe, X.AsSpan(start, whole),
-                Y.AsSpan(start, whole), Z.AsSpan(start, whole));
-        }
+        surface.Patches[block.Part].Load(this, originMoonMe);
     }
+
+    /// <summary>Begins to load a block of cells.</summary>
+    internal void Begin(CellRange cells, int southFanLine)
+    {
+        (Cells, SouthFanLine, _seamFacets) = (cells, southFanLine, 0);
+        (Lines, Samples) = (cells.Lines + 1, cells.Samples + 1);
+    }
+
+    /// <summary>Begins to load a block of facets of seams.</summary>
+    internal void Begin(int lines, int samples, int seamFacets) =>
+        (Lines, Samples, Cells, SouthFanLine, _seamFacets) = (lines, samples, default, int.MaxValue, seamFacets);
 }

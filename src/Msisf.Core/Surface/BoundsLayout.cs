@@ -30,10 +30,24 @@ internal abstract class BoundsLayout(int lines, int samples)
     public abstract int Columns(int level);
 
     /// <summary>Number of nodes of the level below along an edge of a node; nodes in the last row and column may have fewer.</summary>
-    protected abstract int ChildrenPerEdge(int level);
+    public abstract int ChildrenPerEdge(int level);
+
+    /// <summary>Row and column, in its node, of the child that a walk comes to after so many others.</summary>
+    public virtual (int Down, int Right) ChildAt(int child, int edge) => (child / edge, child % edge);
 
     /// <summary>The cells of a node.</summary>
     public abstract CellRange Cells(int level, int row, int column);
+
+    /// <summary>The cells of all nodes.</summary>
+    public CellRange AllCells
+    {
+        get
+        {
+            CellRange last = Cells(0, Rows(0) - 1, Columns(0) - 1);
+            CellRange first = Cells(0, 0, 0);
+            return new CellRange(first.FirstLine, last.EndLine, first.FirstSample, last.EndSample);
+        }
+    }
 
     /// <summary>The nodes of the level below that make up a node.</summary>
     /// <param name="level">The node's level, which is not the finest.</param>

@@ -11,8 +11,11 @@ internal readonly record struct CellBlock(int Row, int Column)
     /// <summary>Number of cells along an edge; those at the lower and right end may have fewer.</summary>
     public const int Size = 32;
 
-    /// <summary>Number of the block's model in <see cref="SurfaceModel.Parts"/>; the number of models for the seams between them.</summary>
+    /// <summary>Number of the block's patch in <see cref="SurfaceModel.Patches"/>.</summary>
     public int Part { get; init; }
+
+    /// <summary>The block as a node of bounds.</summary>
+    public NodePlace Node => new(SquareLayout.CellBlockLevel, Row, Column);
 
     /// <summary>
     /// 0 for all cells of the block; else a rectangle of those that a finer model has left, counted from 1 (<see cref="CellMask.Pieces"/>).

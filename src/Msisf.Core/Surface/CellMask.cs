@@ -63,7 +63,7 @@ internal sealed class CellMask
     /// <summary>What of a block is kept.</summary>
     public BlockState StateOf(int row, int column) => _states[(row * _columns) + column];
 
-    /// <summary>The pieces of a partial block, as indices in <see cref="Pieces"/>.</summary>
+    /// <summary>The pieces of a partial block, as indices in <see cref="Pieces"/> counted from 1.</summary>
     public (int First, int Count) PiecesOf(int row, int column) => _piecesOf[(row * _columns) + column];
 
     /// <summary>Whether a cell of the mesh is kept.</summary>
@@ -125,7 +125,7 @@ internal sealed class CellMask
             int lines = Math.Min(CellBlock.Size, _all.EndLine - firstLine);
             int first = _pieces.Count;
             AddPieces(rows.AsSpan(0, lines), inMesh, firstLine, firstSample);
-            _piecesOf[block] = (first, _pieces.Count - first);
+            _piecesOf[block] = (first + 1, _pieces.Count - first);
             if (_pieces.Count == first)
             {
                 _states[block] = BlockState.Empty;

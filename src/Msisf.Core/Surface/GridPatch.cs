@@ -1,3 +1,4 @@
+using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -7,7 +8,7 @@ namespace Msisf.Core.Surface;
 /// The facets of one elevation model: its mesh with each vertex on a lattice, and the bounds of the facets. The model is read only where it
 /// is needed. Safe for several threads.
 /// </summary>
-internal sealed class GridPatch
+internal sealed class GridPatch : Patch
 {
     /// <summary>Makes the facets of a model; nothing of the model is read yet.</summary>
     /// <param name="grid">The elevation model.</param>
@@ -37,11 +38,20 @@ internal sealed class GridPatch
     /// <summary>The surface's bounds in the nodes of <see cref="SquareLayout"/>, computed at the first request.</summary>
     public BoundsTree Bounds { get; }
 
-    /// <summary>The cells that finer models leave; null for all.</summary>
-    public CellMask? Kept { get; }
+    /// <inheritdoc/>
+    public override string? ProductId => Grid.ProductId;
 
-    /// <summary>Whether a frame shows nothing of the model.</summary>
-    public bool IsLeftOut => Kept is { IsAny: false };
+    /// <inheritdoc/>
+    public override BoundsLayout Layout => Bounds.Layout;
+
+    /// <inheritdoc/>
+    public override CellMask? Kept { get; }
+
+    /// <inheritdoc/>
+    public override double Sagitta => Geometry.Sagitta;
+
+    /// <inheritdoc/>
+    public override double CellAngle => Geometry.CellAngle;
 
     /// <summary>The same model with some of its cells.</summary>
     public GridPatch WithCells(CellMask kept) => new(this, kept);
@@ -57,6 +67,62 @@ internal sealed class GridPatch
     /// <param name="sample">A sample; of a closed mesh up to its number of samples, which is 0 again.</param>
     /// <param name="radius">m.</param>
     public Vector3D Vertex(int line, int sample, double radius) => Geometry.Vertex(line, sample, radius);
+
+    /// <inheritdoc/>
+    public override bool TryGetKnown(NodePlace node, out NodeBounds bounds) =>
+        Bounds.TryGetKnown(node.Level, node.Row, node.Column, out bounds);
+
+    /// <inheritdoc/>
+    public override NodeBounds BoundsOf(NodePlace node) => Bounds.Of(node.Level, node.Row, node.Column);
+
+    /// <inheritdoc/>
+    public override NodeBox BoxOf(NodePlace node, double minRadius, double maxRadius) =>
+        Bounds.BoxOf(node.Level, node.Row, node.Column, minRadius, maxRadius);
+
+    /// <inheritdoc/>
+    public override TerrainNode NodeOf(NodePlace node, NodeBounds bounds) =>
+        Bounds.NodeOf(Bounds.CapOf(node.Level, node.Row, node.Column), bounds);
+
+    /// <inheritdoc/>
+    public override bool Has(FacetId facet)
+    {
+        CellRange cells = Mesh.Cells;
+        return facet.Line >= cells.FirstLine && facet.Line < cells.EndLine && facet.Sample >= cells.FirstSample
+            && facet.Sample < cells.EndSample && Has(facet.Line, facet.Sample);
+    }
+
+    /// <inheritdoc/>
+    public override (int Part, int Line, int Sample) VertexOf(FacetId facet, int corner)
+    {
+        bool isSouth = corner == 1 || (corner == 2 && facet.Half == FacetHalf.SouthWest);
+        bool isEast = corner == 2 || (corner == 1 && facet.Half == FacetHalf.NorthEast);
+        return (facet.Part, isSouth ? facet.Line + 1 : facet.Line, isEast ? Mesh.Next(facet.Sample) : facet.Sample);
+    }
+
+    /// <inheritdoc/>
+    public override (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => Corners(facet.Line, facet.Sample).Facet(facet.Half);
+
+    /// <inheritdoc/>
+    public override long CountFacets(CellRange cells) => 2L * cells.Lines * cells.Samples;
+
+    /// <inheritdoc/>
+    public override void Load(BlockVertices vertices, Vector3D originMoonMe)
+    {
+        CellRange cells = CellsOf(vertices.Block);
+        vertices.Begin(cells, Mesh.SouthFanLine);
+        int samples = vertices.Samples;
+        int whole = (samples + Vector512<double>.Count - 1) / Vector512<double>.Count * Vector512<double>.Count;
+        Span<double> radii = vertices.Radii;
+        radii[samples..].Fill(Grid.ReferenceRadius);
+        for (int line = 0; line < vertices.Lines; line++)
+        {
+            int start = line * BlockVertices.Stride;
+            Mesh.ReadRadii(cells.FirstLine + line, cells.FirstSample, radii[..samples]);
+            Geometry.PlaceLine(
+                cells.FirstLine + line, cells.FirstSample, radii[..whole], originMoonMe, vertices.X.AsSpan(start, whole),
+                vertices.Y.AsSpan(start, whole), vertices.Z.AsSpan(start, whole));
+        }
+    }
 
     /// <summary>The corners of a cell of the mesh.</summary>
     public CellCorners Corners(int line, int sample)

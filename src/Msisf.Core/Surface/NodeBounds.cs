@@ -9,6 +9,10 @@ internal readonly record struct NodeBounds(float Min, float Max, float MaxSlope)
     /// <summary>The bounds of no facets, which leave any bounds unchanged in a union.</summary>
     public static NodeBounds Empty => new(float.PositiveInfinity, float.NegativeInfinity, 0.0F);
 
+    /// <summary>The bounds of facets of which nothing is known but limits of their vertices' radii, m.</summary>
+    public static NodeBounds Within((double Min, double Max) limits) =>
+        new(MathF.BitDecrement((float)limits.Min), MathF.BitIncrement((float)limits.Max), float.PositiveInfinity);
+
     /// <summary>The bounds of the facets of two nodes together.</summary>
     public static NodeBounds Union(NodeBounds a, NodeBounds b) =>
         new(Math.Min(a.Min, b.Min), Math.Max(a.Max, b.Max), Math.Max(a.MaxSlope, b.MaxSlope));

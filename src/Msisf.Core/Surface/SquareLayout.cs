@@ -45,7 +45,12 @@ internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, me
     public override int Columns(int level) => (mesh.Cells.Samples + Side(level) - 1) >> SideShift(level);
 
     /// <inheritdoc/>
-    protected override int ChildrenPerEdge(int level) => Fan;
+    public override int ChildrenPerEdge(int level) => Fan;
+
+    /// <inheritdoc/>
+    /// <remarks>Quarter by quarter, and each quarter again by its quarters, so that successive blocks are neighbours.</remarks>
+    public override (int Down, int Right) ChildAt(int child, int edge) =>
+        (((child >> 2) & 2) + ((child >> 1) & 1), ((child >> 1) & 2) + (child & 1));
 
     /// <inheritdoc/>
     public override CellRange Cells(int level, int row, int column) => new(

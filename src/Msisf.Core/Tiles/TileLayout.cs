@@ -35,7 +35,7 @@ internal sealed class TileLayout(int pixelsPerDegree) : BoundsLayout(180 * pixel
     public override int Columns(int level) => TileId.Columns * _subdivisions[level];
 
     /// <inheritdoc/>
-    protected override int ChildrenPerEdge(int level) => _subdivisions[level - 1] / _subdivisions[level];
+    public override int ChildrenPerEdge(int level) => _subdivisions[level - 1] / _subdivisions[level];
 
     /// <inheritdoc/>
     public override CellRange Cells(int level, int row, int column) => new(

@@ -111,7 +111,7 @@ internal ref struct RayWalk
     /// <summary>Tests the facets between models whose balls the ray meets.</summary>
     private void VisitSeams(RayPiece piece)
     {
-        SeamMesh seams = _surface.Seams;
+        SeamPatch seams = _surface.Seams;
         for (int number = 0; number < seams.Blocks.Count && !IsOver; number++)
         {
             (Vector3D centre, double radius) = seams.Blocks[number].Ball;
@@ -123,7 +123,7 @@ internal ref struct RayWalk
                 continue;
             }
 
-            int first = number * SeamMesh.BlockFacets;
+            int first = number * SeamPatch.BlockFacets;
             for (int facet = first; facet < first + seams.FacetsOf(number); facet++)
             {
                 (Vector3D a, Vector3D b, Vector3D c) = seams.CornersOf(facet);

@@ -26,7 +26,7 @@ public sealed class NestedLevelsTests
         Assert.Equal(5, terrain.PartCount);
         Assert.Equal([null, 1200.0, 100.0, 80.0], terrain.DrawnResolutions.Skip(1).Select(drawn => drawn?.MetresPerPixel));
         Assert.Equal([false, true, false, false, false], terrain.Parts.Select(part => part.IsLeftOut));
-        SeamMesh seams = terrain.Surface.Seams;
+        SeamPatch seams = terrain.Surface.Seams;
         Assert.All(Enumerable.Range(0, seams.Count), facet => Assert.NotEqual(1, seams.VertexOf(facet, 0).Part));
     }
 
@@ -117,7 +117,7 @@ public sealed class NestedLevelsTests
     public void Covers_ModelsOfAScene_AreAsTheyLie(string name, int coarser, int finer, bool covers) =>
         Assert.Equal(covers, NestedScenes.LevelsOf(name).Covers(coarser, finer));
 
-    private static List<(Vector3D, Vector3D, Vector3D)> CornersOf(SeamMesh seams) =>
+    private static List<(Vector3D, Vector3D, Vector3D)> CornersOf(SeamPatch seams) =>
         [.. Enumerable.Range(0, seams.Count).Select(seams.CornersOf)];
 
     private static double[][] RadiiOf(GridPatch part) => [.. Enumerable.Range(0, part.Grid.Lines).Select(line =>

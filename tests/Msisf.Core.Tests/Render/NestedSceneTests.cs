@@ -189,7 +189,7 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
     /// <summary>
     /// A ray at a corner, at the middle of a side, or within a facet of the seams; from above, or those within from the camera.
     /// </summary>
-    private static Ray Aimed(SeamMesh seams, View view, bool isAtEdge, Random random)
+    private static Ray Aimed(SeamPatch seams, View view, bool isAtEdge, Random random)
     {
         (Vector3D a, Vector3D b, Vector3D c) = seams.CornersOf(random.Next(seams.Count));
         double weight = 0.2 + (0.3 * random.NextDouble());
@@ -202,7 +202,7 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
     }
 
     /// <summary>A corner of a facet of the seams, or the middle of a side; now and then a pole.</summary>
-    private static Vector3D TargetOf(SeamMesh seams, int number, Random random)
+    private static Vector3D TargetOf(SeamPatch seams, int number, Random random)
     {
         (Vector3D a, Vector3D b, Vector3D c) = seams.CornersOf(random.Next(seams.Count));
         Vector3D target = CornerOrSide(a, b, c, random);

@@ -21,13 +21,8 @@ internal sealed class SmoothNormals
     private readonly Corner[] _kept = new Corner[KeptVertices];
     private readonly long[] _keptKeys = new long[KeptVertices];
     private readonly double[] _radii = new double[3];
-    private int _facetPart;
-    private int _line = int.MinValue;
-    private int _sample;
-    private Corner _northWest;
-    private Corner _northEast;
-    private Corner _southWest;
-    private Corner _southEast;
+    private readonly Corner[] _corners = new Corner[3];
+    private FacetId _facet = new(int.MinValue, 0, default);
 
     public SmoothNormals(SurfaceModel surface)
     {
@@ -43,14 +38,14 @@ internal sealed class SmoothNormals
     /// <returns>The normal, MOON_ME, outward, length 1.</returns>
     public Vector3D At(FacetId facet, Vector3D facetNormalMoonMe, Vector3D pointMoonMe)
     {
-        if (facet.Line != _line || facet.Sample != _sample || facet.Part != _facetPart)
+        if (facet != _facet)
         {
-            _facetPart = facet.Part;
-            Load(facet.Line, facet.Sample);
+            Load(facet);
         }
 
-        (Corner b, Corner c) = facet.Half == FacetHalf.SouthWest ? (_southWest, _southEast) : (_southEast, _northEast);
-        Corner a = _northWest;
+        ref readonly Corner a = ref _corners[0];
+        ref readonly Corner b = ref _corners[1];
+        ref readonly Corner c = ref _corners[2];
         double weightA = Weight(facetNormalMoonMe, b.Position, c.Position, pointMoonMe);
         double weightB = Weight(facetNormalMoonMe, c.Position, a.Position, pointMoonMe);
         double weightC = Weight(facetNormalMoonMe, a.Position, b.Position, pointMoonMe);
@@ -61,31 +56,16 @@ internal sealed class SmoothNormals
     private static double Weight(Vector3D normal, Vector3D from, Vector3D to, Vector3D point) =>
         Vector3D.Dot(normal, Vector3D.Cross(from - point, to - point));
 
-    private void Load(int line, int sample)
-    {
-        _line = line;
-        _sample = sample;
-        if (_facetPart == _surface.Parts.Count)
-        {
-            _northWest = CornerOf(_surface.Seams.VertexOf(sample, 0));
-            _southWest = CornerOf(_surface.Seams.VertexOf(sample, 1));
-            _southEast = CornerOf(_surface.Seams.VertexOf(sample, 2));
-            return;
-        }
-
-        (_partNumber, _part) = (_facetPart, _surface.Parts[_facetPart]);
-        int east = _part.Mesh.Next(sample);
-        _northWest = CornerAt(line, sample);
-        _northEast = CornerAt(line, east);
-        _southWest = CornerAt(line + 1, sample);
-        _southEast = CornerAt(line + 1, east);
-    }
-
     /// <summary>A vertex of a seam has the normal that it has in its own model.</summary>
-    private Corner CornerOf(SeamVertex vertex)
+    private void Load(FacetId facet)
     {
-        (_partNumber, _part) = (vertex.Part, _surface.Parts[vertex.Part]);
-        return CornerAt(vertex.Line, vertex.Sample);
+        _facet = facet;
+        for (int corner = 0; corner < _corners.Length; corner++)
+        {
+            (_partNumber, int line, int sample) = _surface.Patches[facet.Part].VertexOf(facet, corner);
+            _part = _surface.Parts[_partNumber];
+            _corners[corner] = CornerAt(line, sample);
+        }
     }
 
     private Corner CornerAt(int line, int sample)

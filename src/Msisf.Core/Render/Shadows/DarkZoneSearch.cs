@@ -26,8 +26,8 @@ internal sealed class DarkZoneSearch
     private const double CellsPerPlane = 2.0;
 
     private readonly SurfaceModel _surface;
-    private readonly GridPatch? _model;
-    private readonly NodeBounds _modelBounds;
+    private readonly NodeBounds _limits;
+    private readonly double _cell;
     private readonly double _maxRadius;
     private readonly double _solidRadius;
     private readonly DarkZones _zones = new();
@@ -35,16 +35,14 @@ internal sealed class DarkZoneSearch
     private readonly List<CellBlock> _blocks = [];
     private readonly List<LightBounds> _unknown = [];
 
-    /// <summary>Makes a search for a model.</summary>
-    /// <param name="surface">The model.</param>
+    /// <summary>Makes a search on a surface.</summary>
     public DarkZoneSearch(SurfaceModel surface)
     {
         _surface = surface;
-        _model = surface.Parts.Count == 1 ? surface.Parts[0] : null;
-        (double min, double max) = surface.RadiusLimits;
-        _modelBounds = new NodeBounds(MathF.BitDecrement((float)min), MathF.BitIncrement((float)max), float.PositiveInfinity);
-        _maxRadius = max + Tolerances.VertexLattice;
-        _solidRadius = surface.SolidRadius(min);
+        _limits = NodeBounds.Within(surface.RadiusLimits);
+        _maxRadius = surface.RadiusLimits.Max + Tolerances.VertexLattice;
+        _solidRadius = surface.SolidRadius(surface.RadiusLimits.Min);
+        _cell = _maxRadius * surface.Parts.Where(part => !part.IsLeftOut).Min(part => part.CellAngle);
     }
 
     /// <summary>Whether the zones save more time than they take.</summary>
@@ -55,7 +53,7 @@ internal sealed class DarkZoneSearch
     {
         LightBox box = receivers.Box;
         double reach = slope * (receivers.Grid.MaxDepth() - MinDepth(box));
-        return _model is not null && casters > ManyBlocks
+        return _solidRadius > 0.0 && casters > ManyBlocks
             && receivers.Grid.Length * 4.0 * reach * reach > ManyReceivers * (box.MaxU - box.MinU) * (box.MaxV - box.MinV);
     }
 
@@ -66,29 +64,28 @@ internal sealed class DarkZoneSearch
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
     /// <returns>
-    /// The zones, valid until the next search; null if they would cost too much, or the surface is not one model of the whole Moon.
+    /// The zones, valid until the next search; null if they would cost too much, or the surface is not closed.
     /// </returns>
     public DarkZones? Find(ReceiverSort receivers, double slope, int casters, int threads, CancellationToken cancellation)
     {
         LightBox box = receivers.Box;
         double deepest = receivers.Grid.MaxDepth();
         double minDepth = MinDepth(box);
-        if (_model is null || !(_solidRadius > 0.0 && deepest > minDepth && box.MaxV > box.MinV && box.MinU < _maxRadius))
+        if (!(_solidRadius > 0.0 && deepest > minDepth && box.MaxV > box.MinV && box.MinU < _maxRadius))
         {
             return null;
         }
 
-        // A line of a model of latitude and longitude is as far from the next one everywhere.
-        double cell = 2.0 * Math.PI * _maxRadius / _model.Mesh.Samples;
-        SectionGrid grid = new(box, minDepth, deepest, CellsPerPlane * cell, slope);
+        SectionGrid grid = new(box, minDepth, deepest, CellsPerPlane * _cell, slope);
         _blocks.Clear();
         _unknown.Clear();
-        BoundsLayout layout = _model.Bounds.Layout;
-        int top = layout.Levels - 1;
-        NodeRange all = new(0, layout.Rows(top), 0, layout.Columns(top));
-        if (!TryCollect(_model.Bounds, top, all, receivers.Frame, grid, BlocksPerCaster * casters))
+        for (int part = 0; part < _surface.Patches.Length; part++)
         {
-            return null;
+            Collector collector = new(this, part, receivers.Frame, grid, BlocksPerCaster * casters);
+            if (!_surface.Patches[part].IsLeftOut && !NodeWalk.All(_surface.Patches[part].Layout, ref collector))
+            {
+                return null;
+            }
         }
 
         while (_sections.Count < threads)
@@ -128,45 +125,38 @@ internal sealed class DarkZoneSearch
         return -Math.Sqrt((_maxRadius - low) * (_maxRadius + low));
     }
 
-    /// <summary>Collects all terrain that the planes may cut; false if it is too much.</summary>
-    private bool TryCollect(BoundsTree tree, int level, NodeRange nodes, LightFrame frame, SectionGrid grid, int max)
+    /// <summary>Collects all terrain that the planes may cut, and stops if it is too much.</summary>
+    private readonly struct Collector(DarkZoneSearch search, int part, LightFrame frame, SectionGrid grid, int max) : INodeTester
     {
-        for (int row = nodes.FirstRow; row < nodes.EndRow; row++)
+        public Visit Test(NodePlace node)
         {
-            for (int column = nodes.FirstColumn; column < nodes.EndColumn; column++)
+            Patch patch = search._surface.Patches[part];
+            bool isKnown = patch.TryGetKnown(node, out NodeBounds known);
+            LightBounds bounds = LightBounds.Of(frame, patch.NodeOf(node, isKnown ? known : search._limits));
+            if (!(bounds.Box.MaxU >= 0.0 && bounds.Box.MaxV >= grid.MinV && bounds.Box.MinV <= grid.MaxV
+                && bounds.MaxDepth >= grid.MinDepth && bounds.MinDepth <= grid.DepthOf(grid.Planes)))
             {
-                bool isKnown = tree.TryGetKnown(level, row, column, out NodeBounds known);
-                LightBounds bounds = LightBounds.Of(
-                    frame, tree.NodeOf(tree.CapOf(level, row, column), isKnown ? known : _modelBounds));
-                if (!(bounds.Box.MaxU >= 0.0 && bounds.Box.MaxV >= grid.MinV && bounds.Box.MinV <= grid.MaxV
-                    && bounds.MaxDepth >= grid.MinDepth && bounds.MinDepth <= grid.DepthOf(grid.Planes)))
-                {
-                    continue;
-                }
-
-                if (level > SquareLayout.CellBlockLevel)
-                {
-                    if (!TryCollect(tree, level - 1, tree.Layout.ChildrenOf(level, row, column), frame, grid, max))
-                    {
-                        return false;
-                    }
-                }
-                else if (isKnown)
-                {
-                    _blocks.Add(new CellBlock(row, column));
-                }
-                else
-                {
-                    _unknown.Add(bounds);
-                }
-
-                if (_blocks.Count + _unknown.Count > max)
-                {
-                    return false;
-                }
+                return Visit.Skip;
             }
-        }
 
-        return true;
+            if (node.Level > SquareLayout.CellBlockLevel)
+            {
+                return Visit.Descend;
+            }
+
+            CellBlock block = new(node.Row, node.Column) { Part = part };
+            (int first, int count) = patch.PiecesOf(block);
+            for (int piece = first; piece < first + count && isKnown; piece++)
+            {
+                search._blocks.Add(block with { Piece = piece });
+            }
+
+            if (!isKnown && count > 0)
+            {
+                search._unknown.Add(bounds);
+            }
+
+            return search._blocks.Count + search._unknown.Count > max ? Visit.Stop : Visit.Skip;
+        }
     }
 }

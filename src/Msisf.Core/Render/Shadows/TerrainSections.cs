@@ -1,3 +1,4 @@
+using System.Numerics;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;
@@ -51,12 +52,16 @@ internal sealed class TerrainSections
 
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
-            int end = (line * BlockVertices.Stride) + _vertices.Samples - 1;
-            for (int northWest = line * BlockVertices.Stride; northWest < end; northWest++)
+            uint inBlock = uint.MaxValue >> (CellBlock.Size + 1 - _vertices.Samples);
+            for (uint cells = _vertices.CellsOfLine(line) & inBlock; cells != 0; cells &= cells - 1)
             {
+                int northWest = (line * BlockVertices.Stride) + BitOperations.TrailingZeroCount(cells);
                 int southWest = northWest + BlockVertices.Stride;
                 AddFacet(northWest, southWest, southWest + 1);
-                AddFacet(northWest, southWest + 1, northWest + 1);
+                if (!_vertices.IsOfSeams)
+                {
+                    AddFacet(northWest, southWest + 1, northWest + 1);
+                }
             }
         }
     }

@@ -11,7 +11,7 @@ namespace Msisf.Core.Render.Visibility;
 /// <param name="PartSampleAndHalf">Model, sample of the facet's cell, and half (<see cref="Place"/>).</param>
 internal readonly record struct FacetRecord(Vector3D Normal, double Offset, int Line, int PartSampleAndHalf)
 {
-    /// <summary>Samples, and facets of seams (<see cref="SeamMesh.MaxFacets"/>), are below 2^23.</summary>
+    /// <summary>Samples, and facets of seams (<see cref="SeamPatch.MaxFacets"/>), are below 2^23.</summary>
     private const int PartShift = 24;
 
     private const int SampleMask = (1 << (PartShift - 1)) - 1;

@@ -22,7 +22,6 @@ internal sealed class ProjectedBlock
     private readonly double[] _tops = new double[Rows * Vector512<double>.Count];
     private readonly double[] _bottoms = new double[Rows * Vector512<double>.Count];
     private Vector3D _originFromAnchor;
-    private int _lastCellLine;
 
     /// <summary>Positions of the vertices in m, MOON_ME, relative to <see cref="ImageView.Origin"/>, not to the camera.</summary>
     public BlockVertices Vertices { get; } = new();
@@ -51,7 +50,7 @@ internal sealed class ProjectedBlock
 
         int cellLine = Vertices.Cells.FirstLine + line;
         return cellLine < 0 ? FacetCorners.SouthWestHalf
-            : cellLine == _lastCellLine ? FacetCorners.NorthEastHalf
+            : cellLine == Vertices.SouthFanLine ? FacetCorners.NorthEastHalf
             : FacetCorners.SouthWestHalf | FacetCorners.NorthEastHalf;
     }
 
@@ -98,7 +97,6 @@ internal sealed class ProjectedBlock
     public void Read(SurfaceModel surface, CellBlock block, ImageView view)
     {
         Vertices.Load(surface, block, view.Origin);
-        _lastCellLine = Vertices.IsOfSeams ? int.MaxValue : surface.Parts[block.Part].Mesh.SouthFanLine;
         _originFromAnchor = view.OriginFromAnchor;
     }
 

@@ -17,16 +17,10 @@ internal static class KeptCells
     {
         CellMask mask = new(part.Mesh);
         RemoveGaps(part, mask);
-        int top = part.Bounds.Layout.Levels - 1;
         foreach (GridPatch other in finer)
         {
-            for (int row = 0; row < part.Bounds.Layout.Rows(top); row++)
-            {
-                for (int column = 0; column < part.Bounds.Layout.Columns(top); column++)
-                {
-                    RemoveReached(part, mask, other, (top, row, column));
-                }
-            }
+            ReachedCells reached = new(part, mask, other);
+            NodeWalk.All(part.Layout, ref reached);
         }
 
         RemoveFans(part.Mesh, mask);
@@ -65,56 +59,6 @@ internal static class KeptCells
         }
     }
 
-    private static void RemoveReached(GridPatch part, CellMask mask, GridPatch finer, (int Level, int Row, int Column) node)
-    {
-        (int level, int row, int column) = node;
-        BoundsTree tree = part.Bounds;
-        double margin = Gap * part.Geometry.CellAngle;
-        CellRange[] reached = CapWindow.Of(finer.Mesh, tree.CapOf(level, row, column), margin);
-        if (!Array.Exists(reached, finer.Kept!.HasAny))
-        {
-            return;
-        }
-
-        if (level > SquareLayout.CellBlockLevel)
-        {
-            NodeRange children = tree.Layout.ChildrenOf(level, row, column);
-            for (int childRow = children.FirstRow; childRow < children.EndRow; childRow++)
-            {
-                for (int childColumn = children.FirstColumn; childColumn < children.EndColumn; childColumn++)
-                {
-                    RemoveReached(part, mask, finer, (level - 1, childRow, childColumn));
-                }
-            }
-
-            return;
-        }
-
-        if (mask.StateOf(row, column) == CellMask.BlockState.Empty)
-        {
-            return;
-        }
-
-        if (finer.Kept!.HasAll(reached[0]))
-        {
-            mask.RemoveBlock(row, column);
-            return;
-        }
-
-        CellRange cells = tree.Layout.Cells(level, row, column);
-        for (int line = cells.FirstLine; line < cells.EndLine; line++)
-        {
-            for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
-            {
-                SphericalCap cap = tree.CapOf(new CellRange(line, line + 1, sample, sample + 1));
-                if (Array.Exists(CapWindow.Of(finer.Mesh, cap, margin), finer.Kept.HasAny))
-                {
-                    mask.Remove(line, sample);
-                }
-            }
-        }
-    }
-
     /// <summary>Removes the whole fan around a pole if a part of it is gone, so that the pole is no corner of a border.</summary>
     private static void RemoveFans(FacetMesh mesh, CellMask mask)
     {
@@ -127,6 +71,51 @@ internal static class KeptCells
                     mask.Remove(line, sample);
                 }
             }
+        }
+    }
+
+    /// <summary>Removes the cells within reach of a finer model.</summary>
+    private readonly struct ReachedCells(GridPatch part, CellMask mask, GridPatch finer) : INodeTester
+    {
+        public Visit Test(NodePlace node)
+        {
+            (int level, int row, int column) = node;
+            double margin = Gap * part.CellAngle;
+            CellRange[] reached = CapWindow.Of(finer.Mesh, part.Bounds.CapOf(level, row, column), margin);
+            if (!Array.Exists(reached, finer.Kept!.HasAny))
+            {
+                return Visit.Skip;
+            }
+
+            if (level > SquareLayout.CellBlockLevel)
+            {
+                return Visit.Descend;
+            }
+
+            if (finer.Kept.HasAll(reached[0]))
+            {
+                mask.RemoveBlock(row, column);
+            }
+
+            if (mask.StateOf(row, column) == CellMask.BlockState.Empty)
+            {
+                return Visit.Skip;
+            }
+
+            CellRange cells = part.Layout.Cells(level, row, column);
+            for (int line = cells.FirstLine; line < cells.EndLine; line++)
+            {
+                for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
+                {
+                    SphericalCap cap = part.Bounds.CapOf(new CellRange(line, line + 1, sample, sample + 1));
+                    if (Array.Exists(CapWindow.Of(finer.Mesh, cap, margin), finer.Kept.HasAny))
+                    {
+                        mask.Remove(line, sample);
+                    }
+                }
+            }
+
+            return Visit.Skip;
         }
     }
 }

@@ -59,29 +59,8 @@ internal static class ModelReach
             return false;
         }
 
-        BoundsLayout layout = part.Bounds.Layout;
-        int top = layout.Levels - 1;
-        return whole.Mesh.IsClosed || Covers(whole, part, top, new NodeRange(0, layout.Rows(top), 0, layout.Columns(top)));
-    }
-
-    private static bool Covers(GridPatch whole, GridPatch part, int level, NodeRange nodes)
-    {
-        for (int row = nodes.FirstRow; row < nodes.EndRow; row++)
-        {
-            for (int column = nodes.FirstColumn; column < nodes.EndColumn; column++)
-            {
-                SphericalCap cap = part.Bounds.CapOf(level, row, column);
-                CellRange[] reached = CapWindow.Of(whole.Mesh, cap, Margin * whole.Geometry.CellAngle);
-                if (!Array.Exists(reached, range => Holds(whole.Mesh, range))
-                    && (level == SquareLayout.CellBlockLevel
-                        || !Covers(whole, part, level - 1, part.Bounds.Layout.ChildrenOf(level, row, column))))
-                {
-                    return false;
-                }
-            }
-        }
-
-        return true;
+        HeldNodes held = new(whole, part);
+        return whole.Mesh.IsClosed || NodeWalk.All(part.Layout, ref held);
     }
 
     private static bool Holds(FacetMesh mesh, CellRange range)
@@ -90,5 +69,17 @@ internal static class ModelReach
         bool isRing = mesh.Grid.Projection is Equirectangular && mesh.SamplesOfTurn == all.Samples;
         return range.FirstLine >= all.FirstLine && range.EndLine <= all.EndLine
             && (isRing || (range.FirstSample >= all.FirstSample && range.EndSample <= all.EndSample));
+    }
+
+    /// <summary>Stops at a block that a model does not hold.</summary>
+    private readonly struct HeldNodes(GridPatch whole, GridPatch part) : INodeTester
+    {
+        public Visit Test(NodePlace node)
+        {
+            FacetMesh mesh = whole.Mesh;
+            SphericalCap cap = part.Bounds.CapOf(node.Level, node.Row, node.Column);
+            bool isHeld = Array.Exists(CapWindow.Of(mesh, cap, Margin * whole.CellAngle), range => Holds(mesh, range));
+            return isHeld ? Visit.Skip : node.Level > SquareLayout.CellBlockLevel ? Visit.Descend : Visit.Stop;
+        }
     }
 }

@@ -9,7 +9,7 @@ namespace Msisf.Core.Surface.Sources;
 /// Several elevation models as one closed surface: everywhere the finest model that has data, joined without a crack and without a step
 /// (docs/elevation-models.md). The seams are made when the surface is first needed. Safe for several threads.
 /// </summary>
-public sealed class NestedTerrain : ITerrain
+public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
 {
     /// <summary>Maximum number of models.</summary>
     public const int MaxModels = 100;
@@ -99,6 +99,8 @@ public sealed class NestedTerrain : ITerrain
     /// <exception cref="BadInputException">The models can't be joined.</exception>
     internal SurfaceModel Surface => _surface.Value;
 
+    SurfaceModel ISurfaceSource.Surface => Surface;
+
     /// <summary>The models with the cells that the surface has of them; without the seams, which take long.</summary>
     /// <exception cref="BadInputException">Nothing would be seen of a model.</exception>
     internal IReadOnlyList<GridPatch> Parts => _parts.Value.Kept;
@@ -128,6 +130,8 @@ public sealed class NestedTerrain : ITerrain
             model.ReleasePages();
         }
     }
+
+    double IGround.RadiusAt(Vector3D direction) => TerrainHeight.RadiusOn(Parts, () => Surface.Seams, direction);
 
     private SurfaceModel Join() => new(Parts, SeamBuilder.Join(Parts, _seams));
 }

@@ -9,7 +9,7 @@ namespace Msisf.Core.Surface.Sources;
 /// Elevation models with invented detail below their resolution, of which each frame shows as much as its pixels need
 /// (docs/invented-detail.md). Safe for several threads; a view does not depend on those before it.
 /// </summary>
-public sealed class RefinedTerrain : ITerrain
+public sealed class RefinedTerrain : ITerrain, IGround
 {
     /// <summary>log2 of m: the narrowest cells; the vertices' lattice would be too fine for exact signs with narrower ones.</summary>
     public const int LeastLevel = -5;
@@ -107,8 +107,8 @@ public sealed class RefinedTerrain : ITerrain
     /// <inheritdoc/>
     public void ReleasePages() => _models.ReleasePages();
 
-    /// <summary>Distance from the Moon's centre to the ground in a direction, with all its detail, m.</summary>
-    internal double RadiusAt(Vector3D direction) => _detail.RadiusAt(direction, Math.ScaleB(1.0, _finestLevel));
+    /// <summary>With all its detail.</summary>
+    double IGround.RadiusAt(Vector3D direction) => _detail.RadiusAt(direction, Math.ScaleB(1.0, _finestLevel));
 
     private SurfaceModel Join(IReadOnlyList<WindowPlace> places)
     {

@@ -3,7 +3,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Surface.Sources;
 
 /// <summary>The surface that one frame shows: the elevation models, and windows of generated ground inside each other.</summary>
-public sealed class RefinedView : ITerrain
+public sealed class RefinedView : ITerrain, ISurfaceSource
 {
     private readonly RefinedTerrain _terrain;
     private readonly Lazy<SurfaceModel> _surface;
@@ -49,6 +49,8 @@ public sealed class RefinedView : ITerrain
 
     /// <summary>The surface; made at the first request.</summary>
     internal SurfaceModel Surface => _surface.Value;
+
+    SurfaceModel ISurfaceSource.Surface => Surface;
 
     /// <inheritdoc/>
     public void ReleasePages() => _terrain.ReleasePages();

@@ -31,7 +31,7 @@ internal sealed class SeamBuilder
     /// <param name="store">Keeps what fills the gaps; null to make all of it.</param>
     /// <param name="more">Corners of further facets, three of each, whose vertices may belong to further parts; null for none.</param>
     /// <exception cref="BadInputException">The models can't be joined.</exception>
-    public static SeamMesh Join(
+    public static SeamPatch Join(
         IReadOnlyList<GridPatch> parts, ISeamStore? store = null, IReadOnlyList<SeamVertex>? more = null)
     {
         SeamBuilder builder = new(parts);
@@ -50,8 +50,8 @@ internal sealed class SeamBuilder
         int[] corners = InPlaces(vertices, filling);
         builder.Check(vertices, corners);
         return more is null
-            ? new SeamMesh(vertices, corners)
-            : new SeamMesh([.. vertices, .. more], [.. corners, .. Enumerable.Range(vertices.Length, more.Count)]);
+            ? new SeamPatch(vertices, corners)
+            : new SeamPatch([.. vertices, .. more], [.. corners, .. Enumerable.Range(vertices.Length, more.Count)]);
     }
 
     /// <summary>Adds the sides of kept cells beyond which there is no kept cell.</summary>
@@ -160,10 +160,10 @@ internal sealed class SeamBuilder
 
     private void Check(SeamVertex[] vertices, int[] corners)
     {
-        if (corners.Length / 3 >= SeamMesh.MaxFacets)
+        if (corners.Length / 3 >= SeamPatch.MaxFacets)
         {
             throw new BadInputException(
-                $"The borders of the elevation models need {corners.Length / 3} facets; up to {SeamMesh.MaxFacets} are possible. "
+                $"The borders of the elevation models need {corners.Length / 3} facets; up to {SeamPatch.MaxFacets} are possible. "
                     + "Take fewer models.");
         }
 

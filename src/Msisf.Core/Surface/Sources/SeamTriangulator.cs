@@ -91,7 +91,7 @@ internal sealed class SeamTriangulator
             return false;
         }
 
-        SeamMesh mesh = new(_vertices, corners);
+        SeamPatch mesh = new(_vertices, corners);
         for (int block = 0; block < mesh.Blocks.Count; block++)
         {
             (Vector3D up, double cosine) = (mesh.Blocks[block].Box.Up, mesh.Blocks[block].Box.CapRadius.Cosine);
@@ -103,7 +103,7 @@ internal sealed class SeamTriangulator
                     continue;
                 }
 
-                int first = block * SeamMesh.BlockFacets;
+                int first = block * SeamPatch.BlockFacets;
                 for (int facet = first; facet < first + mesh.FacetsOf(block); facet++)
                 {
                     (Vector3D a, Vector3D b, Vector3D c) = mesh.CornersOf(facet);

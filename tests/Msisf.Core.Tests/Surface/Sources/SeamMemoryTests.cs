@@ -1,4 +1,5 @@
 using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
@@ -19,9 +20,9 @@ public sealed class SeamMemoryTests
     {
         IReadOnlyList<ITerrainGrid> models = NestedScenes.ModelsOf(name);
         CountingStore store = new();
-        SeamMesh first = new NestedTerrain(models, store).Surface.Seams;
+        SeamPatch first = new NestedTerrain(models, store).Surface.Seams;
         int made = store.Kept.Count;
-        SeamMesh again = new NestedTerrain(models, store).Surface.Seams;
+        SeamPatch again = new NestedTerrain(models, store).Surface.Seams;
 
         Assert.True(made >= leastGaps, $"{made} gaps");
         Assert.Equal(made, store.Kept.Count); // none was made again
@@ -54,7 +55,7 @@ public sealed class SeamMemoryTests
         foreach (int kilometres in (int[])[272, 274, 282])
         {
             PolarFunctionGrid site = PolarFunctionGrid.Rugged(true, 100.0, 16, 7.5, 7.5 - (10.0 * kilometres));
-            SeamMesh seams = new NestedTerrain([moon, map, site], store).Surface.Seams;
+            SeamPatch seams = new NestedTerrain([moon, map, site], store).Surface.Seams;
             Assert.Equal(FacetsOf(new NestedTerrain([moon, map, site]).Surface.Seams), FacetsOf(seams));
             within += borders.All(border => store.Kept[^1].Borders.Contains(border)) ? 1 : 0;
         }
@@ -70,7 +71,7 @@ public sealed class SeamMemoryTests
     {
         IReadOnlyList<ITerrainGrid> models = NestedScenes.ModelsOf("polar");
         CountingStore store = new();
-        SeamMesh seams = new NestedTerrain(models, store).Surface.Seams;
+        SeamPatch seams = new NestedTerrain(models, store).Surface.Seams;
         GapTriangulation filling = Assert.Single(store.Kept);
         store.Known[filling.Key] = hasForeignCorners
             ? filling with { Corners = [.. filling.Corners.Select(corner => corner + 1)] }
@@ -93,7 +94,7 @@ public sealed class SeamMemoryTests
         Assert.Null(new SeamMemory(files).Find("A", "1"));
     }
 
-    private static List<(Vector3D, Vector3D, Vector3D)> FacetsOf(SeamMesh seams) =>
+    private static List<(Vector3D, Vector3D, Vector3D)> FacetsOf(SeamPatch seams) =>
         [.. Enumerable.Range(0, seams.Count).Select(seams.CornersOf)];
 
     private sealed class CountingStore : ISeamStore

@@ -1,13 +1,13 @@
 using Msisf.Core.Numerics;
 
-namespace Msisf.Core.Surface.Sources;
+namespace Msisf.Core.Surface;
 
-/// <summary>The facets between several models, which close the gaps between their cells; immutable.</summary>
+/// <summary>The seams: the facets between several models, which close the gaps between their cells; immutable.</summary>
 /// <remarks>
 /// The renderer's kernels know blocks of cells. A block of seams is laid out so: in lines 0, 2, 4 ... of cells each second cell has one
 /// facet as its south-western half; the cells between stand for nothing (<see cref="CellsOfLine"/>).
 /// </remarks>
-internal sealed class SeamMesh
+internal sealed class SeamPatch : Patch
 {
     /// <summary>Number of facets of a block; the last one may have fewer.</summary>
     public const int BlockFacets = 64;
@@ -26,7 +26,7 @@ internal sealed class SeamMesh
     /// <param name="corners">
     /// Three indices of vertices for each facet, counter-clockwise seen from outside; neighbours follow each other.
     /// </param>
-    public SeamMesh(SeamVertex[] vertices, int[] corners)
+    public SeamPatch(SeamVertex[] vertices, int[] corners)
     {
         _vertices = vertices;
         _corners = corners;
@@ -39,6 +39,7 @@ internal sealed class SeamMesh
         }
 
         Blocks = blocks;
+        Layout = new RowOfBlocks(blocks.Length);
         double widest = 0.0;
         for (int facet = 0; facet < Count; facet++)
         {
@@ -52,7 +53,7 @@ internal sealed class SeamMesh
     }
 
     /// <summary>No facets: the surface of one model.</summary>
-    public static SeamMesh None { get; } = new([], []);
+    public static SeamPatch None { get; } = new([], []);
 
     /// <summary>Number of facets.</summary>
     public int Count => _corners.Length / 3;
@@ -60,8 +61,14 @@ internal sealed class SeamMesh
     /// <summary>Bounds of each block.</summary>
     public IReadOnlyList<SeamBlock> Blocks { get; }
 
-    /// <summary>Ratio of a facet's minimum radius to its minimum vertex radius, at least.</summary>
-    public double Sagitta { get; }
+    /// <inheritdoc/>
+    public override double Sagitta { get; }
+
+    /// <inheritdoc/>
+    public override string? ProductId => null;
+
+    /// <inheritdoc/>
+    public override BoundsLayout Layout { get; }
 
     /// <summary>The cells of a line of a block that have facets, as bits.</summary>
     /// <param name="line">The line.</param>
@@ -78,6 +85,43 @@ internal sealed class SeamMesh
     /// <summary>Number of facets of a block.</summary>
     public int FacetsOf(int block) => Math.Min(BlockFacets, Count - (block * BlockFacets));
 
+    /// <inheritdoc/>
+    public override bool TryGetKnown(NodePlace node, out NodeBounds bounds)
+    {
+        bounds = BoundsOf(node);
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public override NodeBounds BoundsOf(NodePlace node)
+    {
+        TerrainNode block = Blocks[node.Column].Node;
+        return NodeBounds.Within((block.MinRadius, block.MaxRadius));
+    }
+
+    /// <inheritdoc/>
+    public override NodeBox BoxOf(NodePlace node, double minRadius, double maxRadius) => Blocks[node.Column].Box;
+
+    /// <inheritdoc/>
+    public override TerrainNode NodeOf(NodePlace node, NodeBounds bounds) => Blocks[node.Column].Node;
+
+    /// <inheritdoc/>
+    public override bool Has(FacetId facet) =>
+        facet.Line == 0 && facet.Sample >= 0 && facet.Sample < Count && facet.Half == FacetHalf.SouthWest;
+
+    /// <inheritdoc/>
+    public override (int Part, int Line, int Sample) VertexOf(FacetId facet, int corner)
+    {
+        SeamVertex vertex = VertexOf(facet.Sample, corner);
+        return (vertex.Part, vertex.Line, vertex.Sample);
+    }
+
+    /// <inheritdoc/>
+    public override (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => CornersOf(facet.Sample);
+
+    /// <inheritdoc/>
+    public override long CountFacets(CellRange cells) => FacetsOf(cells.FirstSample / CellBlock.Size);
+
     /// <summary>The corners of a facet, m, MOON_ME, counter-clockwise seen from outside.</summary>
     public (Vector3D A, Vector3D B, Vector3D C) CornersOf(int facet) =>
         (VertexOf(facet, 0).Position, VertexOf(facet, 1).Position, VertexOf(facet, 2).Position);
@@ -90,17 +134,13 @@ internal sealed class SeamMesh
     /// <summary>Square of the sine of the angle between two directions, which is far below a right angle.</summary>
     private static double SineSquare(Vector3D u, Vector3D v) => Vector3D.Cross(u, v).LengthSquared / (u.LengthSquared * v.LengthSquared);
 
-    /// <summary>Writes a block's vertices to the arrays of <see cref="BlockVertices"/>.</summary>
-    /// <param name="block">Number of the block.</param>
-    /// <param name="originMoonMe">Is subtracted from each vertex with one rounding a component, m, MOON_ME.</param>
-    /// <param name="x">Receives m.</param>
-    /// <param name="y">As <paramref name="x"/>.</param>
-    /// <param name="z">As <paramref name="x"/>.</param>
-    /// <returns>Number of lines of vertices, and of vertices a line.</returns>
-    public (int Lines, int Samples) Place(int block, Vector3D originMoonMe, double[] x, double[] y, double[] z)
+    /// <inheritdoc/>
+    public override void Load(BlockVertices vertices, Vector3D originMoonMe)
     {
+        int block = vertices.Block.Column;
         int facets = FacetsOf(block);
         int lines = 2 * ((facets + LineFacets - 1) / LineFacets);
+        vertices.Begin(lines, 2 * LineFacets, facets);
         for (int i = 0; i < lines / 2 * LineFacets; i++)
         {
             // Places without a facet repeat the last one, so that all numbers are of the block.
@@ -112,8 +152,24 @@ internal sealed class SeamMesh
             Put(at + BlockVertices.Stride + 1, c - originMoonMe);
         }
 
-        return (lines, 2 * LineFacets);
+        void Put(int index, Vector3D position) =>
+            (vertices.X[index], vertices.Y[index], vertices.Z[index]) = (position.X, position.Y, position.Z);
+    }
 
-        void Put(int index, Vector3D position) => (x[index], y[index], z[index]) = (position.X, position.Y, position.Z);
+    /// <summary>Blocks without nodes above them, as cells that lie beside each other.</summary>
+    private sealed class RowOfBlocks(int blocks) : BoundsLayout(lines: 0, samples: 0)
+    {
+        public override int Levels => SquareLayout.CellBlockLevel + 1;
+
+        public override int CoarsestReadLevel => SquareLayout.CellBlockLevel;
+
+        public override int Rows(int level) => 1;
+
+        public override int Columns(int level) => blocks;
+
+        public override int ChildrenPerEdge(int level) => 1;
+
+        public override CellRange Cells(int level, int row, int column) =>
+            new(0, CellBlock.Size, column * CellBlock.Size, (column + 1) * CellBlock.Size);
     }
 }

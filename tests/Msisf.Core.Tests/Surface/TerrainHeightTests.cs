@@ -1,13 +1,12 @@
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
 using Xunit;
 
-namespace Msisf.Core.Tests.Surface.Sources;
+namespace Msisf.Core.Tests.Surface;
 
 public sealed class TerrainHeightTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
 {

@@ -1,18 +1,13 @@
 using Msisf.Core.Numerics;
 
-namespace Msisf.Core.Surface.Sources;
+namespace Msisf.Core.Surface;
 
-/// <summary>Bounds of some neighbouring facets of the seams.</summary>
+/// <summary>Bounds of a block of facets of the seams.</summary>
 /// <param name="Box">Cap of directions, and box.</param>
-/// <param name="MinRadius">m: minimum radius of the facets.</param>
-/// <param name="MaxRadius">m: maximum radius of the facets.</param>
+/// <param name="Node">Cap and radii; slopes are not known.</param>
 /// <param name="Ball">A ball that contains the facets: centre, m, MOON_ME, and radius, m.</param>
-internal readonly record struct SeamBlock(NodeBox Box, double MinRadius, double MaxRadius, (Vector3D Centre, double Radius) Ball)
+internal readonly record struct SeamBlock(NodeBox Box, TerrainNode Node, (Vector3D Centre, double Radius) Ball)
 {
-    /// <summary>The same as a node, whose slopes are not known.</summary>
-    public TerrainNode Node => new(
-        new SphericalCap(Box.Up, Box.CapRadius.Cosine, Box.CapRadius.Sine), MinRadius, MaxRadius, double.PositiveInfinity);
-
     /// <summary>Finds the bounds of facets.</summary>
     /// <param name="corners">Their corners, m, MOON_ME.</param>
     public static SeamBlock Of(ReadOnlySpan<Vector3D> corners)
@@ -47,6 +42,7 @@ internal readonly record struct SeamBlock(NodeBox Box, double MinRadius, double 
         (double sine, double cosine) = Math.SinCos(angle + Tolerances.CapRadius);
         return new SeamBlock(
             new NodeBox(up, new SineCosine(sine, cosine), new OrientedBox(centre, half.X * up, half.Y * across, half.Z * along)),
-            low.X - Margin, highest + Margin, (centre, half.Length));
+            new TerrainNode(new SphericalCap(up, cosine, sine), low.X - Margin, highest + Margin, double.PositiveInfinity),
+            (centre, half.Length));
     }
 }

@@ -1,10 +1,9 @@
 using System.Globalization;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Core.Surface.Sources;
+namespace Msisf.Core.Surface;
 
 /// <summary>Computes the exact radius of the surface of the mesh, on its facets and not on a sphere.</summary>
 public static class TerrainHeight
@@ -29,12 +28,9 @@ public static class TerrainHeight
     public static double RadiusBelow(ITerrain terrain, Vector3D positionMoonMe)
     {
         Vector3D direction = positionMoonMe.Normalized();
-        return terrain switch
-        {
-            RefinedTerrain refined => refined.RadiusAt(direction),
-            NestedTerrain nested => RadiusOn(nested, direction),
-            _ => RadiusOn(new FacetMesh((ITerrainGrid)terrain), direction) ?? terrain.ReferenceRadius,
-        };
+        return terrain is IGround ground
+            ? ground.RadiusAt(direction)
+            : RadiusOn(new FacetMesh((ITerrainGrid)terrain), direction) ?? terrain.ReferenceRadius;
     }
 
     /// <summary>Distance from the Moon's centre to the facet of a mesh in a direction, m; null outside a map.</summary>
@@ -86,11 +82,11 @@ public static class TerrainHeight
     /// Distance from the Moon's centre to the facet of a surface of several models, m. The seams are needed only where no model has it well
     /// inside one of its cells.
     /// </summary>
-    private static double RadiusOn(NestedTerrain terrain, Vector3D direction)
+    internal static double RadiusOn(IReadOnlyList<GridPatch> parts, Func<SeamPatch> seamsOf, Vector3D direction)
     {
         double nearest = double.NegativeInfinity;
         double radius = double.NaN;
-        foreach (GridPatch part in terrain.Parts.Where(part => !part.IsLeftOut))
+        foreach (GridPatch part in parts.Where(part => !part.IsLeftOut))
         {
             CellRange cells = CellsAround(part.Mesh, direction) ?? default;
             for (int line = cells.FirstLine; line < cells.EndLine; line++)
@@ -113,15 +109,15 @@ public static class TerrainHeight
             return radius;
         }
 
-        SurfaceModel surface = terrain.Surface;
-        for (int block = 0; block < surface.Seams.Blocks.Count; block++)
+        SeamPatch seams = seamsOf();
+        for (int block = 0; block < seams.Blocks.Count; block++)
         {
-            if (Vector3D.Dot(surface.Seams.Blocks[block].Box.Up, direction) >= surface.Seams.Blocks[block].Box.CapRadius.Cosine)
+            if (Vector3D.Dot(seams.Blocks[block].Box.Up, direction) >= seams.Blocks[block].Box.CapRadius.Cosine)
             {
-                int first = block * SeamMesh.BlockFacets;
-                for (int facet = first; facet < first + surface.Seams.FacetsOf(block); facet++)
+                int first = block * SeamPatch.BlockFacets;
+                for (int facet = first; facet < first + seams.FacetsOf(block); facet++)
                 {
-                    (Vector3D a, Vector3D b, Vector3D c) = surface.Seams.CornersOf(facet);
+                    (Vector3D a, Vector3D b, Vector3D c) = seams.CornersOf(facet);
                     Try(direction, a, b, c, ref nearest, ref radius);
                 }
             }

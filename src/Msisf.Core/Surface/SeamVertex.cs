@@ -1,6 +1,6 @@
 using Msisf.Core.Numerics;
 
-namespace Msisf.Core.Surface.Sources;
+namespace Msisf.Core.Surface;
 
 /// <summary>A vertex of a model that a seam uses too.</summary>
 /// <param name="Position">m, MOON_ME, on the lattice of its model.</param>

@@ -1,0 +1,19 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Surface;
+
+/// <summary>A terrain that is more than one grid, and makes its surface itself.</summary>
+internal interface ISurfaceSource
+{
+    /// <summary>The surface; made at the first request.</summary>
+    /// <exception cref="Errors.BadInputException">The models can't be joined.</exception>
+    SurfaceModel Surface { get; }
+}
+
+/// <summary>A terrain that is more than one grid, and knows its heights itself.</summary>
+internal interface IGround
+{
+    /// <summary>Distance from the Moon's centre to the ground in a direction, m.</summary>
+    /// <param name="direction">Unit vector, MOON_ME.</param>
+    double RadiusAt(Vector3D direction);
+}
