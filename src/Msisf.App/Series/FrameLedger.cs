@@ -29,7 +29,9 @@ internal sealed class FrameLedger : IDisposable
     /// <param name="plan">The run.</param>
     /// <param name="overwrite">Whether existing frames are to be made again.</param>
     /// <param name="log">Receives a warning about lines of the manifest that can't be read, and a note on a frame to replace.</param>
-    /// <exception cref="UsageException">Finished frames of a series would be replaced, without <paramref name="overwrite"/>.</exception>
+    /// <exception cref="UsageException">
+    /// Finished frames of a series, or files that no run has recorded, would be replaced, without <paramref name="overwrite"/>.
+    /// </exception>
     public FrameLedger(string folder, RunPlan plan, bool overwrite, ILog log)
     {
         _folder = folder;
@@ -159,8 +161,14 @@ internal sealed class FrameLedger : IDisposable
 
             _manifest.Locked(() =>
             {
-                _reader.Refresh(); // another process may have told it meanwhile
-                _manifest.AppendLocked(_plan.Registration(_reader.Content));
+                _reader.Refresh(); // another process may have told it meanwhile, and made frames of it
+                IReadOnlyList<ManifestRecord> news = _plan.Registration(_reader.Content);
+                if (news.Count > 0 && !overwrite)
+                {
+                    ReplacedFrames.RefuseUnrecorded(_folder, _plan, _reader.Content);
+                }
+
+                _manifest.AppendLocked(news);
                 return true;
             });
         }

@@ -7,9 +7,15 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Series;
 
-/// <summary>Protects the finished frames of a series from a run with other settings that would write files of the same names.</summary>
+/// <summary>
+/// Protects the finished frames of a series from a run with other settings that would write files of the same names, and files that no run
+/// has recorded from every run.
+/// </summary>
 internal static class ReplacedFrames
 {
+    /// <summary>Files that a message names.</summary>
+    private const int NamedFiles = 3;
+
     /// <summary>
     /// Refuses a run that would replace finished frames of a series. A single image may be replaced, because that is how one looks for
     /// the right view; a note says what has changed.
@@ -47,6 +53,29 @@ internal static class ReplacedFrames
         throw new UsageException(
             $"{folder}: finished frames would be replaced: {reasons}. "
                 + $"Use --overwrite to replace them, or another --output-dir to keep them.").About(OutputOptions.Folder);
+    }
+
+    /// <summary>
+    /// Refuses a run that would replace, or take away, files that the manifest does not have: a user's own, or those of a folder without
+    /// its manifest.
+    /// </summary>
+    /// <param name="folder">Folder of the outputs.</param>
+    /// <param name="plan">The run, which the manifest does not have yet.</param>
+    /// <param name="known">Content of the manifest.</param>
+    /// <exception cref="UsageException">There are such files.</exception>
+    public static void RefuseUnrecorded(string folder, RunPlan plan, ManifestContent known)
+    {
+        HashSet<string> names = [.. plan.Frames.Select(frame => frame.Name)];
+        string[] files = [.. StrayFile.In(folder, known)
+            .Select(file => file.Name)
+            .Where(file => FrameFileNames.FramesOf(file).Any(names.Contains))];
+        if (files.Length > 0)
+        {
+            string others = files.Length > NamedFiles ? $" and {files.Length - NamedFiles} more" : string.Empty;
+            throw new UsageException(
+                $"{folder}: files would be replaced that no run has recorded there: {string.Join(", ", files.Take(NamedFiles))}{others}. "
+                    + $"Use --overwrite to replace them, or another --output-dir to keep them.").About(OutputOptions.Folder);
+        }
     }
 
     private static string Frames(int count) =>
