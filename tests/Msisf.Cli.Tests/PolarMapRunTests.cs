@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text.Json;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -30,6 +31,25 @@ public sealed class PolarMapRunTests(PolarMapRunTests.Map map) : IClassFixture<P
         Assert.Contains("drawnFinest=\"10000\" drawnCoarsest=\"10000\" unit=\"m/px\"", xml, StringComparison.Ordinal);
         Assert.Contains("      <Facet line=\"", xml, StringComparison.Ordinal);
         Assert.DoesNotContain("--res ", xml, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Run_LayersOfAPolarMap_AreDescribedAsThoseOfAMap()
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            [.. View.Split(' '), "--renderer", "native", "--ldem", map.Label, "--layers", "tile,cell,height", "--layers-format", "npy",
+                "--output-dir", _folder["out"], "--output-name", "pole"]);
+
+        Assert.Equal((0, string.Empty), (run.ExitCode, run.ExitCode == 0 ? string.Empty : run.Error));
+        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(Path.Combine(_folder["out"], "pole.layers.json")));
+        Assert.Equal(
+            [
+                "Height over the sphere of 1 737 400 m.",
+                "Undefined: a polar map has no tiles.",
+                "Cell of the polar map at the level of detail that was drawn: line (0 uppermost) and sample (0 leftmost) of its upper left "
+                    + "vertex in the map's image.",
+            ],
+            json.RootElement.GetProperty("layers").EnumerateArray().Select(layer => layer.GetProperty("description").GetString()));
     }
 
     /// <summary>From 163 km pixels have 41 km, so cells may have 28 km with 0.35 px of error: 20 km is the map's next level.</summary>

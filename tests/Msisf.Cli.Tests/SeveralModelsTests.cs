@@ -151,45 +151,6 @@ public sealed class SeveralModelsTests : IDisposable
             File.ReadAllBytes(Path.Combine(_folder["out"], "exact.png")), File.ReadAllBytes(Path.Combine(_folder["out"], "near.png")));
     }
 
-    /// <summary>A hole of 40 km in the middle of a GeoTIFF shows the coarser model; without one it is an error that names it.</summary>
-    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
-    public void Run_GeoTiffWithAHole_IsFilledByTheCoarserModelOrRefused()
-    {
-        const string Script = """
-            import struct, sys
-            from osgeo import gdal, osr
-            gdal.UseExceptions()
-            data = gdal.GetDriverByName('GTiff').Create(sys.argv[1], 120, 120, 1, gdal.GDT_Float32)
-            band = data.GetRasterBand(1)
-            band.SetNoDataValue(-9999)
-            for line in range(120):
-                row = [-9999 if 50 <= line < 70 and 50 <= sample < 70 else 5000 + line for sample in range(120)]
-                band.WriteRaster(0, line, 120, 1, struct.pack('<120f', *row))
-            data.SetGeoTransform([-120000.0, 2000.0, 0.0, 120000.0, 0.0, -2000.0])
-            system = osr.SpatialReference()
-            system.ImportFromProj4('+proj=stere +lat_0=-90 +R=1737400')
-            data.SetProjection(system.ExportToWkt())
-            """;
-        string hole = _folder["hole.tif"];
-        ChildRun.Of(TestParts.Python!, ["-c", Script, hole], _folder.Path).Succeeded();
-        string[] near = ["--fixed-state", "{51544.5,0,0,-2E6,0,0.7071067811865476,0,0.7071067811865476}", "--ignore-sun", "--batch",
-            "--width", "41", "--height", "41", "--fov", "20", "--lod", "off", "--renderer", "native", "--output-dir", _folder["out"]];
-        CommandLineRun filled = CommandLineRun.Of(
-            [.. near, "--ldem", Moon(), "--ldem", hole, "--layers", "cell,mask", "--layers-format", "npy", "--output-name", "filled"]);
-        CommandLineRun alone = CommandLineRun.Of([.. near, "--ldem", hole, "--output-name", "alone"]);
-
-        Assert.True(filled.ExitCode == 0, filled.Error);
-        byte[] cell = File.ReadAllBytes(Path.Combine(_folder["out"], "filled.cell.npy"));
-        int start = cell.Length - (41 * 41 * 3 * 4);
-        int PartAt(int x, int y) => BitConverter.ToInt32(cell, start + (12 * ((41 * y) + x)) + 8);
-        Assert.NotEqual(1, PartAt(20, 20)); // the middle of the hole: the Moon's model, or the seam to it
-        Assert.Equal(1, PartAt(6, 20)); // 14 px of 2.3 km beside it
-        Assert.Equal(1, PartAt(20, 35));
-        Assert.Equal(2, alone.ExitCode);
-        Assert.Matches(@"hole\.tif, line (5[1-9]|6\d|70), sample (5[1-9]|6\d|70): no data there\. Fill the hole", alone.Error);
-        Assert.False(File.Exists(Path.Combine(_folder["out"], "alone.png")));
-    }
-
     /// <summary>
     /// The two pieces of 5 m, 500 and 200 m wide, lie 180 km from the pole in cells of 7.6 km; a synthetic map lies between.
     /// </summary>

@@ -56,27 +56,29 @@ public static class FitsLayerWriter
             {
                 if (isCompressed)
                 {
-                    WriteCompressed(stream, sampler, layer, frame.Globe);
+                    WriteCompressed(stream, sampler, layer, Describe);
                 }
                 else
                 {
-                    WriteLayer(stream, sampler, layer, frame.Globe);
+                    WriteLayer(stream, sampler, layer, Describe);
                 }
             },
             cancellation);
+
+        string Describe(Layer layer) => frame.Globe.Describe(layer.DescriptionOn(provenance.MeshResolution));
     }
 
-    private static void WriteLayer(Stream stream, LayerSampler sampler, StoredLayer layer, DrawnGlobe globe)
+    private static void WriteLayer(Stream stream, LayerSampler sampler, StoredLayer layer, Func<Layer, string> describe)
     {
         using FitsUnit image = NewImage(layer, 1, 1);
-        PutHeader(image, layer.Layer, globe);
+        PutHeader(image, layer.Layer, describe(layer.Layer));
         image.CopyTo(stream, sampler.Width, sampler.Height, layer.Bytes);
     }
 
-    private static void WriteCompressed(Stream stream, LayerSampler sampler, StoredLayer layer, DrawnGlobe globe)
+    private static void WriteCompressed(Stream stream, LayerSampler sampler, StoredLayer layer, Func<Layer, string> describe)
     {
         using FitsUnit image = NewImage(layer, sampler.Width, sampler.Height);
-        PutHeader(image, layer.Layer, globe);
+        PutHeader(image, layer.Layer, describe(layer.Layer));
         switch (layer.Type)
         {
             case LayerType.Real64:
@@ -103,7 +105,7 @@ public static class FitsLayerWriter
     private static ReadOnlySpan<long> Lengths(StoredLayer layer, int width, int height) =>
         layer.Layer.Planes > 1 ? (long[])[width, height, layer.Layer.Planes] : (long[])[width, height];
 
-    private static void PutHeader(FitsUnit image, Layer layer, DrawnGlobe globe)
+    private static void PutHeader(FitsUnit image, Layer layer, string description)
     {
         image.Put("EXTNAME", layer.ExtensionName, "layer");
         if (layer.Unit.Length > 0)
@@ -122,7 +124,7 @@ public static class FitsLayerWriter
         }
 
         image.Put("ROWORDER", "TOP-DOWN", "first row of the file is the image's top");
-        foreach (string line in FitsText.Wrap(globe.Describe(layer.Description)))
+        foreach (string line in FitsText.Wrap(description))
         {
             image.PutComment(line);
         }

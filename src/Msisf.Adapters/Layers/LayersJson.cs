@@ -54,7 +54,7 @@ internal static class LayersJson
                 json.WriteStartObject();
                 json.WriteString("name", layer.Name);
                 json.WriteString("unit", layer.Unit);
-                json.WriteString("description", frame.Globe.Describe(layer.Description));
+                json.WriteString("description", frame.Globe.Describe(layer.DescriptionOn(provenance.MeshResolution)));
                 json.WriteEndObject();
             }
 

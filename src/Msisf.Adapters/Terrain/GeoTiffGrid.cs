@@ -242,8 +242,12 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         }
     }
 
-    private BadInputException Hole(int row, int column) => new(string.Create(
-        CultureInfo.InvariantCulture,
-        $"{_path}, line {row + 1}, sample {column + 1}: no data there. Fill the hole, e.g. with gdal_fillnodata.py, or cut the file "
-            + $"to what is whole, with gdal_translate -srcwin."));
+    /// <summary>NaN that the file does not declare is no hole for GDAL's tools either.</summary>
+    private BadInputException Hole(int row, int column) => new(
+        string.Create(CultureInfo.InvariantCulture, $"{_path}, line {row + 1}, sample {column + 1}: ")
+            + (_file.NoData is null
+                ? $"NaN, which the file does not declare as its no-data value. Declare it, with gdal_edit.py -a_nodata nan {_path}: then a "
+                    + "coarser model shows there (a second --ldem), or gdal_fillnodata.py fills it."
+                : "no data there. Fill the hole, e.g. with gdal_fillnodata.py, or cut the file to what is whole, with gdal_translate "
+                    + "-srcwin."));
 }

@@ -15,6 +15,9 @@ namespace Msisf.App.Preparation;
 /// <summary>Finds and opens elevation models.</summary>
 internal static class ModelOpening
 {
+    /// <summary>m, rms: bent by 5 m over the narrowest border, 8 samples, a site of 5 m/px has slopes that are 7 degrees off.</summary>
+    private const double MisfitWorthANote = 5.0;
+
     /// <summary>Finds and opens the model of a resolution.</summary>
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
     /// <param name="resolution">The resolution; that of a polar map if the path is one.</param>
@@ -75,6 +78,7 @@ internal static class ModelOpening
                 SeamFiles files = new([.. opened.Select(model => model.Set)], CacheFolder.Of(host), host.Log.Warning);
                 NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files));
                 nested.Prepare(hasLevels);
+                TellMisfits(nested, host.Log);
                 return new ElevationModel(
                     nested, [.. nested.Models.Select(grid => opened.Single(model => ReferenceEquals(model.Grid, grid)))]);
             });
@@ -136,6 +140,21 @@ internal static class ModelOpening
                 $"Its heights are over a sphere of {set.Parts[0].Offset / 1000.0:R} km; they are turned into heights over "
                     + $"{MoonConstants.ReferenceRadius / 1000.0:R} km."));
         }
+    }
+
+    private static void TellMisfits(NestedTerrain nested, ILog log)
+    {
+        foreach (BorderMisfit misfit in nested.BorderMisfits().Where(misfit => misfit.Rms > MisfitWorthANote))
+        {
+            log.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{misfit.ProductId} does not meet the ground of the models around it: along its border it lies {Off(misfit.Mean)} it in "
+                    + $"the mean ({misfit.Rms:F1} m rms), at most {Off(misfit.Greatest)}. Over its outermost {misfit.BentSamples} samples "
+                    + $"({misfit.BentMetres:F0} m) it is bent to meet that ground."));
+        }
+
+        static string Off(double metres) =>
+            string.Create(CultureInfo.InvariantCulture, $"{Math.Abs(metres):F1} m {(metres < 0.0 ? "below" : "above")}");
     }
 
     private static ModelLevels OpenLevels(LdemImage image, bool isSparing, ProgramHost host)

@@ -1,3 +1,5 @@
+using Msisf.Core.Terrain;
+
 namespace Msisf.Core.Layers;
 
 /// <summary>One kind of ground truth, an image of numbers. Immutable; docs/formats.md has the definitions.</summary>
@@ -31,6 +33,9 @@ public sealed class Layer
     /// <summary>The definition in one or two sentences, ASCII.</summary>
     public string Description { get; }
 
+    /// <summary>The definition on polar maps, where it is another one.</summary>
+    internal string? DescriptionOnPolarMaps { get; init; }
+
     /// <summary>What each plane holds ("x", "y", "z"); empty for a layer of one number a pixel.</summary>
     public IReadOnlyList<string> PlaneNames { get; }
 
@@ -38,6 +43,10 @@ public sealed class Layer
     public int Planes => Math.Max(1, PlaneNames.Count);
 
     internal LayerValues Values { get; }
+
+    /// <summary>The definition for a mesh of this resolution, which says whether it is one of latitude and longitude.</summary>
+    public string DescriptionOn(GridResolution mesh) =>
+        mesh.PixelsPerDegree is null ? DescriptionOnPolarMaps ?? Description : Description;
 
     /// <summary>How the values are stored in a precision.</summary>
     public LayerType StoredType(LayerPrecision precision) =>

@@ -64,13 +64,21 @@ public static class LayerCatalogue
         new(
             "tile", LayerType.Signed32, string.Empty,
             "5 x 5 degree tile: 72 row + column; southern border -90 + 5 row, western border 5 column degrees.",
-            SurfaceValues.Tile),
+            SurfaceValues.Tile)
+        {
+            DescriptionOnPolarMaps = "Undefined: a polar map has no tiles.",
+        },
         new(
             "cell", LayerType.Signed32, string.Empty,
             "Cell of the mesh of MESHRES px/deg: line (0 northernmost) and sample of its north-western vertex; "
                 + "line -1 is the fan round the north pole.",
             SurfaceValues.Cell,
-            "line", "sample"),
+            "line", "sample")
+        {
+            DescriptionOnPolarMaps =
+                "Cell of the polar map at the level of detail that was drawn: line (0 uppermost) and sample (0 leftmost) of its upper left "
+                    + "vertex in the map's image.",
+        },
         new(
             "pixel-scale", LayerType.Real64, "m",
             "Side of the square with the area of the pixel's beam at the point, across the line of sight.",
@@ -130,5 +138,11 @@ public static class LayerCatalogue
         "Cell of the mesh of a model: line (0 northernmost) and sample of its north-western vertex; line -1 is the fan round the north "
             + "pole; part is the model, 0 the coarsest. The number of models stands for the seams: line 0, sample the facet's number.",
         SurfaceValues.Cell,
-        "line", "sample", "part");
+        "line", "sample", "part")
+    {
+        DescriptionOnPolarMaps =
+            "Cell of the mesh of a model: line and sample of its upper left vertex in a polar map's image; of its north-western vertex "
+                + "in a cylindrical model, where line -1 is the fan round the north pole; part is the model, 0 the coarsest. The number "
+                + "of models stands for the seams: line 0, sample the facet's number.",
+    };
 }

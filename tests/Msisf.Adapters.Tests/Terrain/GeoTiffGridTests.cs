@@ -64,15 +64,15 @@ public sealed class GeoTiffGridTests : IDisposable
     }
 
     [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
-    [InlineData("band.SetNoDataValue(123)")]
-    [InlineData("band.WriteRaster(0, 123, 1, 1, struct.pack('<f', float('nan')))")]
-    public void ReadRadii_Hole_IsNamed(string then)
+    [InlineData("band.SetNoDataValue(123)", "no data there. Fill the hole")]
+    [InlineData("band.WriteRaster(0, 123, 1, 1, struct.pack('<f', float('nan')))", "NaN, which the file does not declare")]
+    public void ReadRadii_Hole_IsNamed(string then, string what)
     {
         string path = Write(string.Empty, then);
         using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
         grid.ReadRadii(122, 0, new double[300]);
         BadInputException exception = Assert.Throws<BadInputException>(() => grid.ReadRadii(123, 0, new double[300]));
-        Assert.StartsWith($"{path}, line 124, sample 1: no data there. Fill the hole", exception.Message, StringComparison.Ordinal);
+        Assert.StartsWith($"{path}, line 124, sample 1: {what}", exception.Message, StringComparison.Ordinal);
     }
 
     /// <summary>The map's values are linear in its coordinates, and so is what is bilinear between them; places come from PROJ.</summary>

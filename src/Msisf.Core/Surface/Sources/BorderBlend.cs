@@ -116,6 +116,27 @@ internal sealed class BorderBlend : ITerrainGrid
         }
     }
 
+    /// <summary>The tiles that hold outermost samples.</summary>
+    internal IEnumerable<int> BorderTiles() =>
+        Enumerable.Range(0, _isBlended.Length).Where(tile => _isBlended[tile] && DistancesIn(tile, 1).Contains((byte)1));
+
+    /// <summary>m: own heights less those of the coarser models, of the outermost samples in a tile.</summary>
+    internal IEnumerable<double> MisfitsIn(int tile)
+    {
+        byte[] distances = DistancesIn(tile, 1);
+        double[] own = new double[1];
+        for (int i = 0; i < distances.Length; i++)
+        {
+            if (distances[i] == 1)
+            {
+                int line = Window.FirstLine + (tile / _columns * Side) + (i / Side);
+                int sample = Window.FirstSample + (tile % _columns * Side) + (i % Side);
+                _grid.ReadRadii(line, sample, own);
+                yield return own[0] - _coarser.RadiusAt(Projection.DirectionOf(line, sample));
+            }
+        }
+    }
+
     /// <inheritdoc/>
     public void ReleasePages() => _grid.ReleasePages();
 
@@ -134,8 +155,10 @@ internal sealed class BorderBlend : ITerrainGrid
     {
         double[] radii = new double[Side * Side];
         Array.Fill(radii, double.NaN);
-        return new Tile(radii, _gaps.DistancesAround(tile / _columns * Side, tile % _columns * Side, Width));
+        return new Tile(radii, DistancesIn(tile, Width));
     }
+
+    private byte[] DistancesIn(int tile, int width) => _gaps.DistancesAround(tile / _columns * Side, tile % _columns * Side, width);
 
     /// <summary>Each sample is computed when it is first read: a seam needs the outermost ones only. Threads compute the same.</summary>
     private void ReadBlended(Tile tile, int down, int right, Span<double> radii)

@@ -25,8 +25,7 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     /// <exception cref="BadInputException">They are no such models.</exception>
     public NestedTerrain(IEnumerable<ITerrainGrid> models, ISeamStore? seams = null)
     {
-        Models = [.. models.OrderByDescending(model => model.Projection.Resolution.MetresPerPixel)
-            .ThenByDescending(model => model.ProductId, StringComparer.Ordinal)];
+        Models = [.. models.Order(new ModelOrder())];
         if (Models.Count is < 2 or > MaxModels)
         {
             throw new BadInputException($"{Models.Count} elevation models: 2 to {MaxModels} make a scene of several.");
@@ -121,6 +120,9 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them the surface of the models is made too.</param>
     /// <exception cref="BadInputException">The models can't be joined.</exception>
     public void Prepare(bool hasLevels) => _ = hasLevels ? (object)Parts : Surface;
+
+    /// <summary>How far each model but the coarsest is off the coarser ones along its border.</summary>
+    public IEnumerable<BorderMisfit> BorderMisfits() => WholeParts.Select(part => part.Grid).OfType<BorderBlend>().Select(BorderMisfit.Of);
 
     /// <inheritdoc/>
     public void ReleasePages()

@@ -92,6 +92,23 @@ public sealed class NestedTerrainTests
     }
 
     /// <summary>Where a model is without data the surface is that of the coarser one, and its facets cover the hole.</summary>
+    /// <summary>Maps of one name from two folders: their places decide, then where they have data, then their heights.</summary>
+    [Theory]
+    [InlineData(1, 0, 100.0)]
+    [InlineData(0, 7, 100.0)]
+    [InlineData(0, 0, 100.5)]
+    public void Models_OfOneName_AreInOneOrder(int shift, int gaps, double height)
+    {
+        GridWithGaps Map(int poleSample, int hole, double lastHeight) => new(
+            new PolarFunctionGrid(
+                new PolarStereographic(IsSouth: true, 4000.0, 19.5, poleSample + 0.5), 40, 40,
+                (line, sample) => (line, sample) is (39, 39) ? lastHeight : 100.0),
+            (line, sample) => line == 20 && sample < hole);
+        ITerrainGrid[] models = [FunctionGrid.Rugged(1), Map(19, 0, 100.0), Map(19 + shift, gaps, height)];
+
+        Assert.Equal(new NestedTerrain(models).Models, new NestedTerrain(models.Reverse()).Models);
+    }
+
     [Fact]
     public void Surface_WideHole_ShowsTheCoarserModelsCells()
     {
