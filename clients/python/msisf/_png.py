@@ -26,7 +26,9 @@ def image_of(png: bytes) -> "NDArray[Any]":
     packed = np.frombuffer(zlib.decompress(b"".join(chunks[b"IDAT"])), np.uint8).reshape(height, 1 + width * depth // 8)
     if depth not in (8, 16) or colors != 0 or (packed[:, 0] != _UP).any():
         raise ValueError("the PNG is not of the kind that msis writes")
-    levels = np.add.accumulate(packed[:, 1:], axis=0, dtype=np.uint8)
+    levels = packed[:, 1:].copy()
+    for above, row in zip(levels, levels[1:]):  # 60 times as fast as np.add.accumulate
+        row += above
     if depth == 8:
         return levels
     bits = chunks[b"sBIT"][0][0] if b"sBIT" in chunks else 16
