@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 
@@ -8,17 +9,15 @@ namespace Msisf.TestSupport;
 
 /// <summary>A frame whose pixels a function gives; null is space.</summary>
 internal sealed class FunctionTruth(
-    PinholeCamera camera, Vector3D lightPositionMoonMe, Func<int, int, (SurfaceHit Hit, PixelIllumination Light)?> pixelOf) : IGroundTruth
+    ICamera camera, Vector3D lightPositionMoonMe, Func<int, int, (SurfaceHit Hit, PixelIllumination Light)?> pixelOf) : IGroundTruth
 {
     private static readonly PixelIllumination[] Lights =
         [new(IlluminationState.Lit, 1.0), new(
             IlluminationState.Penumbra, 0.25), new(IlluminationState.Shadow, 0.0), new(IlluminationState.Night, 0.0)];
 
-    public PinholeCamera Camera => camera;
+    public ICamera Camera => camera;
 
-    public Vector3D LightPositionMoonMe => lightPositionMoonMe;
-
-    public bool LightIsSun => true;
+    public SceneLight Light => new(lightPositionMoonMe, IsSun: true);
 
     public double[] Factors { get; init; } = [];
 
@@ -28,7 +27,7 @@ internal sealed class FunctionTruth(
     /// A <see cref="SphereTruth"/> of 4 px/deg that shows all there is: the states take turns from column to column, the halves from row to
     /// row.
     /// </summary>
-    public static FunctionTruth OfSphere(PinholeCamera camera, Vector3D lightPositionMoonMe)
+    public static FunctionTruth OfSphere(ICamera camera, Vector3D lightPositionMoonMe)
     {
         SphereTruth sphere = new(camera, lightPositionMoonMe, pixelsPerDegree: 4);
         return new FunctionTruth(camera, lightPositionMoonMe, (x, y) => sphere.TryGet(x, y, out SurfaceHit hit, out _)

@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
@@ -11,15 +12,13 @@ namespace Msisf.TestSupport;
 /// A smooth sphere in place of the terrain: every layer of it is known in closed form. Lit by day, night beyond the terminator.
 /// </summary>
 internal sealed class SphereTruth(
-    PinholeCamera camera, Vector3D lightPositionMoonMe, int pixelsPerDegree, double radius = 1_737_400.0) : IGroundTruth
+    ICamera camera, Vector3D lightPositionMoonMe, int pixelsPerDegree, double radius = 1_737_400.0) : IGroundTruth
 {
     private readonly ReferenceSphere _sphere = new(radius);
 
-    public PinholeCamera Camera => camera;
+    public ICamera Camera => camera;
 
-    public Vector3D LightPositionMoonMe => lightPositionMoonMe;
-
-    public bool LightIsSun => true;
+    public SceneLight Light => new(lightPositionMoonMe, IsSun: true);
 
     public ReadOnlySpan<double> RadianceFactors => [];
 

@@ -183,7 +183,8 @@ internal sealed class ElevationModel : IDisposable
     /// </param>
     /// <param name="rows">The image rows to draw; null for all.</param>
     public IReadOnlyList<SurfacePart> SelectParts(Frame frame, double? errorPixels, PixelRows? rows = null) => errorPixels is double error
-        ? _selectors.GetOrAdd(error, NewSelector).Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, rows).Parts
+        ? _selectors.GetOrAdd(error, NewSelector)
+            .Select(frame.FrameCamera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, rows).Parts
         : [.. Select(frame).Kept.Select(choice => SurfacePart.Whole(choice.Tile))];
 
     private PartSelector NewSelector(double errorPixels) => new(Levels, _summary.Value, errorPixels);

@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
 
@@ -12,4 +13,10 @@ namespace Msisf.App.Preparation;
 /// <param name="Light">The Sun, or the lamp at the camera.</param>
 /// <param name="Motion">How the camera moves during the exposure; null for images without it.</param>
 internal sealed record Frame(
-    int Step, string Name, ModifiedJulianDate Time, PinholeCamera Camera, SceneLight Light, CameraMotion? Motion = null);
+    int Step, string Name, ModifiedJulianDate Time, ICamera Camera, SceneLight Light, CameraMotion? Motion = null)
+{
+    /// <summary>The camera for POV-Ray.</summary>
+    /// <exception cref="BadInputException">Its rows have several states.</exception>
+    public FrameCamera FrameCamera => Camera as FrameCamera ?? throw new BadInputException(
+        "the rows of this camera have times and places of their own, which POV-Ray can't draw. Use --renderer native.");
+}

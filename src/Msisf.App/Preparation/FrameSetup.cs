@@ -39,7 +39,7 @@ internal static class FrameSetup
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = states[step - 1];
             RefuseUndrawable(step, state, settings.Renderer);
-            PinholeCamera camera = new(state.PositionMoonMe, state.MoonFromCamera, model);
+            ICamera camera = model.At(new CameraState(state.PositionMoonMe, state.MoonFromCamera));
             SceneLight light = ephemeris is null
                 ? new SceneLight(state.PositionMoonMe, IsSun: false)
                 : new SceneLight(ephemeris.SunPositionMoonMe(state.Time, settings.Aberration), IsSun: true);

@@ -68,7 +68,7 @@ internal static class PlausibleMistakes
     /// <summary>The width on the ground of an image with its camera looking down on the sphere, m.</summary>
     /// <param name="frame">The image.</param>
     /// <param name="radius">m: radius of the sphere.</param>
-    public static double WidthOnGround(Frame frame, double radius) => 2.0 * Math.Tan(frame.Camera.FieldOfView / 2.0)
+    public static double WidthOnGround(Frame frame, double radius) => 2.0 * Math.Tan(frame.Camera.Bands[0].Camera.FieldOfView / 2.0)
         * Math.Abs(frame.Camera.PositionMoonMe.Length - radius);
 
     /// <summary>What a position inside the body would mean in kilometres; empty if that is inside or far out too.</summary>

@@ -10,13 +10,13 @@ internal sealed class DetectorsOfRun(DetectorSettings settings)
     private CameraDetector? _detector;
 
     /// <summary>The detector.</summary>
-    /// <param name="model">The run's camera; the same for all frames.</param>
+    /// <param name="camera">A frame's camera; its states do not matter, the rest is the same for all frames.</param>
     /// <param name="threads">Number of threads for making it.</param>
-    public CameraDetector Of(CameraModel model, int threads)
+    public CameraDetector Of(ICamera camera, int threads)
     {
         lock (_gate)
         {
-            return _detector ??= new CameraDetector(settings, model, threads);
+            return _detector ??= new CameraDetector(settings, camera, threads);
         }
     }
 }

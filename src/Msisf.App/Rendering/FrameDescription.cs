@@ -45,7 +45,7 @@ internal sealed class FrameDescription(
         PixelGrid grid = new(frame.Camera.Width, frame.Camera.Height, settings.GridHorizontal, settings.GridVertical);
         if (settings.Surface == PixelSurface.Sphere)
         {
-            return new PixelSampler(frame.Camera, grid, new ReferenceSphere(model.Grid.ReferenceRadius), frame.Light.PositionMoonMe);
+            return new PixelSampler(frame.Camera, grid, new ReferenceSphere(model.Grid.ReferenceRadius), frame.Light);
         }
 
         ArgumentNullException.ThrowIfNull(rendered.Truth);

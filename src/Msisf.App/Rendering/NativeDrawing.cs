@@ -60,10 +60,8 @@ internal sealed class NativeDrawing
     /// <returns>The image. Dispose it so that later frames can use its memory.</returns>
     public NativeImage Draw(Frame frame, int threads, CancellationToken cancellation)
     {
-        CameraDetector? detector = _detectors?.Of(frame.Camera.Model, threads);
-        PinholeCamera window = detector is null or { Margin: 0 }
-            ? frame.Camera
-            : new PinholeCamera(frame.Camera.PositionMoonMe, frame.Camera.MoonFromCamera, detector.WindowModel);
+        CameraDetector? detector = _detectors?.Of(frame.Camera, threads);
+        ICamera window = detector?.WindowOf(frame.Camera) ?? frame.Camera;
         NativeRenderer renderer = _levels.For(window, Settings.Render.DetailSubsamplesPerAxis);
         NativeRenderOptions options = frame.Motion is { IsRest: false } ? _options with { KeepGroundTruth = true } : _options;
         NativeFrame drawn = Draw(renderer, window, frame, options, threads, cancellation);
@@ -105,7 +103,7 @@ internal sealed class NativeDrawing
     }
 
     private NativeFrame Draw(
-        NativeRenderer renderer, PinholeCamera camera, Frame frame, NativeRenderOptions options, int threads,
+        NativeRenderer renderer, ICamera camera, Frame frame, NativeRenderOptions options, int threads,
         CancellationToken cancellation) =>
         _times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
 
@@ -128,7 +126,7 @@ internal sealed class NativeDrawing
         {
             using NativeFrame? other = index == exposures.Middle
                 ? null
-                : Draw(renderer, motion.Moved(middle.Camera, exposures.TimeOf(index)), frame, options, threads, cancellation);
+                : Draw(renderer, middle.Camera.Moved(motion, exposures.TimeOf(index)), frame, options, threads, cancellation);
             _times.Measure(
                 Phase.Detector, () => detector.Collect(other ?? middle, exposures, index, image, threads, cancellation));
         }

@@ -22,18 +22,18 @@ internal sealed class NativeLevels(IFrameTerrain terrain)
     public long ReplacedBytes => _memory.ReplacedBytes;
 
     /// <summary>The renderer for a frame.</summary>
-    public NativeRenderer For(PinholeCamera camera, int subsamplesPerAxis) => _renderers.GetValue(
+    public NativeRenderer For(ICamera camera, int subsamplesPerAxis) => _renderers.GetValue(
         terrain.For(camera, subsamplesPerAxis), MakeRenderer).Value;
 
     /// <summary>
     /// Facets of this part and of those after it are invented in a frame (<see cref="RefinedView.FirstInventedPart"/>); null if nothing is
     /// to be invented.
     /// </summary>
-    public int? FirstInventedPart(PinholeCamera camera, int subsamplesPerAxis) =>
+    public int? FirstInventedPart(ICamera camera, int subsamplesPerAxis) =>
         (terrain.For(camera, subsamplesPerAxis) as RefinedView)?.FirstInventedPart;
 
     /// <summary>Traces single rays through the surface that a frame shows.</summary>
-    public ITerrainTracer TracerFor(PinholeCamera camera, int subsamplesPerAxis) => _tracers.GetValue(
+    public ITerrainTracer TracerFor(ICamera camera, int subsamplesPerAxis) => _tracers.GetValue(
         terrain.For(camera, subsamplesPerAxis), static drawn => new Lazy<TerrainTracer>(() => new TerrainTracer(drawn))).Value;
 
     private Lazy<NativeRenderer> MakeRenderer(ITerrain drawn) => new(() => new NativeRenderer(drawn, _memory));

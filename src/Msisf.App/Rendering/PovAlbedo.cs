@@ -22,7 +22,7 @@ internal sealed class PovAlbedo
     public PovAlbedo(OpenedAlbedoMap map, string folder) => (_map, _folder) = (map, folder);
 
     /// <summary>The map for a frame: the finest level whose pixels are no smaller than the image's where the Moon is nearest.</summary>
-    public SceneAlbedo For(PinholeCamera camera)
+    public SceneAlbedo For(FrameCamera camera)
     {
         AlbedoMap map = _map.Map;
         double distance = Math.Max(camera.PositionMoonMe.Length - MoonConstants.ReferenceRadius, 1.0);

@@ -129,7 +129,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _settings.Timeout);
 
     private RenderScene SceneOf(Frame frame, ISceneMeshes meshes, IReadOnlyList<string> patterns) =>
-        new(frame.Camera, frame.Light, _surface.FolderName, patterns, _albedo?.For(frame.Camera)) { Axes = meshes.Axes };
+        new(frame.FrameCamera, frame.Light, _surface.FolderName, patterns, _albedo?.For(frame.FrameCamera)) { Axes = meshes.Axes };
 
     /// <returns>The whole image as PNG; its bytes do not depend on the number of strips.</returns>
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)

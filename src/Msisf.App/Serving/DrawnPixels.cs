@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 using Msisf.Core.Tracing;
 
 namespace Msisf.App.Serving;
@@ -9,7 +10,7 @@ namespace Msisf.App.Serving;
 /// <param name="camera">Camera of the frame.</param>
 /// <param name="draw">Draws the frame, with ground truth, as a camera sees it that is a part of the frame's.</param>
 /// <param name="firstInventedPart">Facets of this part and of those after it are invented; null of frames without.</param>
-internal sealed class DrawnPixels(PinholeCamera camera, Func<PinholeCamera, NativeFrame> draw, int? firstInventedPart)
+internal sealed class DrawnPixels(ICamera camera, Func<ICamera, NativeFrame> draw, int? firstInventedPart)
 {
     /// <summary>px: pixels of one square of the image are drawn together.</summary>
     private const int SquareSide = 32;
@@ -45,27 +46,25 @@ internal sealed class DrawnPixels(PinholeCamera camera, Func<PinholeCamera, Nati
     {
         int left = part.Min(index => pixels[index].X) - 1;
         int top = part.Min(index => pixels[index].Y) - 1;
-        CameraModel model = camera.Model.Window(
+        ICamera window = camera.Window(
             left, top, part.Max(index => pixels[index].X) - left, part.Max(index => pixels[index].Y) - top);
-        PinholeCamera window = ReferenceEquals(model, camera.Model)
-            ? camera
-            : new PinholeCamera(camera.PositionMoonMe, camera.MoonFromCamera, model);
         using NativeFrame frame = draw(window);
         foreach (int index in part)
         {
             (int x, int y) = pixels[index];
             readings[index] = frame.TryGet(x - left, y - top, out SurfaceHit hit, out PixelIllumination light)
-                ? Reading(camera.RayThrough(x, y), window.RayThrough(x - left, y - top), hit, light, frame)
+                ? Reading(y, camera.RayThrough(x, y), window.RayThrough(x - left, y - top), hit, light, frame.Light.At(window, y - top))
                 : null;
         }
     }
 
     /// <summary>A window's rays have other lengths than those of the whole.</summary>
-    private SurfaceReading Reading(Ray ray, Ray drawn, SurfaceHit hit, PixelIllumination light, NativeFrame frame) => SurfaceReading.Of(
-        camera,
+    private SurfaceReading Reading(
+        int y, Ray ray, Ray drawn, SurfaceHit hit, PixelIllumination light, SceneLight source) => SurfaceReading.Of(
+        camera.BandAt(y).Camera,
         ray,
         hit with { RayParameter = hit.RayParameter * (drawn.Direction.Length / ray.Direction.Length) },
         light,
-        frame.LightPositionMoonMe,
+        source.PositionMoonMe,
         firstInventedPart);
 }

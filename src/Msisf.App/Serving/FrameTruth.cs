@@ -4,6 +4,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 
@@ -27,8 +28,7 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
     /// <summary>Half a pixel: the image begins at 0.5, since 1 is the middle of the first pixel.</summary>
     private const double HalfPixel = 0.5;
 
-    private readonly PinholeCamera _camera = frame.Camera;
-    private readonly Vector3D _light = frame.Light.PositionMoonMe;
+    private readonly ICamera _camera = frame.Camera;
 
     /// <summary>What a point of the image shows; null if it does not show the Moon.</summary>
     /// <param name="x">Pixels from 1, to the right; need not be whole.</param>
@@ -43,9 +43,11 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
             return null;
         }
 
-        bool isDark = frame.Light.IsSun && tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light);
+        SceneLight light = frame.Light.At(_camera, y);
+        bool isDark = light.IsSun && tracer.IsHidden(hit.PointMoonMe, hit.Facet, light.PositionMoonMe);
         return SurfaceReading.Of(
-            _camera, ray, hit, PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, frame.Light), _light, firstInventedPart);
+            _camera.BandAt(y).Camera, ray, hit, PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, light), light.PositionMoonMe,
+            firstInventedPart);
     }
 
     /// <summary>Where a place is seen.</summary>
@@ -63,33 +65,28 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
 
         Vector3D point = new SurfacePlace(latitudeDegrees, longitudeDegrees, height ?? 0.0, isOverTerrain: false)
             .ToPositionMoonMe(_ => MoonConstants.ReferenceRadius);
-        bool isLit;
-        if (height is null)
-        {
-            SurfaceHit ground = Ground(point);
-            point = ground.PointMoonMe;
-            isLit = !frame.Light.IsSun || !tracer.IsHidden(point, ground.Facet, _light);
-        }
-        else
-        {
-            isLit = !frame.Light.IsSun || !tracer.TryTrace(new Ray(point, _light - point), out _);
-        }
-
-        Vector3D way = point - _camera.PositionMoonMe;
-        if (!_camera.TryProject(way, out RenderingPoint seen))
+        SurfaceHit? ground = height is null ? Ground(point) : null;
+        point = ground?.PointMoonMe ?? point;
+        bool isInFront = _camera.TryProjectPoint(point, out RenderingPoint seen);
+        SceneLight light = frame.Light.At(_camera, seen.Y);
+        bool isLit = !light.IsSun || !(ground is { } hit
+            ? tracer.IsHidden(point, hit.Facet, light.PositionMoonMe)
+            : tracer.TryTrace(new Ray(point, light.PositionMoonMe - point), out _));
+        if (!isInFront)
         {
             return new PixelReading(null, null, Visible: false, "outside the image", isLit);
         }
 
+        Vector3D eye = _camera.BandAt(seen.Y).Camera.PositionMoonMe;
         string? hiddenBy = !IsInside(_camera, seen.X, seen.Y) ? "outside the image"
-            : !IsHidden(point, way) ? null
-            : Vector3D.Dot(point, way) > 0.0 ? "limb" : "terrain";
+            : !IsHidden(new Ray(eye, point - eye)) ? null
+            : Vector3D.Dot(point, point - eye) > 0.0 ? "limb" : "terrain";
         return new PixelReading(seen.X, seen.Y, hiddenBy is null, hiddenBy, isLit);
     }
 
     /// <summary>Refuses points outside the image.</summary>
     /// <exception cref="BadInputException">The point lies outside.</exception>
-    public static void RequireInside(PinholeCamera camera, double x, double y)
+    public static void RequireInside(ICamera camera, double x, double y)
     {
         if (!IsInside(camera, x, y))
         {
@@ -99,7 +96,7 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
         }
     }
 
-    private static bool IsInside(PinholeCamera camera, double x, double y) =>
+    private static bool IsInside(ICamera camera, double x, double y) =>
         x > HalfPixel && x < camera.Width + HalfPixel && y > HalfPixel && y < camera.Height + HalfPixel;
 
     private SurfaceHit Ground(Vector3D point)
@@ -110,7 +107,6 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
             : throw new InvalidOperationException("The closed surface has no point on a radius.");
     }
 
-    private bool IsHidden(Vector3D point, Vector3D way) =>
-        tracer.TryTrace(new Ray(_camera.PositionMoonMe, way), out SurfaceHit hit)
-        && hit.RayParameter * way.Length < way.Length - SamePoint;
+    private bool IsHidden(Ray toPoint) => tracer.TryTrace(toPoint, out SurfaceHit hit)
+        && hit.RayParameter * toPoint.Direction.Length < toPoint.Direction.Length - SamePoint;
 }

@@ -79,7 +79,7 @@ internal sealed class RenderSession : IDisposable
     /// <exception cref="BadInputException">A point lies outside the image.</exception>
     public SurfaceReading?[] ReadDrawn(PreparedFrame frame, IReadOnlyList<double[]> pixels, int threads, CancellationToken cancellation)
     {
-        PinholeCamera camera = frame.Frame.Camera;
+        ICamera camera = frame.Frame.Camera;
         NativeRenderer renderer = _levels.For(camera, Settings.Native.Render.DetailSubsamplesPerAxis);
         NativeRenderOptions truth = Settings.Native.Render with { SubsamplesPerAxis = 1, Adaptive = null, KeepGroundTruth = true };
         return new DrawnPixels(

@@ -34,7 +34,7 @@ internal sealed record SurfaceReading(
     /// <param name="lightMoonMe">The Sun, or the lamp at the camera, m.</param>
     /// <param name="firstInventedPart">Facets of this part and of those after it are invented; null of frames without.</param>
     public static SurfaceReading Of(
-        PinholeCamera camera, Ray ray, SurfaceHit hit, PixelIllumination light, Vector3D lightMoonMe, int? firstInventedPart)
+        FrameCamera camera, Ray ray, SurfaceHit hit, PixelIllumination light, Vector3D lightMoonMe, int? firstInventedPart)
     {
         Vector3D point = hit.PointMoonMe;
         SelenographicPoint place = SelenographicPoint.Below(point);
@@ -52,7 +52,7 @@ internal sealed record SurfaceReading(
             direction is { } angle ? double.RadiansToDegrees(angle) : null,
             WordOf(light.State),
             light.VisibleFraction,
-            PixelBeam.SideAt(camera, ray, hit.RayParameter),
+            camera.PixelSide(ray, hit.RayParameter),
             double.RadiansToDegrees(Vector3D.AngleBetween(hit.NormalMoonMe, point)),
             new FacetReading(
                 hit.Facet.Line, hit.Facet.Sample, (int)hit.Facet.Half, hit.Facet.Part,

@@ -50,11 +50,10 @@ public sealed class SceneBlocks
     /// <returns>The blocks in order.</returns>
     /// <exception cref="BadInputException">The Sun is not outside the terrain, or a model is damaged.</exception>
     public IReadOnlyList<SceneBlock> Select(
-        PinholeCamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows, int threads, CancellationToken cancellation)
+        ICamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows, int threads, CancellationToken cancellation)
     {
-        ViewFrustum frustum = new(camera, Dspsa.AntialiasingPixels, rows);
-        CellBlock[] seen = [.. new BlockCuller(_surface).Find(frustum, threads, cancellation).Select(visible => visible.Block)];
-        HashSet<CellBlock> needed = [.. seen.Select(Whole)];
+        HashSet<CellBlock> needed = [.. camera.Bounds(Dspsa.AntialiasingPixels, rows).SelectMany(
+            bounds => new BlockCuller(_surface).Find(bounds, threads, cancellation).Select(visible => Whole(visible.Block)))];
         if (sunPositionMoonMe is Vector3D sun)
         {
             CasterSearch search = new(_surface);

@@ -33,31 +33,19 @@ public sealed record CameraMatrix(
     /// <summary>The three rows of R.</summary>
     public IReadOnlyList<Vector3D> RotationRows => [Rotation.Row0, Rotation.Row1, Rotation.Row2];
 
-    /// <summary>The same camera in OpenCV's form.</summary>
-    public static CameraMatrix Of(PinholeCamera camera)
+    /// <summary>The same camera in OpenCV's form; of one with several states that of its first row.</summary>
+    public static CameraMatrix Of(ICamera camera)
     {
-        UnitQuaternion moonFromCamera = camera.MoonFromCamera;
-        RotationMatrix rotation = new(moonFromCamera * Vector3D.UnitY, moonFromCamera * -Vector3D.UnitZ, camera.ForwardMoonMe);
-        Vector3D translation = default(Vector3D) - (rotation * camera.PositionMoonMe); // no negative zeros
-        if (!camera.Model.IsThesis)
-        {
-            CameraModel model = camera.Model;
-            return new CameraMatrix(
-                model.Width, model.Height, model.FocalX, model.PrincipalX - 1.0, model.PrincipalY - 1.0, rotation, translation)
-            {
-                FocalLengthDown = model.FocalY,
-                Skew = model.Skew,
-                Distortion = model.Distortion,
-            };
-        }
-
+        FrameCamera first = camera.Bands[0].Camera;
+        RotationMatrix rotation = new(first.UnitRight, first.MoonFromCamera * -Vector3D.UnitZ, first.ForwardMoonMe);
+        Vector3D translation = default(Vector3D) - (rotation * first.PositionMoonMe); // no negative zeros
+        CameraModel model = first.Model;
         return new CameraMatrix(
-            camera.Width,
-            camera.Height,
-            camera.Width / (2.0 * Math.Tan(camera.FieldOfView / 2.0)),
-            (camera.Width - 1) / 2.0,
-            (camera.Height - 1) / 2.0,
-            rotation,
-            translation);
+            camera.Width, camera.Height, model.FocalX, model.PrincipalX - 1.0, model.PrincipalY - 1.0, rotation, translation)
+        {
+            FocalLengthDown = model.FocalY,
+            Skew = model.Skew,
+            Distortion = model.Distortion,
+        };
     }
 }

@@ -130,18 +130,27 @@ public sealed class CameraModel
             ? FromFieldOfView(2.0 * Math.Atan(0.5 * Width / FocalX), Width, Height)
             : this;
 
-    /// <summary>The camera of a part of this one's image, in which each pixel shows what it shows in the whole.</summary>
-    /// <param name="left">Columns of the whole to the left of it, at least 0.</param>
-    /// <param name="top">Rows of the whole above it, at least 0.</param>
+    /// <summary>Places the camera.</summary>
+    /// <exception cref="BadInputException">The position's length is not finite.</exception>
+    /// <exception cref="ArgumentException">The orientation is <c>default</c>, which is no rotation.</exception>
+    public FrameCamera At(CameraState state) => Lens is null ? new PinholeCamera(state, this) : new LensCamera(state, this);
+
+    /// <summary>The camera of a part of this one's image, or of more, in which each pixel shows what it shows in the whole.</summary>
+    /// <param name="left">Columns of the whole to the left of it; negative where it reaches farther than the whole.</param>
+    /// <param name="top">Rows of the whole above it.</param>
     /// <param name="width">px.</param>
     /// <param name="height">px.</param>
+    /// <exception cref="BadInputException">The camera can't be drawn so far beyond its borders.</exception>
     public CameraModel Window(int left, int top, int width, int height)
     {
-        ArgumentOutOfRangeException.ThrowIfNegative(left);
-        ArgumentOutOfRangeException.ThrowIfNegative(top);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan(left + width, Width);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan(top + height, Height);
-        return width == Width && height == Height ? this : new CameraModel(this, left, top, width, height);
+        if (width == Width && height == Height && left == 0 && top == 0)
+        {
+            return this;
+        }
+
+        return left >= 0 && top >= 0 && left + width <= Width && top + height <= Height
+            ? new CameraModel(this, left, top, width, height)
+            : new CameraModel(width, height, (FocalX, FocalY), (PrincipalX - left, PrincipalY - top), Skew, Distortion).Simplified();
     }
 
     /// <summary>The point of the ideal image plane that a point of the image shows.</summary>

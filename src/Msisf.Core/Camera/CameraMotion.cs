@@ -52,20 +52,19 @@ public readonly record struct CameraMotion(Vector3D VelocityMoonMe, Vector3D Ang
         VelocityMoonMe.X, VelocityMoonMe.Y, VelocityMoonMe.Z, AngularVelocityCamera.X, AngularVelocityCamera.Y, AngularVelocityCamera.Z,
     ];
 
-    /// <summary>Where a camera is some time after, or before, the frame's time.</summary>
-    /// <param name="camera">At the frame's time.</param>
-    /// <param name="seconds">s; the camera itself at 0.</param>
-    public PinholeCamera Moved(PinholeCamera camera, double seconds)
+    /// <summary>Where a camera is some time after, or before.</summary>
+    /// <param name="state">The camera at first.</param>
+    /// <param name="seconds">s.</param>
+    public CameraState Moved(CameraState state, double seconds)
     {
-        if (seconds == 0.0 || IsRest)
-        {
-            return camera;
-        }
-
         double rate = AngularVelocityCamera.Length;
-        UnitQuaternion orientation = rate == 0.0
-            ? camera.MoonFromCamera
-            : camera.MoonFromCamera * UnitQuaternion.FromAxisAngle(AngularVelocityCamera, rate * seconds);
-        return new PinholeCamera(camera.PositionMoonMe + (seconds * VelocityMoonMe), orientation, camera.Model);
+        return state with
+        {
+            PositionMoonMe = state.PositionMoonMe + (seconds * VelocityMoonMe),
+            MoonFromCamera = rate == 0.0
+                ? state.MoonFromCamera
+                : state.MoonFromCamera * UnitQuaternion.FromAxisAngle(AngularVelocityCamera, rate * seconds),
+            Seconds = state.Seconds + seconds,
+        };
     }
 }

@@ -23,7 +23,7 @@ internal sealed class ViewFrustum
     /// <param name="rows">The rows that are shown; null for the whole image.</param>
     /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
     /// <param name="offsetY">px down, added to each pixel's centre.</param>
-    public ViewFrustum(PinholeCamera camera, double margin, PixelRows? rows = null, double offsetX = 0.0, double offsetY = 0.0)
+    public ViewFrustum(FrameCamera camera, double margin, PixelRows? rows = null, double offsetX = 0.0, double offsetY = 0.0)
         : this(camera, BorderOf(camera, margin, rows ?? new PixelRows(0, camera.Height), offsetX, offsetY))
     {
         _rows = rows ?? new PixelRows(0, camera.Height);
@@ -40,7 +40,7 @@ internal sealed class ViewFrustum
         }
     }
 
-    private ViewFrustum(PinholeCamera camera, (double Left, double Right, double Top, double Bottom) border)
+    private ViewFrustum(FrameCamera camera, (double Left, double Right, double Top, double Bottom) border)
     {
         CameraMoonMe = camera.PositionMoonMe;
         _forward = camera.ForwardMoonMe;
@@ -68,7 +68,7 @@ internal sealed class ViewFrustum
     /// <summary>The frustum around the samples of a camera with a lens.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="tangents">The samples lie in this part of the ideal image plane.</param>
-    public static ViewFrustum Of(PinholeCamera camera, in TangentBox tangents)
+    public static ViewFrustum Of(FrameCamera camera, in TangentBox tangents)
     {
         double margin = camera.PixelTangent;
         return new ViewFrustum(
@@ -240,13 +240,13 @@ internal sealed class ViewFrustum
 
     private (double Down, double Depth) Project(Vector3D vector) => (Vector3D.Dot(_down, vector), Vector3D.Dot(_forward, vector));
 
-    private static Vector3D UnitRight(PinholeCamera camera) => camera.Model.IsThesis ? camera.Right.Normalized() : camera.UnitRight;
+    private static Vector3D UnitRight(FrameCamera camera) => camera.Model.IsThesis ? camera.Right.Normalized() : camera.UnitRight;
 
-    private static Vector3D UnitUp(PinholeCamera camera) => camera.Model.IsThesis ? camera.Up.Normalized() : camera.UnitUp;
+    private static Vector3D UnitUp(FrameCamera camera) => camera.Model.IsThesis ? camera.Up.Normalized() : camera.UnitUp;
 
     /// <summary>Tangents to the borders of some rows of a pinhole's image: to the left, to the right, and two upwards.</summary>
     private static (double Left, double Right, double Top, double Bottom) BorderOf(
-        PinholeCamera camera, double margin, PixelRows rows, double offsetX, double offsetY)
+        FrameCamera camera, double margin, PixelRows rows, double offsetX, double offsetY)
     {
         if (camera.Model.IsThesis)
         {

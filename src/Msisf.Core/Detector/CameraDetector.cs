@@ -23,28 +23,41 @@ public sealed class CameraDetector
 
     /// <summary>Prepares a camera.</summary>
     /// <param name="settings">Optics and detector.</param>
-    /// <param name="model">Size and geometry of the images.</param>
+    /// <param name="camera">Size and geometry of the images; its states do not matter.</param>
     /// <param name="threads">Number of threads for the preparation.</param>
     /// <exception cref="BadInputException">The camera can't be drawn as far beyond its borders as the PSF reaches.</exception>
-    public CameraDetector(DetectorSettings settings, CameraModel model, int threads)
+    public CameraDetector(DetectorSettings settings, ICamera camera, int threads)
     {
         _settings = settings;
         Margin = settings.PointSpread?.Radius ?? 0;
-        WindowModel = Margin == 0 ? model : Widened(model, Margin);
+        _ = WindowOf(camera);
         _electronsPerSteradian = settings.ApertureArea * settings.ExposureTime * settings.Band.ElectronRate(SolarSpectrum.IrradianceAt);
-        _throughput = PixelThroughput.Of(model, settings.IsFlatFielded, threads);
-        _pass = new DetectorPass(settings, new FixedPattern(settings, model.Width, model.Height, threads));
+        _throughput = PixelThroughput.Of(camera, settings.IsFlatFielded, threads);
+        _pass = new DetectorPass(settings, new FixedPattern(settings, camera.Width, camera.Height, threads));
     }
 
     /// <summary>px: how far the frame must be drawn beyond the detector's borders.</summary>
     public int Margin { get; }
 
-    /// <summary>The camera with which frames are drawn: as wide as the detector and its margin.</summary>
-    public CameraModel WindowModel { get; }
+    /// <summary>The camera with which a frame is drawn: as wide as the detector and its margin.</summary>
+    /// <exception cref="BadInputException">The camera can't be drawn as far beyond its borders as the PSF reaches.</exception>
+    public ICamera WindowOf(ICamera camera)
+    {
+        try
+        {
+            return camera.Window(-Margin, -Margin, camera.Width + (2 * Margin), camera.Height + (2 * Margin));
+        }
+        catch (BadInputException exception)
+        {
+            throw new BadInputException(
+                $"The PSF takes light from {Margin} px beyond the image's borders, where the camera can't be drawn: {exception.Message}",
+                exception);
+        }
+    }
 
     /// <summary>The instants for which a frame must be drawn so that none of its points jumps by more than the shutter allows.</summary>
     /// <param name="middle">
-    /// The frame at its own time, drawn with <see cref="WindowModel"/>; with ground truth if there is a motion.
+    /// The frame at its own time, drawn with <see cref="WindowOf"/>; with ground truth if there is a motion.
     /// </param>
     /// <param name="motion">How the camera moves.</param>
     /// <param name="threads">Number of threads.</param>
@@ -72,7 +85,7 @@ public sealed class CameraDetector
     }
 
     /// <summary>An image without electrons, for one frame.</summary>
-    /// <param name="middle">The frame, drawn with <see cref="WindowModel"/>.</param>
+    /// <param name="middle">The frame, drawn with <see cref="WindowOf"/>.</param>
     public DetectorImage Begin(NativeFrame middle)
     {
         if (!_idle.TryTake(out DetectorImage? image))
@@ -85,7 +98,7 @@ public sealed class CameraDetector
     }
 
     /// <summary>Collects the electrons of one instant of the exposure.</summary>
-    /// <param name="drawn">The frame at that instant, drawn with <see cref="WindowModel"/>, in sunlight.</param>
+    /// <param name="drawn">The frame at that instant, drawn with <see cref="WindowOf"/>, in sunlight.</param>
     /// <param name="exposures">All instants.</param>
     /// <param name="index">Which of them it is.</param>
     /// <param name="image">Receives the electrons.</param>
@@ -95,9 +108,10 @@ public sealed class CameraDetector
     public void Collect(
         NativeFrame drawn, SubExposures exposures, int index, DetectorImage image, int threads, CancellationToken cancellation)
     {
-        double perSteradian = _electronsPerSteradian * SpectralBand.RadianceOfUnitIrradiance(drawn.LightPositionMoonMe.Length);
+        double PerSteradian(int row) => _electronsPerSteradian
+            * SpectralBand.RadianceOfUnitIrradiance(drawn.Light.At(drawn.Camera, row + 1 + Margin).PositionMoonMe.Length);
         _pass.Expose(
-            drawn.RadianceFactorMemory, _throughput, perSteradian, row => exposures.WeightOf(index, row), image, threads, cancellation);
+            drawn.RadianceFactorMemory, _throughput, PerSteradian, row => exposures.WeightOf(index, row), image, threads, cancellation);
     }
 
     /// <summary>Reads out the image of a frame when all its electrons are collected.</summary>
@@ -108,29 +122,9 @@ public sealed class CameraDetector
     /// <param name="cancellation">Stops the work.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public void Read(
-        DetectorImage image, ModifiedJulianDate time, PinholeCamera camera, int threads, CancellationToken cancellation) =>
+        DetectorImage image, ModifiedJulianDate time, ICamera camera, int threads, CancellationToken cancellation) =>
         _pass.Read(image, FrameNumber.Of(time, camera), threads, cancellation);
 
     /// <summary>Returns an image's memory for later frames; it must not be used after that.</summary>
     public void GiveBack(DetectorImage image) => _idle.Add(image);
-
-    private static CameraModel Widened(CameraModel model, int margin)
-    {
-        try
-        {
-            return new CameraModel(
-                model.Width + (2 * margin),
-                model.Height + (2 * margin),
-                (model.FocalX, model.FocalY),
-                (model.PrincipalX + margin, model.PrincipalY + margin),
-                model.Skew,
-                model.Distortion).Simplified();
-        }
-        catch (BadInputException exception)
-        {
-            throw new BadInputException(
-                $"The PSF takes light from {margin} px beyond the image's borders, where the camera can't be drawn: {exception.Message}",
-                exception);
-        }
-    }
 }

@@ -1,5 +1,5 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
 using Msisf.Core.Render;
 using Msisf.Core.Tracing;
 
@@ -18,7 +18,7 @@ public sealed class DetectedFrame : IGroundTruth
     /// <param name="drawn">The frame with margin; must live longer than this.</param>
     /// <param name="margin">px.</param>
     /// <param name="image">The detector's image.</param>
-    public DetectedFrame(PinholeCamera camera, NativeFrame drawn, int margin, DetectorImage image)
+    public DetectedFrame(ICamera camera, NativeFrame drawn, int margin, DetectorImage image)
     {
         Camera = camera;
         _drawn = drawn;
@@ -33,13 +33,10 @@ public sealed class DetectedFrame : IGroundTruth
     }
 
     /// <inheritdoc/>
-    public PinholeCamera Camera { get; }
+    public ICamera Camera { get; }
 
     /// <inheritdoc/>
-    public Vector3D LightPositionMoonMe => _drawn.LightPositionMoonMe;
-
-    /// <inheritdoc/>
-    public bool LightIsSun => _drawn.LightIsSun;
+    public SceneLight Light => _drawn.Light;
 
     /// <inheritdoc/>
     public ReadOnlySpan<double> RadianceFactors => _radianceFactors;
@@ -58,21 +55,23 @@ public sealed class DetectedFrame : IGroundTruth
             return false;
         }
 
-        hit = hit with { RayParameter = hit.RayParameter * ParameterFactor };
+        hit = hit with { RayParameter = hit.RayParameter * ParameterFactor(y) };
         return true;
     }
 
     /// <summary>Rays of the two cameras have other lengths, and a hit's parameter counts in them.</summary>
-    private double ParameterFactor => _drawn.Camera.ImagePlaneDistance / Camera.ImagePlaneDistance;
+    private double ParameterFactor(int y) =>
+        _drawn.Camera.BandAt(y + _margin).Camera.ImagePlaneDistance / Camera.BandAt(y).Camera.ImagePlaneDistance;
 
     /// <inheritdoc/>
     void IGroundTruth.ReadRow(int y, TruthRow row)
     {
         ((IGroundTruth)_drawn).ReadRow(y + _margin, row);
         row.Cut(_margin, Camera.Width);
+        double factor = ParameterFactor(y);
         foreach (ref double parameter in row.Points.Parameters.AsSpan(0, row.Points.Count))
         {
-            parameter *= ParameterFactor;
+            parameter *= factor;
         }
     }
 }

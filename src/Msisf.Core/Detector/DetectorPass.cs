@@ -35,13 +35,15 @@ internal sealed class DetectorPass
     /// Radiance factor of each pixel of the frame, wider and higher than the detector by the PSF's radius on each side.
     /// </param>
     /// <param name="throughput">Throughput of each pixel of the detector, steradians.</param>
-    /// <param name="perSteradian">Electrons that a pixel collects at a radiance factor of 1, for each steradian.</param>
+    /// <param name="perSteradianOfRow">
+    /// Electrons that a pixel of a row, from 0, collects at a radiance factor of 1, for each steradian.
+    /// </param>
     /// <param name="weightOfRow">Part of the exposure of a row, from 0, for which the instant stands.</param>
     /// <param name="image">Receives the electrons.</param>
     /// <param name="threads">Number of threads.</param>
     /// <param name="cancellation">Stops the work.</param>
     public void Expose(
-        ReadOnlyMemory<double> light, ReadOnlyMemory<double> throughput, double perSteradian, Func<int, double> weightOfRow,
+        ReadOnlyMemory<double> light, ReadOnlyMemory<double> throughput, Func<int, double> perSteradianOfRow, Func<int, double> weightOfRow,
         DetectorImage image, int threads, CancellationToken cancellation)
     {
         int width = image.Width;
@@ -54,6 +56,7 @@ internal sealed class DetectorPass
                 return;
             }
 
+            double perSteradian = perSteradianOfRow(row);
             double[] memory = ArrayPool<double>.Shared.Rent(width);
             Span<double> spread = memory.AsSpan(0, width);
             if (_settings.PointSpread is PointSpreadKernel kernel)

@@ -35,8 +35,8 @@ internal static class ImageMotion
         }
 
         int segments = Math.Max(MinSegments, 2 * (int)Math.Ceiling(0.5 * turn / MaxTurn));
-        PinholeCamera[] cameras = [.. Enumerable.Range(0, segments + 1).Select(
-            index => motion.Moved(frame.Camera, ((double)index / segments - 0.5) * span))];
+        ICamera[] cameras = [.. Enumerable.Range(0, segments + 1).Select(
+            index => frame.Camera.Moved(motion, ((double)index / segments - 0.5) * span))];
         int blocks = (frame.Camera.Height + BlockSide - 1) / BlockSide;
         double[] greatest = new double[blocks];
         WorkerTeam.Run(threads, blocks, (_, block) =>
@@ -52,18 +52,18 @@ internal static class ImageMotion
         return segments * greatest.Max();
     }
 
-    private static double OfBlock(NativeFrame frame, PinholeCamera[] cameras, (int First, int Last) columns, (int First, int Last) rows)
+    private static double OfBlock(NativeFrame frame, ICamera[] cameras, (int First, int Last) columns, (int First, int Last) rows)
     {
         (double nearest, double farthest) = Depths(frame, columns, rows);
-        Vector3D position = frame.Camera.PositionMoonMe;
         double greatest = 0.0;
         foreach ((double x, double y) in (ReadOnlySpan<(double, double)>)[
             (columns.First - 0.5, rows.First - 0.5), (columns.Last + 0.5, rows.First - 0.5), (columns.First - 0.5, rows.Last + 0.5),
             (columns.Last + 0.5, rows.Last + 0.5)])
         {
-            Vector3D direction = frame.Camera.RayThrough(x, y).Direction / frame.Camera.ImagePlaneDistance; // of depth 1
-            greatest = Math.Max(greatest, OfPoint(cameras, position + (nearest * direction)));
-            greatest = Math.Max(greatest, OfPoint(cameras, position + (farthest * direction)));
+            Ray ray = frame.Camera.RayThrough(x, y);
+            Vector3D direction = ray.Direction / frame.Camera.BandAt(y).Camera.ImagePlaneDistance; // of depth 1
+            greatest = Math.Max(greatest, OfPoint(cameras, ray.Origin + (nearest * direction)));
+            greatest = Math.Max(greatest, OfPoint(cameras, ray.Origin + (farthest * direction)));
         }
 
         return greatest;
@@ -79,11 +79,12 @@ internal static class ImageMotion
         (double nearest, double farthest) = (double.PositiveInfinity, 0.0);
         for (int y = rows.First; y <= rows.Last; y++)
         {
+            FrameCamera camera = frame.Camera.BandAt(y).Camera;
             for (int x = columns.First; x <= columns.Last; x++)
             {
                 if (frame.TryGetSurface(x, y, out SurfaceHit hit))
                 {
-                    double depth = Vector3D.Dot(hit.PointMoonMe - frame.Camera.PositionMoonMe, frame.Camera.ForwardMoonMe);
+                    double depth = Vector3D.Dot(hit.PointMoonMe - camera.PositionMoonMe, camera.ForwardMoonMe);
                     nearest = Math.Min(nearest, depth);
                     farthest = Math.Max(farthest, depth);
                 }
@@ -95,11 +96,11 @@ internal static class ImageMotion
     }
 
     /// <summary>The greatest motion of a point from one camera to the next, px, while one of them shows it.</summary>
-    private static double OfPoint(PinholeCamera[] cameras, Vector3D pointMoonMe)
+    private static double OfPoint(ICamera[] cameras, Vector3D pointMoonMe)
     {
         double greatest = 0.0;
         (double X, double Y)? before = ImageOf(cameras[0], pointMoonMe);
-        foreach (PinholeCamera camera in cameras.AsSpan(1))
+        foreach (ICamera camera in cameras.AsSpan(1))
         {
             (double X, double Y)? after = ImageOf(camera, pointMoonMe);
             if (IsInside(camera, before) || IsInside(camera, after))
@@ -115,9 +116,9 @@ internal static class ImageMotion
         return greatest;
     }
 
-    private static (double X, double Y)? ImageOf(PinholeCamera camera, Vector3D pointMoonMe) =>
-        camera.TryProject(pointMoonMe - camera.PositionMoonMe, out RenderingPoint point) ? (point.X, point.Y) : null;
+    private static (double X, double Y)? ImageOf(ICamera camera, Vector3D pointMoonMe) =>
+        camera.TryProjectPoint(pointMoonMe, out RenderingPoint point) ? (point.X, point.Y) : null;
 
-    private static bool IsInside(PinholeCamera camera, (double X, double Y)? point) => point is (double x, double y)
+    private static bool IsInside(ICamera camera, (double X, double Y)? point) => point is (double x, double y)
         && x >= 0.0 && x <= camera.Width + 1.0 && y >= 0.0 && y <= camera.Height + 1.0;
 }

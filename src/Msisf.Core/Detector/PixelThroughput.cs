@@ -13,36 +13,39 @@ internal static class PixelThroughput
     /// the left and right, above and below; a flat aperture at an angle t off the axis has the area A cos t. For a pinhole this is
     /// (p / f)^2 cos^4 t.
     /// </summary>
-    /// <param name="model">The camera.</param>
+    /// <param name="camera">The camera, in any state.</param>
     /// <param name="isFlatFielded">Whether all pixels get the throughput of a pixel on the axis.</param>
     /// <param name="threads">Number of threads.</param>
     /// <returns>By rows from the top, each from left to right.</returns>
-    public static double[] Of(CameraModel model, bool isFlatFielded, int threads)
+    public static double[] Of(ICamera camera, bool isFlatFielded, int threads)
     {
         // In camera axes, so that the same camera has the same bits in all frames.
-        PinholeCamera camera = new(default, UnitQuaternion.Identity, model);
-        double[] throughput = new double[model.Width * model.Height];
+        ICamera inOwnAxes = BandedCamera.Of(
+            [.. camera.Bands.Select(band => band.Camera.Model.At(new CameraState(default, UnitQuaternion.Identity)))]);
+        double[] throughput = new double[camera.Width * camera.Height];
         if (isFlatFielded)
         {
+            CameraModel model = camera.Bands[0].Camera.Model;
             Array.Fill(throughput, 1.0 / (model.FocalX * model.FocalY));
             return throughput;
         }
 
         WorkerTeam.Run(
             threads,
-            model.Height,
+            camera.Height,
             (_, row) =>
             {
-                for (int column = 0; column < model.Width; column++)
+                (PixelRows rows, FrameCamera band) = inOwnAxes.BandAt(row + 1);
+                for (int column = 0; column < band.Width; column++)
                 {
-                    throughput[(row * model.Width) + column] = At(camera, column + 1, row + 1);
+                    throughput[(row * band.Width) + column] = At(band, column + 1, row + 1 - rows.First);
                 }
             },
             CancellationToken.None);
         return throughput;
     }
 
-    private static double At(PinholeCamera camera, double x, double y)
+    private static double At(FrameCamera camera, double x, double y)
     {
         const double HalfPixel = 0.5;
         Vector3D across = camera.RayThrough(x + HalfPixel, y).Direction - camera.RayThrough(x - HalfPixel, y).Direction;

@@ -1,6 +1,8 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
+using Msisf.Core.Scene;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Layers;
@@ -12,6 +14,7 @@ namespace Msisf.Core.Layers;
 internal sealed class LayerRow
 {
     private readonly IGroundTruth _frame;
+    private readonly SpectralBand _band;
     private readonly TruthRow _truth = new();
     private VectorRow _points = VectorRow.OfLength(0);
     private VectorRow _normals = VectorRow.OfLength(0);
@@ -22,6 +25,7 @@ internal sealed class LayerRow
     private double[] _lightDistances = [];
     private double[] _normalLengths = [];
     private Known _known;
+    private int _rowOfBand;
 
     /// <summary>Starts with a frame.</summary>
     /// <param name="frame">The frame.</param>
@@ -29,16 +33,13 @@ internal sealed class LayerRow
     /// px/deg: resolution of the grid whose cells the facets count; null if it is not one of latitude and longitude.
     /// </param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
-    /// <param name="radianceOfUnitFactor">
-    /// W m^-2 sr^-1 nm^-1: radiance of the radiance factor 1; null if a lamp at the camera replaces the Sun.
-    /// </param>
-    public LayerRow(IGroundTruth frame, int? meshPixelsPerDegree, double referenceRadius, double? radianceOfUnitFactor)
+    /// <param name="band">Of the radiance.</param>
+    public LayerRow(IGroundTruth frame, int? meshPixelsPerDegree, double referenceRadius, SpectralBand band)
     {
         _frame = frame;
         MeshPixelsPerDegree = meshPixelsPerDegree;
         ReferenceRadius = referenceRadius;
-        RadianceOfUnitFactor = radianceOfUnitFactor;
-        AxisLength = Camera.OpticalAxis.Length;
+        _band = band;
     }
 
     [Flags]
@@ -53,13 +54,14 @@ internal sealed class LayerRow
         NormalLengths = 32,
     }
 
-    public PinholeCamera Camera => _frame.Camera;
+    /// <summary>The camera of the row's band.</summary>
+    public FrameCamera Camera { get; private set; } = null!;
 
     /// <summary>Component of each ray's direction along the optical axis.</summary>
-    public double AxisLength { get; }
+    public double AxisLength { get; private set; }
 
     /// <summary>Position of the Sun, or of the lamp that replaces it, m.</summary>
-    public Vector3D LightPositionMoonMe => _frame.LightPositionMoonMe;
+    public Vector3D LightPositionMoonMe { get; private set; }
 
     /// <summary>
     /// px/deg: resolution of the grid whose cells <see cref="Facets"/> count; null if it is not one of latitude and longitude.
@@ -70,7 +72,7 @@ internal sealed class LayerRow
     public double ReferenceRadius { get; }
 
     /// <summary>W m^-2 sr^-1 nm^-1: radiance of the radiance factor 1; null if a lamp at the camera replaces the Sun.</summary>
-    public double? RadianceOfUnitFactor { get; }
+    public double? RadianceOfUnitFactor { get; private set; }
 
     /// <summary>The row, from 0.</summary>
     public int Row { get; private set; }
@@ -103,7 +105,7 @@ internal sealed class LayerRow
         {
             if (Misses(Known.Sight))
             {
-                RowGeometry.FindDirections(Camera, Row, Columns, _sight);
+                Camera.FindDirections(_rowOfBand, Columns, _sight);
             }
 
             return _sight;
@@ -151,6 +153,16 @@ internal sealed class LayerRow
     public void MoveTo(int row)
     {
         Row = row;
+        (PixelRows rows, FrameCamera camera) = _frame.Camera.BandAt(row + 1);
+        _rowOfBand = row - rows.First;
+        if (camera != Camera)
+        {
+            (Camera, AxisLength) = (camera, camera.OpticalAxis.Length);
+            SceneLight light = _frame.Light.At(_frame.Camera, row + 1);
+            LightPositionMoonMe = light.PositionMoonMe;
+            RadianceOfUnitFactor = light.IsSun ? _band.RadianceOfUnitFactor(light.PositionMoonMe.Length) : null;
+        }
+
         _frame.ReadRow(row + 1, _truth);
         _known = Known.None;
         int length = _truth.Points.X.Length;

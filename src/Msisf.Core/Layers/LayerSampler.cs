@@ -1,5 +1,6 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Visibility;
 
 namespace Msisf.Core.Layers;
@@ -10,7 +11,7 @@ public sealed class LayerSampler
     private readonly IGroundTruth _truth;
     private readonly int? _meshPixelsPerDegree;
     private readonly double _referenceRadius;
-    private readonly double? _radianceOfUnitFactor;
+    private readonly SpectralBand _band;
     private readonly ConcurrentBag<Scratch> _idle = [];
 
     /// <summary>Prepares a frame.</summary>
@@ -21,9 +22,7 @@ public sealed class LayerSampler
         _truth = truth;
         _meshPixelsPerDegree = provenance.Parts > 1 ? null : provenance.MeshResolution.PixelsPerDegree;
         _referenceRadius = provenance.ReferenceRadius;
-        _radianceOfUnitFactor = truth.LightIsSun
-            ? provenance.Band.RadianceOfUnitFactor(truth.LightPositionMoonMe.Length)
-            : null;
+        _band = provenance.Band;
     }
 
     /// <summary>px.</summary>
@@ -75,7 +74,7 @@ public sealed class LayerSampler
         }
     }
 
-    private LayerRow NewRow() => new(_truth, _meshPixelsPerDegree, _referenceRadius, _radianceOfUnitFactor);
+    private LayerRow NewRow() => new(_truth, _meshPixelsPerDegree, _referenceRadius, _band);
 
     /// <summary>What one thread computes in.</summary>
     private sealed record Scratch(LayerRow Row, double[] Values);

@@ -1,7 +1,5 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Camera;
-using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Layers;
@@ -10,44 +8,6 @@ namespace Msisf.Core.Layers;
 internal static class RowGeometry
 {
     private static readonly int Lanes = Vector512<double>.Count;
-
-    /// <summary>
-    /// The directions of the rays through the centres of pixels, with the bits of <see cref="PinholeCamera.RayThrough"/>.
-    /// </summary>
-    /// <param name="camera">The camera.</param>
-    /// <param name="row">The row, from 0.</param>
-    /// <param name="columns">The columns, from 0.</param>
-    /// <param name="directions">Receives the directions.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would else be computed with unoptimised vectors
-    public static void FindDirections(PinholeCamera camera, int row, ReadOnlySpan<int> columns, VectorRow directions)
-    {
-        double y = row + 1;
-        double height = camera.Height;
-        bool hasLens = camera.Model.Lens is not null;
-        Vector3D middle = camera.Direction + ((1.0 + height - (2.0 * y)) / (2.0 * height) * camera.Up);
-        double width = camera.Width;
-        Span<double> xs = stackalloc double[Lanes];
-        for (int i = 0; i < columns.Length; i += Lanes)
-        {
-            for (int lane = 0; lane < Lanes; lane++)
-            {
-                xs[lane] = columns[Math.Min(i + lane, columns.Length - 1)] + 1;
-            }
-
-            Vector512<double> x = Vector512.Create<double>(xs);
-            if (hasLens)
-            {
-                LanePoints ideal = camera.Model.ToIdeal(x, Vector512.Create(y));
-                LaneVector alongRow = LaneVector.All(camera.OpticalAxis) + (ideal.X * LaneVector.All(camera.LensRight));
-                (alongRow + (ideal.Y * LaneVector.All(camera.LensDown))).Store(directions, i);
-                continue;
-            }
-
-            Vector512<double> right =
-                ((Vector512.Create(2.0) * x) - Vector512<double>.One - Vector512.Create(width)) / Vector512.Create(2.0 * width);
-            (LaneVector.All(middle) + (right * LaneVector.All(camera.Right))).Store(directions, i);
-        }
-    }
 
     /// <summary>A vector less multiples of a row's vectors.</summary>
     /// <param name="whole">The vector.</param>

@@ -27,14 +27,14 @@ internal static class SurfaceValues
         }
     }
 
-    /// <summary>m: see <see cref="PixelBeam"/>.</summary>
+    /// <summary>m: see <see cref="Camera.FrameCamera.PixelSide(Camera.Ray, double)"/>.</summary>
     public static void PixelScale(LayerRow row, int plane, double[] values)
     {
         VectorRow sight = row.Sight;
         double[] lengths = row.SightLengths;
         for (int i = 0; i < row.Count; i++)
         {
-            values[i] = PixelBeam.SideAt(row.Camera, row.AxisLength, sight[i], lengths[i], row.Parameters[i]);
+            values[i] = row.Camera.PixelSide(row.AxisLength, sight[i], lengths[i], row.Parameters[i]);
         }
     }
 

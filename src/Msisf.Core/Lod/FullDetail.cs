@@ -8,5 +8,5 @@ namespace Msisf.Core.Lod;
 public sealed class FullDetail(ITerrain terrain) : IFrameTerrain
 {
     /// <inheritdoc/>
-    public ITerrain For(PinholeCamera camera, int subsamplesPerAxis) => terrain;
+    public ITerrain For(ICamera camera, int subsamplesPerAxis) => terrain;
 }

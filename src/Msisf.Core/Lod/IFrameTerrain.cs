@@ -9,5 +9,5 @@ public interface IFrameTerrain
     /// <summary>The terrain of a frame; mostly the same object for frames that need the same.</summary>
     /// <param name="camera">The frame's camera.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
-    ITerrain For(PinholeCamera camera, int subsamplesPerAxis);
+    ITerrain For(ICamera camera, int subsamplesPerAxis);
 }

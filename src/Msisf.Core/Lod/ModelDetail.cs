@@ -11,6 +11,6 @@ public sealed class ModelDetail(TerrainLevels levels, double errorPixels) : IFra
     private readonly DetailRule _rule = new(levels, errorPixels);
 
     /// <inheritdoc/>
-    public ITerrain For(PinholeCamera camera, int subsamplesPerAxis) =>
-        levels.Grid(_rule.LevelOfImage(camera.Footprint, subsamplesPerAxis));
+    public ITerrain For(ICamera camera, int subsamplesPerAxis) =>
+        levels.Grid(camera.Bands.Min(band => _rule.LevelOfImage(band.Camera.Footprint, subsamplesPerAxis)));
 }

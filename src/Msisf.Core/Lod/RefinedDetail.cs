@@ -9,5 +9,5 @@ namespace Msisf.Core.Lod;
 public sealed class RefinedDetail(RefinedTerrain terrain) : IFrameTerrain
 {
     /// <inheritdoc/>
-    public ITerrain For(PinholeCamera camera, int subsamplesPerAxis) => terrain.For(camera, subsamplesPerAxis);
+    public ITerrain For(ICamera camera, int subsamplesPerAxis) => terrain.For(camera, subsamplesPerAxis);
 }

@@ -28,8 +28,9 @@ public sealed class SceneDetail : IFrameTerrain
     }
 
     /// <inheritdoc/>
-    public ITerrain For(PinholeCamera camera, int subsamplesPerAxis) =>
-        _levels.Terrain(LevelsFor(camera.Footprint, subsamplesPerAxis));
+    public ITerrain For(ICamera camera, int subsamplesPerAxis) =>
+        _levels.Terrain(camera.Bands.Select(band => LevelsFor(band.Camera.Footprint, subsamplesPerAxis))
+            .Aggregate((all, next) => [.. all.Zip(next, (one, other) => one is null || other < one ? other : one)]));
 
     /// <summary>The level of each model, the coarsest model first; null for one that is left out.</summary>
     /// <param name="footprint">Of the image's pixels.</param>

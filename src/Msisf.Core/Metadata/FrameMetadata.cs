@@ -18,7 +18,7 @@ namespace Msisf.Core.Metadata;
 /// <param name="Inputs">The files that the frame was made from.</param>
 public sealed record FrameMetadata(
     ModifiedJulianDate SimulationTime,
-    PinholeCamera Camera,
+    ICamera Camera,
     double FieldOfViewDegrees,
     Vector3D SunPositionMoonMe,
     DrawnElevation Elevation,

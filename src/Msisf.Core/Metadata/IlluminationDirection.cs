@@ -23,12 +23,12 @@ public static class IlluminationDirection
     /// of two nearby projections: the plane through the line of sight and the ground line cuts the image plane in the wanted direction,
     /// and its normal is one cross product (docs/deviations.md, rows 9 and 10).
     /// </remarks>
-    public static double? At(PinholeCamera camera, Vector3D lineOfSightMoonMe, Vector3D pointMoonMe, Vector3D sunPositionMoonMe) =>
+    public static double? At(FrameCamera camera, Vector3D lineOfSightMoonMe, Vector3D pointMoonMe, Vector3D sunPositionMoonMe) =>
         At(camera, lineOfSightMoonMe, lineOfSightMoonMe.Length, pointMoonMe, pointMoonMe.Length, sunPositionMoonMe);
 
     /// <summary>The same, for a caller that knows the lengths of the line of sight and of the point's vector, which are not 0.</summary>
     internal static double? At(
-        PinholeCamera camera, Vector3D lineOfSightMoonMe, double lineOfSightLength, Vector3D pointMoonMe, double pointRadius,
+        FrameCamera camera, Vector3D lineOfSightMoonMe, double lineOfSightLength, Vector3D pointMoonMe, double pointRadius,
         Vector3D sunPositionMoonMe)
     {
         Vector3D lineOfSight = lineOfSightMoonMe / lineOfSightLength;

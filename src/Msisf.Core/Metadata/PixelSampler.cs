@@ -1,7 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 
@@ -18,11 +18,11 @@ public sealed class PixelSampler
     /// <param name="camera">The frame's camera.</param>
     /// <param name="grid">The grid of pixels in the camera's image.</param>
     /// <param name="surface">What the pixels show.</param>
-    /// <param name="sunPositionMoonMe">The Sun, or the light that stands for it, m.</param>
+    /// <param name="light">The Sun, or the light that stands for it.</param>
     /// <exception cref="BadInputException">The Sun's position is not finite.</exception>
-    public PixelSampler(PinholeCamera camera, PixelGrid grid, ISurface surface, Vector3D sunPositionMoonMe)
+    public PixelSampler(ICamera camera, PixelGrid grid, ISurface surface, SceneLight light)
     {
-        _view = new SpherePixels(camera, surface, sunPositionMoonMe);
+        _view = new SpherePixels(camera, surface, light);
         Grid = grid;
     }
 

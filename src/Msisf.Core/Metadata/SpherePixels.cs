@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 
@@ -9,22 +10,22 @@ namespace Msisf.Core.Metadata;
 /// <summary>Pixels on the reference sphere (thesis section 9.3). Immutable.</summary>
 internal sealed class SpherePixels : IPixelView
 {
-    private readonly PinholeCamera _camera;
+    private readonly ICamera _camera;
     private readonly ISurface _sphere;
-    private readonly Vector3D _sunPositionMoonMe;
+    private readonly SceneLight _light;
 
     /// <summary>Prepares a frame.</summary>
     /// <exception cref="BadInputException">The Sun's position is not finite.</exception>
-    public SpherePixels(PinholeCamera camera, ISurface sphere, Vector3D sunPositionMoonMe)
+    public SpherePixels(ICamera camera, ISurface sphere, SceneLight light)
     {
-        if (!sunPositionMoonMe.IsFinite)
+        if (!light.PositionMoonMe.IsFinite)
         {
-            throw new BadInputException($"The Sun's position {sunPositionMoonMe} is not finite.");
+            throw new BadInputException($"The Sun's position {light.PositionMoonMe} is not finite.");
         }
 
         _camera = camera;
         _sphere = sphere;
-        _sunPositionMoonMe = sunPositionMoonMe;
+        _light = light;
     }
 
     /// <inheritdoc/>
@@ -40,7 +41,8 @@ internal sealed class SpherePixels : IPixelView
             return false;
         }
 
-        double? direction = IlluminationDirection.At(_camera, ray.Direction, point, _sunPositionMoonMe);
+        double? direction = IlluminationDirection.At(
+            _camera.BandAt(v).Camera, ray.Direction, point, _light.At(_camera, v).PositionMoonMe);
         record = new PixelRecord(h, v, SelenographicPoint.Below(point), direction);
         return true;
     }

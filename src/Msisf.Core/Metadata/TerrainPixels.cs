@@ -41,9 +41,9 @@ internal sealed class TerrainPixels : IPixelView
             return false;
         }
 
-        PinholeCamera camera = _truth.Camera;
+        FrameCamera camera = _truth.Camera.BandAt(v).Camera;
         Vector3D point = hit.PointMoonMe;
-        Vector3D lightPosition = _truth.LightPositionMoonMe;
+        Vector3D lightPosition = _truth.Light.At(_truth.Camera, v).PositionMoonMe;
         TerrainRecord terrain = new(
             point.Length - _referenceRadius,
             point,
@@ -56,7 +56,7 @@ internal sealed class TerrainPixels : IPixelView
         {
             NamesPart = _namesParts,
         };
-        double? direction = IlluminationDirection.At(camera, camera.RayThrough(h, v).Direction, point, lightPosition);
+        double? direction = IlluminationDirection.At(camera, _truth.Camera.RayThrough(h, v).Direction, point, lightPosition);
         record = new PixelRecord(h, v, SelenographicPoint.Below(point), direction, terrain);
         return true;
     }

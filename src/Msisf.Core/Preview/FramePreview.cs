@@ -31,17 +31,18 @@ public sealed record FramePreview(
     /// <param name="camera">The camera, which is not below the ground.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="terrain">The model for the ground below a low camera; null to take LOLA's sphere always.</param>
-    public static FramePreview Of(PinholeCamera camera, SceneLight light, ITerrain? terrain)
+    public static FramePreview Of(ICamera camera, SceneLight light, ITerrain? terrain)
     {
-        Vector3D position = camera.PositionMoonMe;
+        FrameCamera inMiddle = camera.BandAt(0.5 * (1.0 + camera.Height)).Camera;
+        Vector3D position = inMiddle.PositionMoonMe;
         double radius = RadiusBelow(position, terrain);
-        SphereShare share = SphereCoverage.Of(camera, light, radius);
-        BoresightView? middle = InTheMiddle(camera, light, radius);
+        SphereShare share = ShareOf(camera, light, radius);
+        BoresightView? middle = InTheMiddle(inMiddle, light, radius);
         bool isBesideMap = share.Moon > 0.0 && terrain is ITerrainGrid map and not IGlobalGrid
             && !IsInView(map, camera, middle);
         return new FramePreview(
             SelenographicPoint.Below(position),
-            Vector3D.AngleBetween(camera.ForwardMoonMe, -position.Normalized()),
+            Vector3D.AngleBetween(inMiddle.ForwardMoonMe, -position.Normalized()),
             isBesideMap ? null : middle,
             isBesideMap ? new SphereShare(0.0, Lit: null) : share,
             isBesideMap);
@@ -55,15 +56,35 @@ public sealed record FramePreview(
     /// Whether a block of a map may be in the image; with a lens, whose image is not told here, yes. Where the map holds the middle of the
     /// image, nothing of it is read.
     /// </summary>
-    private static bool IsInView(ITerrainGrid map, PinholeCamera camera, BoresightView? middle)
+    private static bool IsInView(ITerrainGrid map, ICamera camera, BoresightView? middle)
     {
         SurfaceModel surface = SurfaceModel.Of(map);
-        return camera.Model.Lens is not null
+        return camera.Bands[0].Camera.Model.Lens is not null
             || (middle is { } seen && surface.Parts[0].Mesh.PlaceOf(seen.Point.ToDirectionMoonMe()) is not null)
-            || new BlockCuller(surface).Find(new ViewFrustum(camera, Margin), threads: 1, CancellationToken.None).Count > 0;
+            || camera.Bounds(Margin).Any(
+                bounds => new BlockCuller(surface).Find(bounds, threads: 1, CancellationToken.None).Count > 0);
     }
 
-    private static BoresightView? InTheMiddle(PinholeCamera camera, SceneLight light, double radius)
+    /// <summary>The mean over the bands: of the Moon's share by their rows, of the lit share by what they show of the Moon.</summary>
+    private static SphereShare ShareOf(ICamera camera, SceneLight light, double radius)
+    {
+        if (camera.Bands is [CameraBand only])
+        {
+            return SphereCoverage.Of(only.Camera, light, radius);
+        }
+
+        (double moon, double lit) = (0.0, 0.0);
+        foreach ((_, FrameCamera band) in camera.Bands)
+        {
+            SphereShare share = SphereCoverage.Of(band, light.Of(band.State), radius);
+            double part = share.Moon * band.Height / camera.Height;
+            (moon, lit) = (moon + part, lit + (part * (share.Lit ?? 0.0)));
+        }
+
+        return new SphereShare(moon, moon > 0.0 ? lit / moon : null);
+    }
+
+    private static BoresightView? InTheMiddle(FrameCamera camera, SceneLight light, double radius)
     {
         if (!new ReferenceSphere(radius).TryFirstHit(new Ray(camera.PositionMoonMe, camera.ForwardMoonMe), out Vector3D point))
         {

@@ -35,7 +35,7 @@ internal sealed class SphereCoverage
     /// <summary>Distance over the centre, in radii towards the light, at which the light stands on the horizon.</summary>
     private readonly double _horizon;
 
-    private SphereCoverage(PinholeCamera camera, Vector3D lightMoonMe, double radius)
+    private SphereCoverage(FrameCamera camera, Vector3D lightMoonMe, double radius)
     {
         _radius = radius;
         _distance = camera.PositionMoonMe.Length;
@@ -51,7 +51,7 @@ internal sealed class SphereCoverage
     /// <param name="camera">The camera; inside the sphere it sees nothing of it.</param>
     /// <param name="light">The Sun; a lamp at the camera lights all that is seen.</param>
     /// <param name="radius">Radius, m.</param>
-    public static SphereShare Of(PinholeCamera camera, SceneLight light, double radius)
+    public static SphereShare Of(FrameCamera camera, SceneLight light, double radius)
     {
         if (!(camera.PositionMoonMe.Length >= radius))
         {
@@ -157,7 +157,7 @@ internal sealed class SphereCoverage
     }
 
     /// <summary>Camera axes look along -x, with y to the right and z up.</summary>
-    private static Vector3D ForwardRightUp(PinholeCamera camera, Vector3D directionMoonMe)
+    private static Vector3D ForwardRightUp(FrameCamera camera, Vector3D directionMoonMe)
     {
         Vector3D inCamera = camera.MoonFromCamera.Conjugate * directionMoonMe;
         return inCamera with { X = -inCamera.X };

@@ -13,7 +13,7 @@ namespace Msisf.Core.Render;
 /// Draws frames one at a time: for each sample of a pixel it finds the surface point, the sunlight on it and its brightness. It keeps its
 /// memory from frame to frame. A finished frame may be read by several threads.
 /// </summary>
-internal sealed class FramePass
+internal sealed class FramePass : IDrawnFrame
 {
     private readonly VisibilityPass _visibility;
     private readonly LightPass _light;
@@ -36,16 +36,15 @@ internal sealed class FramePass
     public SurfaceModel Shown { get; private set; }
 
     /// <summary>Of the last frame.</summary>
-    public PinholeCamera Camera { get; private set; } = null!;
+    public FrameCamera Camera { get; private set; } = null!;
+
+    ICamera IDrawnFrame.Camera => Camera;
 
     /// <summary>Of the last frame.</summary>
     public SceneLight Light { get; private set; }
 
     /// <summary>Radiance factor I/F of each pixel, row by row from the top.</summary>
-    public ReadOnlySpan<double> RadianceFactors => _radianceFactors.AsSpan(0, Camera.Width * Camera.Height);
-
-    /// <summary>The same numbers as <see cref="RadianceFactors"/>.</summary>
-    public ReadOnlyMemory<double> RadianceFactorMemory => _radianceFactors.AsMemory(0, Camera.Width * Camera.Height);
+    public ReadOnlyMemory<double> RadianceFactors => _radianceFactors.AsMemory(0, Camera.Width * Camera.Height);
 
     /// <summary>Bytes of the buffers that have been replaced by smaller or larger ones since the first frame.</summary>
     public long ReplacedBytes => _visibility.Surface.ReplacedBytes + _light.ReplacedBytes;
@@ -61,7 +60,7 @@ internal sealed class FramePass
     }
 
     /// <summary>Draws a frame.</summary>
-    public void Draw(PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
+    public void Draw(FrameCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
     {
         (Camera, Light, _options) = (camera, light, options);
         int pixels = camera.Width * camera.Height;

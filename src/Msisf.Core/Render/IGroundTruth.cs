@@ -1,5 +1,5 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
 using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render;
@@ -8,13 +8,10 @@ namespace Msisf.Core.Render;
 public interface IGroundTruth
 {
     /// <summary>The frame's camera.</summary>
-    PinholeCamera Camera { get; }
+    ICamera Camera { get; }
 
-    /// <summary>Position of the Sun, or of the lamp at the camera that replaces it, m, MOON_ME.</summary>
-    Vector3D LightPositionMoonMe { get; }
-
-    /// <summary>Whether the light is the Sun; if not, it is the lamp at the camera.</summary>
-    bool LightIsSun { get; }
+    /// <summary>The Sun, or the lamp at the camera that replaces it; <see cref="SceneLight.At"/> has the light of a row.</summary>
+    SceneLight Light { get; }
 
     /// <summary>
     /// Radiance factor I/F of each pixel, by rows from the top, each from left to right; 0 where there is no surface or no light. Empty if
@@ -28,7 +25,7 @@ public interface IGroundTruth
     /// <summary>Saturation of each pixel of the detector, by rows; empty without a detector.</summary>
     ReadOnlySpan<byte> Saturated => [];
 
-    /// <summary>Gets the surface point on the ray through a pixel's centre (<see cref="PinholeCamera.RayThrough"/>).</summary>
+    /// <summary>Gets the surface point on the ray through a pixel's centre (<see cref="ICamera.RayThrough"/>).</summary>
     /// <param name="x">1 to the image's width, to the right.</param>
     /// <param name="y">1 to the image's height, down.</param>
     /// <param name="hit">The surface point; <c>default</c> if the ray meets no surface.</param>

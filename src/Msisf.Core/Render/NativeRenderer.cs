@@ -52,13 +52,34 @@ public sealed class NativeRenderer
     /// <returns>The frame. Dispose it so that later frames can use its memory.</returns>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
     public NativeFrame Render(
-        PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation = default)
+        ICamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation = default)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(threads, 1);
+        return camera.Bands is [CameraBand only]
+            ? Render(only.Camera, light, options, threads, cancellation)
+            : RenderBands(camera, light, options, threads, cancellation);
+    }
+
+    private NativeFrame Render(
+        FrameCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
+    {
         FramePass pass = _memory.Take(_surface);
         long before = pass.ReplacedBytes;
         pass.Draw(camera, light, options, threads, cancellation);
         _memory.AddReplaced(pass.ReplacedBytes - before);
-        return new NativeFrame(pass, _memory.Return);
+        return new NativeFrame(pass, () => _memory.Return(pass));
+    }
+
+    private NativeFrame RenderBands(
+        ICamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
+    {
+        DrawnBands drawn = new(camera, light);
+        foreach ((PixelRows rows, FrameCamera band) in camera.Bands)
+        {
+            using NativeFrame frame = Render(band, light.Of(band.State), options, threads, cancellation);
+            drawn.Take(frame, rows.First, options.KeepGroundTruth);
+        }
+
+        return new NativeFrame(drawn, static () => { });
     }
 }

@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Tracing;
 
@@ -11,28 +10,24 @@ namespace Msisf.Core.Render;
 /// </summary>
 public sealed class TracedFrameTruth : IGroundTruth
 {
-    private readonly SceneLight _light;
     private readonly ITerrainTracer _tracer;
 
     /// <summary>Prepares the ground truth of a frame.</summary>
     /// <param name="camera">The frame's camera, above the surface.</param>
     /// <param name="light">The Sun, or the lamp at the camera, which illuminates everything that the camera sees.</param>
     /// <param name="tracer">Traces rays on the surface.</param>
-    public TracedFrameTruth(PinholeCamera camera, SceneLight light, ITerrainTracer tracer)
+    public TracedFrameTruth(ICamera camera, SceneLight light, ITerrainTracer tracer)
     {
         Camera = camera;
-        _light = light;
+        Light = light;
         _tracer = tracer;
     }
 
     /// <inheritdoc/>
-    public PinholeCamera Camera { get; }
+    public ICamera Camera { get; }
 
     /// <inheritdoc/>
-    public Vector3D LightPositionMoonMe => _light.PositionMoonMe;
-
-    /// <inheritdoc/>
-    public bool LightIsSun => _light.IsSun;
+    public SceneLight Light { get; }
 
     /// <inheritdoc/>
     public ReadOnlySpan<double> RadianceFactors => [];
@@ -49,8 +44,9 @@ public sealed class TracedFrameTruth : IGroundTruth
 
         // A lamp at the camera illuminates everything that the camera sees. It is not traced, because rounding on the way back could hide
         // the edges of facets.
-        bool isDark = _light.IsSun && _tracer.IsHidden(hit.PointMoonMe, hit.Facet, _light.PositionMoonMe);
-        light = PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, _light);
+        SceneLight source = Light.At(Camera, y);
+        bool isDark = source.IsSun && _tracer.IsHidden(hit.PointMoonMe, hit.Facet, source.PositionMoonMe);
+        light = PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, source);
         return true;
     }
 }

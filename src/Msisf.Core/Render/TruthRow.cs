@@ -1,4 +1,5 @@
 using Msisf.Core.Render.Visibility;
+using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 
@@ -44,6 +45,14 @@ internal sealed class TruthRow
         Facets[i] = hit.Facet;
         Lights[i] = light;
     }
+
+    /// <summary>A pixel's surface point.</summary>
+    /// <param name="index">Which of the pixels, from 0.</param>
+    public SurfaceHit HitAt(int index) => new(
+        new Vector3D(Points.X[index], Points.Y[index], Points.Z[index]),
+        new Vector3D(Points.NormalX[index], Points.NormalY[index], Points.NormalZ[index]),
+        Facets[index],
+        Points.Parameters[index]);
 
     /// <summary>Leaves only some columns, and counts from the first of them.</summary>
     /// <param name="firstColumn">The first column that stays.</param>

@@ -9,7 +9,7 @@ namespace Msisf.Core.Scene;
 /// <param name="Patterns">File names of the meshes that the image needs, in the order in which they are included.</param>
 /// <param name="Albedo">Map of the surface's reflectance; null for the thesis's even grey.</param>
 public sealed record RenderScene(
-    PinholeCamera Camera, SceneLight Light, string PatternFolder, IReadOnlyList<string> Patterns, SceneAlbedo? Albedo = null)
+    FrameCamera Camera, SceneLight Light, string PatternFolder, IReadOnlyList<string> Patterns, SceneAlbedo? Albedo = null)
 {
     /// <summary>The scene's axes; tiles always lie in kilometres from the Moon's centre.</summary>
     public SceneAxes Axes { get; init; } = SceneAxes.MoonKilometres;

@@ -25,17 +25,26 @@ public static class Dspsa
     /// <exception cref="BadInputException">
     /// The camera is inside the Moon, the Sun is no higher than the terrain, or the summary is of another model.
     /// </exception>
-    public static TileSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, IGlobalGrid grid, ElevationSummary summary)
+    public static TileSelection Select(ICamera camera, Vector3D? sunPositionMoonMe, IGlobalGrid grid, ElevationSummary summary)
     {
         Check(camera, sunPositionMoonMe, grid, summary);
-        return new DspsaRun(new ViewFrustum(camera, AntialiasingPixels), sunPositionMoonMe, grid, summary).Select();
+        TileSelection[] ofBands = [.. camera.Bounds(AntialiasingPixels).Zip(camera.Bands, (bounds, band) => new DspsaRun(
+            bounds, sunPositionMoonMe is null ? null : band.Camera.State.SunPositionMoonMe ?? sunPositionMoonMe, grid, summary).Select())];
+        return ofBands is [TileSelection only]
+            ? only
+            : new TileSelection(ofBands.SelectMany(band => band.All).GroupBy(choice => choice.Tile).Select(
+                tile => tile.OrderByDescending(choice => choice.IsKept).First()));
     }
 
     /// <summary>Refuses input for which no selection is possible.</summary>
-    internal static void Check(PinholeCamera camera, Vector3D? sunPositionMoonMe, IGlobalGrid grid, ElevationSummary summary)
+    internal static void Check(ICamera camera, Vector3D? sunPositionMoonMe, IGlobalGrid grid, ElevationSummary summary)
     {
         summary.CheckFits(grid);
-        TerrainHeight.RequireAbove(grid, camera.PositionMoonMe);
+        foreach (CameraBand band in camera.Bands)
+        {
+            TerrainHeight.RequireAbove(grid, band.Camera.PositionMoonMe);
+        }
+
         if (sunPositionMoonMe is Vector3D sun && !(sun.IsFinite && sun.Length > summary.MaxRadius))
         {
             throw new BadInputException($"The Sun's position {sun} m is not above the Moon's highest terrain; give one that is.");

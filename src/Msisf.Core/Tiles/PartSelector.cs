@@ -52,7 +52,7 @@ public sealed class PartSelector
     /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it casts no visible shadow.</param>
     /// <param name="rows">The rows of the image that matter; null for all.</param>
     /// <exception cref="BadInputException">The camera is inside the Moon, or the Sun is no higher than the terrain.</exception>
-    public PartSelection Select(PinholeCamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows = null)
+    public PartSelection Select(FrameCamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows = null)
     {
         Dspsa.Check(camera, sunPositionMoonMe, _grid, _summary);
 

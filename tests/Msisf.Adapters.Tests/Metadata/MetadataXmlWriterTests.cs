@@ -8,6 +8,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 using Msisf.Core.Time;
 using Msisf.Core.Tracing;
 using Msisf.TestSupport;
@@ -308,7 +309,7 @@ public class MetadataXmlWriterTests
             frame.Camera,
             new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
             ReferenceSphere.Lola,
-            frame.SunPositionMoonMe);
+            new SceneLight(frame.SunPositionMoonMe, IsSun: true));
 
     private static PixelSampler TerrainSampler(FrameMetadata frame, int spacing) => new(
         new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),

@@ -50,7 +50,7 @@ internal sealed class DetectorChain
     public void Spread()
     {
         Array.Clear(_image.Electrons);
-        _pass.Expose(_light, _throughput, perSteradian: 1.0, _ => 1.0, _image, Threads, CancellationToken.None);
+        _pass.Expose(_light, _throughput, _ => 1.0, _ => 1.0, _image, Threads, CancellationToken.None);
     }
 
     /// <summary>Adds all noise and converts to numbers.</summary>

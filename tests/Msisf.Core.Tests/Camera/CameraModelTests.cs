@@ -36,8 +36,8 @@ public sealed class CameraModelTests
     [MemberData(nameof(Lenses))]
     public void TryProject_RayThroughAnyPoint_ComesBackToIt(string lens, double tangent)
     {
-        PinholeCamera camera = new(
-            new Vector3D(1.9e6, 2e5, -3e5), UnitQuaternion.FromComponents(0.1, 0.7, -0.1, 0.7), LensCases.Of(lens, tangent, 640, 480));
+        CameraState state = new(new Vector3D(1.9e6, 2e5, -3e5), UnitQuaternion.FromComponents(0.1, 0.7, -0.1, 0.7));
+        FrameCamera camera = LensCases.Of(lens, tangent, 640, 480).At(state);
         foreach ((double x, double y) in ((double, double)[])[(1.0, 1.0), (640.0, 480.0), (320.25, 17.5), (600.0, 240.0)])
         {
             Assert.True(camera.TryProject(123.0 * camera.RayThrough(x, y).Direction, out RenderingPoint point));
@@ -65,7 +65,15 @@ public sealed class CameraModelTests
         }
 
         Assert.Same(whole, whole.Window(0, 0, 640, 480));
-        Assert.Throws<ArgumentOutOfRangeException>(() => whole.Window(601, 0, 40, 1));
+
+        CameraModel wider = whole.Window(left: -3, top: -2, width: 650, height: 484);
+        foreach ((double x, double y) in ((double, double)[])[(1.0, 1.0), (640.0, 480.0), (-2.0, -1.0)])
+        {
+            (double right, double down) = whole.ToIdeal(x, y);
+            (double widerRight, double widerDown) = wider.ToIdeal(x + 3.0, y + 2.0);
+            Assert.Equal(right, widerRight, 1e-12); // the lens is inverted in a grid of its own
+            Assert.Equal(down, widerDown, 1e-12);
+        }
     }
 
     [Theory]

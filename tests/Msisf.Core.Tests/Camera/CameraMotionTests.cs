@@ -18,7 +18,7 @@ public sealed class CameraMotionTests
     {
         Vector3D rate = new(0.3, -0.1, 0.2);
         PinholeCamera camera = new(new Vector3D(2e6, 1.0, 2.0), Start, 0.7, 10, 10);
-        PinholeCamera moved = new CameraMotion(new Vector3D(1.0, 2.0, -3.0), rate).Moved(camera, seconds);
+        ICamera moved = camera.Moved(new CameraMotion(new Vector3D(1.0, 2.0, -3.0), rate), seconds);
 
         UnitQuaternion expected = new AttitudeTransition(Start, rate).At(seconds);
         Assert.Equal(0.0, ((moved.MoonFromCamera * Vector3D.UnitY) - (expected * Vector3D.UnitY)).Length, 1e-15);

@@ -146,7 +146,7 @@ public sealed class CameraDetectorMotionTests
         ConverterBits = 16,
     };
 
-    private static NativeFrame Draw(PinholeCamera camera, AlbedoMap? map, int threads) => Renderer.Render(
+    private static NativeFrame Draw(ICamera camera, AlbedoMap? map, int threads) => Renderer.Render(
         camera,
         Sun,
         new NativeRenderOptions
@@ -162,13 +162,13 @@ public sealed class CameraDetectorMotionTests
     private static (double[] Electrons, int Count) Expose(
         DetectorSettings settings, AlbedoMap map, CameraMotion motion, int threads = 2)
     {
-        CameraDetector detector = new(settings, Model, threads);
+        CameraDetector detector = new(settings, Camera, threads);
         using NativeFrame middle = Draw(Camera, map, threads);
         SubExposures exposures = detector.SubExposuresOf(middle, motion, threads, CancellationToken.None);
         DetectorImage image = detector.Begin(middle);
         for (int index = 0; index < exposures.Count; index++)
         {
-            using NativeFrame drawn = Draw(motion.Moved(Camera, exposures.TimeOf(index)), map, threads);
+            using NativeFrame drawn = Draw(Camera.Moved(motion, exposures.TimeOf(index)), map, threads);
             detector.Collect(drawn, exposures, index, image, threads, CancellationToken.None);
         }
 

@@ -180,7 +180,7 @@ public sealed class DetectorPassTests
     {
         double[] throughput = new double[Side * Side];
         Array.Fill(throughput, 1.0);
-        pass.Expose(light, throughput, perSteradian: 1.0, _ => 1.0, image, threads, CancellationToken.None);
+        pass.Expose(light, throughput, _ => 1.0, _ => 1.0, image, threads, CancellationToken.None);
         Assert.Equal(Side, image.Width);
         Assert.True(settings.Gain > 0.0);
         pass.Read(image, frame, threads, CancellationToken.None);

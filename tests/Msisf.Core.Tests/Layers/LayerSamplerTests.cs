@@ -48,7 +48,7 @@ public class LayerSamplerTests
     {
         PinholeCamera camera = NadirCamera(33, 21);
         SphereTruth truth = new(camera, Sun, 4);
-        PixelSampler pixels = new(camera, new PixelGrid(33, 21, 1, 1), ReferenceSphere.Lola, Sun);
+        PixelSampler pixels = new(camera, new PixelGrid(33, 21, 1, 1), ReferenceSphere.Lola, truth.Light);
         double[][] planes = Sample(truth, "latitude", "longitude", "illumination-direction");
 
         Assert.Equal(pixels.Sample().Count(), planes[0].Count(double.IsFinite));
@@ -92,7 +92,7 @@ public class LayerSamplerTests
     {
         Distortion? lens = hasLens ? new OpenCvDistortion([0.1], []) : null;
         CameraModel model = new(33, 21, (30.0, 32.0), (4.0, 27.0), skew, lens);
-        PinholeCamera camera = new(new Vector3D(3e6, 0.0, 0.0), UnitQuaternion.Identity, model);
+        FrameCamera camera = model.At(new CameraState(new Vector3D(3e6, 0.0, 0.0), UnitQuaternion.Identity));
         CameraMatrix matrix = CameraMatrix.Of(camera);
 
         double[][] planes = Sample(new SphereTruth(camera, Sun, 4), "depth", "position");

@@ -40,7 +40,7 @@ public class IlluminationDirectionTests
     public void At_CameraWithLens_IsTheDirectionInTheDistortedImage(string lens)
     {
         CameraModel model = LensCases.Of(lens, 0.36, 200, 150);
-        PinholeCamera camera = new(new Vector3D(2e6, 0.0, 0.0), UnitQuaternion.Identity, model);
+        FrameCamera camera = model.At(new CameraState(new Vector3D(2e6, 0.0, 0.0), UnitQuaternion.Identity));
         Vector3D sun = SunDistance * new Vector3D(1.0, 0.7, 1.4);
         foreach ((double x, double y) in ((double, double)[])[(60.0, 40.0), (150.0, 100.0), (100.0, 20.0)])
         {

@@ -93,7 +93,7 @@ public class PixelSamplerTests
     {
         PinholeCamera camera = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 101, 101);
 
-        PixelSampler sampler = new(camera, new PixelGrid(101, 101, 1, 1), ReferenceSphere.Lola, camera.PositionMoonMe);
+        PixelSampler sampler = new(camera, new PixelGrid(101, 101, 1, 1), ReferenceSphere.Lola, new(camera.PositionMoonMe, IsSun: false));
 
         PixelRecord withoutDirection = Assert.Single(sampler.Sample(), record => record.IlluminationDirection is null);
         Assert.Equal((51, 51), (withoutDirection.H, withoutDirection.V));
@@ -102,13 +102,13 @@ public class PixelSamplerTests
     [Fact]
     public void Constructor_SunNotFinite_IsBadInput() =>
         Assert.Throws<BadInputException>(() => new PixelSampler(
-            LooksAlongX(0.0), new PixelGrid(100, 100, 1, 1), ReferenceSphere.Lola, new Vector3D(double.NaN, 0.0, 0.0)));
+            LooksAlongX(0.0), new PixelGrid(100, 100, 1, 1), ReferenceSphere.Lola, new(new Vector3D(double.NaN, 0.0, 0.0), IsSun: true)));
 
     private static PixelRecord RecordOf(ReferencePixel pixel)
     {
         PixelGrid grid = new(pixel.Camera.Width, pixel.Camera.Height, pixel.X, pixel.Y);
         PixelRecord[] row = new PixelRecord[grid.Columns];
-        new PixelSampler(pixel.Camera, grid, ReferenceSphere.Lola, pixel.Sun).SampleRow(0, row);
+        new PixelSampler(pixel.Camera, grid, ReferenceSphere.Lola, new(pixel.Sun, IsSun: true)).SampleRow(0, row);
         return row.Single(record => (record.H, record.V) == (pixel.X, pixel.Y));
     }
 
@@ -126,5 +126,5 @@ public class PixelSamplerTests
         new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, turn), fov, 100, 100);
 
     private static PixelSampler SamplerFor(PinholeCamera camera, int spacing) =>
-        new(camera, new PixelGrid(100, 100, spacing, spacing), ReferenceSphere.Lola, new Vector3D(1e11, 1e11, 0.0));
+        new(camera, new PixelGrid(100, 100, spacing, spacing), ReferenceSphere.Lola, new(new Vector3D(1e11, 1e11, 0.0), IsSun: true));
 }

@@ -2,6 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
@@ -80,7 +81,8 @@ public class TerrainPixelsTests
         FunctionTruth truth = new(Nadir, 1e11 * Vector3D.UnitX, (_, _) => null);
 
         Assert.Equal(PixelSurface.Terrain, new PixelSampler(grid, truth, 4).Surface);
-        Assert.Equal(PixelSurface.Sphere, new PixelSampler(Nadir, grid, ReferenceSphere.Lola, 1e11 * Vector3D.UnitX).Surface);
+        SceneLight sun = new(1e11 * Vector3D.UnitX, IsSun: true);
+        Assert.Equal(PixelSurface.Sphere, new PixelSampler(Nadir, grid, ReferenceSphere.Lola, sun).Surface);
     }
 
     private static PixelSampler Sampler(IGroundTruth truth, int spacing) => new(new PixelGrid(101, 101, spacing, spacing), truth, 4);

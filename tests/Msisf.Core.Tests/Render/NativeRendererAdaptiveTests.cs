@@ -140,7 +140,7 @@ public sealed class NativeRendererAdaptiveTests(RuggedTerrain rugged) : IClassFi
     public void Render_ALens_ComesNearSixtyFourSamples(string name)
     {
         (PinholeCamera pinhole, SceneLight sun) = Scene("oblique-20km", 80, 80);
-        PinholeCamera camera = new(pinhole.PositionMoonMe, pinhole.MoonFromCamera, LensCases.Of(name, 0.4, 80, 80));
+        FrameCamera camera = LensCases.Of(name, 0.4, 80, 80).At(pinhole.State);
 
         CompareWithTruth(camera, sun, Options);
         Assert.Equal(
@@ -189,7 +189,7 @@ public sealed class NativeRendererAdaptiveTests(RuggedTerrain rugged) : IClassFi
 
     private static double Rms(double[] a, double[] b) => Math.Sqrt(a.Zip(b, (x, y) => (x - y) * (x - y)).Average());
 
-    private void CompareWithTruth(PinholeCamera camera, SceneLight light, NativeRenderOptions options)
+    private void CompareWithTruth(ICamera camera, SceneLight light, NativeRenderOptions options)
     {
         NativeRenderOptions plain = options with { Adaptive = null };
         double[] truth = Levels(camera, light, plain with { SubsamplesPerAxis = 8 });
@@ -200,7 +200,7 @@ public sealed class NativeRendererAdaptiveTests(RuggedTerrain rugged) : IClassFi
         Assert.True(adaptive < 0.4 * one, $"{options}: {adaptive} levels, with one sample {one}");
     }
 
-    private double[] Levels(PinholeCamera camera, SceneLight light, NativeRenderOptions options)
+    private double[] Levels(ICamera camera, SceneLight light, NativeRenderOptions options)
     {
         using NativeFrame frame = _renderer.Render(camera, light, options, threads: 2);
         return [.. frame.RadianceFactors.ToArray().Select(factor => Grey.Level(factor, White) / FineLevels)];

@@ -42,7 +42,7 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
                     && light.State == IlluminationState.Lit
                     ? RadianceFactor(
                         law,
-                        PhotometricAngles.At(hit.PointMoonMe, hit.NormalMoonMe, frame.Camera.PositionMoonMe, frame.LightPositionMoonMe))
+                        PhotometricAngles.At(hit.PointMoonMe, hit.NormalMoonMe, frame.Camera.PositionMoonMe, frame.Light.PositionMoonMe))
                     : 0.0;
                 Assert.True(
                     Math.Abs(frame.RadianceFactors[pixel] - expected) <= SameRadiance,
@@ -76,8 +76,8 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
             if (light.State != IlluminationState.Lit)
             {
                 Assert.Equal(0.0, smooth.RadianceFactors[pixel]);
-                bool turnsAway = Vector3D.Dot(hit.NormalMoonMe, facets.LightPositionMoonMe - hit.PointMoonMe) < 0.0;
-                bool smoothFaces = Vector3D.Dot(smoothHit.NormalMoonMe, facets.LightPositionMoonMe - hit.PointMoonMe) > 0.0;
+                bool turnsAway = Vector3D.Dot(hit.NormalMoonMe, facets.Light.PositionMoonMe - hit.PointMoonMe) < 0.0;
+                bool smoothFaces = Vector3D.Dot(smoothHit.NormalMoonMe, facets.Light.PositionMoonMe - hit.PointMoonMe) > 0.0;
                 keptDark += turnsAway && smoothFaces ? 1 : 0;
             }
         }

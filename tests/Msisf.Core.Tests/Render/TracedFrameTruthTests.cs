@@ -39,7 +39,7 @@ public class TracedFrameTruthTests
 
         Assert.Equal(Slope, hit);
         Assert.Equal(new PixelIllumination(expected, expected == IlluminationState.Lit ? 1.0 : 0.0), light);
-        Assert.Equal(sun.PositionMoonMe, truth.LightPositionMoonMe);
+        Assert.Equal(sun.PositionMoonMe, truth.Light.PositionMoonMe);
     }
 
     [Fact]
@@ -75,7 +75,7 @@ public class TracedFrameTruthTests
         truth.TryGet(3, 1, out _, out _);
 
         Assert.Equal(Camera.RayThrough(3, 1), tracer.Traced);
-        Assert.Equal((Slope.PointMoonMe, Slope.Facet, truth.LightPositionMoonMe), tracer.Asked);
+        Assert.Equal((Slope.PointMoonMe, Slope.Facet, truth.Light.PositionMoonMe), tracer.Asked);
     }
 
     private sealed class FakeTracer(SurfaceHit? seen, bool isHidden) : ITerrainTracer

@@ -12,7 +12,7 @@ namespace Msisf.Core.Tests.Support;
 internal sealed record FrameValues(IReadOnlyList<long> RadianceFactors, IReadOnlyList<(SurfaceHit Hit, PixelIllumination Light)?> Truth)
 {
     /// <summary>Draws a frame and gives it back.</summary>
-    public static FrameValues Of(NativeRenderer renderer, PinholeCamera camera, SceneLight light, NativeRenderOptions options, int threads)
+    public static FrameValues Of(NativeRenderer renderer, ICamera camera, SceneLight light, NativeRenderOptions options, int threads)
     {
         using NativeFrame frame = renderer.Render(camera, light, options, threads);
         return Of(frame);

@@ -2,6 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 using Msisf.Core.Tracing;
@@ -29,7 +30,7 @@ public class Section92Tests
     [InlineData(500, 41.65137059729800, 58.68035440967800, 279.032828143072597)]
     public void Sample_PublishedPixel_MeetsPrintTo1e12Degrees(int h, double latitude, double longitude, double direction)
     {
-        PixelSampler sampler = new(Camera, new PixelGrid(1024, 1024, 50, 50), ReferenceSphere.Lola, Sun);
+        PixelSampler sampler = new(Camera, new PixelGrid(1024, 1024, 50, 50), ReferenceSphere.Lola, new SceneLight(Sun, IsSun: true));
 
         PixelRecord pixel = sampler.Sample().Single(record => record.H == h && record.V == 100);
 
@@ -42,7 +43,10 @@ public class Section92Tests
     public void Sample_FirstTwoPixels_AreThePublishedOnes()
     {
         PixelSampler sampler = new(
-            Camera, new PixelGrid(1024, 1024, PixelGrid.DefaultSpacing, PixelGrid.DefaultSpacing), ReferenceSphere.Lola, Sun);
+            Camera,
+            new PixelGrid(1024, 1024, PixelGrid.DefaultSpacing, PixelGrid.DefaultSpacing),
+            ReferenceSphere.Lola,
+            new SceneLight(Sun, IsSun: true));
 
         Assert.Equal([(450, 100), (500, 100)], sampler.Sample().Take(2).Select(record => (record.H, record.V)));
     }

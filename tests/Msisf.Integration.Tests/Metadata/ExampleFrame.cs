@@ -2,6 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 using Msisf.Core.Time;
 using Msisf.Core.Tracing;
 using Msisf.TestSupport;
@@ -36,7 +37,7 @@ internal static class ExampleFrame
             frame.Camera,
             new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
             ReferenceSphere.Lola,
-            frame.SunPositionMoonMe);
+            new SceneLight(frame.SunPositionMoonMe, IsSun: true));
 
     /// <summary>Terrain that happens to be the sphere, with each state of light.</summary>
     public static PixelSampler TerrainSampler(FrameMetadata frame, int spacing) => new(

@@ -2,6 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
 using Msisf.Core.Surface;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
@@ -89,7 +90,8 @@ internal sealed class BorderCases(TerrainUnderTest terrain)
             bool isOnSphere = ReferenceSphere.Lola.TryFirstHit(ray, out Vector3D onSphere);
             bool isOnTerrain = terrain.Tracer.TryTrace(ray, out SurfaceHit hit);
             bool isRecord = new SpherePixels(
-                camera, ReferenceSphere.Lola, new Vector3D(1e11, 2e10, 3e9)).TryGet(1, camera.Height, out PixelRecord record);
+                camera, ReferenceSphere.Lola, new SceneLight(new Vector3D(1e11, 2e10, 3e9), IsSun: true))
+                .TryGet(1, camera.Height, out PixelRecord record);
             bool isFinite = ray.Direction.IsFinite
                 && (!isOnSphere || onSphere.IsFinite)
                 && (!isOnTerrain || (hit.PointMoonMe.IsFinite && hit.NormalMoonMe.IsFinite && double.IsFinite(hit.RayParameter)))
@@ -122,7 +124,8 @@ internal sealed class BorderCases(TerrainUnderTest terrain)
             yield return ($"z {bad}", () => Camera(new Vector3D(0.0, 0.0, bad)));
             yield return ($"qx {bad}", () => UnitQuaternion.FromComponents(bad, 0.0, 0.0, 1.0));
             yield return ($"q0 {bad}", () => UnitQuaternion.FromComponents(0.0, 0.0, 0.0, bad));
-            yield return ($"light {bad}", () => _ = new SpherePixels(Camera(above), ReferenceSphere.Lola, new Vector3D(0.0, bad, 0.0)));
+            yield return ($"light {bad}", () => _ = new SpherePixels(
+                Camera(above), ReferenceSphere.Lola, new SceneLight(new Vector3D(0.0, bad, 0.0), IsSun: true)));
             yield return ($"ray from {bad}", () => terrain.Tracer.TryTrace(new Ray(new Vector3D(0.0, bad, 0.0), Vector3D.UnitX), out _));
         }
 

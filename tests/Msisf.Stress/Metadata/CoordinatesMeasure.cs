@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Adapters.Metadata;
 using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 using Msisf.Stress.Camera;
@@ -69,7 +70,8 @@ internal sealed class CoordinatesMeasure : IMeasure<CoordinatesMeasure>
         PrecisePixel? pixel = PrecisePixel.At(precise, x, y);
         Vector3D light = cases.Light(number, input, pixel);
         string Text() => $"{input}, light {light}";
-        bool isThere = new SpherePixels(input.ToCamera(), ReferenceSphere.Lola, light).TryGet(x, y, out PixelRecord record);
+        SpherePixels pixels = new(input.ToCamera(), ReferenceSphere.Lola, new SceneLight(light, IsSun: true));
+        bool isThere = pixels.TryGet(x, y, out PixelRecord record);
         if (isThere && pixel is not null)
         {
             NoteCoordinates(input.Position, record.Point, pixel, Text);

@@ -13,7 +13,7 @@ public static class FrameNumber
     /// <summary>The number of a frame.</summary>
     /// <param name="time">Time of the frame, UTC.</param>
     /// <param name="camera">Its position and orientation count.</param>
-    public static ulong Of(ModifiedJulianDate time, PinholeCamera camera)
+    public static ulong Of(ModifiedJulianDate time, ICamera camera)
     {
         Vector3D position = camera.PositionMoonMe;
         UnitQuaternion orientation = camera.MoonFromCamera;

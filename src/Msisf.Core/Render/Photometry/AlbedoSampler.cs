@@ -29,7 +29,7 @@ internal sealed class AlbedoSampler
     /// The law's radiance factor in the map's geometry, above 0; null if it differs from place to place
     /// (<see cref="SunlitPoints.ReferenceFactors"/>).
     /// </param>
-    public void Scale(SunlitPoints points, PinholeCamera camera, int samplesAcross, AlbedoMap map, double? factorOfReference)
+    public void Scale(SunlitPoints points, FrameCamera camera, int samplesAcross, AlbedoMap map, double? factorOfReference)
     {
         _footprints.Find(points, camera, samplesAcross, map);
         double perReference = 1.0 / (factorOfReference ?? 1.0);

@@ -66,7 +66,7 @@ internal sealed class FootprintLanes
     /// <param name="tangent">Tangent of the angle that a sample covers.</param>
     /// <param name="map">The map.</param>
     /// <param name="footprints">Receives the footprints.</param>
-    public void Find(SunlitPoints points, int first, PinholeCamera camera, double tangent, AlbedoMap map, MapFootprints footprints)
+    public void Find(SunlitPoints points, int first, FrameCamera camera, double tangent, AlbedoMap map, MapFootprints footprints)
     {
         int count = Math.Min(Block, (points.Count - first + Vector512<double>.Count - 1) / Vector512<double>.Count);
         ref Vector512<double> places = ref MemoryMarshal.GetArrayDataReference(_buffer);

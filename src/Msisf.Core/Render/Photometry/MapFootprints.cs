@@ -36,7 +36,7 @@ internal sealed class MapFootprints
     /// <param name="camera">The camera that sees them.</param>
     /// <param name="samplesAcross">Samples along a pixel's edge: a sample covers as much less.</param>
     /// <param name="map">The map.</param>
-    public void Find(SunlitPoints points, PinholeCamera camera, int samplesAcross, AlbedoMap map)
+    public void Find(SunlitPoints points, FrameCamera camera, int samplesAcross, AlbedoMap map)
     {
         EnsureRoom(points.Count);
         for (int first = 0; first < points.Count; first += FootprintLanes.BlockPoints)

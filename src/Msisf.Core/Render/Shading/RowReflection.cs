@@ -126,7 +126,7 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// <param name="camera">The camera.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="options">Reflectance law and map.</param>
-    public void FindFactors(PinholeCamera camera, SceneLight light, NativeRenderOptions options)
+    public void FindFactors(FrameCamera camera, SceneLight light, NativeRenderOptions options)
     {
         int count = Points.Count;
         Points.FindAngles(light.PositionMoonMe, camera.PositionMoonMe);

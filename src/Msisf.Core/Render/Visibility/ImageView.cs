@@ -31,7 +31,7 @@ internal sealed class ImageView
     /// <param name="offsetY">px down.</param>
     /// <param name="lens">The samples of a camera with a lens; null for a pinhole.</param>
     /// <param name="tile">The tile of the lens's image that is drawn; null for the whole image.</param>
-    public ImageView(PinholeCamera camera, double offsetX, double offsetY, LensSamples? lens = null, LensTile? tile = null)
+    public ImageView(FrameCamera camera, double offsetX, double offsetY, LensSamples? lens = null, LensTile? tile = null)
     {
         _lens = lens;
         Camera = camera;
@@ -71,7 +71,7 @@ internal sealed class ImageView
     }
 
     /// <summary>The camera.</summary>
-    public PinholeCamera Camera { get; }
+    public FrameCamera Camera { get; }
 
     /// <summary>px to the right, added to each pixel's centre.</summary>
     public double OffsetX { get; }

@@ -9,7 +9,7 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// Computes the surface points that pixels show: camera + t direction. The direction is bit for bit that of
-/// <see cref="Camera.PinholeCamera.RayThrough"/>. The depth buffer gives t with the accuracy of the projected corners. The point at t is
+/// <see cref="FrameCamera.RayThrough"/>. The depth buffer gives t with the accuracy of the projected corners. The point at t is
 /// computed with 106 bits and then moved along the ray into the facet's plane. The method for one pixel is the reference; the method for a
 /// row gives the same bits.
 /// </summary>
@@ -80,14 +80,14 @@ internal sealed class RowResolver
     private void Locate(ReadOnlySpan<FacetRecord> records, int row, SurfaceRow pixels, bool withNormals)
     {
         RowGather.GatherPlanes(records, pixels);
-        PinholeCamera camera = _view.Camera;
+        (Vector3D middle, Vector3D right, Vector3D vertical) = _view.Camera.RayAxes;
         if (_lens is null)
         {
-            Locate(pixels, camera.Direction + (UpOf(row) * camera.Up), camera.Right, vertical: null, withNormals);
+            Locate(pixels, middle + (UpOf(row) * vertical), right, vertical: null, withNormals);
         }
         else
         {
-            Locate(pixels, camera.OpticalAxis, camera.LensRight, camera.LensDown, withNormals);
+            Locate(pixels, middle, right, vertical, withNormals);
         }
     }
 
@@ -137,15 +137,8 @@ internal sealed class RowResolver
     private void Locate(PixelParts parts, SurfaceRow points, bool withNormals)
     {
         RowGather.GatherPlanes(parts.Records, points);
-        PinholeCamera camera = _view.Camera;
-        if (camera.Model.Lens is null)
-        {
-            Locate(points, camera.Direction, camera.Right, camera.Up, withNormals);
-        }
-        else
-        {
-            Locate(points, camera.OpticalAxis, camera.LensRight, camera.LensDown, withNormals);
-        }
+        (Vector3D middle, Vector3D right, Vector3D vertical) = _view.Camera.RayAxes;
+        Locate(points, middle, right, vertical, withNormals);
     }
 
     /// <summary>

@@ -55,7 +55,7 @@ internal sealed class VisibilityPass
     /// <returns>The same object each time; valid until the next call.</returns>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
     /// <exception cref="Errors.BadInputException">The elevation model holds what can't be right.</exception>
-    public VisibleSurface Run(PinholeCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
+    public VisibleSurface Run(FrameCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
     {
         LensSamples? lens = LensOf(camera, offsetX, offsetY, threads, cancellation);
         ImageView view = new(camera, offsetX, offsetY, lens);
@@ -80,7 +80,7 @@ internal sealed class VisibilityPass
     }
 
     /// <summary>The samples of a camera with a lens; as many as <see cref="MaxLensSamples"/> are kept from frame to frame.</summary>
-    private LensSamples? LensOf(PinholeCamera camera, double offsetX, double offsetY, int threads, CancellationToken cancellation)
+    private LensSamples? LensOf(FrameCamera camera, double offsetX, double offsetY, int threads, CancellationToken cancellation)
     {
         if (camera.Model.Lens is null)
         {

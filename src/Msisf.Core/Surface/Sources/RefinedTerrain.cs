@@ -86,7 +86,7 @@ public sealed class RefinedTerrain : ITerrain, IGround
     /// <summary>The surface that a camera sees.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
-    public RefinedView For(PinholeCamera camera, int subsamplesPerAxis)
+    public RefinedView For(ICamera camera, int subsamplesPerAxis)
     {
         IReadOnlyList<WindowPlace> places = _plan.Of(camera, subsamplesPerAxis);
         lock (_gate)

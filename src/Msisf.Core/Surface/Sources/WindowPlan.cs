@@ -46,10 +46,9 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     /// <summary>The windows, the coarsest first; each holds the next one. None if the models' own cells are fine enough.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
-    public IReadOnlyList<WindowPlace> Of(PinholeCamera camera, int subsamplesPerAxis)
+    public IReadOnlyList<WindowPlace> Of(ICamera camera, int subsamplesPerAxis)
     {
-        double tangent = camera.Footprint.Tangent / subsamplesPerAxis;
-        if (LevelOf((camera.PositionMoonMe.Length - detail.RadiusLimits.Max) * tangent) > _widestLevel)
+        if (camera.Bands.All(band => LevelBelow(band.Camera, subsamplesPerAxis) > _widestLevel))
         {
             return [];
         }
@@ -80,6 +79,10 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
         places.Reverse();
         return places;
     }
+
+    /// <summary>The level that a pixel would need on the highest ground, right below the camera.</summary>
+    private int LevelBelow(FrameCamera camera, int subsamplesPerAxis) => LevelOf(
+        (camera.PositionMoonMe.Length - detail.RadiusLimits.Max) * (camera.Footprint.Tangent / subsamplesPerAxis));
 
     private static int WidestIn(ITerrainGrid model) => (int)Math.Floor(Math.Log2(0.5 * model.Projection.Resolution.MetresPerPixel));
 
@@ -131,16 +134,17 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     }
 
     /// <summary>Directions of the ground that rays through the image meet, its distance, and the level that a pixel needs there.</summary>
-    private IEnumerable<(Vector3D Direction, double Distance, int Level)> Seen(PinholeCamera camera, int subsamplesPerAxis)
+    private IEnumerable<(Vector3D Direction, double Distance, int Level)> Seen(ICamera camera, int subsamplesPerAxis)
     {
         for (int i = 0; i < RaysPerAxis * RaysPerAxis; i++)
         {
             double x = 0.5 + (i % RaysPerAxis * (double)camera.Width / (RaysPerAxis - 1));
             double y = 0.5 + (i / RaysPerAxis * (double)camera.Height / (RaysPerAxis - 1));
             Ray ray = camera.RayThrough(x, y);
-            if (GroundOn(ray.Origin, ray.Direction.Normalized(), camera.PixelTangent / subsamplesPerAxis) is { } place)
+            FrameCamera seenBy = camera.BandAt(y).Camera;
+            if (GroundOn(ray.Origin, ray.Direction.Normalized(), seenBy.PixelTangent / subsamplesPerAxis) is { } place)
             {
-                double width = camera.Footprint.MinWidth((place, 0.0)) / subsamplesPerAxis;
+                double width = seenBy.Footprint.MinWidth((place, 0.0)) / subsamplesPerAxis;
                 yield return (
                     place.Normalized(), (place - ray.Origin).Length, Math.Max(finestLevel, LevelOf(width)));
             }

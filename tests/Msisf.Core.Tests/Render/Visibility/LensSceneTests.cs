@@ -60,7 +60,7 @@ public sealed class LensSceneTests
     public void Run_SeveralThreads_GiveTheSameFrame()
     {
         FunctionGrid grid = FunctionGrid.Rugged(4);
-        PinholeCamera camera = Camera(RenderScenes.Named("wide-angle"), "barrel", grid, 150, 150);
+        FrameCamera camera = Camera(RenderScenes.Named("wide-angle"), "barrel", grid, 150, 150);
         VisibilityPass other = new(new SurfaceModel(grid));
         other.Run(
             Camera(RenderScenes.Named("limb"), "fisheye", grid, 159, 150), 2, CancellationToken.None); // leaves what must not show
@@ -86,11 +86,10 @@ public sealed class LensSceneTests
         return scenes.Where((_, number) => TestLength.IsLong || number % 3 == first);
     }
 
-    private static PinholeCamera Camera(RenderScenes.RenderSceneCase scene, string lens, IGlobalGrid grid, int width, int height)
+    private static FrameCamera Camera(RenderScenes.RenderSceneCase scene, string lens, IGlobalGrid grid, int width, int height)
     {
         PinholeCamera pinhole = scene.Camera(grid, width, height);
-        return new PinholeCamera(
-            pinhole.PositionMoonMe, pinhole.MoonFromCamera, LensCases.Of(lens, Math.Tan(0.5 * pinhole.FieldOfView), width, height));
+        return LensCases.Of(lens, Math.Tan(0.5 * pinhole.FieldOfView), width, height).At(pinhole.State);
     }
 
     private static void Compare(
@@ -103,7 +102,7 @@ public sealed class LensSceneTests
         int pixels = 0;
         foreach (RenderScenes.RenderSceneCase scene in scenes.Select(RenderScenes.Named))
         {
-            PinholeCamera camera = Camera(scene, lens, grid, width, height);
+            FrameCamera camera = Camera(scene, lens, grid, width, height);
             VisibleSurface seen = pass.Run(camera, 2, CancellationToken.None, offsetX, offsetY);
             for (int pixel = 0; pixel < width * height; pixel++)
             {

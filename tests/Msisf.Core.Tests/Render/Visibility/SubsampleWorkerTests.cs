@@ -38,7 +38,7 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
     public void Draw_ASceneOfALens_ShowsWhatShiftedImagesShow(string name)
     {
         PinholeCamera pinhole = RenderScenes.Named("oblique-20km").Camera(rugged.Grid, 30, 41);
-        Compare(new PinholeCamera(pinhole.PositionMoonMe, pinhole.MoonFromCamera, LensCases.Of(name, 0.4, 41, 30)));
+        Compare(LensCases.Of(name, 0.4, 41, 30).At(pinhole.State));
     }
 
     [Fact]
@@ -61,7 +61,7 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
         });
     }
 
-    private void Compare(PinholeCamera camera)
+    private void Compare(FrameCamera camera)
     {
         (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> parts, ImageView view) = Parts(camera, isSplit: true);
         Dictionary<(int, FacetId), List<Vector3D>> points = [];
@@ -94,7 +94,7 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
     }
 
     private (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> Parts, ImageView View) Parts(
-        PinholeCamera camera, bool isSplit)
+        FrameCamera camera, bool isSplit)
     {
         SurfaceModel surface = new(rugged.Grid);
         VisibilityPass pass = new(surface);
