@@ -58,7 +58,17 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --attitude {{0,0,0,1}}", 1, "--attitude is not allowed with --fixed-state")]
     [InlineData($"{Fixed} --attitude-transition {{0,0,0}}", 1, "--attitude-transition is not allowed with --fixed-state")]
     [InlineData($"{Fixed} --orbit-frame j2000", 1, "--orbit-frame is not allowed with --fixed-state")]
-    [InlineData("--batch-file a.tab --epoch 55289", 1, "--epoch is not allowed with --batch-file")]
+    [InlineData($"{Fixed} --batch-frame j2000", 1, "--batch-frame is not allowed with --fixed-state, but with --batch-file only")]
+    [InlineData($"{Fixed} --ignore-columns", 1, "--ignore-columns is not allowed with --fixed-state, but with --batch-file only")]
+    [InlineData("--position 1,2,3E4 --time 55289 --normalize", 1, "--normalize has no meaning: nothing gives a quaternion")]
+    [InlineData($"{Orbit} --time 55289 --normalize", 1, "--normalize has no meaning: nothing gives a quaternion")]
+    [InlineData("--batch-file a.tab --batch-euler zyx", 1, "--batch-euler: 'zyx' in small letters means turns about axes at rest")]
+    [InlineData("--batch-file a.tab --batch-axes cv", 1, "--batch-axes is 'cv'; one of camera, opencv is needed")]
+    [InlineData(
+        "--fixed-state {55289,2E6,0,0,0.35355,0.35355,0.61237,0.61237}", 1,
+        "a rotation needs length 1 within 1E-06: write each number with at least 7 decimals, or give --normalize.")]
+    [InlineData("--fixed-state {55289,2E6,0,0,0,0,0,0.9}", 1, "rounding does not explain it; check the numbers and their order.")]
+    [InlineData("--fixed-state {55289,2E6,0,0,0,0,0,0.9} --normalize", 1, "rounding does not explain it")]
     [InlineData("--batch-file a.tab --time 55289", 1, "--time is not allowed with --batch-file")]
     [InlineData("--batch-file a.tab --attitude {0,0,0,1}", 1, "--attitude is not allowed with --batch-file")]
     [InlineData($"{Kepler} --time 55289", 1, "--kepler-set needs --epoch")]

@@ -8,6 +8,7 @@ namespace Msisf.Adapters.Camera;
 internal sealed class PointSpreadKeys
 {
     private const double DefaultRadius = 7.0; // px
+    private const double GaussianSigmas = 4.0; // a Gaussian's default radius, where it is more than 7 px: 3e-4 of the light lie beyond
     private const double MinScale = 0.03; // px: a narrower function can't be integrated in the steps that a pixel is cut into
     private const double MetresPerNanometre = 1e-9;
     private const int MaxWeights = ((2 * PointSpreadKernel.MaxRadius) + 1) * ((2 * PointSpreadKernel.MaxRadius) + 1);
@@ -39,7 +40,7 @@ internal sealed class PointSpreadKeys
     {
         string model = _section.Word("psf", ["none", "gaussian", "airy", "kernel", "wings"]) ?? "none";
         RefuseOthers(model);
-        double radius = DetectorSection.Range(_section, "psf-radius", 0.5, PointSpreadKernel.MaxRadius) ?? DefaultRadius;
+        double radius = DetectorSection.Range(_section, "psf-radius", 0.5, PointSpreadKernel.MaxRadius) ?? RadiusOf(model);
         PointSpreadKernel? core = model switch
         {
             "gaussian" => PointSpreadKernel.Of(new GaussianSpread(Scale("psf-sigma", "the standard deviation in px")), radius),
@@ -51,6 +52,19 @@ internal sealed class PointSpreadKeys
         return core is null || model == "wings" || !_section.Has("wing-fraction")
             ? core
             : PointSpreadKernel.Mix(core, Wings(radius), DetectorSection.Range(_section, "wing-fraction", 0.0, 1.0)!.Value);
+    }
+
+    /// <summary>px: where a formula ends if the file does not say it.</summary>
+    private double RadiusOf(string model)
+    {
+        if (model != "gaussian" || _section.Positive("psf-sigma") is not double sigma)
+        {
+            return DefaultRadius;
+        }
+
+        double radius = Math.Max(DefaultRadius, Math.Ceiling(GaussianSigmas * sigma));
+        return radius <= PointSpreadKernel.MaxRadius ? radius : throw _section.Wrong("psf-sigma", FormattableString.Invariant(
+            $"'psf-sigma' is {sigma} px; {GaussianSigmas} of them, {radius} px, pass {PointSpreadKernel.MaxRadius}. Give 'psf-radius' to cut it off"));
     }
 
     /// <summary>Refuses keys that have no meaning for a model.</summary>

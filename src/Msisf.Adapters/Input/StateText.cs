@@ -11,6 +11,8 @@ namespace Msisf.Adapters.Input;
 /// </summary>
 public static class StateText
 {
+    private static readonly (string Unit, double PerDay)[] StepUnits = [("min", 1440.0), ("s", 86400.0), ("h", 24.0), ("d", 1.0)];
+
     /// <summary>Reads a list of a given length.</summary>
     /// <param name="option">The option's name for messages, e.g. "--kepler-set".</param>
     /// <param name="words">What stands after the option on the command line.</param>
@@ -46,7 +48,7 @@ public static class StateText
     /// <summary>Reads an interval of times, [start:step:end]: MJD, days, MJD.</summary>
     /// <param name="option">The option's name for messages, e.g. "--time-interval".</param>
     /// <param name="words">What stands after the option on the command line.</param>
-    /// <returns>The times; possibly none.</returns>
+    /// <returns>The times; possibly none. The step is in days, or has its unit behind it: 10s, 5min, 2h, 1d.</returns>
     /// <exception cref="BadInputException">Not of this form, or the numbers do not make an interval.</exception>
     public static TimeInterval ParseInterval(string option, IReadOnlyList<string> words)
     {
@@ -57,19 +59,34 @@ public static class StateText
         {
             string hint = text.Contains('T', StringComparison.OrdinalIgnoreCase) ? $" A time is {TimeText.ValidValues}." : string.Empty;
             throw new BadInputException(
-                $"{option}: {CountOf(texts.Count)}, 3 expected: {expected} in MJD, days, MJD; colons separate the numbers.{hint}");
+                $"{option}: {CountOf(texts.Count)}, 3 expected: {expected} in MJD, days (or 10s, 5min, 2h), MJD; colons separate the numbers.{hint}");
         }
 
         string[] fields = ["start", "step", "end"];
+        (texts[1], double unitsPerDay) = SplitUnit(texts[1]);
         double[] numbers = ParseAll(option, texts, index => fields[index], index => index != 1);
         try
         {
-            return new TimeInterval(new ModifiedJulianDate(numbers[0]), numbers[1], new ModifiedJulianDate(numbers[2]));
+            return new TimeInterval(new ModifiedJulianDate(numbers[0]), numbers[1] / unitsPerDay, new ModifiedJulianDate(numbers[2]));
         }
         catch (BadInputException exception)
         {
             throw new BadInputException($"{option}: {exception.Message}", exception);
         }
+    }
+
+    /// <summary>The number of a step, and how many of its units make a day.</summary>
+    private static (string Number, double UnitsPerDay) SplitUnit(string step)
+    {
+        foreach ((string unit, double perDay) in StepUnits)
+        {
+            if (step.EndsWith(unit, StringComparison.OrdinalIgnoreCase))
+            {
+                return (step[..^unit.Length].TrimEnd(), perDay);
+            }
+        }
+
+        return (step, 1.0);
     }
 
     /// <summary>Splits at the colons that do not belong to a time of ISO 8601.</summary>

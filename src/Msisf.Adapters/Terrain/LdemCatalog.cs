@@ -85,6 +85,11 @@ public static class LdemCatalog
     /// </exception>
     public static LdemSet Read(string labelOrImage) => WithSiblings(ReadCylindrical(labelOrImage, CelestialBody.Moon));
 
+    /// <summary>Resolution of a named model of any body, px/deg.</summary>
+    /// <param name="labelOrImage">Path of a label, or of the image beside it.</param>
+    /// <exception cref="BadInputException">It is missing, or no label of a cylindrical model.</exception>
+    public static int ResolutionOf(string labelOrImage) => ReadCylindrical(labelOrImage, body: null).PixelsPerDegree;
+
     /// <summary>A named model of any body.</summary>
     /// <inheritdoc cref="Read"/>
     public static LdemSet ReadOfAnyBody(string labelOrImage) => WithSiblings(ReadCylindrical(labelOrImage, body: null));

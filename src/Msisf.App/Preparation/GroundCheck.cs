@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.App.Settings;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
@@ -18,9 +19,11 @@ internal static class GroundCheck
     /// <param name="span">s: how long the shutter is open about a frame's time; matters for cameras that move.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     /// <param name="body">The body; null for the Moon.</param>
+    /// <param name="camera">How the positions were given, for the advice.</param>
     /// <exception cref="BadInputException">A camera lies below the terrain; the message names the steps.</exception>
     public static void Refuse(
-        IReadOnlyList<Frame> frames, ElevationModel? model, double span, CancellationToken cancellation, CelestialBody? body = null)
+        IReadOnlyList<Frame> frames, ElevationModel? model, double span, CancellationToken cancellation, CelestialBody? body = null,
+        CameraSettings? camera = null)
     {
         double reference = model?.Grid.ReferenceRadius ?? MoonConstants.ReferenceRadius;
         List<string> buried = [];
@@ -42,7 +45,7 @@ internal static class GroundCheck
 
             if (depth > 0.0 && ++count <= NamedSteps)
             {
-                unit = buried.Count == 0 ? PlausibleMistakes.InKilometres(position, body ?? CelestialBody.Moon) : unit;
+                unit = buried.Count == 0 ? PlausibleMistakes.Inside(position, body ?? CelestialBody.Moon, camera) : unit;
                 buried.Add(string.Create(CultureInfo.InvariantCulture, $"step {frame.Step} (MJD {frame.Time.Days:R}) by {depth:F1} m"));
             }
         }

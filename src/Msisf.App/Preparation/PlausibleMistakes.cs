@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
@@ -28,6 +29,15 @@ internal static class PlausibleMistakes
     /// <summary>1: of 1 - e; a spacecraft that is slower than a hundredth of a circular orbit's 1,600 m/s has less.</summary>
     private const double StraightFall = 1e-4;
 
+    /// <summary>m/s: no orbit in the solar system is as fast; a velocity in mm/s, or multiplied by 1000 twice, is.</summary>
+    private const double FastestSpacecraft = 100_000.0;
+
+    /// <summary>m: a position nearer to the centre than the Moon's radius, but farther than this, looks like a height.</summary>
+    private const double LeastHeight = 1000.0;
+
+    /// <summary>m: a height in kilometres is less.</summary>
+    private const double LeastHeightInMetres = 1000.0;
+
     /// <summary>m: a height between the Moon's radius and so much more looks like a distance from the Moon's centre.</summary>
     private const double LowOrbit = 200_000.0;
 
@@ -37,9 +47,23 @@ internal static class PlausibleMistakes
     public static IEnumerable<string> In(CameraSettings camera, CelestialBody body) => camera switch
     {
         OrbitSettings orbit => [.. Elements(orbit.Elements), .. Fall(orbit.Elements), .. Rates(orbit), .. Interval(orbit.Times)],
-        PlaceSettings place => [.. Radius(place.Place, body), .. Interval(place.Times)],
-        _ => [],
+        PlaceSettings place => [.. Speed([place.Motion]), .. Radius(place.Place, body), .. Interval(place.Times)],
+        _ => Speed([camera.Motion]),
     };
+
+    /// <summary>The warning that the speed of moving cameras deserves.</summary>
+    /// <param name="motions">Of the camera, or of each state; null where it is not known.</param>
+    public static IEnumerable<string> Speed(IEnumerable<CameraMotion?> motions)
+    {
+        double fastest = motions.Max(motion => motion?.VelocityMoonMe.Length) ?? 0.0;
+        return fastest <= FastestSpacecraft ? [] :
+        [
+            string.Create(
+                CultureInfo.InvariantCulture,
+                $"the camera moves at {fastest / 1000.0:#,0.#} km/s: velocities are in m/s. If {fastest:R} is mm/s, or km/s that were "
+                    + $"multiplied twice, write {fastest / 1000.0:R}."),
+        ];
+    }
 
     /// <summary>The warning that a field of view deserves.</summary>
     /// <param name="degrees">The field of view as it was given.</param>
@@ -71,16 +95,50 @@ internal static class PlausibleMistakes
     public static double WidthOnGround(Frame frame, double radius) => 2.0 * Math.Tan(frame.Camera.Bands[0].Camera.FieldOfView / 2.0)
         * Math.Abs(frame.Camera.PositionMoonMe.Length - radius);
 
-    /// <summary>What a position inside the body would mean in kilometres; empty if that is inside or far out too.</summary>
-    public static string InKilometres(Vector3D positionMoonMe, CelestialBody body)
+    /// <summary>What a position inside the body most likely means, by the way in which it was given.</summary>
+    /// <param name="positionMoonMe">m, MOON_ME.</param>
+    /// <param name="body">The body that is drawn.</param>
+    /// <param name="camera">How the position was given; null if that is not known.</param>
+    /// <returns>A sentence with a blank before it.</returns>
+    public static string Inside(Vector3D positionMoonMe, CelestialBody body, CameraSettings? camera) => camera switch
+    {
+        PlaceSettings { Place: var place } => Height(place, body),
+        BatchFileSettings => $"{FromCentre(positionMoonMe, body)} Heights (lat, lon, height) are in metres over the sphere; terrain+METRES "
+            + "counts from the terrain.",
+        _ => FromCentre(positionMoonMe, body),
+    };
+
+    private static string Height(SurfacePlace place, CelestialBody body)
+    {
+        if (place.IsOverTerrain)
+        {
+            return " Heights over the terrain are in metres, upwards.";
+        }
+
+        string kilometres = place.Height is > 0.0 and < LeastHeightInMetres
+            ? string.Create(CultureInfo.InvariantCulture, $" If {place.Height:R} is kilometres, write {1000.0 * place.Height:R}.")
+            : string.Empty;
+        string sphere = body.IsMoon
+            ? string.Create(CultureInfo.InvariantCulture, $"the sphere of {MoonConstants.ReferenceRadius:R} m")
+            : "the model's sphere";
+        return $" The height is in metres over {sphere}; terrain+METRES counts from the terrain.{kilometres}";
+    }
+
+    private static string FromCentre(Vector3D positionMoonMe, CelestialBody body)
     {
         double kilometres = positionMoonMe.Length;
         return kilometres > (body.IsMoon ? 1700.0 : body.MeanRadius / 1000.0) && kilometres < 100_000.0
             ? string.Create(
                 CultureInfo.InvariantCulture,
                 $" Positions are in metres: {kilometres:G5} from the centre looks like kilometres; multiply by 1000.")
-            : $" Positions are in metres from {(body.IsMoon ? "the Moon's" : $"{body.Name}'s")} centre.";
+            : $" Positions are in metres from {(body.IsMoon ? "the Moon's" : $"{body.Name}'s")} centre{IfHeight(kilometres, body)}.";
     }
+
+    private static string IfHeight(double metres, CelestialBody body) => body.IsMoon && metres is > LeastHeight and < LowOrbit
+        ? string.Create(
+            CultureInfo.InvariantCulture,
+            $"; if {metres:G10} m is a height, {MoonConstants.ReferenceRadius + metres:G10} m from the centre is meant")
+        : string.Empty;
 
     private static IEnumerable<string> Elements(KeplerElements elements)
     {

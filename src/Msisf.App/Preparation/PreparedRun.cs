@@ -29,7 +29,7 @@ internal sealed record PreparedRun(
         try
         {
             RunFrames run = RunFrames.Read(camera, settings, ephemeris, model, host, cancellation);
-            GroundCheck.Refuse(run.Frames, model.Opened, settings.ShutterSpan, cancellation, settings.Body);
+            GroundCheck.Refuse(run.Frames, model.Opened, settings.ShutterSpan, cancellation, settings.Body, camera);
             run.WarnOfFieldOfView(settings, host, model.Opened.Grid.ReferenceRadius);
             return new PreparedRun(run.States, run.Names, run.Frames, model.Opened);
         }

@@ -39,12 +39,17 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
         return new RunFrames(states, names, frames);
     }
 
-    /// <summary>Warns of a field of view that is most likely meant in another unit.</summary>
+    /// <summary>Warns of a --fov that is most likely meant in another unit.</summary>
     /// <param name="settings">The run's settings.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     public void WarnOfFieldOfView(RenderSettings settings, ProgramHost host, double referenceRadius)
     {
+        if (settings.Camera is not null)
+        {
+            return;
+        }
+
         double cell = settings.Resolution.OnSphere(referenceRadius).MetresPerPixel;
         double widest = Frames.Max(frame => PlausibleMistakes.WidthOnGround(frame, referenceRadius));
         foreach (string mistake in PlausibleMistakes.FieldOfView(settings.FieldOfViewDegrees, widest, cell))

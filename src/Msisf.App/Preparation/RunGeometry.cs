@@ -22,4 +22,7 @@ internal sealed class RunGeometry(
 
     /// <inheritdoc/>
     public Vector3D SunPositionMoonMe(ModifiedJulianDate time) => ephemeris().SunPositionMoonMe(time, aberration);
+
+    /// <inheritdoc/>
+    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => ephemeris().MoonMeFromJ2000(time);
 }

@@ -52,6 +52,14 @@ internal sealed class StateReader
             PlaceSettings place => AtPlace(place, cancellation),
             _ => OnOrbit((OrbitSettings)camera, cancellation),
         };
+        if (camera is BatchFileSettings)
+        {
+            foreach (string mistake in PlausibleMistakes.Speed(states.Select(state => state.Motion)))
+            {
+                _host.Log.Warning(mistake);
+            }
+        }
+
         return states.Count > 0
             ? StateMotions.Of(states, camera, CameraWithShutter)
             : throw new NothingToRenderException(camera is BatchFileSettings empty
@@ -71,7 +79,7 @@ internal sealed class StateReader
     {
         if (file.IsStandardInput)
         {
-            return BatchFileReader.Read(_host.StandardInput(), NameOf(file), _scene, _host.Log.Warning);
+            return States(_host.StandardInput(), file);
         }
 
         if (!File.Exists(file.Path))
@@ -84,13 +92,16 @@ internal sealed class StateReader
         try
         {
             using StreamReader reader = new(file.Path, Encoding.UTF8);
-            return BatchFileReader.Read(reader, file.Path, _scene, _host.Log.Warning);
+            return States(reader, file);
         }
         catch (Exception exception) when (exception.IsFileError())
         {
             throw new BadInputException($"{file.Option.Name} {file.Path}: can't be read: {exception.Message}", exception);
         }
     }
+
+    private IReadOnlyList<SpacecraftState> States(TextReader reader, BatchFileSettings file) => BatchFileReader.Read(
+        reader, NameOf(file), _scene, file.Conventions, _host.Log.Warning, _host.Log.Note);
 
     private SpacecraftState[] AtPlace(PlaceSettings settings, CancellationToken cancellation)
     {

@@ -29,7 +29,7 @@ internal static class DryRun
         using ModelOnDemand onDemand = new(settings, host);
         RunFrames run = RunFrames.Read(camera, settings, ephemeris, onDemand, host, cancellation);
         ElevationModel? model = IfThere(onDemand, settings, host);
-        GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation, settings.Body);
+        GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation, settings.Body, camera);
         double reference = model?.Grid.ReferenceRadius ?? MoonConstants.ReferenceRadius;
         GridResolution resolution = settings.Resolution.OnSphere(reference);
         run.WarnOfFieldOfView(settings, host, reference);

@@ -42,7 +42,7 @@ internal sealed class JsonOptions
     public static IEnumerable<OptionSpec> OptionsOfFrame() =>
     [
         .. CameraOptions.Group.Options.Except(
-            [CameraOptions.BatchFile, CameraOptions.Times, CameraOptions.TimeInterval]),
+            [CameraOptions.BatchFile, .. BatchOptions.All, CameraOptions.Times, CameraOptions.TimeInterval]),
         .. ImageOptions.Group.Options,
         .. LightOptions.Group.Options.Except([LightOptions.Kernels]),
         .. SurfaceOptions.Group.Options.Except([SurfaceOptions.Ldem, SurfaceOptions.Body]),

@@ -54,7 +54,7 @@ internal sealed class RenderSession : IDisposable
         };
         SpacecraftState state = reader.Read(place, cancellation)[0];
         Frame[] frames = FrameSetup.Of([state], ["frame"], Settings, () => Engine, cancellation);
-        GroundCheck.Refuse(frames, Model, Settings.ShutterSpan, cancellation);
+        GroundCheck.Refuse(frames, Model, Settings.ShutterSpan, cancellation, camera: place);
         return new PreparedFrame(state, frames[0]);
     }
 

@@ -37,7 +37,7 @@ internal static class CameraOptions
     };
 
     /// <summary>Time of the orbit.</summary>
-    public static TimeSpec Epoch { get; } = new("--epoch", "Time for which the orbit and the attitude are given (UTC)")
+    public static TimeSpec Epoch { get; } = new("--epoch", "Time for which the orbit and the attitude are given, or from which a batch file counts its seconds (UTC)")
     {
         Aliases = ["-e"],
     };
@@ -51,7 +51,7 @@ internal static class CameraOptions
     /// <summary>Equidistant times.</summary>
     public static TextSpec TimeInterval { get; } = new(
         "--time-interval", "[start:step:end]",
-        "Times of a series of images: from start to end (UTC) in steps of days; the brackets may be left out");
+        "Times of a series of images: from start to end (UTC) in steps of days, or as in 10s, 5min, 2h; the brackets may be left out");
 
     /// <summary>Orientation at the epoch.</summary>
     public static NumberListSpec Attitude { get; } = new("--attitude", ["qx", "qy", "qz", "q0"], "Orientation at the epoch (quaternion)")
@@ -94,6 +94,11 @@ internal static class CameraOptions
         Default = Core.Attitude.AttitudeFrame.MoonMe,
     };
 
+    /// <summary>Whether quaternions may be rounded.</summary>
+    public static FlagSpec Normalize { get; } = new(
+        "--normalize", "Take quaternions and matrices of few decimals (2 or more), and make them rotations; their length must else be 1 "
+            + "within 1e-6");
+
     /// <summary>Motion of the camera.</summary>
     public static NumberListSpec Motion { get; } = new(
         "--motion",
@@ -106,7 +111,7 @@ internal static class CameraOptions
         "Where the camera is",
         [
             FixedState, BatchFile, KeplerSet, StateVectors, PointingOptions.Position, Epoch, Time, Times, TimeInterval, Attitude,
-            AttitudeTransition, AttitudeFrame, OrbitFrame, .. PointingOptions.OfPosition, Motion,
+            AttitudeTransition, AttitudeFrame, OrbitFrame, .. PointingOptions.OfPosition, .. BatchOptions.All, Normalize, Motion,
         ])
     {
         Note =

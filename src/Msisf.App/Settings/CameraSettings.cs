@@ -1,3 +1,4 @@
+using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
@@ -26,6 +27,9 @@ internal sealed record BatchFileSettings(string Path, PathSpec Option) : CameraS
 {
     /// <summary>Whether the states come from standard input, which can be read only once.</summary>
     public bool IsStandardInput => Path == "-";
+
+    /// <summary>How its numbers are meant, as far as the options say it.</summary>
+    public BatchConventions Conventions { get; init; } = new();
 }
 
 /// <summary>Images along an orbit.</summary>

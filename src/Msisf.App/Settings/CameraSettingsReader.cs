@@ -66,6 +66,16 @@ internal sealed class CameraSettingsReader
             return null;
         }
 
+        if (way != _batchFile)
+        {
+            Refuse(BatchOptions.All, $"is not allowed with {way.Name}, but with {_batchFile.Name} only. Remove it.");
+        }
+
+        if (way != CameraOptions.FixedState && way != _batchFile && !_values.IsGiven(CameraOptions.Attitude))
+        {
+            Refuse([CameraOptions.Normalize], "has no meaning: nothing gives a quaternion. Remove it.");
+        }
+
         CameraMotion? motion = Motion();
         if (way == PointingOptions.Position)
         {
@@ -95,12 +105,20 @@ internal sealed class CameraSettingsReader
             return Orbit(way, StateVectors);
         }
 
+        bool isBatch = way == _batchFile;
         Refuse(
-            [.. OrbitOptions, .. TimeOptions],
+            [.. OrbitOptions.Where(option => !isBatch || option != CameraOptions.Epoch), .. TimeOptions],
             $"is not allowed with {way.Name}, which itself says time, position and orientation. Remove it.");
-        return CameraOptions.FixedState.Read(_values) is { } numbers
-            ? new FixedStateSettings(CameraOptions.FixedState.Named(() => SpacecraftState.FromNumbers(numbers))) { Motion = motion }
-            : new BatchFileSettings(_batchFile.Read(_values), _batchFile) { Motion = motion };
+        return isBatch
+            ? new BatchFileSettings(_batchFile.Read(_values), _batchFile) { Motion = motion, Conventions = BatchOptions.Read(_values) }
+            : new FixedStateSettings(FixedState()) { Motion = motion };
+    }
+
+    private SpacecraftState FixedState()
+    {
+        double[] numbers = CameraOptions.FixedState.Read(_values)!;
+        return CameraOptions.FixedState.Named(
+            () => SpacecraftState.FromNumbers(numbers, isRounded: CameraOptions.Normalize.Read(_values)));
     }
 
     private CameraMotion? Motion() => CameraOptions.Motion.Read(_values) is { } numbers
@@ -177,7 +195,8 @@ internal sealed class CameraSettingsReader
 
         double[] rates = CameraOptions.AttitudeTransition.Read(_values) ?? [0.0, 0.0, 0.0];
         return CameraOptions.Attitude.Named(() => new AttitudeTransition(
-            UnitQuaternion.FromComponents(q[0], q[1], q[2], q[3]), new Vector3D(rates[0], rates[1], rates[2])));
+            UnitQuaternion.FromComponents(q[0], q[1], q[2], q[3], CameraOptions.Normalize.Read(_values)),
+            new Vector3D(rates[0], rates[1], rates[2])));
     }
 
     private IEnumerable<ModifiedJulianDate> Times()

@@ -27,7 +27,7 @@ internal static class ModelChoice
 
         if (SurfaceOptions.Ldem.ReadIfGiven(values) is not { } path || ResolutionOfMap(path, geoTiffs) is not { } resolution)
         {
-            return SurfaceOptions.Resolution.Read(values);
+            return CylindricalResolutionOf(values);
         }
 
         if (SurfaceOptions.Resolution.ReadIfGiven(values) is { } given && given != resolution.PixelsPerDegree)
@@ -38,6 +38,18 @@ internal static class ModelChoice
         }
 
         return resolution;
+    }
+
+    /// <summary>The resolution of a model of latitude and longitude: a label or image that --ldem names says it itself.</summary>
+    /// <remarks>A file on the command line goes before a resolution of a configuration file.</remarks>
+    public static int CylindricalResolutionOf(OptionValues values)
+    {
+        bool isFile = SurfaceOptions.Ldem.ReadIfGiven(values) is { } path && !Directory.Exists(path);
+        bool isSaid = values.IsGiven(SurfaceOptions.Resolution)
+            || (values.Text(SurfaceOptions.Resolution) is not null && !values.IsGiven(SurfaceOptions.Ldem));
+        return isFile && !isSaid
+            ? SurfaceOptions.Ldem.Concerned(() => LdemCatalog.ResolutionOf(SurfaceOptions.Ldem.ReadIfGiven(values)!))
+            : SurfaceOptions.Resolution.Read(values);
     }
 
     /// <summary>The resolution of the finest of several models.</summary>

@@ -90,7 +90,7 @@ internal static class PatternsOptions
     {
         PatternOptions patterns = Margin.Named(() => new PatternOptions(Margin.Read(values), Format.Read(values)));
         WholeMoonSettings settings = new(
-            SurfaceOptions.Resolution.Read(values), SurfaceOptions.Ldem.ReadIfGiven(values), Source.Read(values),
+            ModelChoice.CylindricalResolutionOf(values), SurfaceOptions.Ldem.ReadIfGiven(values), Source.Read(values),
             DefaultsFile.ReadIfGiven(values),
             PovOptions.PatternRepository.Read(values), patterns, RunOptions.Batch.Read(values));
         return settings switch

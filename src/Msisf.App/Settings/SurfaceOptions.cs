@@ -19,6 +19,7 @@ internal static class SurfaceOptions
     {
         Aliases = ["-r"],
         Default = 4,
+        DefaultNote = "that of the file that --ldem names, else 4",
     };
 
     /// <summary>Path of the elevation model.</summary>

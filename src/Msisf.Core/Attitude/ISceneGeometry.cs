@@ -19,4 +19,9 @@ public interface ISceneGeometry
     /// <param name="time">UTC.</param>
     /// <returns>m, MOON_ME.</returns>
     Vector3D SunPositionMoonMe(ModifiedJulianDate time);
+
+    /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>
+    /// <param name="time">UTC.</param>
+    /// <exception cref="Errors.SpiceException">The time is outside the kernels' cover, which the message names.</exception>
+    RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time);
 }

@@ -10,6 +10,17 @@ public static class Tolerances
     public const double UnitQuaternionLength = 1e-6;
 
     /// <summary>
+    /// 1: how far a quaternion's length may be from 1, or a matrix from a rotation, if the user says that its numbers are rounded: that of
+    /// two decimals.
+    /// </summary>
+    public const double RoundedRotation = 0.01;
+
+    /// <summary>
+    /// 1: how far a matrix that a user gives may be from a rotation: as <see cref="UnitQuaternionLength"/>, 7 decimals and some room.
+    /// </summary>
+    public const double RotationMatrixEntry = 1e-6;
+
+    /// <summary>
     /// 1: how far from 1 the length may be after four components were divided by it. Each component is rounded by half a unit in the last
     /// place, and the length is rounded too.
     /// </summary>

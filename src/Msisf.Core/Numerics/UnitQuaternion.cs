@@ -43,18 +43,24 @@ public readonly record struct UnitQuaternion
     /// <param name="qy">Coefficient of j.</param>
     /// <param name="qz">Coefficient of k.</param>
     /// <param name="q0">Real part.</param>
+    /// <param name="isRounded">Whether the components may be rounded to a few decimals.</param>
     /// <exception cref="BadInputException">
-    /// Not finite, or the length is further than <see cref="Tolerances.UnitQuaternionLength"/> from 1.
+    /// Not finite, or the length is further than <see cref="Tolerances.UnitQuaternionLength"/>, of rounded ones
+    /// <see cref="Tolerances.RoundedRotation"/>, from 1.
     /// </exception>
-    public static UnitQuaternion FromComponents(double qx, double qy, double qz, double q0)
+    public static UnitQuaternion FromComponents(double qx, double qy, double qz, double q0, bool isRounded = false)
     {
         double length = double.Hypot(double.Hypot(qx, qy), double.Hypot(qz, q0));
-        if (!(Math.Abs(length - 1.0) <= Tolerances.UnitQuaternionLength))
+        double error = Math.Abs(length - 1.0);
+        if (!(error <= (isRounded ? Tolerances.RoundedRotation : Tolerances.UnitQuaternionLength)))
         {
+            string cure = error <= Tolerances.RoundedRotation
+                ? "write each number with at least 7 decimals, or give --normalize."
+                : "rounding does not explain it; check the numbers and their order.";
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"The quaternion {{{qx:R},{qy:R},{qz:R},{q0:R}}} has length {length:R}; "
-                    + $"a rotation needs length 1 within {Tolerances.UnitQuaternionLength:R}."));
+                    + $"a rotation needs length 1 within {Tolerances.UnitQuaternionLength:R}: {cure}"));
         }
 
         // What was normalised once stays as it is, to the last bit: a state that is written out and read back is the same.

@@ -33,11 +33,12 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
 
     /// <summary>Checks and takes the eight numbers, or these and the six of a motion.</summary>
     /// <param name="numbers">In the order of <see cref="NumberNames"/>, then of <see cref="CameraMotion.NumberNames"/>.</param>
+    /// <param name="isRounded">Whether the quaternion may be rounded to a few decimals.</param>
     /// <exception cref="BadInputException">
     /// The MJD is no date, the position or the motion is not finite, or the quaternion is no rotation.
     /// </exception>
     /// <exception cref="ArgumentException">Neither eight nor fourteen numbers.</exception>
-    public static SpacecraftState FromNumbers(ReadOnlySpan<double> numbers)
+    public static SpacecraftState FromNumbers(ReadOnlySpan<double> numbers, bool isRounded = false)
     {
         int count = NumberNames.Count;
         if (numbers.Length != count && numbers.Length != count + CameraMotion.NumberNames.Count)
@@ -48,7 +49,7 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
         return new SpacecraftState(
             new ModifiedJulianDate(numbers[0]),
             new Vector3D(Guard.Finite(numbers[1], "rx (m)"), Guard.Finite(numbers[2], "ry (m)"), Guard.Finite(numbers[3], "rz (m)")),
-            UnitQuaternion.FromComponents(numbers[4], numbers[5], numbers[6], numbers[7]))
+            UnitQuaternion.FromComponents(numbers[4], numbers[5], numbers[6], numbers[7], isRounded))
         {
             Motion = numbers.Length == count ? null : CameraMotion.FromNumbers(numbers[count..]),
         };

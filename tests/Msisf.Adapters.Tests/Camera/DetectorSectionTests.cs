@@ -73,6 +73,22 @@ public sealed class DetectorSectionTests : IDisposable
     [Fact]
     public void Read_NoSection_HasNoDetector() => Assert.Null(Parse("width: 64\nheight: 48\nfield-of-view: 40\n").Detector);
 
+    // 4 sigma where they are more than 7 px, whatever 'psf-radius' would say otherwise; 3.4e-4 of a Gaussian's light lie beyond.
+    [Theory]
+    [InlineData("psf-sigma: 0.8", "fits: no", 7)]
+    [InlineData("psf-sigma: 1.75", "fits: no", 7)]
+    [InlineData("psf-sigma: 8", "fits: no", 32)]
+    [InlineData("psf-sigma: 16", "fits: no", 64)]
+    [InlineData("psf-sigma: 20", "psf-radius: 40", 40)]
+    public void Read_GaussianWithoutRadius_ReachesFourSigma(string sigma, string other, int radius) =>
+        Assert.Equal(radius, Read([.. Right, "psf: gaussian", sigma, other]).Settings.PointSpread!.Radius);
+
+    [Fact]
+    public void Read_GaussianThatPassesTheLargestKernel_IsRefused() => Assert.Contains(
+        "'psf-sigma' is 16.1 px; 4 of them, 65 px, pass 64. Give 'psf-radius' to cut it off",
+        Assert.Throws<BadInputException>(() => Read([.. Right, "psf: gaussian", "psf-sigma: 16.1"])).Message,
+        StringComparison.Ordinal);
+
     /// <summary>The same weights as FITS and as NumPy file; both have the checksum in that of the camera.</summary>
     [Fact]
     public void Read_KernelFile_GivesItsWeights()

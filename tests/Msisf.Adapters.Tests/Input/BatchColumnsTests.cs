@@ -89,8 +89,8 @@ public class BatchColumnsTests
     [InlineData("time;lat;lon\n", "input/run7.csv, line 1: columns and values are apart by commas, not by semicolons.")]
     [InlineData("lat,lon,height\n", "input/run7.csv, line 1: column time is missing")]
     [InlineData("time,lat,lon\n", "input/run7.csv, line 1: column height is missing: lat, lon, height go together.")]
-    [InlineData("time,roll\n", "input/run7.csv, line 1: a position is either lat, lon, height ")]
-    [InlineData("time,x,y,z,lat,lon,height\n", "input/run7.csv, line 1: a position is either lat, lon, height ")]
+    [InlineData("time,roll\n", "input/run7.csv, line 1: a position is either lat, lon and a height ")]
+    [InlineData("time,x,y,z,lat,lon,height\n", "input/run7.csv, line 1: a position is either lat, lon and a height ")]
     [InlineData("time,x,y,z,qx,qy,qz\n", "input/run7.csv, line 1: column qw is missing: qx, qy, qz, qw go together.")]
     [InlineData("time,x,y,z,look_lat\n", "input/run7.csv, line 1: column look_lon is missing")]
     [InlineData("time,x,y,z,look_height\n", "input/run7.csv, line 1: column look_height needs look_lat.")]
@@ -112,6 +112,52 @@ public class BatchColumnsTests
     [InlineData("time,x,y,z,off_nadir\n1,2,3,4,200\n", "input/run7.csv, line 2: The angle from the nadir (degrees) is 200")]
     [InlineData("time,x,y,z,qx,qy,qz,qw\n1,2E6,3,4,0,0,0,0.9\n", "input/run7.csv, line 2: The quaternion {0,0,0,0.9} has length 0.9")]
     [InlineData("time,x,y,z\n1,0,0,0\n", "input/run7.csv, line 2: The spacecraft is in the Moon's centre")]
+    [InlineData("time,x,y,z,speed\n", "input/run7.csv, line 1: column 5: 'speed' is no column. There are time, seconds, ")]
+    [InlineData("time,x,y,z,q1,q2,q3,q4\n", "input/run7.csv, line 1: column 8: of q1 to q4 some programs mean q4 as the scalar")]
+    [InlineData("time,x,y,z,qw,qx,qy,qz,q0\n", "input/run7.csv, line 1: column 9: 'q0' stands twice, as qw too.")]
+    [InlineData("time,lat,lon,height,alt\n", "input/run7.csv, line 1: height and alt all say how high the camera is.")]
+    [InlineData("time,x,y,z,height\n", "input/run7.csv, line 1: a position is either ")]
+    [InlineData("time,x,y,z,x_km,y_km,z_km\n", "input/run7.csv, line 1: a position is either ")]
+    [InlineData("time,seconds,x,y,z\n", "input/run7.csv, line 1: time and seconds both say when.")]
+    [InlineData("seconds,x,y,z\n", "input/run7.csv, line 1: column seconds needs the epoch from which they count: --epoch, or ")]
+    [InlineData("time,x,y,z,r11,r12\n", "input/run7.csv, line 1: column r13 is missing: r11, r12, ")]
+    [InlineData("time,x,y,z,euler1,euler2,euler3\n", "input/run7.csv, line 1: Euler angles need their sequence: ")]
+    [InlineData(
+        "#msis:euler=ZYX\ntime,x,y,z,euler1,euler2,euler3,qx,qy,qz,qw\n", "input/run7.csv, line 2: qx, qy, qz, qw already say how")]
+    [InlineData(
+        "time,x,y,z,r11,r12,r13,r21,r22,r23,r31,r32,r33\n1,2E6,0,0,1,0,0,0,1,0,0,0,-1\n",
+        "input/run7.csv, line 2: The matrix is a reflection (its determinant is -1)")]
+    [InlineData(
+        "time,x,y,z,r11,r12,r13,r21,r22,r23,r31,r32,r33\n1,2E6,0,0,1,0,0,0,1,0,0,0,0.9999\n",
+        "input/run7.csv, line 2: The matrix is no rotation: the products of its rows are wrong by up to 0.0002, 1E-06 is allowed: write")]
+    [InlineData(
+        "time,x,y,z,r11,r12,r13,r21,r22,r23,r31,r32,r33\n1,2E6,0,0,1,0,0,0,1,0,0.5,0,1\n",
+        "input/run7.csv, line 2: The matrix is no rotation: the products of its rows are wrong by up to 0.5, 1E-06 is allowed: rounding does")]
+    [InlineData("time,rx,ry,rz,q0,q1,q2,q3\n1,2,3,4,5,x,6,7\n", "input/run7.csv, line 2, column q1: 'x' is not a number")]
+    [InlineData("# msis: fram=j2000\n", "input/run7.csv, line 1: 'fram' is no key of a '# msis:' line: did you mean frame?")]
+    [InlineData("# msis: frame\n", "input/run7.csv, line 1: 'frame' has no value; write frame=VALUE, without blanks.")]
+    [InlineData(
+        "#\n# MSIS: Frame=moon_pa\n",
+        "input/run7.csv, line 2: 'frame' is 'moon_pa'; one of moon-me, moon-me-epoch, j2000 is needed.")]
+    [InlineData("# msis: frame=j2000 frame=j2000\n", "input/run7.csv, line 1: 'frame' is said twice: here, and before or by --batch-frame.")]
+    [InlineData("# msis: euler=zyx\n", "input/run7.csv, line 1: 'zyx' in small letters means turns about axes at rest in some libraries.")]
+    [InlineData("# msis: euler=XXY\n", "input/run7.csv, line 1: 'XXY' is no sequence of Euler angles; three axes such as ZYX")]
+    [InlineData("# msis: epoch=2460329\n", "input/run7.csv, line 1: '2460329' looks like a Julian Date")]
+    [InlineData("time,x,y,z # msis: frame=j2000\n", "input/run7.csv, line 1: a '# msis:' line stands by itself, above the names")]
+    [InlineData("time,x,y,z\n# msis: frame=j2000\n", "input/run7.csv, line 2: a '# msis:' line stands by itself, above the names")]
+    [InlineData("1 2E6 0 0 0 0 0 1\n# msis: frame=j2000\n", "input/run7.csv, line 2: a '# msis:' line stands by itself")]
+    [InlineData("# msis: frame=j2000\ntime,lat,lon,height\n", "input/run7.csv, line 2: 'frame' has no meaning: no column is of a frame.")]
+    [InlineData("# msis: axes=opencv\ntime,x,y,z\n", "input/run7.csv, line 2: 'axes' has no meaning: no quaternion, matrix or Euler angle")]
+    [InlineData("# msis: rotation=to-camera\ntime,x,y,z\n", "input/run7.csv, line 2: 'rotation' has no meaning: there is no quaternion")]
+    [InlineData("# msis: euler=321\n1 2E6 0 0 0 0 0 1\n", "input/run7.csv, line 2: 'euler' has no meaning: there are no columns euler1")]
+    [InlineData("# msis: epoch=55289\ntime,x,y,z\n", "input/run7.csv, line 2: the epoch has no meaning: there is no column seconds")]
+    [InlineData("# msis: frame=moon-me-epoch\ntime,x,y,z\n", "input/run7.csv, line 2: frame moon-me-epoch needs the epoch")]
+    [InlineData(
+        "# msis: frame=j2000\ntime,x,y,z,vx,vy,vz,wx,wy,wz\n",
+        "input/run7.csv, line 2: vx, vy, vz, wx, wy, wz are those over the turning Moon, in frame moon-me only.")]
+    [InlineData(
+        "# msis: frame=j2000\n1 2E6 0 0 0 0 0 1 1 1 1 1 1 1\n",
+        "input/run7.csv, line 2: vx, vy, vz, wx, wy, wz are those over the turning Moon, in frame moon-me only.")]
     public void Read_Wrong_NamesLineAndColumn(string text, string message) =>
         Assert.StartsWith(message, Assert.Throws<BadInputException>(() => Read(text)).Message, StringComparison.Ordinal);
 
@@ -141,11 +187,48 @@ public class BatchColumnsTests
         using StringReader reader = new($"time,lat,lon,height,look_lat,look_lon\n{lines}");
         List<string> warnings = [];
 
-        BatchFileReader.Read(reader, File, new SphereScene(), warnings.Add);
+        BatchFileReader.Read(reader, File, new SphereScene(), warn: warnings.Add);
 
         Assert.StartsWith(
             "input/run7.csv, line 2: the place to look at lies behind ground", Assert.Single(warnings), StringComparison.Ordinal);
         Assert.EndsWith(end, warnings[0], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Read_WhatMayBeMeantOtherwise_IsSaidOnce()
+    {
+        List<string> notes = [];
+        List<string> warnings = [];
+        using StringReader reader = new(
+            "# msis: euler=ZYX\ntime,lat,lon,alt,euler1,euler2,euler3,vx,vy,vz,fuel,\n"
+                + "60328.5,0,0,1E5,1.5,-3.1,0,1600,0,0,7,\n60328.6,0,0,1E5,1.5,-3.1,0,1600,0,0,6,\n");
+
+        IReadOnlyList<SpacecraftState> states = BatchFileReader.Read(
+            reader, File, new SphereScene(), new BatchConventions { IgnoresColumns = true }, warnings.Add, notes.Add);
+
+        Assert.Equal(2, states.Count);
+        Assert.All(states, state => Assert.Null(state.Motion));
+        Assert.Equal(
+            [
+                "input/run7.csv: left out, as --ignore-columns says: 'fuel', ''.",
+                "input/run7.csv: column alt is taken as m over the sphere of 1737400 m; height takes terrain+m, height_km kilometres.",
+                "input/run7.csv: the velocity vx, vy, vz is not used: an image has no motion without wx, wy, wz and a camera with a shutter.",
+            ],
+            notes);
+        Assert.Equal(
+            "input/run7.csv: Euler angles are in degrees; none is above 3.1. If they are radians, convert them.", Assert.Single(warnings));
+    }
+
+    [Fact]
+    public void Read_IgnoredColumnsWithoutNames_IsRefused()
+    {
+        using StringReader reader = new("60328.5 2E6 0 0 0 0 0 1");
+
+        Assert.StartsWith(
+            "input/run7.csv, line 1: --ignore-columns has no meaning: the file names no columns.",
+            Assert.Throws<BadInputException>(() => BatchFileReader.Read(
+                reader, File, new SphereScene(), new BatchConventions { IgnoresColumns = true })).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]

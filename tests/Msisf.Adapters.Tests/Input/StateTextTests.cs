@@ -77,6 +77,14 @@ public class StateTextTests
         Assert.Equal([55289.0, 55289.25, 55289.5, 55289.75, 55290.0], interval.Select(time => time.Days));
     }
 
+    [Theory]
+    [InlineData("[55289:21600s:55290]")]
+    [InlineData("[55289:360min:55290]")]
+    [InlineData("[55289:6h:55290]")]
+    [InlineData("55289:0.25 d:55290")]
+    public void ParseInterval_StepWithUnit_IsInDays(string text) => Assert.Equal(
+        [55289.0, 55289.25, 55289.5, 55289.75, 55290.0], StateText.ParseInterval("--time-interval", [text]).Select(time => time.Days));
+
     // 2024-01-19T12:00:00Z is MJD 60328.5 (TimeTextTests).
     [Theory]
     [InlineData("[2024-01-19T12:00:00Z:0.5:2024-01-20T12:00:00Z]")]
@@ -112,10 +120,12 @@ public class StateTextTests
 
     [Theory]
     [InlineData(
-        "--time-interval: 2 numbers, 3 expected: [start:step:end] in MJD, days, MJD; colons separate the numbers.", "[55289:55290]")]
+        "--time-interval: 2 numbers, 3 expected: [start:step:end] in MJD, days (or 10s, 5min, 2h), MJD; colons separate the numbers.", "[55289:55290]")]
     [InlineData("--time-interval: 1 number, 3 expected", "[55289,0.1,55290]")]
     [InlineData("--time-interval, number 2 (step): a number is missing.", "[55289::55290]")]
     [InlineData("--time-interval, number 3 (end): '00;00' is not", "[55289:1:00;00]")]
+    [InlineData("--time-interval, number 2 (step): a number is missing", "[55289:s:55290]")]
+    [InlineData("--time-interval, number 2 (step): '10m' is not a number", "[55289:10m:55290]")]
     [InlineData("--time-interval: '[55289:1:55290' has unbalanced '[' and ']'", "[55289:1:55290")]
     [InlineData("--time-interval: The step of the time interval is 0 days", "[55289:0:55290]")]
     [InlineData("--time-interval: The MJD 5528900 is not a date", "[5528900:1:55290]")]

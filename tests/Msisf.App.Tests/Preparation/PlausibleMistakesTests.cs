@@ -23,6 +23,9 @@ public sealed class PlausibleMistakesTests
     [InlineData($"{Elements} --time-interval [55289:60:55289.5]", "step of 60 days is longer than the interval of 0.5 days")]
     [InlineData($"{Elements} --time-interval [55289:60:55289.5]", "If the step is seconds, write 0.0006944444444.")]
     [InlineData("--position 1,2,3E4 --time-interval [55289:60:55289.5]", "step of 60 days is longer")]
+    [InlineData(
+        "--fixed-state {55289,2E6,0,0,0,0,0,1} --motion {0,1.6E6,0,0,0,0}",
+        "the camera moves at 1,600 km/s: velocities are in m/s. If 1600000 is mm/s, or km/s that were multiplied twice, write 1600.")]
     [InlineData("--position 1,2,1837400 --time 55289", "If 1837400 m is from the centre, write 100000.")]
     [InlineData(
         "--state-vectors {1.9E6,0,0,0,1.6,0} --epoch 55289 --time 55289",
@@ -43,6 +46,7 @@ public sealed class PlausibleMistakesTests
     [InlineData("--position 1,2,2E6 --time 55289")]
     [InlineData("--state-vectors {1.9E6,0,0,0,160,0} --epoch 55289 --time 55289")] // a landing from a tenth of the circular velocity
     [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1}")]
+    [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1} --motion {0,1.6E3,0,0,0,0}")]
     public void In_Plausible_NoWarning(string words) =>
         Assert.Empty(PlausibleMistakes.In(CameraSettingsReader.Read(Given.Options(words)), CelestialBody.Moon));
 
@@ -68,8 +72,22 @@ public sealed class PlausibleMistakesTests
     [Theory]
     [InlineData(1837.4, "kilometres")]
     [InlineData(1.7E6, "in metres from the Moon's centre")]
-    [InlineData(3.0, "in metres from the Moon's centre")]
-    public void InKilometres_PositionInsideTheMoon_SaysWhatItLooksLike(double distance, string message) =>
+    [InlineData(3.0, "in metres from the Moon's centre.")]
+    [InlineData(100_000.0, "centre; if 100000 m is a height, 1837400 m from the centre is meant.")]
+    public void Inside_PositionInsideTheMoon_SaysWhatItLooksLike(double distance, string message) =>
         Assert.Contains(
-            message, PlausibleMistakes.InKilometres(new Vector3D(0.0, distance, 0.0), CelestialBody.Moon), StringComparison.Ordinal);
+            message, PlausibleMistakes.Inside(new Vector3D(0.0, distance, 0.0), CelestialBody.Moon, camera: null), StringComparison.Ordinal);
+
+    [Theory]
+    [InlineData("--position 10,20,-5000", "The height is in metres over the sphere of 1737400 m; terrain+METRES counts from the terrain.")]
+    [InlineData("--position 10,20,30", "If 30 is kilometres, write 30000.")]
+    [InlineData("--position 10,20,terrain-5", "Heights over the terrain are in metres, upwards.")]
+    public void Inside_PlaceInTheGround_SpeaksOfHeights(string words, string message)
+    {
+        string advice = PlausibleMistakes.Inside(
+            new Vector3D(0.0, 1.735e6, 0.0), CelestialBody.Moon, CameraSettingsReader.Read(Given.Options($"{words} --time 55289")));
+
+        Assert.Contains(message, advice, StringComparison.Ordinal);
+        Assert.DoesNotContain("centre", advice, StringComparison.Ordinal);
+    }
 }

@@ -153,6 +153,7 @@ public class StateConversionTests
     [Theory]
     [InlineData(2e6, 0, 0, 0, 2214.3, 0, "escape speed")]
     [InlineData(2e6, 0, 0, 0, 1e200, 0, "escape speed")]
+    [InlineData(2e6, 0, 0, 0, 1.6e6, 0, "Velocities are in m/s: is 1600000 mm/s, or km/s multiplied twice? Then write 1600.")]
     [InlineData(0, 0, 0, 0, 1500, 0, "The position (m) is zero")]
     [InlineData(2e6, 0, 0, 0, 0, 0, "The velocity (m/s) is zero")]
     [InlineData(2e6, 1e6, 0, 200, 100, 0, "are parallel")]

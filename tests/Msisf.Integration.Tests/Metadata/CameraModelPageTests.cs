@@ -1,5 +1,7 @@
 using System.Globalization;
 using System.Text.RegularExpressions;
+using Msisf.Core.Attitude;
+using Msisf.Core.Numerics;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -42,6 +44,41 @@ public sealed partial class CameraModelPageTests : IDisposable
         Assert.InRange(double.Parse(found[1], CultureInfo.InvariantCulture), 0.0, PixelTolerance);
     }
 
+    [RequiresFact(Part.Python, Part.Numpy)]
+    public void Page_ItsLinesBack_AreTheQuaternionsOfThePointing()
+    {
+        Vector3D position = new(1.2e6, -0.9e6, 1.3e6);
+        Vector3D[] targets = [new(1.1e6, -0.8e6, 1.0e6), new(-2e6, 1e5, 3e6), new(1.3e6, -0.9e6, 1.3e6), new(1.2e6, 9e6, 1.3e6)];
+        string vectors = string.Join(", ", targets.Select(target => $"{target - position}".Replace('(', '[').Replace(')', ']')));
+        string script = _folder["back.py"];
+        File.WriteAllText(
+            script,
+            LinesOfPage() + $$"""
+
+            for forward in [{{vectors}}]:
+                given = quaternion_looking(np.array(forward), [1.2e6, -0.9e6, 1.3e6])
+                R = camera(np.zeros(3), given, 40, 8, 8)[1]
+                again = quaternion_of_opencv(R)
+                print(*map(repr, map(float, given)), *map(repr, map(float, again)))
+            """);
+        string[] lines = ChildRun.Of(TestParts.Python!, [script], _folder.Path).Succeeded().Output.TrimEnd().Split('\n');
+
+        Assert.Equal(targets.Length, lines.Length);
+        foreach ((string line, Vector3D target) in lines.Zip(targets))
+        {
+            double[] q = [.. line.Split().Select(number => double.Parse(number, CultureInfo.InvariantCulture))];
+            UnitQuaternion expected = Boresight.MoonFromCamera(position, Boresight.Towards(position, target), position, roll: 0.0);
+            AssertSame(expected, UnitQuaternion.FromComponents(q[0], q[1], q[2], q[3]));
+            AssertSame(expected, UnitQuaternion.FromComponents(q[4], q[5], q[6], q[7]));
+        }
+
+        static void AssertSame(UnitQuaternion expected, UnitQuaternion found)
+        {
+            UnitQuaternion turn = expected.Conjugate * found;
+            Assert.InRange(new Vector3D(turn.X, turn.Y, turn.Z).Length, 0.0, 1e-14);
+        }
+    }
+
     // Prints the number of pixels and the greatest distance in px.
     private const string Reader =
         """
@@ -60,7 +97,7 @@ public sealed partial class CameraModelPageTests : IDisposable
     private static string LinesOfPage()
     {
         string page = File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "docs", "camera-model.md"));
-        return Assert.Single(PythonBlock().Matches(page)).Groups[1].Value;
+        return string.Concat(PythonBlock().Matches(page).Select(block => block.Groups[1].Value));
     }
 
     [GeneratedRegex("```python\n(.*?)```", RegexOptions.Singleline)]

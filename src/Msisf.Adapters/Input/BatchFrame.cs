@@ -1,0 +1,67 @@
+using Msisf.Core.Attitude;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+using Msisf.Core.Time;
+
+namespace Msisf.Adapters.Input;
+
+/// <summary>Turns the positions and attitudes of a batch file into those of MOON_ME.</summary>
+internal sealed class BatchFrame
+{
+    private readonly OrbitFrame _frame;
+    private readonly AttitudeConvention _attitude;
+    private readonly bool _normalizes;
+    private readonly ISceneGeometry _scene;
+    private readonly RotationMatrix _j2000FromFrame = RotationMatrix.Identity;
+
+    /// <summary>Takes how the numbers are meant.</summary>
+    /// <param name="conventions">What the file and the options say.</param>
+    /// <param name="scene">How the Moon turns; asked for other frames than MOON_ME only.</param>
+    /// <exception cref="BadInputException">The frame needs an epoch.</exception>
+    public BatchFrame(BatchConventions conventions, ISceneGeometry scene)
+    {
+        (_frame, _normalizes, _scene) = (conventions.Frame ?? OrbitFrame.MoonMe, conventions.Normalizes, scene);
+        _attitude = new AttitudeConvention(conventions.Axes ?? default, conventions.Rotation ?? default);
+        if (_frame == OrbitFrame.MoonMeEpoch)
+        {
+            ModifiedJulianDate epoch = conventions.Epoch
+                ?? throw new BadInputException("frame moon-me-epoch needs the epoch whose axes are held still: --epoch, or epoch= beside it.");
+            _j2000FromFrame = scene.MoonMeFromJ2000(epoch).Transposed;
+        }
+    }
+
+    /// <summary>Whether positions and attitudes are those of MOON_ME at their time.</summary>
+    public bool IsMoonMe => _frame == OrbitFrame.MoonMe;
+
+    /// <summary>A position in MOON_ME.</summary>
+    /// <param name="time">UTC.</param>
+    /// <param name="position">m, in the frame of the file.</param>
+    public Vector3D PositionMoonMe(ModifiedJulianDate time, Vector3D position) => IsMoonMe ? position : MoonFromFrame(time) * position;
+
+    /// <summary>The attitude of a quaternion.</summary>
+    /// <param name="time">UTC.</param>
+    /// <param name="numbers">qx, qy, qz, q0 as the file has them.</param>
+    /// <exception cref="BadInputException">They are no rotation.</exception>
+    public UnitQuaternion OfQuaternion(ModifiedJulianDate time, ReadOnlySpan<double> numbers) =>
+        MoonFromCamera(time, UnitQuaternion.FromComponents(numbers[0], numbers[1], numbers[2], numbers[3], _normalizes));
+
+    /// <summary>The attitude of a matrix.</summary>
+    /// <param name="time">UTC.</param>
+    /// <param name="numbers">By rows, as the file has them.</param>
+    /// <exception cref="BadInputException">They are no rotation.</exception>
+    public UnitQuaternion OfMatrix(ModifiedJulianDate time, ReadOnlySpan<double> numbers) =>
+        MoonFromCamera(time, GivenRotation.OfMatrix(numbers, _normalizes));
+
+    /// <summary>The attitude of a rotation as the file means it.</summary>
+    /// <param name="time">UTC.</param>
+    /// <param name="given">In the file's frame and axes.</param>
+    /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
+    public UnitQuaternion MoonFromCamera(ModifiedJulianDate time, UnitQuaternion given)
+    {
+        UnitQuaternion frameFromCamera = _attitude.FrameFromCamera(given);
+        return IsMoonMe ? frameFromCamera : UnitQuaternion.FromMatrix(MoonFromFrame(time)) * frameFromCamera;
+    }
+
+    private RotationMatrix MoonFromFrame(ModifiedJulianDate time) => _scene.MoonMeFromJ2000(time) * _j2000FromFrame;
+}

@@ -1,0 +1,149 @@
+using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+using Msisf.Core.Time;
+
+namespace Msisf.Adapters.Input;
+
+/// <summary>Makes the states of a batch file's lines.</summary>
+/// <param name="columns">The columns.</param>
+/// <param name="said">How the numbers are meant.</param>
+/// <param name="frame">Turns positions and attitudes into those of MOON_ME.</param>
+/// <param name="scene">Terrain, Sun and the Moon's turning, for what refers to them.</param>
+internal sealed class BatchStates(BatchColumns columns, BatchConventions said, BatchFrame frame, ISceneGeometry scene)
+{
+    private const double MetresPerKilometre = 1000.0;
+    private const double SecondsPerDay = 86400.0;
+
+    private readonly List<int> _hiddenTargets = [];
+
+    /// <summary>Numbers of the lines, read so far, whose camera looks at a place that the Moon hides.</summary>
+    public IReadOnlyList<int> HiddenTargets => _hiddenTargets;
+
+    /// <summary>degrees: the greatest Euler angle so far.</summary>
+    public double GreatestEulerAngle { get; private set; }
+
+    /// <summary>Reads a line.</summary>
+    /// <param name="line">The values, separated by commas.</param>
+    /// <param name="lineNumber">Number of the line, from 1.</param>
+    /// <exception cref="BadInputException">A value is wrong; the message is to follow the number of the line.</exception>
+    public SpacecraftState Read(ReadOnlySpan<char> line, int lineNumber)
+    {
+        string[] values = BatchColumns.Fields(line.ToString());
+        if (values.Length != columns.Count)
+        {
+            throw new BadInputException($"{values.Length} values, {columns.Count} columns. Complete, shorten or remove the line.");
+        }
+
+        BatchRow row = new(columns, values);
+        ModifiedJulianDate time = TimeOf(row);
+        Vector3D position = PositionMoonMe(row, time);
+        return new SpacecraftState(time, position, MoonFromCamera(row, time, position, lineNumber))
+        {
+            Motion = row.Has(BatchNames.Motion[3]) ? CameraMotion.FromNumbers(row.Numbers(BatchNames.Motion)) : null,
+        };
+    }
+
+    /// <summary>Reads a state of eight numbers, or of fourteen with the motion.</summary>
+    /// <param name="numbers">In their order.</param>
+    /// <param name="frame">Turns positions and attitudes into those of MOON_ME.</param>
+    /// <exception cref="BadInputException">They are no state.</exception>
+    public static SpacecraftState Of(ReadOnlySpan<double> numbers, BatchFrame frame)
+    {
+        ModifiedJulianDate time = new(numbers[0]);
+        int count = SpacecraftState.NumberNames.Count;
+        if (numbers.Length > count && !frame.IsMoonMe)
+        {
+            throw new BadInputException(
+                $"{string.Join(", ", CameraMotion.NumberNames)} are those over the turning Moon, in frame moon-me only. Remove them, or "
+                    + "change the frame.");
+        }
+
+        return new SpacecraftState(
+            time, frame.PositionMoonMe(time, new Vector3D(numbers[1], numbers[2], numbers[3])), frame.OfQuaternion(time, numbers[4..8]))
+        {
+            Motion = numbers.Length > count ? CameraMotion.FromNumbers(numbers[count..]) : null,
+        };
+    }
+
+    private ModifiedJulianDate TimeOf(BatchRow row) => row.Has(BatchNames.Seconds)
+        ? new ModifiedJulianDate(said.Epoch!.Value.Days + (row.Number(BatchNames.Seconds) / SecondsPerDay))
+        : row.Read(BatchNames.Time, text => TimeText.Parse(text));
+
+    private Vector3D PositionMoonMe(BatchRow row, ModifiedJulianDate time)
+    {
+        if (row.Has(BatchNames.Place[0]))
+        {
+            return PlaceText.Place(row.Number(BatchNames.Place[0]), row.Number(BatchNames.Place[1]), HeightOf(row))
+                .ToPositionMoonMe(scene.GroundRadius, scene.ReferenceRadius);
+        }
+
+        bool isMetres = row.Has(BatchNames.Position[0]);
+        double[] numbers = row.Numbers(isMetres ? BatchNames.Position : BatchNames.PositionKilometres);
+        Vector3D position = new(numbers[0], numbers[1], numbers[2]);
+        return frame.PositionMoonMe(time, isMetres ? position : MetresPerKilometre * position);
+    }
+
+    private static (double Height, bool IsOverTerrain) HeightOf(BatchRow row) =>
+        row.Has(BatchNames.Height) ? row.Read(BatchNames.Height, PlaceText.ParseHeight)
+        : row.Has(BatchNames.Altitude) ? (row.Number(BatchNames.Altitude), false)
+        : (MetresPerKilometre * row.Number(BatchNames.HeightKilometres), false);
+
+    private UnitQuaternion MoonFromCamera(BatchRow row, ModifiedJulianDate time, Vector3D position, int lineNumber)
+    {
+        if (row.Has(BatchNames.Quaternion[0]))
+        {
+            return frame.OfQuaternion(time, row.Numbers(BatchNames.Quaternion));
+        }
+
+        if (row.Has(BatchNames.Matrix[0]))
+        {
+            return frame.OfMatrix(time, row.Numbers(BatchNames.Matrix));
+        }
+
+        if (row.Has(BatchNames.Euler[0]))
+        {
+            double[] degrees = row.Numbers(BatchNames.Euler);
+            GreatestEulerAngle = Math.Max(GreatestEulerAngle, degrees.Max(Math.Abs));
+            return frame.MoonFromCamera(time, said.Euler!.Value.FrameFromBody([.. degrees.Select(double.DegreesToRadians)]));
+        }
+
+        CameraPointing pointing = PointingOf(row);
+        UnitQuaternion pointed = pointing.MoonFromCamera(position, time, scene);
+        if (pointing.IsTargetHidden(position, scene))
+        {
+            _hiddenTargets.Add(lineNumber);
+        }
+
+        return pointed;
+    }
+
+    private static CameraPointing PointingOf(BatchRow row)
+    {
+        CameraPointing direction = new();
+        if (row.Has(BatchNames.Target[0]))
+        {
+            direction = new CameraPointing
+            {
+                Kind = BoresightKind.Place,
+                Target = PlaceText.Place(
+                    row.Number(BatchNames.Target[0]), row.Number(BatchNames.Target[1]),
+                    row.Has(BatchNames.LookHeight) ? row.Read(BatchNames.LookHeight, PlaceText.ParseHeight) : (0.0, true)),
+            };
+        }
+        else if (row.Has(BatchNames.OffNadir))
+        {
+            direction = PointingText.OffNadir(
+                row.Number(BatchNames.OffNadir), row.Has(BatchNames.Azimuth) ? row.Number(BatchNames.Azimuth) : 0.0);
+        }
+
+        return direction with
+        {
+            Roll = row.Has(BatchNames.Roll) ? double.DegreesToRadians(row.Number(BatchNames.Roll)) : 0.0,
+            Up = row.Has(BatchNames.Up) ? row.Read(BatchNames.Up, PointingText.ParseUp) : UpDirection.Zenith,
+        };
+    }
+}

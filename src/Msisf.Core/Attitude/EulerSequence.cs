@@ -1,0 +1,55 @@
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Attitude;
+
+/// <summary>
+/// The axes of three turns that lead from a reference frame to a body's axes, each about an axis that the turns before it have turned
+/// along (intrinsic). <c>default</c> is no sequence.
+/// </summary>
+public readonly record struct EulerSequence
+{
+    /// <summary>What a sequence may look like, for messages.</summary>
+    public const string ValidValues = "three axes such as ZYX, 321, ZXZ or 313, neighbours not the same";
+
+    private const string Letters = "XYZ";
+    private const string Digits = "123";
+
+    private EulerSequence(string axes) => Axes = axes;
+
+    /// <summary>The axes as capital letters in the order of the turns, e.g. "ZYX".</summary>
+    public string Axes { get; }
+
+    /// <summary>Reads a sequence.</summary>
+    /// <param name="text">Letters in capitals, or digits.</param>
+    /// <exception cref="BadInputException">It is no sequence.</exception>
+    public static EulerSequence Parse(string text)
+    {
+        if (text.Length == 3 && text.All("xyz".Contains))
+        {
+            throw new BadInputException(
+                $"'{text}' in small letters means turns about axes at rest in some libraries. Write '{text.ToUpperInvariant()}' for turns "
+                    + $"about the turned axes, or '{new string([.. text.Reverse()]).ToUpperInvariant()}' with the angles in reverse.");
+        }
+
+        string axes = string.Concat(text.Select(axis => Digits.Contains(axis) ? Letters[Digits.IndexOf(axis)] : axis));
+        return axes.Length == 3 && axes.All(Letters.Contains) && axes[0] != axes[1] && axes[1] != axes[2]
+            ? new EulerSequence(axes)
+            : throw new BadInputException($"'{text}' is no sequence of Euler angles; {ValidValues} is needed.");
+    }
+
+    /// <summary>The rotation by three angles.</summary>
+    /// <param name="angles">rad, in the order of the turns, right-handed.</param>
+    /// <returns>Turns the body's components into those of the reference frame.</returns>
+    public UnitQuaternion FrameFromBody(ReadOnlySpan<double> angles) =>
+        About(0, angles[0]) * About(1, angles[1]) * About(2, angles[2]);
+
+    private UnitQuaternion About(int turn, double angle) => UnitQuaternion.FromAxisAngle(
+        Axes[turn] switch
+        {
+            'X' => Vector3D.UnitX,
+            'Y' => Vector3D.UnitY,
+            _ => Vector3D.UnitZ,
+        },
+        angle);
+}
