@@ -16,4 +16,11 @@ namespace Msisf.Adapters.Camera;
 /// <param name="Detector">Optics and detector; null if the file does not describe them.</param>
 public sealed record CameraFile(
     string Name, string Sha256, string? Description, CameraModel Model, double? FocalLength, (double X, double Y)? PixelPitch, string Path,
-    long Bytes, bool IsPreset, double FieldOfViewDegrees, CameraFileDetector? Detector = null);
+    long Bytes, bool IsPreset, double FieldOfViewDegrees, CameraFileDetector? Detector = null)
+{
+    /// <summary>px: width that the file does not say, but the user; null if the file says it.</summary>
+    public int? AddedWidth { get; init; }
+
+    /// <summary>px: height that the file does not say, but the user; null if the file says it.</summary>
+    public int? AddedHeight { get; init; }
+}

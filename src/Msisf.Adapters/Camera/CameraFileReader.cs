@@ -28,8 +28,9 @@ public static class CameraFileReader
     /// <summary>Reads a file.</summary>
     /// <param name="path">Its path.</param>
     /// <param name="preset">Name of the preset; null for a file of the user, which is named by its file name.</param>
+    /// <param name="size">Width and height, px, for a file that does not say them; null where they are not known.</param>
     /// <exception cref="BadInputException">There is no such file, or what is wrong in it, by file, line and column.</exception>
-    public static CameraFile Read(string path, string? preset = null)
+    public static CameraFile Read(string path, string? preset = null, (int? Width, int? Height) size = default)
     {
         byte[] content = FileErrors.ToBadInput($"{path}: the camera file can't be read", () =>
         {
@@ -37,7 +38,7 @@ public static class CameraFileReader
             byte[] bytes = new byte[ConfigFileReader.LargestSize + 1];
             return bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
         });
-        return Parse(content, path, preset);
+        return Parse(content, path, preset, size: size);
     }
 
     /// <summary>Reads a file's content.</summary>
@@ -45,13 +46,17 @@ public static class CameraFileReader
     /// <param name="path">For messages.</param>
     /// <param name="preset">Name of the preset; null for a file of the user.</param>
     /// <param name="mayNameFiles">Whether it may name another file, the PSF's kernel.</param>
+    /// <param name="size">Width and height, px, for a file that does not say them; null where they are not known.</param>
     /// <exception cref="BadInputException">What is wrong in it, by file, line and column.</exception>
-    public static CameraFile Parse(byte[] content, string path, string? preset = null, bool mayNameFiles = true)
+    public static CameraFile Parse(
+        byte[] content, string path, string? preset = null, bool mayNameFiles = true, (int? Width, int? Height) size = default)
     {
         using MemoryStream stream = new(content);
         CameraSection file = new(path, "a camera", (1, 1), ConfigFileReader.Read(stream, path, hasSections: true), Keys);
-        int width = file.Whole("width", 1, MaxSide) ?? throw file.Missing("width", "how many pixels a row of the image has");
-        int height = file.Whole("height", 1, MaxSide) ?? throw file.Missing("height", "how many rows the image has");
+        int? ownWidth = file.Whole("width", 1, MaxSide);
+        int? ownHeight = file.Whole("height", 1, MaxSide);
+        int width = ownWidth ?? size.Width ?? throw file.Missing("width", "how many pixels a row of the image has; or give --width");
+        int height = ownHeight ?? size.Height ?? throw file.Missing("height", "how many rows the image has; or give --height");
         (double FocalLength, (double X, double Y) Pitch)? metric = Metric(file);
         (double X, double Y) focal = FocalPixels(file, width, metric);
         (double x, double y) = PrincipalPoint(file, width, height);
@@ -78,7 +83,11 @@ public static class CameraFileReader
             preset ?? Path.GetFileName(path), Checksum(content, detector), file.Text("description"), model,
             metric?.FocalLength, metric?.Pitch, path, content.Length, preset is not null,
             model.Distortion is null && file.Number("field-of-view") is double given ? given : double.RadiansToDegrees(model.FieldOfView),
-            detector);
+            detector)
+        {
+            AddedWidth = ownWidth is null ? width : null,
+            AddedHeight = ownHeight is null ? height : null,
+        };
 
         static double focalMillimetres(double focalLength) => focalLength / MetresPerMillimetre;
     }

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Security.Cryptography;
 using Msisf.Core.Detector.Psf;
 using Msisf.Core.Errors;
@@ -63,8 +64,10 @@ internal sealed class PointSpreadKeys
         }
 
         double radius = Math.Max(DefaultRadius, Math.Ceiling(GaussianSigmas * sigma));
-        return radius <= PointSpreadKernel.MaxRadius ? radius : throw _section.Wrong("psf-sigma", FormattableString.Invariant(
-            $"'psf-sigma' is {sigma} px; {GaussianSigmas} of them, {radius} px, pass {PointSpreadKernel.MaxRadius}. Give 'psf-radius' to cut it off"));
+        return radius <= PointSpreadKernel.MaxRadius ? radius : throw _section.Wrong("psf-sigma", string.Create(
+            CultureInfo.InvariantCulture,
+            $"'psf-sigma' is {sigma} px; {GaussianSigmas} of them, {radius} px, pass {PointSpreadKernel.MaxRadius}. "
+                + $"Give 'psf-radius' to cut it off"));
     }
 
     /// <summary>Refuses keys that have no meaning for a model.</summary>

@@ -26,9 +26,8 @@ internal sealed class BatchColumns
             else if (!_columns.TryAdd(name, (index, written)))
             {
                 string first = _columns[name].Written;
-                throw new BadInputException(
-                    $"column {index + 1}: '{written}' stands twice{(first.Equals(written, StringComparison.OrdinalIgnoreCase) ? string.Empty : $", as {first} too")}. "
-                        + "Remove one of them.");
+                string also = first.Equals(written, StringComparison.OrdinalIgnoreCase) ? string.Empty : $", as {first} too";
+                throw new BadInputException($"column {index + 1}: '{written}' stands twice{also}. Remove one of them.");
             }
         }
     }

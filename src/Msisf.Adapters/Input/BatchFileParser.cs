@@ -39,7 +39,8 @@ internal sealed class BatchFileParser(ISceneGeometry scene, BatchConventions con
         {
             if (!content.IsWhiteSpace() || _frame is not null)
             {
-                throw new BadInputException("a '# msis:' line stands by itself, above the names of the columns and the states. Move it there.");
+                throw new BadInputException(
+                    "a '# msis:' line stands by itself, above the names of the columns and the states. Move it there.");
             }
 
             _said = BatchKeyLine.Add(line[(comment + 1)..], _said);
@@ -83,7 +84,8 @@ internal sealed class BatchFileParser(ISceneGeometry scene, BatchConventions con
             {
                 string problem = isTime ? TimeText.ProblemWith(word) : NumberText.ProblemWith(word);
                 string header = word.Contains(',') ? $" Values apart by commas need a header line, e.g. {ExampleHeader}."
-                    : BatchNames.Known(word.ToString()) is not null ? $" Names of columns, and their values, are apart by commas, e.g. {ExampleHeader}."
+                    : BatchNames.Known(word.ToString()) is not null
+                        ? $" Names of columns, and their values, are apart by commas, e.g. {ExampleHeader}."
                     : string.Empty;
                 throw new BadInputException(
                     $", column {position - word.Length + 1}: {problem}. A line is: "

@@ -26,7 +26,8 @@ internal sealed class BatchFrame
         if (_frame == OrbitFrame.MoonMeEpoch)
         {
             ModifiedJulianDate epoch = conventions.Epoch
-                ?? throw new BadInputException("frame moon-me-epoch needs the epoch whose axes are held still: --epoch, or epoch= beside it.");
+                ?? throw new BadInputException(
+                    "frame moon-me-epoch needs the epoch whose axes are held still: --epoch, or epoch= beside it.");
             _j2000FromFrame = scene.MoonMeFromJ2000(epoch).Transposed;
         }
     }

@@ -30,8 +30,8 @@ internal static class BatchNotes
         {
             note?.Invoke(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{fileName}: column {BatchNames.Altitude} is taken as m over the sphere of {scene.ReferenceRadius:R} m; height takes terrain+m, "
-                    + $"height_km kilometres."));
+                $"{fileName}: column {BatchNames.Altitude} is taken as m over the sphere of {scene.ReferenceRadius:R} m; height takes "
+                    + $"terrain+m, height_km kilometres."));
         }
 
         if (columns.Has(BatchNames.Motion[0]) && !columns.Has(BatchNames.Motion[3]))
@@ -45,7 +45,8 @@ internal static class BatchNotes
         {
             warn?.Invoke(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{fileName}: Euler angles are in degrees; none is above {states.GreatestEulerAngle:G3}. If they are radians, convert them."));
+                $"{fileName}: Euler angles are in degrees; none is above {states.GreatestEulerAngle:G3}. If they are radians, "
+                    + $"convert them."));
         }
 
         if (states.HiddenTargets is [int first, ..] hidden)

@@ -77,7 +77,8 @@ internal sealed class BatchRules(BatchColumns? columns, BatchConventions said)
         bool hasRotation = columns is null || Has(BatchNames.Quaternion[0]) || Has(BatchNames.Matrix[0]);
         bool hasVector = columns is null || Has(BatchNames.Position[0]) || Has(BatchNames.PositionKilometres[0]);
         RequireMeaning("frame", said.Frame is null || hasVector || hasRotation || hasEuler, "no column is of a frame");
-        RequireMeaning("axes", said.Axes is null || hasRotation || hasEuler, "no quaternion, matrix or Euler angle says how the camera points");
+        RequireMeaning(
+            "axes", said.Axes is null || hasRotation || hasEuler, "no quaternion, matrix or Euler angle says how the camera points");
         RequireMeaning("rotation", said.Rotation is null || hasRotation, "there is no quaternion and no matrix");
         RequireMeaning("euler", said.Euler is null || hasEuler, "there are no columns euler1, euler2, euler3");
         Require(
@@ -91,7 +92,8 @@ internal sealed class BatchRules(BatchColumns? columns, BatchConventions said)
             "the epoch has no meaning: there is no column seconds, and the frame is not moon-me-epoch. Leave out --epoch, or epoch=.");
         Require(
             said.Frame is null or OrbitFrame.MoonMe || !HasMotion(),
-            $"{string.Join(", ", BatchNames.Motion)} are those over the turning Moon, in frame moon-me only. Remove them, or change the frame.");
+            $"{string.Join(", ", BatchNames.Motion)} are those over the turning Moon, in frame moon-me only. Remove them, or change the "
+                + "frame.");
         Require(columns is not null || !said.IgnoresColumns, "--ignore-columns has no meaning: the file names no columns. Leave it out.");
     }
 

@@ -59,7 +59,8 @@ public static class StateText
         {
             string hint = text.Contains('T', StringComparison.OrdinalIgnoreCase) ? $" A time is {TimeText.ValidValues}." : string.Empty;
             throw new BadInputException(
-                $"{option}: {CountOf(texts.Count)}, 3 expected: {expected} in MJD, days (or 10s, 5min, 2h), MJD; colons separate the numbers.{hint}");
+                $"{option}: {CountOf(texts.Count)}, 3 expected: {expected} in MJD, days (or 10s, 5min, 2h), MJD; colons separate the "
+                    + $"numbers.{hint}");
         }
 
         string[] fields = ["start", "step", "end"];

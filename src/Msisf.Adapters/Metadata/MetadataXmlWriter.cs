@@ -6,7 +6,8 @@ using Msisf.Core.Numerics;
 namespace Msisf.Adapters.Metadata;
 
 /// <summary>
-/// Writes a frame's meta file as thesis section 9.2 shows it (docs/formats.md): UTF-8 without BOM, LF, valid against lib/MSISRendering.dtd.
+/// Writes a frame's meta file as thesis section 9.2 shows it (docs/formats.md): UTF-8 without BOM, LF, with lib/MSISRendering.dtd in it,
+/// so that it is valid wherever it lies.
 /// </summary>
 public static class MetadataXmlWriter
 {
@@ -53,7 +54,9 @@ public static class MetadataXmlWriter
     {
         return string.Create(CultureInfo.InvariantCulture, $"""
             <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
-            <!DOCTYPE MSISRendering SYSTEM "../lib/MSISRendering.dtd">
+            <!DOCTYPE MSISRendering [
+            {MetaFileGrammar.Text}
+            ]>
             <MSISRendering>
               <GeneralInformation>
                 <SimulationTime>

@@ -48,7 +48,8 @@ internal sealed class RunConversion
         EphemerisChoice? engine = ephemeris.Opened?.Choice;
         CheckResources(settings, run.Frames.Count, slurm);
         string path = Path.GetFullPath(scriptPath(settings));
-        string? statesFile = camera is BatchFileSettings { Motion: null } file && file.Conventions == new BatchConventions() ? null : $"{path}.states.tab";
+        bool isReadAsItIs = camera is BatchFileSettings { Motion: null } file && file.Conventions == new BatchConventions();
+        string? statesFile = isReadAsItIs ? null : $"{path}.states.tab";
         string batchFile = statesFile ?? ((BatchFileSettings)camera).Path;
         PieceScript script = new()
         {

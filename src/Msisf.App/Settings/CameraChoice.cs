@@ -31,15 +31,16 @@ internal static class CameraChoice
             return null;
         }
 
-        OptionSpec[] replaced = [ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height];
-        if (replaced.FirstOrDefault(values.IsGiven) is { } wrong)
-        {
-            throw new UsageException($"{wrong.Name} and --camera exclude each other: the camera file says it. Leave one of them out.")
-                .About(wrong, ImageOptions.Camera);
-        }
-
+        Refuse(values, [ImageOptions.FieldOfView]);
+        (int? Width, int? Height) size = (ImageOptions.Width.ReadIfGiven(values), ImageOptions.Height.ReadIfGiven(values));
         CameraFile camera = ImageOptions.Camera.NamedInErrors(
-            () => open is null ? Open(given, Installation.Above(AppContext.BaseDirectory)) : open(given));
+            () => open is null ? Open(given, Installation.Above(AppContext.BaseDirectory), size) : open(given));
+        Refuse(
+            values,
+            [
+                .. camera.AddedWidth is null ? (OptionSpec[])[ImageOptions.Width] : [],
+                .. camera.AddedHeight is null ? (OptionSpec[])[ImageOptions.Height] : [],
+            ]);
         return camera.Model.Distortion is null || RendererOptions.Renderer.Read(values) == RendererKind.Native
             ? camera
             : throw new UsageException(
@@ -92,7 +93,17 @@ internal static class CameraChoice
         return null;
     }
 
-    private static CameraFile Open(string given, Installation installation)
+    /// <summary>Refuses options that say what the camera file says.</summary>
+    private static void Refuse(OptionValues values, OptionSpec[] replaced)
+    {
+        if (replaced.FirstOrDefault(values.IsGiven) is { } wrong)
+        {
+            throw new UsageException($"{wrong.Name} and --camera exclude each other: the camera file says it. Leave one of them out.")
+                .About(wrong, ImageOptions.Camera);
+        }
+    }
+
+    private static CameraFile Open(string given, Installation installation, (int? Width, int? Height) size)
     {
         if (Preset(given, installation) is { } preset)
         {
@@ -115,7 +126,7 @@ internal static class CameraChoice
                     + $"('msis cameras' lists the presets)");
         }
 
-        CameraFile camera = CameraFileReader.Read(path);
+        CameraFile camera = CameraFileReader.Read(path, size: size);
         return checksum is null || camera.Sha256.StartsWith(checksum, StringComparison.OrdinalIgnoreCase)
             ? camera
             : throw new BadInputException(

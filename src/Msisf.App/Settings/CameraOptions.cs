@@ -37,7 +37,8 @@ internal static class CameraOptions
     };
 
     /// <summary>Time of the orbit.</summary>
-    public static TimeSpec Epoch { get; } = new("--epoch", "Time for which the orbit and the attitude are given, or from which a batch file counts its seconds (UTC)")
+    public static TimeSpec Epoch { get; } = new(
+        "--epoch", "Time for which the orbit and the attitude are given, or from which a batch file counts its seconds (UTC)")
     {
         Aliases = ["-e"],
     };

@@ -113,7 +113,12 @@ internal static class FrameArguments
     }
 
     private static IEnumerable<string> OfImage(RenderSettings settings) => settings.Camera is { } camera
-        ? [ImageOptions.Camera.Name, Quoted(CameraChoice.TextOf(camera))]
+        ?
+        [
+            ImageOptions.Camera.Name, Quoted(CameraChoice.TextOf(camera)),
+            .. camera.AddedWidth is int width ? (string[])[ImageOptions.Width.Name, Text(width)] : [],
+            .. camera.AddedHeight is int height ? (string[])[ImageOptions.Height.Name, Text(height)] : [],
+        ]
         :
         [
             ImageOptions.FieldOfView.Name, NumberSpec.TextOf(settings.FieldOfViewDegrees),

@@ -48,7 +48,7 @@ internal static class ModelChoice
         bool isSaid = values.IsGiven(SurfaceOptions.Resolution)
             || (values.Text(SurfaceOptions.Resolution) is not null && !values.IsGiven(SurfaceOptions.Ldem));
         return isFile && !isSaid
-            ? SurfaceOptions.Ldem.Concerned(() => LdemCatalog.ResolutionOf(SurfaceOptions.Ldem.ReadIfGiven(values)!))
+            ? SurfaceOptions.Ldem.NamedInErrors(() => LdemCatalog.ResolutionOf(SurfaceOptions.Ldem.ReadIfGiven(values)!))
             : SurfaceOptions.Resolution.Read(values);
     }
 

@@ -120,7 +120,8 @@ public class StateTextTests
 
     [Theory]
     [InlineData(
-        "--time-interval: 2 numbers, 3 expected: [start:step:end] in MJD, days (or 10s, 5min, 2h), MJD; colons separate the numbers.", "[55289:55290]")]
+        "--time-interval: 2 numbers, 3 expected: [start:step:end] in MJD, days (or 10s, 5min, 2h), MJD; colons separate the numbers.",
+        "[55289:55290]")]
     [InlineData("--time-interval: 1 number, 3 expected", "[55289,0.1,55290]")]
     [InlineData("--time-interval, number 2 (step): a number is missing.", "[55289::55290]")]
     [InlineData("--time-interval, number 3 (end): '00;00' is not", "[55289:1:00;00]")]

@@ -24,7 +24,7 @@ public class MetadataXmlWriterTests
     /// </summary>
     private const string PublishedHead = """
         <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
-        <!DOCTYPE MSISRendering SYSTEM "../lib/MSISRendering.dtd">
+        <!DOCTYPE MSISRendering [grammar]>
         <MSISRendering>
           <GeneralInformation>
             <SimulationTime>

@@ -79,7 +79,7 @@ public sealed class PlausibleMistakesTests
             message, PlausibleMistakes.Inside(new Vector3D(0.0, distance, 0.0), CelestialBody.Moon, camera: null), StringComparison.Ordinal);
 
     [Theory]
-    [InlineData("--position 10,20,-5000", "The height is in metres over the sphere of 1737400 m; terrain+METRES counts from the terrain.")]
+    [InlineData("--position 10,20,-5000", "The height is in metres over the sphere of 1737400 m; terrain+METRES counts from the")]
     [InlineData("--position 10,20,30", "If 30 is kilometres, write 30000.")]
     [InlineData("--position 10,20,terrain-5", "Heights over the terrain are in metres, upwards.")]
     public void Inside_PlaceInTheGround_SpeaksOfHeights(string words, string message)

@@ -21,8 +21,8 @@ namespace Msisf.Integration.Tests.Input;
 /// </summary>
 public sealed partial class OtherProgramsTests : IDisposable
 {
-    /// <summary>m: 17 digits of a position 2e6 m, or the Earth's distance, from the centre, turned once.</summary>
-    private const double Metres = 2e-6;
+    /// <summary>m: the ground turns by 5 m/s, and an MJD in a double is right to 0.6 microseconds.</summary>
+    private const double Metres = 1e-5;
 
     /// <summary>1: 17 digits, turned a few times; the engines' rotations differ by 1e-12.</summary>
     private const double Rotation = 4e-12;
@@ -82,7 +82,8 @@ public sealed partial class OtherProgramsTests : IDisposable
     [RequiresFact(Part.Ldem4)]
     public void Page_TableOfMatlab_LooksDownAsItsCommandShows()
     {
-        File.WriteAllText(_folder["states.csv"], Blocks(string.Empty).Single(block => block.StartsWith("seconds,", StringComparison.Ordinal)));
+        File.WriteAllText(
+            _folder["states.csv"], Blocks(string.Empty).Single(block => block.StartsWith("seconds,", StringComparison.Ordinal)));
         string[] words = [.. Blocks("sh").Single().Split().Select(word => word == "states.csv" ? _folder["states.csv"] : word)];
 
         CommandLineRun run = CommandLineRun.Of(

@@ -114,6 +114,30 @@ public class AnnotationRendererTests
         Assert.Equal(Background, image[size - 1, size - 1, 0]);
     }
 
+    /// <summary>Small letters are wider than in proportion to large ones.</summary>
+    [RequiresTheory(Part.Cairo)]
+    [InlineData(320)]
+    [InlineData(400)]
+    [InlineData(512)]
+    [InlineData(700)]
+    [InlineData(1024)]
+    [InlineData(1500)]
+    public void Write_Text_StaysInItsBox(int size)
+    {
+        FrameMetadata frame = ExampleFrame.OfSize(size, size);
+
+        PngPixels image = Annotate(frame, ExampleFrame.Sampler(frame, spacing: size + 1));
+
+        int boxWidth = Enumerable.Range(0, size).Count(x => image[x, 0, 0] < Background);
+        int boxHeight = Enumerable.Range(0, size).Count(y => image[0, y, 0] < Background);
+        (int X, int Y)[] letters =
+        [
+            .. from y in Enumerable.Range(0, size) from x in Enumerable.Range(0, size) where image[x, y, 0] > 100 select (x, y),
+        ];
+        Assert.InRange(letters.Max(pixel => pixel.X), boxWidth / 2, boxWidth - 2);
+        Assert.InRange(letters.Max(pixel => pixel.Y), boxHeight / 2, boxHeight - 2);
+    }
+
     [RequiresFact(Part.Cairo)]
     public void Write_Twice_GivesTheSameBytesWithoutTimeStamp()
     {
