@@ -31,8 +31,8 @@ public sealed class CameraOptionTests : IDisposable
     [RequiresFact(Part.Ldem4)]
     public void Run_CameraWithoutSize_TakesWidthAndHeight()
     {
-        string camera = _folder.Write("c.yaml", "focal-length-px: 1000\n");
-        string whole = _folder.Write("whole.yaml", "focal-length-px: 1000\nwidth: 400\nheight: 200\n");
+        string camera = _folder.Write("c.yaml", "focal-length-px: 50\n");
+        string whole = _folder.Write("whole.yaml", "focal-length-px: 50\nwidth: 400\nheight: 200\n");
 
         CommandLineRun run = CommandLineRun.Of([.. View, "--camera", camera, "--width", "400", "--height", "200"]);
 

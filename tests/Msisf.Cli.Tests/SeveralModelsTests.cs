@@ -35,11 +35,12 @@ public sealed class SeveralModelsTests : IDisposable
     [Fact]
     public void Run_OneModelByItsFile_HasTheResolutionOfTheFile()
     {
-        CommandLineRun run = Draw("a", "--ldem", Moon());
+        string moon = Moon();
+        CommandLineRun run = Draw("a", "--ldem", moon);
 
         Assert.True(run.ExitCode == 0, run.Error);
         Assert.Contains(" --res 2 ", File.ReadAllText(Path.Combine(_folder["out"], "a.xml")), StringComparison.Ordinal);
-        Assert.Contains("but 16 px/deg are asked for", Draw("b", "--ldem", Moon(), "--res", "16").Error, StringComparison.Ordinal);
+        Assert.Contains("but 16 px/deg are asked for", Draw("b", "--ldem", moon, "--res", "16").Error, StringComparison.Ordinal);
     }
 
     /// <summary>The order is no part of the content: a run with the same models in another order finds its image complete.</summary>

@@ -89,8 +89,10 @@ internal static class PatternsOptions
     public static WholeMoonSettings ReadWholeMoon(OptionValues values)
     {
         PatternOptions patterns = Margin.Named(() => new PatternOptions(Margin.Read(values), Format.Read(values)));
+        bool isDatabase = Source.Read(values);
         WholeMoonSettings settings = new(
-            ModelChoice.CylindricalResolutionOf(values), SurfaceOptions.Ldem.ReadIfGiven(values), Source.Read(values),
+            isDatabase ? SurfaceOptions.Resolution.Read(values) : ModelChoice.CylindricalResolutionOf(values),
+            SurfaceOptions.Ldem.ReadIfGiven(values), isDatabase,
             DefaultsFile.ReadIfGiven(values),
             PovOptions.PatternRepository.Read(values), patterns, RunOptions.Batch.Read(values));
         return settings switch

@@ -76,7 +76,10 @@ public class MetadataXmlWriterTests
     {
         string xml = Text(Frame(), spacing: 50);
 
-        Assert.StartsWith(PublishedHead, xml, StringComparison.Ordinal);
+        int grammar = xml.IndexOf(" [\n", StringComparison.Ordinal) + 3;
+        int end = xml.IndexOf("\n]>", StringComparison.Ordinal);
+        Assert.Equal(Declarations(), xml[grammar..end].Split('\n'));
+        Assert.StartsWith(PublishedHead, $"{xml[..(grammar - 3)]} [grammar]>{xml[(end + 3)..]}", StringComparison.Ordinal);
         Assert.Contains(PublishedInputs, xml, StringComparison.Ordinal);
         Assert.EndsWith("    </Pixel>\n  </PixelInformation>\n</MSISRendering>\n", xml, StringComparison.Ordinal);
         XElement first = MetaFileXml.Parse(xml).Descendants("Pixel").First();
@@ -88,6 +91,16 @@ public class MetadataXmlWriterTests
         Assert.InRange(Number(direction.Value), 280.850536814846401 - 1e-9, 280.850536814846401 + 1e-9);
         Assert.Equal("deg", direction.Attribute("unit")!.Value);
         Assert.Equal("yes", direction.Attribute("defined")!.Value); // the DTD's default
+    }
+
+    /// <summary>The lines of lib/MSISRendering.dtd without comments.</summary>
+    private static string[] Declarations()
+    {
+        string text = File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "lib", "MSISRendering.dtd"));
+        IEnumerable<string> parts = text.Split("<!--").Select(part => part[(part.IndexOf("-->", StringComparison.Ordinal) is var at and >= 0
+            ? at + 3
+            : 0)..]);
+        return string.Concat(parts).Split('\n', StringSplitOptions.RemoveEmptyEntries);
     }
 
     /// <summary>K, R and t of the file lead from each pixel's coordinates in the file back to the pixel.</summary>

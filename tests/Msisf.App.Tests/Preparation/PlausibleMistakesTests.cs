@@ -76,7 +76,9 @@ public sealed class PlausibleMistakesTests
     [InlineData(100_000.0, "centre; if 100000 m is a height, 1837400 m from the centre is meant.")]
     public void Inside_PositionInsideTheMoon_SaysWhatItLooksLike(double distance, string message) =>
         Assert.Contains(
-            message, PlausibleMistakes.Inside(new Vector3D(0.0, distance, 0.0), CelestialBody.Moon, camera: null), StringComparison.Ordinal);
+            message,
+            PlausibleMistakes.Inside(new Vector3D(0.0, distance, 0.0), CelestialBody.Moon, camera: null),
+            StringComparison.Ordinal);
 
     [Theory]
     [InlineData("--position 10,20,-5000", "The height is in metres over the sphere of 1737400 m; terrain+METRES counts from the")]

@@ -59,6 +59,26 @@ public sealed class BatchConvertTests : IDisposable
         Assert.Equal(StatesOf(mode.Split(' ')), BatchFileReader.Read(reader, "states", new SphereScene()));
     }
 
+    /// <summary>The pieces do not get the options that say how its numbers are meant.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Convert_BatchFileThatOptionsExplain_WritesItsStates()
+    {
+        string batch = _folder.Write(
+            "b.csv", "seconds,x_km,y_km,z_km,qw,qx,qy,qz,fuel\n0,2000,0,0,0.99999,0,0,0,7\n43200,0,2000,0,1,0,0,0,6\n");
+
+        CommandLineRun run = CommandLineRun.Of(
+            [
+                "batchconvert", "--format", "sh", "--script", _folder["b.sh"], "--pieces", "1", "--renderer", "native",
+                "--batch-file", batch, "--epoch", "55289", "--ignore-columns", "--normalize", .. ConvertedScript.Common,
+            ]);
+
+        Assert.True(run.ExitCode == 0, run.Error);
+        Assert.Contains($"'--batch-file={_folder["b.sh.states.tab"]}'", File.ReadAllText(_folder["b.sh"]), StringComparison.Ordinal);
+        Assert.Equal(
+            ["55289 2000000 0 0 0 0 0 1", "55289.5 0 2000000 0 0 0 0 1"],
+            File.ReadLines(_folder["b.sh.states.tab"]).Where(line => line[0] != '#'));
+    }
+
     [RequiresFact(Part.Ldem4)]
     public void Convert_Orbit_SaysInBothFilesWhichCallMadeThem()
     {
