@@ -4,7 +4,7 @@ namespace Msisf.Core.Errors;
 public abstract class MsisfException : Exception
 {
     /// <summary>Makes the failure.</summary>
-    /// <param name="exitCode">Exit code of the program (docs/command-line.md).</param>
+    /// <param name="exitCode">Exit code of the program (docs/command-line-rules.md).</param>
     /// <param name="message">One line: what, where, what to do.</param>
     /// <param name="inner">The foreign exception behind it, if there is one.</param>
     protected MsisfException(int exitCode, string message, Exception? inner)

@@ -18,7 +18,7 @@ public sealed class SphereCoverageTests
 
     /// <summary>
     /// 1, parts of the image: a grid of 32 x 32 is right to a thousandth, but for images fifty times as high as wide
-    /// (docs/command-line.md names it).
+    /// (docs/command-line-rules.md names it).
     /// </summary>
     private const double ShareTolerance = 3e-3;
 

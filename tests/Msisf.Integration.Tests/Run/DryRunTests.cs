@@ -16,7 +16,7 @@ public sealed class DryRunTests(ITestOutputHelper output) : IDisposable
 {
     /// <summary>
     /// Parts of the image: the Moon's relief, up to 10 km, moves the limb by 0.006 radii; the sphere's share itself is right to 0.003
-    /// (docs/command-line.md names the sum).
+    /// (docs/command-line-rules.md names the sum).
     /// </summary>
     private const double MoonTolerance = 0.01;
 

@@ -1,4 +1,4 @@
-// Batch files of states: pure functions. A line is MJD rx ry rz qx qy qz q0, as docs/command-line.md has it.
+// Batch files of states: pure functions. A line is MJD rx ry rz qx qy qz q0, as docs/command-line-rules.md has it.
 
 import { mjdOf } from './time.js';
 
