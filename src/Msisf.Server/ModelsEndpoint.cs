@@ -18,6 +18,8 @@ internal sealed class ModelsEndpoint(FrameService frames)
             model.Resolution.MetresPerPixel,
             Synthetic = model.IsSynthetic,
             WholeMoon = model.IsWholeMoon,
+            model.Path,
+            Ldem = model.Ldem.SingleOrDefault(),
         }),
         OneSurface = frames.Names.Models.OneSurface.Select(model => model.Name),
         AlbedoMaps = frames.Names.Maps.Where(name => !IsHapke(name)),

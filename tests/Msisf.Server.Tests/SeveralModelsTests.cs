@@ -120,6 +120,13 @@ public sealed class SeveralModelsTests(ServerOfSeveral server) : IClassFixture<S
             [("LDEM_2_SYNTHETIC", true), ("LDEM_80S_10000M_SYNTHETIC", false)],
             models.GetProperty("models").EnumerateArray().Select(
                 model => (model.GetProperty("name").GetString(), model.GetProperty("whole_moon").GetBoolean())));
+        foreach (string key in new[] { "path", "ldem" }) // both were given by --ldem
+        {
+            Assert.Equal(
+                [server.Moon, server.Map],
+                models.GetProperty("models").EnumerateArray().Select(model => model.GetProperty(key).GetString()));
+        }
+
         Assert.Equal(
             ["LDEM_2_SYNTHETIC", "LDEM_80S_10000M_SYNTHETIC"],
             models.GetProperty("one_surface").EnumerateArray().Select(name => name.GetString()));

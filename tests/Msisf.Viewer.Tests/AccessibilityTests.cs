@@ -1,5 +1,6 @@
 using Deque.AxeCore.Commons;
 using Deque.AxeCore.Playwright;
+using Microsoft.Playwright;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -10,6 +11,17 @@ namespace Msisf.Viewer.Tests;
 public class AccessibilityTests(Chromium chromium, ViewerServer server)
 {
     private const string Small = "samples=1&fit=false&width=96&height=64";
+
+    /// <summary>Two pins whose rows are as long as they can be: LDEM_1024, invented ground, half a Sun.</summary>
+    private const string LongestReadings = """
+        () => {
+            document.getElementById('readings').dataset.pins = 'AB';
+            const texts = { Height: '−9123.45 m, INVENTED', Light: 'penumbra, 53 % of the Sun', Facet: '184319, 368639 NE' };
+            for (const cell of document.querySelectorAll('#readings td[data-row]')) {
+                cell.textContent = texts[cell.dataset.row] ?? '358.184364° S';
+            }
+        }
+        """;
 
     [RequiresTheory(Part.Chromium, Part.Ldem4)]
     [InlineData(360, 640)]
@@ -24,18 +36,36 @@ public class AccessibilityTests(Chromium chromium, ViewerServer server)
         await viewer.Page.Locator("#scale").WaitForAsync();
 
         AssertNothingFound(await viewer.Page.RunAxe());
-        Assert.Equal(width, await viewer.Page.EvaluateAsync<int>("() => document.documentElement.scrollWidth"));
-        foreach (string part in new[] { "aside", "#settings", "#reading" })
+        await AssertFitsAsync(viewer.Page, width, height);
+        await viewer.Page.EvaluateAsync(LongestReadings);
+        await AssertFitsAsync(viewer.Page, width, height);
+        if (width > 3000)
         {
-            Assert.Equal(
-                await viewer.Page.EvaluateAsync<int>("part => document.querySelector(part).clientWidth", part),
-                await viewer.Page.EvaluateAsync<int>("part => document.querySelector(part).scrollWidth", part));
+            foreach ((int Width, int Height) desk in new[] { (1440, 900), (1920, 1080) })
+            {
+                await viewer.Page.SetViewportSizeAsync(desk.Width, desk.Height);
+                await AssertFitsAsync(viewer.Page, desk.Width, desk.Height);
+            }
         }
 
         if (width < 1000)
         {
             await viewer.Page.ClickAsync("#help-open"); // of one size in all windows
             AssertNothingFound(await viewer.Page.Locator("#help").RunAxe());
+        }
+    }
+
+    /// <summary>The page itself never scrolls, and nothing in the panel is cut off at its right.</summary>
+    private static async Task AssertFitsAsync(IPage page, int width, int height)
+    {
+        int[] all = await page.EvaluateAsync<int[]>(
+            "() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]");
+        Assert.Equal([width, height], all);
+        foreach (string part in new[] { "aside", "#settings", "#reading" })
+        {
+            int[] widths = await page.EvaluateAsync<int[]>(
+                "part => [document.querySelector(part).clientWidth, document.querySelector(part).scrollWidth]", part);
+            Assert.True(widths[0] == widths[1], $"{part} is {widths[1]} px wide in {widths[0]} of a window of {width} px");
         }
     }
 

@@ -125,6 +125,28 @@ public class GeometryTests(ModulePage page) : IClassFixture<ModulePage>
         Assert.Equal(JsonValueKind.Null, behind.ValueKind);
     }
 
+    /// <summary>From two radii the limb is 60 degrees from the point below.</summary>
+    [RequiresFact(Part.Chromium)]
+    public async Task SeenParts_EquatorFromTwoRadii_EndsAtTheLimb()
+    {
+        object camera = new { position = new[] { 2.0 * 1_737_400.0, 0.0, 0.0 } };
+        double[] longitudes = [.. Enumerable.Range(0, 515).Select(i => 0.7 * i)]; // none at 60 or 300, from the near side to the near side
+        double[][] equator = [.. longitudes.Select(angle => new[]
+        {
+            1_737_400.0 * Math.Cos(double.DegreesToRadians(angle)), 1_737_400.0 * Math.Sin(double.DegreesToRadians(angle)), 0.0,
+        })];
+
+        JsonElement parts = await page.CallAsync("geometry", "seenParts", camera, equator);
+
+        Assert.Equal(2, parts.GetArrayLength());
+        Assert.Equal(60.0, LongitudeOf(parts[0][parts[0].GetArrayLength() - 1]), 1e-3); // a straight line between points 0.7 degrees apart
+        Assert.Equal(-60.0, LongitudeOf(parts[1][0]), 1e-3);
+        Assert.Equal(60.0, (await page.CallAsync("geometry", "limbAngle", camera)).GetDouble(), AngleTolerance);
+
+        static double LongitudeOf(JsonElement point) =>
+            double.RadiansToDegrees(Math.Atan2(point[1].GetDouble(), point[0].GetDouble()));
+    }
+
     [RequiresFact(Part.Chromium)]
     public async Task SunAt_SunOverThePoleAndInTheEast_HasTheAnglesOfTheGlobe()
     {

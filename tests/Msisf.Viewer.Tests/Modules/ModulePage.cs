@@ -43,6 +43,13 @@ public sealed class ModulePage(Chromium chromium) : IAsyncLifetime
     public async Task<string?> ErrorOfAsync(string module, string name, params object[] parameters) =>
         (await AnswerAsync(module, name, parameters)).GetProperty("error").GetString();
 
+    /// <summary>The result of a script that imports modules by itself.</summary>
+    public async Task<T> EvaluateAsync<T>(string script)
+    {
+        _page ??= await OpenAsync();
+        return await _page.EvaluateAsync<T>(script);
+    }
+
     private async Task<JsonElement> AnswerAsync(string module, string name, object[] parameters)
     {
         _page ??= await OpenAsync();

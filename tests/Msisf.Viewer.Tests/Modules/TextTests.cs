@@ -72,6 +72,30 @@ public class TextTests(ModulePage page) : IClassFixture<ModulePage>
             text.GetString());
     }
 
+    [RequiresTheory(Part.Chromium)]
+    [InlineData(null, "--ldem 'my models/LDEM_4.LBL' --res 4")] // the server draws the coarsest model of the whole Moon
+    [InlineData("LDEM_64", "--res 64")] // one that msis finds by itself
+    [InlineData("LDEM_80S_80M+LDEM_64", "--ldem LDEM_80S_80M.LBL --ldem input/LDEM_64.LBL")]
+    public async Task CommandLine_ModelsOfTheServer_AreNamedWhereMsisNeedsIt(string? model, string ending)
+    {
+        object[] models =
+        [
+            new { name = "LDEM_80S_80M", whole_moon = false, path = "LDEM_80S_80M.LBL", ldem = "LDEM_80S_80M.LBL" },
+            new { name = "LDEM_4", whole_moon = true, pixels_per_degree = 4, path = "my models/LDEM_4.LBL", ldem = "my models/LDEM_4.LBL" },
+            new { name = "LDEM_64", whole_moon = true, pixels_per_degree = 64, path = "input/LDEM_64.LBL", ldem = (string?)null },
+        ];
+        Dictionary<string, object> frame = new() { ["fixed-state"] = new[] { 1, 2, 3, 0, 0, 0, 0, 1 } };
+        if (model is not null)
+        {
+            frame["model"] = model;
+        }
+
+        JsonElement text = await page.CallAsync("commands", "commandLine", frame, models);
+
+        string words = text.GetString()!;
+        Assert.Equal(ending, words[(words.IndexOf("}'", StringComparison.Ordinal) + 3)..]);
+    }
+
     [RequiresFact(Part.Chromium)]
     public async Task ColourOf_EndsOfTheScale_AreThoseOfViridis()
     {

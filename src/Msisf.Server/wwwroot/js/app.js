@@ -1,7 +1,8 @@
 // Wires the page: the state to the picture, the picture to the numbers.
 
-import { meetSphere, cameraOf, placeOf, rayThrough, sunAt } from './geometry.js';
+import { Address } from './address.js';
 import { Compare } from './compare.js';
+import { copy } from './copy.js';
 import { Frames } from './frames.js';
 import { LayerView } from './layer-view.js';
 import { Marks } from './marks.js';
@@ -14,26 +15,28 @@ import { Stage } from './stage.js';
 import { State } from './state.js';
 import { Sun } from './sun.js';
 import { TakeAway } from './takeaway.js';
-import { degrees, latitudeText, lengthText } from './text.js';
+import { lengthText } from './text.js';
 
 const $ = id => document.getElementById(id);
 
 const state = new State();
 let offers = { models: [] };
-state.fromText(location.hash.slice(1));
-
 let crosshair = null;
 let groundHeight = 0;
 
+/** Words about the address, which stay until something is changed; others go when the next picture is there. */
+let aboutAddress = null;
+
 const notice = words => {
-    $('notice').textContent = words ?? '';
-    $('notice').hidden = !words;
+    const text = words ?? aboutAddress;
+    $('notice').textContent = text ?? '';
+    $('notice').hidden = !text;
 };
 
 const stage = new Stage($('stage'), $('picture'), (width, height) => state.fitTo(width, height));
 const readings = new Readings($('readings'), $('between'), () => marks.draw());
 const sun = new Sun(() => {
-    showSun();
+    sun.showOver(state);
     marks.draw();
 });
 const picture = new Picture(stage, state, () => navigation.isMoving, {
@@ -48,6 +51,7 @@ const marks = new Marks(
     () => ({ shown: picture.shown, isAtRest: picture.isAtRest, sunPosition: sun.position, readings, crosshair }),
     notice);
 const panel = new Panel(state);
+const address = new Address(state, readings);
 const ask = async pixel => (await readPixels(picture.shown.frame, [pixel])).at(0);
 const reader = new Reader(
     ask,
@@ -78,7 +82,7 @@ function point(pixel) {
 }
 
 function atRest(frame) {
-    history.replaceState(null, '', `#${state.toText()}`);
+    address.write();
     layer.show(frame);
     point(crosshair ?? pointed);
     findGround();
@@ -97,19 +101,6 @@ async function findGround() {
     }
 }
 
-function showSun() {
-    const { view, size } = state;
-    const camera = cameraOf(view);
-    const middle = [(size.width + 1) / 2, (size.height + 1) / 2];
-    const centre = meetSphere(camera.position, rayThrough(camera, { ...size, fov: view.fov }, middle));
-    const over = centre && sun.position ? sunAt(centre, sun.position) : null;
-    $('sun-elevation').textContent = over ? degrees(over.elevation) : '–';
-    $('sun-azimuth').textContent = over ? degrees(over.azimuth) : '–';
-    $('sub-solar').textContent = sun.subsolar
-        ? `${latitudeText(sun.subsolar.latitude)}, ${degrees(sun.subsolar.longitude, 6)} E` : '–';
-    $('sun-elevation').title = centre ? `At ${latitudeText(placeOf(centre).latitude)}, ${degrees(placeOf(centre).longitude, 6)} E` : '';
-}
-
 /** Pins what is read; a click may come before its reading does. */
 async function pin() {
     const pixel = crosshair ?? pointed;
@@ -120,7 +111,13 @@ async function pin() {
     const isRead = here?.pixel.every((number, axis) => number === pixel[axis]);
     const reading = isRead ? here : await ask(pixel).catch(() => null);
     readings.pin(reading && { ...reading, pixel });
+    address.write();
     $('spoken').textContent = reading ? $('between').textContent : 'There is no Moon to pin here.';
+}
+
+function unpin() {
+    readings.unpin();
+    address.write();
 }
 
 function setCrosshair(pixel) {
@@ -147,7 +144,7 @@ function moveCrosshair([dx, dy]) {
 const KEYS = {
     c: toggleCrosshair,
     p: pin,
-    u: () => readings.unpin(),
+    u: unpin,
     n: () => $('north-up').click(),
     0: () => $('look-down').click(),
     l: () => layer.next(),
@@ -176,6 +173,7 @@ document.addEventListener('keydown', event => {
 });
 
 function show(isStored) {
+    aboutAddress = null;
     layer.hide();
     readings.set('here', null);
     if (!isStored) {
@@ -183,37 +181,43 @@ function show(isStored) {
     }
     panel.show();
     sun.at(state.view.mjd);
-    showSun();
+    sun.showOver(state);
     frames.onView();
 }
 
 stage.onPlaced = () => marks.draw();
 $('crosshair').addEventListener('click', toggleCrosshair);
 $('pin').addEventListener('click', pin);
-$('unpin').addEventListener('click', () => readings.unpin());
-$('readings-copy').addEventListener('click', () => navigator.clipboard.writeText(readings.json));
+$('unpin').addEventListener('click', unpin);
+$('readings-copy').addEventListener('click', () => copy(readings.json));
 $('help-open').addEventListener('click', () => $('help').showModal());
-window.addEventListener('hashchange', () => state.fromText(location.hash.slice(1)));
+window.addEventListener('hashchange', () => tellAboutAddress(readAddress()));
 
-/** What the page offers: each model of the whole Moon, and the maps of parts in the one around them as one surface. */
-function modelChoices({ models, one_surface: surface = [] }) {
-    const whole = models.filter(model => model.whole_moon).map(({ name, pixels_per_degree: resolution }) => (
-        { value: name, label: `${name} (${resolution} px/deg)` }));
-    return surface.length ? [...whole, { value: surface.join('+'), label: `${surface.join(' + ')} as one surface` }] : whole;
+function readAddress() {
+    const words = address.read(offers.models);
+    panel.anchorTime();
+    return words;
+}
+
+function tellAboutAddress(words) {
+    aboutAddress = words;
+    notice(null);
 }
 
 async function start() {
     offers = await getJson('/v1/models');
-    Panel.offer($('model'), modelChoices(offers));
+    Panel.offer($('model'), Panel.modelChoices(offers));
     Panel.offer($('reflectance'), (offers.reflectances ?? []).map(item => ({ value: item.name ?? item })));
     Panel.offer($('catalogue'), (offers.catalogues ?? []).map(({ name }) => ({ value: name })));
     await frames.offer();
+    const words = readAddress();
     state.onChange(show);
     if (location.hash.length < 2) {
         panel.wholeMoon();
     } else {
         state.draw({});
     }
+    tellAboutAddress(words);
 }
 
 start().catch(error => notice(error.message));

@@ -4,16 +4,21 @@ import { batchLine } from './batch.js';
 
 const quoted = text => (/^[\w.,:/+-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
 
-/** The command that draws a frame; models are {name, pixels_per_degree}. */
+/** The models that a frame is drawn from: as the server chooses them. */
+function modelsOf({ model, res }, models) {
+    const names = models.some(({ name }) => name === model) ? [model] : (model ?? '').split('+');
+    const [first] = models.filter(({ whole_moon: whole, pixels_per_degree }) => whole && pixels_per_degree === (res ?? pixels_per_degree));
+    return (model ? names.map(name => models.find(one => one.name === name)) : [first]).filter(Boolean);
+}
+
+/** The command that draws a frame; models are those of the server: {name, pixels_per_degree, whole_moon, path, ldem}. */
 export function commandLine(frame, models) {
     const { 'fixed-state': state, model, ...options } = frame;
-    const several = (model ?? '').split('+');
-    const used = models.find(({ name }) => name === model) ?? models[0];
-    const words = ['msis', '--renderer', 'native', '--fixed-state', `'{${state.map(String).join(',')}}'`];
-    if (several.length > 1) {
-        words.push(...several.flatMap(name => ['--ldem', quoted(`${name}.LBL`)])); // the page does not know the folders
-    }
-    for (const [name, value] of Object.entries({ ...options, ...(used && several.length < 2 && { res: used.pixels_per_degree }) })) {
+    const used = modelsOf(frame, models);
+    const paths = used.length > 1 ? used.map(({ path }) => path) : used.map(({ ldem }) => ldem).filter(Boolean);
+    const words = ['msis', '--renderer', 'native', '--fixed-state', `'{${state.map(String).join(',')}}'`,
+        ...paths.flatMap(path => ['--ldem', quoted(path)])];
+    for (const [name, value] of Object.entries({ ...options, ...(used.length === 1 && { res: used[0].pixels_per_degree }) })) {
         words.push(`--${name}`, quoted(String(value)));
     }
     return words.join(' ');

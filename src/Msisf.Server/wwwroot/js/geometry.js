@@ -154,6 +154,42 @@ export function meetSphere(origin, direction, radius = REFERENCE_RADIUS) {
 /** Whether the sphere through a point lets the camera see it. */
 export const isOnNearSide = (camera, point) => dot(subtract(camera.position, point), point) > 0;
 
+/** The angle from the point below the camera to the sphere's limb, as seen from the Moon's centre; null from within the sphere. */
+export function limbAngle({ position }) {
+    const distance = length(position);
+    const [least, most] = [distance - REFERENCE_RADIUS, distance + REFERENCE_RADIUS];
+    return least > 0 ? Math.atan2(Math.sqrt(least * most), REFERENCE_RADIUS) / DEGREE : null;
+}
+
+/**
+ * The parts of a line over the sphere that the camera sees; where the line goes over the limb, a part ends there.
+ * @param points so close to each other that between them the line is straight.
+ */
+export function seenParts({ position }, points) {
+    const facing = points.map(point => dot(subtract(position, point), point)); // above 0 on the near side, 0 on the limb
+    const parts = [];
+    let part = null;
+    for (const [index, point] of points.entries()) {
+        const isSeen = facing[index] > 0;
+        if (index > 0 && isSeen !== facing[index - 1] > 0) {
+            const way = facing[index - 1] / (facing[index - 1] - facing[index]);
+            const limb = combine([points[index - 1], 1 - way], [point, way]);
+            const onLimb = scale(limb, length(point) / length(limb));
+            if (isSeen) {
+                parts.push(part = [onLimb]);
+            } else {
+                part.push(onLimb);
+            }
+        } else if (isSeen && index === 0) {
+            parts.push(part = []);
+        }
+        if (isSeen) {
+            part.push(point);
+        }
+    }
+    return parts;
+}
+
 /** The Sun over the horizontal plane of a point: elevation, and azimuth clockwise from north (null in the zenith). */
 export function sunAt(point, sunPosition) {
     const { latitude, longitude } = placeOf(point);

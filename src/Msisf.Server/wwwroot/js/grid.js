@@ -68,6 +68,7 @@ export class Grid {
         for (const longitude of meridians) {
             this.overlay.line(between(south, north, 360).map(latitude => pointAt(latitude, longitude)), COLOUR);
         }
+        this.overlay.drawLimb(COLOUR);
         const decimals = Math.max(0, -Math.floor(Math.log10(step)));
         const [alongLatitude, alongLongitude] = [nearest(parallels, middle.latitude), nearest(meridians, middle.longitude)];
         for (const longitude of meridians.sort((a, b) => Math.abs(a - middle.longitude) - Math.abs(b - middle.longitude))) {
@@ -79,10 +80,10 @@ export class Grid {
         }
     }
 
-    /** The part of the sphere that the grid covers, degrees; longitudes count on from the middle's. */
+    /** The part of the sphere that the grid covers, degrees; longitudes count on from the middle's. It reaches to the limb. */
     #extent(step) {
-        const places = this.#seen;
-        const middle = places[Math.floor(places.length / 2)];
+        const middle = this.#seen[Math.floor(this.#seen.length / 2)];
+        const places = [...this.#seen, ...this.overlay.limbSeen().map(placeOf)];
         const latitudes = places.map(place => place.latitude);
         const [south, north] = step >= 15 ? [-90, 90]
             : [Math.max(Math.min(...latitudes) - step, -90), Math.min(Math.max(...latitudes) + step, 90)];

@@ -1,11 +1,16 @@
 // What is drawn over the picture: terminator, craters, the light's arrow, pins, the crosshair.
 
-import { cameraOf, circleAround, focalLength, isOnNearSide, pointAt, project, scale, combine, REFERENCE_RADIUS } from './geometry.js';
+import {
+    cameraOf, circleAround, combine, focalLength, isOnNearSide, limbAngle, pointAt, project, scale, seenParts, REFERENCE_RADIUS,
+} from './geometry.js';
 import { fixed } from './text.js';
 
 const COLOURS = {
     terminator: '#ffb347', crater: '#b6f09c', arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff',
 };
+
+/** Points of the limb: between two it is at most 0.7 m off the circle. */
+const LIMB_POINTS = 3600;
 
 export class Overlay {
     /** @param canvas covers the picture; @param view and size say what camera the picture is of. */
@@ -35,17 +40,44 @@ export class Overlay {
         return [(x - 0.5) * this.unit, (y - 0.5) * this.unit];
     }
 
+    /** Draws the part of a line over the sphere that the camera sees. */
     line(points, colour, dash = []) {
+        this.#stroke(seenParts(this.camera, points), colour, dash);
+    }
+
+    /** Draws the sphere's limb: what ends there does not stand out into the sky. */
+    drawLimb(colour) {
+        this.#stroke([this.#limb()], colour);
+    }
+
+    /** The points of the limb that are in the picture. */
+    limbSeen() {
+        const { width, height } = this.lens;
+        return this.#limb().filter(point => {
+            const [x, y] = project(this.camera, this.lens, point) ?? [0, 0];
+            return x > 0 && y > 0 && x <= width && y <= height;
+        });
+    }
+
+    #limb() {
+        const angle = limbAngle(this.camera);
+        return angle === null ? []
+            : circleAround(this.camera.position, angle, LIMB_POINTS).map(point => scale(point, REFERENCE_RADIUS));
+    }
+
+    #stroke(parts, colour, dash = []) {
         const path = new Path2D();
-        let isDown = false;
         const limit = 4 * Math.max(this.canvas.width, this.canvas.height);
-        for (const point of points) {
-            const place = this.at(point);
-            if (place && Math.abs(place[0]) < limit && Math.abs(place[1]) < limit) {
-                path[isDown ? 'lineTo' : 'moveTo'](...place);
-                isDown = true;
-            } else {
-                isDown = false;
+        for (const part of parts) {
+            let isDown = false;
+            for (const point of part) {
+                const pixel = project(this.camera, this.lens, point);
+                const place = pixel && this.of(pixel);
+                const isNear = place !== null && Math.abs(place[0]) < limit && Math.abs(place[1]) < limit;
+                if (isNear) {
+                    path[isDown ? 'lineTo' : 'moveTo'](...place);
+                }
+                isDown = isNear;
             }
         }
         this.context.strokeStyle = colour;

@@ -24,7 +24,9 @@ export class Panel {
                 const number = event.target.valueAsNumber;
                 if (Number.isFinite(number) && event.target.validity.valid) {
                     state.look({ [name]: number * unit });
-                    this.#anchorTime(name === 'mjd');
+                    if (name === 'mjd') {
+                        this.anchorTime();
+                    }
                 }
             });
         }
@@ -32,7 +34,7 @@ export class Panel {
             const mjd = mjdOf(event.target.value);
             if (mjd !== null) {
                 state.look({ mjd });
-                this.#anchorTime(true);
+                this.anchorTime();
             }
         });
         $('time-slider').addEventListener('input', event => state.look({ mjd: this.#anchor + event.target.valueAsNumber }));
@@ -70,13 +72,22 @@ export class Panel {
 
     stepTime(days) {
         this.state.look({ mjd: this.state.view.mjd + days });
-        this.#anchorTime(Math.abs(this.state.view.mjd - this.#anchor) > 15);
+        if (Math.abs(this.state.view.mjd - this.#anchor) > 15) {
+            this.anchorTime();
+        }
     }
 
     /** Offers the names of a list in a field of choices, the one chosen first or by its value. */
     static offer(select, options, chosen) {
         select.append(...options.map(({ value, label }) => new Option(label ?? value, value)));
         select.value = chosen ?? select.options[0]?.value ?? '';
+    }
+
+    /** What the page offers: each model of the whole Moon, and the maps of parts in the one around them as one surface. */
+    static modelChoices({ models, one_surface: surface = [] }) {
+        const whole = models.filter(model => model.whole_moon).map(({ name, pixels_per_degree: resolution }) => (
+            { value: name, label: `${name} (${resolution} px/deg)` }));
+        return surface.length ? [...whole, { value: surface.join('+'), label: `${surface.join(' + ')} as one surface` }] : whole;
     }
 
     /** Writes the state into the fields; the one that is being typed in is left alone. */
@@ -109,10 +120,9 @@ export class Panel {
         $('refine-note').hidden = !picture.refine;
     }
 
-    #anchorTime(isNew) {
-        if (isNew) {
-            this.#anchor = this.state.view.mjd;
-            this.show();
-        }
+    /** Makes the time the middle of the slider's half months. */
+    anchorTime() {
+        this.#anchor = this.state.view.mjd;
+        this.show();
     }
 }

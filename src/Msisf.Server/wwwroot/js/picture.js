@@ -107,6 +107,7 @@ export class Picture {
             }
         } catch (error) {
             if (!signal.aborted) {
+                this.hooks.onStatus('Not drawn.');
                 this.hooks.onNotice(error.message);
             }
         }

@@ -82,7 +82,17 @@ export class Readings {
     }
 
     unpin() {
-        Object.assign(this.#read, { A: null, B: null });
+        this.pins = {};
+    }
+
+    /** The readings of both pins, A and B; null where there is none. */
+    get pins() {
+        const { A, B } = this.#read;
+        return { A, B };
+    }
+
+    set pins({ A = null, B = null }) {
+        Object.assign(this.#read, { A, B });
         this.#write();
         this.onChange();
     }

@@ -21,7 +21,34 @@ const DEFAULT_PICTURE = { ...FIRST_PICTURE, fit: false, samples: 1 };
 /** Samples that the page offers; as others a frame of a folder is drawn anew with those that are chosen. */
 const SAMPLES = [1, 4, 9, 16, 25];
 
+/** Least and greatest numbers of the view. */
 const LIMITS = { latitude: [-90, 90], altitude: [-9000, 1e9], tilt: [0, 180], fov: [0.01, 175], mjd: [15021, 69805] };
+
+/** Least and greatest whole numbers of the picture. */
+const WHOLE_LIMITS = { width: [1, 16384], height: [1, 16384], seed: [0, Number.MAX_SAFE_INTEGER] };
+
+const isWithin = (number, [least, most] = [-Infinity, Infinity]) => Number.isFinite(number) && number >= least && number <= most;
+
+/** What the address may hold of the picture. A law of reflectance may have parameters; only the server can tell which. */
+const CHECKS = {
+    samples: text => SAMPLES.includes(Number(text)),
+    shading: text => ['facet', 'smooth'].includes(text),
+    sun: text => ['point', 'disc'].includes(text),
+    fit: text => ['true', 'false'].includes(text),
+    refine: text => ['true', 'false'].includes(text),
+    model: (text, models) => models.some(({ name, whole_moon: whole }) => name === text && whole)
+        || (text.includes('+') && text.split('+').every(part => models.some(({ name }) => name === part))),
+    reflectance: () => true,
+};
+
+/** The value that a text of the address has; undefined where it has none. */
+function readValue(name, text, first, models) {
+    const number = text.trim() === '' ? NaN : Number(text);
+    const isUsable = CHECKS[name] ? CHECKS[name](text, models)
+        : name in WHOLE_LIMITS ? Number.isInteger(number) && isWithin(number, WHOLE_LIMITS[name])
+        : isWithin(number, LIMITS[name]);
+    return !isUsable ? undefined : typeof first === 'number' ? number : typeof first === 'boolean' ? text === 'true' : text;
+}
 
 export class State {
     #listeners = [];
@@ -151,15 +178,21 @@ export class State {
         return parameters.toString();
     }
 
-    /** Takes over what toText wrote; what is no number stays as it is. */
-    fromText(text) {
-        const parameters = new URLSearchParams(text);
-        const read = first => Object.fromEntries([...parameters]
-            .filter(([name, value]) => name in first && (typeof first[name] !== 'number' || Number.isFinite(Number(value))))
-            .map(([name, value]) => [name, typeof first[name] === 'number' ? Number(value)
-                : typeof first[name] === 'boolean' ? value === 'true' : value]));
-        this.picture = { ...FIRST_PICTURE, ...read(FIRST_PICTURE) };
-        this.look({ ...FIRST_VIEW, ...read(FIRST_VIEW) });
+    /** Takes over what toText wrote, as URLSearchParams. @returns names and texts of what cannot be used: that is as at first. */
+    fromText(parameters, models) {
+        const [view, picture, unused] = [{ ...FIRST_VIEW }, { ...FIRST_PICTURE }, []];
+        for (const [name, text] of parameters) {
+            const values = [view, picture].find(group => Object.hasOwn(group, name));
+            const value = values && readValue(name, text, values[name], models);
+            if (value === undefined) {
+                unused.push([name, text]);
+            } else {
+                values[name] = value;
+            }
+        }
+        this.picture = picture;
+        this.look(view);
+        return unused;
     }
 
     #tell(isStored) {

@@ -15,6 +15,7 @@ export class ImageStream {
         this.next = null;
         this.isDrawing = false;
         this.isReady = false;
+        this.isRefused = false;
         this.key = null;
     }
 
@@ -43,6 +44,7 @@ export class ImageStream {
         this.socket?.close();
         this.key = key;
         this.isReady = false;
+        this.isRefused = false;
         this.isDrawing = false;
         const socket = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/v1/stream`);
         socket.binaryType = 'arraybuffer';
@@ -59,6 +61,7 @@ export class ImageStream {
             const words = answer.error ?? answer.detail;
             if (words !== undefined) {
                 this.isDrawing = false;
+                this.isRefused = !this.isReady;
                 this.onProblem(words);
             }
         } else {
@@ -94,6 +97,10 @@ export class ImageStream {
     #lost(event) {
         this.socket = null;
         this.key = null;
+        if (this.isRefused) {
+            this.next = null; // the server has said why; it would say it again
+            return;
+        }
         this.onProblem(event.reason || 'The connection to msis is lost; trying again.');
         setTimeout(() => {
             if (!this.socket && this.next) {

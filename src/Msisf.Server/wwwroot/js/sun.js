@@ -1,7 +1,10 @@
 // Where the Sun is, as the server computes it, for the time that is looked at.
 
-import { scale } from './geometry.js';
+import { cameraOf, meetSphere, placeOf, rayThrough, scale, sunAt } from './geometry.js';
 import { getJson } from './server.js';
+import { degrees, latitudeText } from './text.js';
+
+const $ = id => document.getElementById(id);
 
 export class Sun {
     #mjd = null;
@@ -30,5 +33,18 @@ export class Sun {
             this.onChange();
         }
         this.#isAsking = false;
+    }
+
+    /** Shows where the Sun stands over the ground in the middle of the picture. */
+    showOver({ view, size }) {
+        const camera = cameraOf(view);
+        const middle = [(size.width + 1) / 2, (size.height + 1) / 2];
+        const centre = meetSphere(camera.position, rayThrough(camera, { ...size, fov: view.fov }, middle));
+        const over = centre && this.position ? sunAt(centre, this.position) : null;
+        const placeText = ({ latitude, longitude }) => `${latitudeText(latitude)}, ${degrees(longitude, 6)} E`;
+        $('sun-elevation').textContent = over ? degrees(over.elevation) : '–';
+        $('sun-azimuth').textContent = over ? degrees(over.azimuth) : '–';
+        $('sun-elevation').title = centre ? `At ${placeText(placeOf(centre))}` : '';
+        $('sub-solar').textContent = this.subsolar ? placeText(this.subsolar) : '–';
     }
 }

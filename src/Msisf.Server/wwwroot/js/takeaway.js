@@ -1,6 +1,7 @@
 // What one takes along: texts to copy, files to save.
 
 import { batchLineOf, commandLine, python } from './commands.js';
+import { copy } from './copy.js';
 import { LAYERS } from './layers.js';
 import { renderFile } from './server.js';
 
@@ -19,21 +20,14 @@ export class TakeAway {
     /** @param frame answers the frame that is looked at, @param models the server's models. */
     constructor(frame, models, onProblem) {
         Object.assign(this, { frame, models, onProblem });
-        $('copy-command').addEventListener('click', () => this.#copy(commandLine(frame(), models())));
-        $('copy-batch').addEventListener('click', () => this.#copy(batchLineOf(frame())));
-        $('copy-python').addEventListener('click', () => this.#copy(python(frame(), location.origin)));
+        $('copy-command').addEventListener('click', () => copy(commandLine(frame(), models())));
+        $('copy-batch').addEventListener('click', () => copy(batchLineOf(frame())));
+        $('copy-python').addEventListener('click', () => copy(python(frame(), location.origin)));
         $('save-image').addEventListener('click', event => this.#save(event.target, {}, 'image/png', 'moon.png'));
         $('save-meta').addEventListener('click', event => this.#save(
             event.target, { surface: 'terrain', samples: 1 }, 'application/xml', 'moon.xml'));
         $('save-layers').addEventListener('click', event => this.#save(
             event.target, { layers: Object.keys(LAYERS), samples: 1 }, 'application/fits', 'moon.fits'));
-    }
-
-    #copy(text) {
-        $('copied').value = text;
-        navigator.clipboard?.writeText(text).then(
-            () => $('status').textContent = 'Copied.',
-            () => $('copied').select());
     }
 
     async #save(button, more, kind, name) {
