@@ -15,26 +15,9 @@ fingerprint_of_sources() (
         LC_ALL=C sort -z | xargs -0 cksum | cksum
 )
 
-# add_mysql_connector FOLDER: puts the package MySqlConnector beside the program in FOLDER. Not every registry has it.
-add_mysql_connector() {
-    local files=$root/obj/mysql-$$
-    if MSBUILDDISABLENODEREUSE=1 dotnet publish src/Msisf.MySql.Package -c Release -o "$files" -v quiet -nologo >/dev/null 2>&1 &&
-        [ -e "$files/MySqlConnector.dll" ]; then
-        rm -rf "$1/mysql"
-        mv "$files" "$1/mysql"
-    else
-        rm -rf "$files"
-        return 1
-    fi
-}
-
 fingerprint=$(fingerprint_of_sources)
 if [ -x publish/msis ] && [ "$(cat publish/sources 2>/dev/null)" = "$fingerprint" ]; then
     say 'The program is up to date.'
-    # Made where the package was not to be had, it gets it as soon as there is one: that takes no build.
-    if [ ! -e publish/mysql/MySqlConnector.dll ] && find_dotnet && add_mysql_connector publish; then
-        say 'MySqlConnector has become available: msis patterns --source mysql works now.'
-    fi
     exit 0
 fi
 
@@ -64,8 +47,6 @@ dotnet publish src/Msisf.Cli -c Release -p:RunAnalyzers=false "${target[@]}" -o 
 # In a folder of its own, with libraries of its own: those of msis fit the .NET that it brings along, and the server runs on that of the machine.
 dotnet publish src/Msisf.Server -c Release -p:RunAnalyzers=false -p:PublishReadyToRun=false "${target[@]:0:2}" -o "$fresh/server" -v quiet -nologo ||
     die 'the build of the server failed; the messages above say why. publish/ is as it was.'
-add_mysql_connector "$fresh" ||
-    say 'The package MySqlConnector is not to be had here: msis patterns --source mysql is left out (scripts/generate_pattern.php is not).'
 printf '%s\n' "$fingerprint" >"$fresh/sources"
 printf '%s\n' "$DOTNET_ROOT" >"$fresh/dotnet-root"
 

@@ -1,5 +1,6 @@
 using System.Data.Common;
 using Msisf.Core.Errors;
+using MySqlConnector;
 
 namespace Msisf.MySql;
 
@@ -12,16 +13,16 @@ public sealed class Database : IDisposable
     /// </summary>
     internal static readonly TimeSpan CancelPatience = TimeSpan.FromSeconds(2);
 
-    private readonly DbDataSource _source;
+    private readonly MySqlDataSource _source;
     private readonly string _server;
     private readonly CancellationToken _cancellation;
     private volatile bool _isAbandoned;
 
-    /// <summary>Creates a database from connections of any provider.</summary>
+    /// <summary>Creates a database from a source of connections.</summary>
     /// <param name="source">Source of connections; disposed with this object.</param>
     /// <param name="server">Name of the server, for messages.</param>
     /// <param name="cancellation">Cancels queries.</param>
-    internal Database(DbDataSource source, string server, CancellationToken cancellation)
+    internal Database(MySqlDataSource source, string server, CancellationToken cancellation)
     {
         _source = source;
         _server = server;
@@ -30,15 +31,13 @@ public sealed class Database : IDisposable
 
     /// <summary>Prepares the database; no connection is opened yet.</summary>
     /// <param name="settings">Server, user and encryption.</param>
-    /// <param name="folder">Folder of the package MySqlConnector.</param>
     /// <param name="cancellation">Cancels queries, at the latest after 2 s.</param>
-    /// <exception cref="ExternalPartException">This build does not contain the package, or the server's socket is missing.</exception>
-    public static Database Open(DatabaseSettings settings, string folder, CancellationToken cancellation)
+    /// <exception cref="ExternalPartException">The server's socket is missing.</exception>
+    public static Database Open(DatabaseSettings settings, CancellationToken cancellation)
     {
-        DbProviderFactory provider = MySqlProvider.Load(folder);
         try
         {
-            return new Database(provider.CreateDataSource(MySqlProvider.ConnectionString(settings)), settings.Server, cancellation);
+            return new Database(new MySqlDataSource(ConnectionText.Of(settings)), settings.Server, cancellation);
         }
         catch (Exception exception)
         {
@@ -85,15 +84,12 @@ public sealed class Database : IDisposable
     {
         try
         {
-            using DbConnection connection = _source.OpenConnection();
-            using DbCommand command = connection.CreateCommand();
+            using MySqlConnection connection = _source.OpenConnection();
+            using MySqlCommand command = connection.CreateCommand();
             command.CommandText = sql;
             foreach ((string name, object value) in values)
             {
-                DbParameter parameter = command.CreateParameter();
-                parameter.ParameterName = name;
-                parameter.Value = value;
-                command.Parameters.Add(parameter);
+                command.Parameters.AddWithValue(name, value);
             }
 
             stop.ThrowIfCancellationRequested();

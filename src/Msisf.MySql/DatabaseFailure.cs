@@ -1,6 +1,7 @@
 using System.Data.Common;
 using System.Security.Authentication;
 using Msisf.Core.Errors;
+using MySqlConnector;
 
 namespace Msisf.MySql;
 
@@ -31,25 +32,10 @@ internal static class DatabaseFailure
     /// <param name="server">Name of the server, for messages.</param>
     public static ExternalPartException Of(Exception exception, string server)
     {
-        if (exception is BadImageFormatException or FileLoadException or FileNotFoundException
-            or TypeLoadException or TypeInitializationException or MissingMemberException)
-        {
-            return OfProvider(exception, "MySqlConnector");
-        }
-
-        int number = exception.Data["Server Error Code"] is int code and > 0 ? code : 0; // of MySqlException; others are the provider's own
+        int number = exception is MySqlException { Number: > 0 and int code } ? code : 0; // others are the provider's own
         string shown = number > 0 ? $" (error {number})" : string.Empty;
         return new ExternalPartException($"database {server}: {What(exception)}{shown}. {AdviceFor(exception, number)}", exception);
     }
-
-    /// <summary>Makes the error for files of the provider that are damaged or incompatible.</summary>
-    /// <param name="exception">Exception of the loading.</param>
-    /// <param name="part">Name of the part to load, for the message.</param>
-    public static ExternalPartException OfProvider(Exception exception, string part) =>
-        new(
-            $"{part}: can't be loaded: {What(exception)}. Its files beside msis are damaged or do not fit: "
-                + $"remove publish/ and run scripts/build.sh.",
-            exception);
 
     /// <summary>The exception's message and that of its innermost cause, on one line, without a full stop.</summary>
     private static string What(Exception exception)
@@ -63,12 +49,12 @@ internal static class DatabaseFailure
 
     private static string AdviceFor(Exception exception, int number)
     {
-        if (Advice.TryGetValue(number, out string? advice))
+        Exception cause = exception.GetBaseException();
+        if (cause is not AuthenticationException && Advice.TryGetValue(number, out string? advice)) // to the provider it is a 1042, too
         {
             return advice;
         }
 
-        Exception cause = exception.GetBaseException();
         return cause switch
         {
             AuthenticationException => "Does the server's certificate come from the authority in ssl-ca, and does it name the host?",

@@ -1,7 +1,7 @@
-using System.Data.Common;
 using System.Text.Json;
 using Msisf.Core.Errors;
 using Msisf.TestSupport;
+using MySqlConnector;
 using Xunit;
 
 namespace Msisf.MySql.Tests;
@@ -82,28 +82,29 @@ public sealed class DatabaseSettingsTests : IDisposable
     [Fact]
     public void ConnectionString_AnyValue_IsQuoted()
     {
-        DbConnectionStringBuilder parts = ConnectionString(
+        MySqlConnectionStringBuilder parts = ConnectionString(
             "user=\"reader;Server=elsewhere\"", "password=\"a;b'\\\"c\"", "socket=/run/my.sock");
 
-        Assert.Equal("reader;Server=elsewhere", parts["User ID"]);
-        Assert.Equal("a;b'\"c", parts["Password"]);
-        Assert.Equal(("/run/my.sock", "Unix", "msisf"), (parts["Server"], parts["Connection Protocol"], parts["Database"]));
-        Assert.Equal(("false", "30"), (parts["Connection Reset"], parts["Connection Idle Ping Time"]));
-        Assert.False(parts.ContainsKey("SSL Mode"));
+        Assert.Equal("reader;Server=elsewhere", parts.UserID);
+        Assert.Equal("a;b'\"c", parts.Password);
+        Assert.Equal(
+            ("/run/my.sock", MySqlConnectionProtocol.UnixSocket, "msisf"), (parts.Server, parts.ConnectionProtocol, parts.Database));
+        Assert.False(parts.ConnectionReset);
+        Assert.Equal(MySqlSslMode.Preferred, parts.SslMode);
     }
 
     [Theory]
-    [InlineData("ssl-mode=DISABLED", "None", false)]
-    [InlineData("ssl-mode=REQUIRED", "Required", false)]
-    [InlineData("ssl-mode=VERIFY_IDENTITY", "VerifyFull", false)]
-    [InlineData("ssl-ca={folder}/ca.pem", "VerifyFull", true)]
-    public void ConnectionString_Tls_IsWhatTheProviderCallsIt(string option, string mode, bool hasAuthority)
+    [InlineData("ssl-mode=DISABLED", MySqlSslMode.Disabled, false)]
+    [InlineData("ssl-mode=REQUIRED", MySqlSslMode.Required, false)]
+    [InlineData("ssl-mode=VERIFY_IDENTITY", MySqlSslMode.VerifyFull, false)]
+    [InlineData("ssl-ca={folder}/ca.pem", MySqlSslMode.VerifyFull, true)]
+    public void ConnectionString_Tls_IsWhatTheProviderCallsIt(string option, MySqlSslMode mode, bool hasAuthority)
     {
-        DbConnectionStringBuilder parts = ConnectionString("user=me", "host=db", "port=3307", option);
+        MySqlConnectionStringBuilder parts = ConnectionString("user=me", "host=db", "port=3307", option);
 
-        Assert.Equal(("db", "3307", mode), (parts["Server"], parts["Port"], parts["SSL Mode"]));
-        Assert.Equal(hasAuthority ? _folder["ca.pem"] : null, parts.TryGetValue("SslCa", out object? file) ? file : null);
-        Assert.False(parts.ContainsKey("Connection Protocol"));
+        Assert.Equal(("db", 3307u, mode), (parts.Server, parts.Port, parts.SslMode));
+        Assert.Equal(hasAuthority ? _folder["ca.pem"] : string.Empty, parts.SslCa);
+        Assert.Equal(MySqlConnectionProtocol.Socket, parts.ConnectionProtocol);
     }
 
     private DatabaseSettings Read(string name)
@@ -117,11 +118,11 @@ public sealed class DatabaseSettingsTests : IDisposable
                 && variables.TryGetProperty(variable, out JsonElement value) ? InFolder(value.GetString()!) : null);
     }
 
-    private DbConnectionStringBuilder ConnectionString(params string[] options)
+    private MySqlConnectionStringBuilder ConnectionString(params string[] options)
     {
         _folder.Write("ca.pem", string.Empty);
         string file = OptionFile(["[client]", .. options.Select(InFolder)]);
-        return new() { ConnectionString = MySqlProvider.ConnectionString(DatabaseSettings.Read(file, _ => null)) };
+        return new(ConnectionText.Of(DatabaseSettings.Read(file, _ => null)));
     }
 
     private string InFolder(string text) => text.Replace("{folder}", _folder.Path, StringComparison.Ordinal);

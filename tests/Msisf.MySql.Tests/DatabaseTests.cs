@@ -1,7 +1,7 @@
-using System.Data;
 using System.Diagnostics;
+using System.Net;
 using System.Net.Sockets;
-using System.Security.Authentication;
+using System.Text;
 using Msisf.Core.Errors;
 using Msisf.TestSupport;
 using MySqlConnector;
@@ -9,223 +9,209 @@ using Xunit;
 
 namespace Msisf.MySql.Tests;
 
-/// <summary>Whatever a provider throws is one line and exit code 3; a provider that blocks does not keep the program.</summary>
-public sealed class DatabaseTests : IDisposable
+/// <summary>However a server fails, the error is one line with exit code 3; a server that hangs does not keep the program.</summary>
+[Collection(PrivateServer.Collection)]
+public class DatabaseTests(PrivateServer server)
 {
-    private const string GoesOn =
-        "The connection broke off: restart the server if it is down, and run this again; finished patterns are kept.";
-    private const string Foreign = "Is it a MySQL or MariaDB server that answers there? Check host and port.";
+    private const string LongQuery = "SELECT SLEEP(60)";
+    private const string Connecting = "Is the server running, and are host, port or socket right?";
+    private const double Seconds = 30.0; // far above what any step takes, and below the sleep of the query
 
-    /// <summary>Beside the limit itself, for two busy cores.</summary>
-    private static readonly TimeSpan Slack = TimeSpan.FromSeconds(2);
-
-    private readonly TemporaryFolder _folder = new();
-
-    public static TheoryData<string, string> Failures => new()
+    [RequiresTheory(Part.MariaDb)]
+    [InlineData("PASSWORD", "wrong", "Access denied for user 'reader'@'127.0.0.1' (using password: YES) (error 1045). "
+        + "Check user and password in the option file or in MSISF_DB_USER and MSISF_DB_PASSWORD.")]
+    [InlineData("DATABASE", "nowhere", "Unknown database 'nowhere' (error 1049). "
+        + "Make it with scripts/ldem_mysql_insert.php --create, as a user who may.")]
+    [InlineData("DATABASE", "mysql", "Table 'mysql.ldem_import' doesn't exist (error 1146). "
+        + "Import the elevation model first (scripts/ldem_mysql_insert.php).")]
+    public void Query_RefusedByTheServer_SaysWhyAndWhatToDo(string option, string value, string message)
     {
-        { "refused", "Unable to connect to any of the specified MySQL hosts: Connection refused (error 1042). "
-            + "Is the server running, and are host, port or socket right?" },
-        { "password", "Access denied for user 'x'@'y' (using password: YES) (error 1045). "
-            + "Check user and password in the option file or in MSISF_DB_USER and MSISF_DB_PASSWORD." },
-        {
-            "table",
-            "Table 'msisf.ldem_import' doesn't exist (error 1146). Import the elevation model first (scripts/ldem_mysql_insert.php)."
-        },
-        { "other error", "Something else (error 1234). The server's documentation explains the number." },
-        { "time limit", "The Command Timeout expired before the operation completed. "
-            + "Is the server running, and are host, port or socket right?" },
-        { "certificate", "SSL Authentication Error: The remote certificate was rejected. "
-            + "Does the server's certificate come from the authority in ssl-ca, and does it name the host?" },
-        { "socket", $"Broken pipe. {GoesOn}" },
-        { "end of stream", $"An incomplete response was received from the server. {GoesOn}" },
-        { "within an error", $"Failed to read the result set: Connection reset by peer. {GoesOn}" },
-        { "protocol", $"Packet received out-of-order. Expected 0; got 72. {Foreign}" },
-        { "format", $"The input string 'x' was not in a correct format. {Foreign}" },
-        { "index", $"Index was outside the bounds of the array. {Foreign}" },
-        { "cancelled by the provider", $"A task was canceled. {Foreign}" },
-    };
+        Assert.Equal($"database 127.0.0.1:{server.Port}: {message}", ErrorOf(server.NetworkSettings((option, value))));
+    }
 
-    public void Dispose() => _folder.Dispose();
-
-    [Theory]
-    [MemberData(nameof(Failures))]
-    public void Query_AnyFailureOfTheProvider_IsOneLineThatNamesTheServer(string failure, string message)
+    [RequiresFact(Part.MariaDb)]
+    public void Query_CertificateOfAnotherAuthority_IsNotBelieved()
     {
-        FakeDataSource atQuery = new((_, _) => throw Failure(failure));
-        FakeDataSource atOpening = new((_, _) => new DataTable()) { Opening = () => throw Failure(failure) };
+        string message = ErrorOf(server.NetworkSettings(("SSL_CA", server.OtherAuthorityFile)));
 
-        foreach (FakeDataSource source in (FakeDataSource[])[atQuery, atOpening])
+        Assert.Contains("RemoteCertificateChainErrors", message, StringComparison.Ordinal);
+        Assert.EndsWith(
+            ". Does the server's certificate come from the authority in ssl-ca, and does it name the host?",
+            message, StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.MariaDb)]
+    public void Query_VerifiedServer_IsReadEncrypted()
+    {
+        using Database database = Database.Open(server.NetworkSettings(("SSL_CA", server.AuthorityFile)), default);
+
+        string cipher = database.Query("SHOW STATUS LIKE 'Ssl_cipher'", [], reader => reader.Read() ? reader.GetString(1) : string.Empty);
+
+        Assert.NotEmpty(cipher);
+    }
+
+    [RequiresFact(Part.MariaDb)]
+    public void Query_WithoutRights_SaysSo()
+    {
+        server.Execute("CREATE OR REPLACE USER nobody@'127.0.0.1'");
+
+        Assert.Equal(
+            $"database 127.0.0.1:{server.Port}: Access denied for user 'nobody'@'127.0.0.1' to database 'mysql' (error 1044). "
+                + "The user lacks rights; docs/database.md lists those that are needed.",
+            ErrorOf(server.NetworkSettings(("USER", "nobody"), ("PASSWORD", string.Empty), ("DATABASE", "mysql"))));
+    }
+
+    [RequiresFact(Part.MariaDb)]
+    public void Query_OtherError_HasItsNumber()
+    {
+        using Database database = Database.Open(server.Settings("mysql"), default);
+
+        string message = Assert.Throws<ExternalPartException>(() => database.Query("SELECT 1 +", [], _ => 0)).Message;
+
+        Assert.EndsWith("(error 1064). The server's documentation explains the number.", message, StringComparison.Ordinal);
+        Assert.DoesNotContain('\n', message);
+    }
+
+    [RequiresFact(Part.MariaDb)]
+    public void Query_OurOwnError_StaysWhatItIsAndGivesTheConnectionBack()
+    {
+        using Database database = OneConnection("");
+
+        for (int i = 0; i < 2; i++) // the second one would wait in vain for the only connection
         {
-            using Database database = new(source, "db.example:3307", CancellationToken.None);
-            ExternalPartException exception = Assert.Throws<ExternalPartException>(() => LdemTableGrid.Open(database, 4));
-            Assert.Equal($"database db.example:3307: {message}", exception.Message);
-            Assert.Equal(0, source.OpenConnections);
+            Assert.Throws<BadInputException>(() => database.Query<int>("SELECT 1", [], _ => throw new BadInputException("x")));
+        }
+    }
+
+    [RequiresFact(Part.MariaDb)]
+    public void Query_LongerThanTheTimeLimit_SaysSo()
+    {
+        using Database database = OneConnection("Default Command Timeout=1");
+
+        string message = Assert.Throws<ExternalPartException>(() => database.Query(LongQuery, [], reader => reader.Read())).Message;
+
+        Assert.StartsWith("database db: The Command Timeout expired before the operation completed", message, StringComparison.Ordinal);
+        Assert.EndsWith(Connecting, message, StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.MariaDb)]
+    public async Task Query_ConnectionKilledByTheServer_SaysThatItBrokeOff()
+    {
+        using Database database = OneConnection("");
+        Task<bool> query = Task.Run(() => database.Query(LongQuery, [], reader => reader.Read()));
+        await UntilItRunsAsync(LongQuery);
+
+        server.Execute($"KILL {Running(LongQuery)}");
+        ExternalPartException exception = await Assert.ThrowsAsync<ExternalPartException>(
+            () => Within.Seconds(Seconds, "the end of the query", query));
+
+        Assert.StartsWith("database db: ", exception.Message, StringComparison.Ordinal);
+        Assert.EndsWith(
+            "The connection broke off: restart the server if it is down, and run this again; finished patterns are kept.",
+            exception.Message, StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.MariaDb)]
+    public async Task Query_CancelledWhileTheServerWorks_StopsTheQuery()
+    {
+        using CancellationTokenSource cancellation = new();
+        using Database database = Database.Open(server.Settings("mysql"), cancellation.Token);
+        Task<bool> query = Task.Run(() => database.Query(LongQuery, [], reader => reader.Read()));
+        await UntilItRunsAsync(LongQuery);
+
+        await cancellation.CancelAsync();
+
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => Within.Seconds(Seconds, "the end of the query", query));
+        Assert.Null(Running(LongQuery));
+    }
+
+    /// <summary>Without the limit the provider tries for 15 s to connect a second time, by which it would stop the query.</summary>
+    [RequiresFact(Part.MariaDb)]
+    public async Task Query_CancelledWhileTheServerHangs_EndsWithinTheLimit()
+    {
+        const double providersPatience = 15.0;
+        const string hangingQuery = "SELECT SLEEP(61)"; // nobody waits for its end, and no other test takes it for its own
+        using CancellationTokenSource cancellation = new();
+        Database database = Database.Open(server.NetworkSettings(), cancellation.Token);
+        Task<bool> query = Task.Run(() =>
+        {
+            using (database)
+            {
+                return database.Query(hangingQuery, [], reader => reader.Read());
+            }
+        });
+        await UntilItRunsAsync(hangingQuery);
+        server.Hang(true);
+        try
+        {
+            long start = Stopwatch.GetTimestamp();
+            await cancellation.CancelAsync();
+            await Assert.ThrowsAnyAsync<OperationCanceledException>(() => Within.Seconds(Seconds, "the end of the query", query));
+            Assert.InRange(Stopwatch.GetElapsedTime(start).TotalSeconds, Database.CancelPatience.TotalSeconds, providersPatience);
+        }
+        finally
+        {
+            server.Hang(false);
         }
     }
 
     [Fact]
-    public void Query_ConnectionLostInTheMiddle_IsAnExternalPart()
+    public void Query_NobodyListens_SaysSo()
     {
-        FakeMoon moon = new(FunctionGrid.Rough(2), FakeMoon.Record("TEST_GRID"));
-        bool isLost = false;
-        FakeDataSource source = new((text, values) => isLost ? throw new MySqlEndOfStreamException() : moon.Answer(text, values));
-        using Database database = new(source, "/run/my.sock", CancellationToken.None);
-        LdemTableGrid grid = LdemTableGrid.Open(database, 2);
-        grid.ReadRadii(0, 0, new double[720]);
-        isLost = true;
+        int port = PrivateServer.FreePort();
 
-        ExternalPartException exception = Assert.Throws<ExternalPartException>(() => grid.ReadRadii(1, 0, new double[720]));
-
-        Assert.StartsWith("database /run/my.sock: An incomplete response", exception.Message, StringComparison.Ordinal);
+        Assert.Equal(
+            $"database 127.0.0.1:{port}: Unable to connect to any of the specified MySQL hosts (error 1042). {Connecting}",
+            ErrorOf(AtPort(port)));
     }
 
-    [Fact]
-    public void Query_OurOwnError_StaysWhatItIs()
+    [Theory]
+    [InlineData(
+        "HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n",
+        "Is it a MySQL or MariaDB server that answers there? Check host and port.")]
+    [InlineData("", Connecting)]
+    public async Task Query_AnotherKindOfServer_SaysSo(string greeting, string advice)
     {
-        using Database database = new(new FakeDataSource((_, _) => new DataTable()), "db", CancellationToken.None);
-        Assert.Throws<BadInputException>(() => database.Query<int>("SELECT 1", [], _ => throw new BadInputException("x")));
-    }
-
-    [Fact]
-    public async Task Query_CancelledWhileTheServerHangs_EndsWithinTheLimit()
-    {
-        using ManualResetEventSlim isAsked = new();
-        using ManualResetEventSlim release = new();
-        using CancellationTokenSource cancellation = new();
-        void Block() => release.Wait(TimeSpan.FromMinutes(1));
-        FakeDataSource source = new((_, _) =>
+        using TcpListener listener = new(IPAddress.Loopback, 0);
+        listener.Start();
+        Task answering = Task.Run(async () =>
         {
-            isAsked.Set();
-            Block();
-            return new DataTable();
-        })
-        {
-            Cancelling = Block,
-            Closing = Block,
-        };
-        Database database = new(source, "db", cancellation.Token);
-        Task run = Task.Run(() =>
-        {
-            using (database)
-            {
-                LdemTableGrid.Open(database, 4);
-            }
+            using TcpClient client = await listener.AcceptTcpClientAsync();
+            await client.GetStream().WriteAsync(Encoding.ASCII.GetBytes(greeting));
         });
-        Assert.True(isAsked.Wait(TimeSpan.FromSeconds(30)));
 
-        long start = Stopwatch.GetTimestamp();
-        await cancellation.CancelAsync();
-        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => run.WaitAsync(TimeSpan.FromSeconds(30)));
-        TimeSpan elapsed = Stopwatch.GetElapsedTime(start);
-        release.Set();
+        string message = ErrorOf(AtPort(((IPEndPoint)listener.LocalEndpoint).Port));
 
-        Assert.InRange(elapsed, Database.CancelPatience, Database.CancelPatience + Slack);
-        Assert.Equal(TimeSpan.FromSeconds(2), Database.CancelPatience);
-    }
-
-    [Fact]
-    public async Task Query_CancelledWhileTheServerWorks_StopsTheQueryAndWaitsForIt()
-    {
-        using ManualResetEventSlim isAsked = new();
-        using ManualResetEventSlim isStopped = new();
-        using CancellationTokenSource cancellation = new();
-        bool hasClosed = false;
-        FakeDataSource source = new((_, _) =>
-        {
-            isAsked.Set();
-            Assert.True(isStopped.Wait(TimeSpan.FromMinutes(1)));
-            throw new MySqlException(1317, "Query execution was interrupted");
-        })
-        {
-            Cancelling = isStopped.Set,
-            Closing = () => hasClosed = true,
-        };
-        Database database = new(source, "db", cancellation.Token);
-        Task run = Task.Run(() => LdemTableGrid.Open(database, 4));
-        Assert.True(isAsked.Wait(TimeSpan.FromSeconds(30)));
-
-        await cancellation.CancelAsync();
-
-        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => run.WaitAsync(TimeSpan.FromSeconds(30)));
-        Assert.Equal(0, source.OpenConnections);
-        database.Dispose();
-        Assert.True(hasClosed);
+        await Within.Seconds(Seconds, "the answer", answering);
+        Assert.EndsWith(advice, message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void Open_SocketThatIsMissing_IsAnExternalPart()
     {
-        ExternalPartException exception = Assert.Throws<ExternalPartException>(
-            () => Database.Open(Settings(), AppContext.BaseDirectory, default));
+        using TemporaryFolder folder = new();
+        DatabaseSettings settings = DatabaseSettings.Read(
+            null, name => name switch { "MSISF_DB_USER" => "reader", "MSISF_DB_SOCKET" => folder["no.sock"], _ => null });
+
         Assert.Equal(
-            $"database {_folder["no.sock"]}: Cannot find Unix Socket at {_folder["no.sock"]}. "
-                + $"Is the server running, and are host, port or socket right?", exception.Message);
+            $"database {folder["no.sock"]}: Cannot find Unix Socket at {folder["no.sock"]}. {Connecting}",
+            Assert.Throws<ExternalPartException>(() => Database.Open(settings, default)).Message);
     }
 
-    [Fact]
-    public void Open_SocketThatIsThere_ReadsTheDatabase()
+    private static string ErrorOf(DatabaseSettings settings)
     {
-        _folder.Write("no.sock", string.Empty);
-        using Database database = Database.Open(Settings(), AppContext.BaseDirectory, default);
-        Assert.StartsWith(
-            "table ldem_4: no elevation model",
-            Assert.Throws<BadInputException>(() => LdemTableGrid.Open(database, 4)).Message,
-            StringComparison.Ordinal);
+        using Database database = Database.Open(settings, CancellationToken.None);
+        return Assert.Throws<ExternalPartException>(() => LdemTableGrid.Open(database, 4)).Message;
     }
 
-    [Fact]
-    public void Open_BuildWithoutTheProvider_SaysSo()
-    {
-        ExternalPartException exception = Assert.Throws<ExternalPartException>(() => Database.Open(Settings(), _folder["."], default));
-        Assert.StartsWith("this build of msis has no MySqlConnector", exception.Message, StringComparison.Ordinal);
-    }
+    private DatabaseSettings AtPort(int port) => server.NetworkSettings(("PORT", $"{port}"));
 
-    [Fact]
-    public void Open_DamagedFileOfTheProvider_SaysSo()
-    {
-        string path = _folder.Write("MySqlConnector.dll", "MZ damaged");
-        ExternalPartException exception = Assert.Throws<ExternalPartException>(() => Database.Open(Settings(), _folder.Path, default));
-        Assert.StartsWith($"{path}: can't be loaded: ", exception.Message, StringComparison.Ordinal);
-        Assert.EndsWith("damaged or do not fit: remove publish/ and run scripts/build.sh.", exception.Message, StringComparison.Ordinal);
-    }
+    /// <summary>A database with one connection at most.</summary>
+    private Database OneConnection(string options) => new(
+        new MySqlDataSource($"{ConnectionText.Of(server.Settings("mysql"))};Maximum Pool Size=1;{options}"), "db", CancellationToken.None);
 
-    [Fact]
-    public void Query_MissingFileOfTheProvider_SaysSo()
-    {
-        using Database database = new(
-            new FakeDataSource(
-                (_, _) => throw new FileNotFoundException(
-                    "Could not load file or assembly 'Microsoft.Extensions.Logging.Abstractions'.")), "db", default);
-        ExternalPartException exception = Assert.Throws<ExternalPartException>(() => LdemTableGrid.Open(database, 4));
-        Assert.StartsWith("MySqlConnector: can't be loaded: Could not load file or assembly", exception.Message, StringComparison.Ordinal);
-    }
+    private Task UntilItRunsAsync(string query) => Within.Seconds(Seconds, "the query", () => Running(query) is not null);
 
-    /// <summary>As the package throws them; a socket's message is the system's.</summary>
-    private static Exception Failure(string name) => name switch
-    {
-        "refused" => new MySqlException(
-            1042, "Unable to connect to any of the specified MySQL hosts.", new SocketException(0, "Connection refused")),
-        "password" => new MySqlException(1045, "Access denied for user 'x'@'y' (using password: YES)"),
-        "table" => new MySqlException(1146, "Table 'msisf.ldem_import' doesn't exist"),
-        "other error" => new MySqlException(1234, "Something\nelse"),
-        "time limit" => new MySqlException(-1, "The Command Timeout expired before the operation completed."),
-        "certificate" =>
-            new MySqlException(0, "SSL Authentication Error", new AuthenticationException("The remote certificate was rejected.")),
-        "socket" => new SocketException(0, "Broken pipe"),
-        "end of stream" => new MySqlEndOfStreamException(),
-        "within an error" => new MySqlException(
-            0, "Failed to read the result set.", new IOException("x", new SocketException(0, "Connection reset by peer"))),
-        "protocol" => new MySqlProtocolException(),
-        "format" => new FormatException("The input string 'x' was not in a correct format."),
-        "index" => Record.Exception(() => Array.Empty<int>()[0])!,
-        "cancelled by the provider" => new TaskCanceledException(),
-        _ => throw new ArgumentOutOfRangeException(nameof(name)),
-    };
-
-    private DatabaseSettings Settings() => DatabaseSettings.Read(null, name => name switch
-    {
-        "MSISF_DB_USER" => "reader",
-        "MSISF_DB_SOCKET" => _folder["no.sock"],
-        _ => null,
-    });
+    /// <summary>The number of the connection that runs a query; null if there is none.</summary>
+    private object? Running(string query) => server.Value($"SELECT id FROM information_schema.processlist WHERE info = '{query}'");
 }

@@ -6,33 +6,32 @@ using Xunit;
 
 namespace Msisf.MySql.Tests;
 
-public class LdemTableGridTests
+[Collection(PrivateServer.Collection)]
+public class LdemTableGridTests(PrivateServer server)
 {
     private static readonly FunctionGrid Rough = FunctionGrid.Rough(2);
 
-    [Theory]
-    [InlineData(0, 0, 720)]
-    [InlineData(359, 719, 1)]
-    [InlineData(100, 710, 30)]
-    [InlineData(7, 5, 11)]
-    public void ReadRadii_AnyRun_IsWhatTheTableHas(int line, int firstSample, int samples)
+    [RequiresFact(Part.MariaDb)]
+    public void ReadRadii_AnyRun_IsWhatTheTableHas()
     {
-        FakeMoon moon = new(Rough, FakeMoon.Record("TEST_GRID"));
-        double[] expected = new double[samples];
-        Rough.ReadRadii(line, firstSample, expected);
-        double[] radii = new double[samples];
+        using MoonTable moon = new(server, Rough, [0, 7, 100, 359], MoonTable.Record("TEST_GRID"));
+        LdemTableGrid grid = LdemTableGrid.Open(moon.Database, 2);
 
-        LdemTableGrid.Open(moon.Database, 2).ReadRadii(line, firstSample, radii);
-
-        Assert.Equal(expected, radii);
-        Assert.Equal(0, moon.Source.OpenConnections);
+        foreach ((int line, int firstSample, int samples) in new[] { (0, 0, 720), (359, 719, 1), (100, 710, 30), (7, 5, 11) })
+        {
+            double[] expected = new double[samples];
+            Rough.ReadRadii(line, firstSample, expected);
+            double[] radii = new double[samples];
+            grid.ReadRadii(line, firstSample, radii);
+            Assert.Equal(expected, radii);
+        }
     }
 
-    [Fact]
+    [RequiresFact(Part.MariaDb)]
     public void ReadRadii_LongLines_AreReadInRuns()
     {
         FunctionGrid fine = FunctionGrid.Rough(64);
-        FakeMoon moon = new(fine, FakeMoon.Record("TEST_GRID"));
+        using MoonTable moon = new(server, fine, [5000], MoonTable.Record("TEST_GRID"));
         double[] expected = new double[23040];
         fine.ReadRadii(5000, 23000, expected);
         double[] radii = new double[23040];
@@ -43,22 +42,25 @@ public class LdemTableGridTests
         Assert.Equal(3, moon.SampleQueries);
     }
 
-    [Fact]
+    [RequiresFact(Part.MariaDb)]
     public void RadiusBounds_BlockOverTheSeam_IsMinAndMax()
     {
         FunctionGrid peaks = new(
             1, (line, sample) => 1_737_400.0 + (line == 90 && sample == 1 ? 9.5 : 0.0) - (line == 91 && sample == 358 ? 7.5 : 0.0));
-        LdemTableGrid grid = LdemTableGrid.Open(new FakeMoon(peaks, FakeMoon.Record("TEST_GRID")).Database, 1);
+        using MoonTable moon = new(server, peaks, Enumerable.Range(89, 6), MoonTable.Record("TEST_GRID"));
+        LdemTableGrid grid = LdemTableGrid.Open(moon.Database, 1);
 
         Assert.Equal((1_737_392.5, 1_737_409.5), grid.RadiusBounds(89, 3, 357, 6));
         Assert.Equal((1_737_400.0, 1_737_400.0), grid.RadiusBounds(92, 3, 357, 6));
     }
 
-    [Fact]
+    [RequiresFact(Part.MariaDb)]
     public void EnsurePatterns_FromTheTable_AreThoseFromTheGrid()
     {
         using TemporaryFolder folder = new();
-        FakeMoon moon = new(Rough, FakeMoon.Record("TEST_GRID"));
+        using MoonTable moon = new(
+            server, Rough, [.. Enumerable.Range(0, 11), .. Enumerable.Range(169, 13), .. Enumerable.Range(349, 11)],
+            MoonTable.Record("TEST_GRID"));
         TileId[] tiles = [new(85, 0), new(-90, 355), new(0, 355), new(0, 0)];
 
         IReadOnlyList<string> expected = new PatternRepository(folder["grid"]).EnsurePatterns(tiles, Rough, default, 2).Paths;
@@ -69,10 +71,11 @@ public class LdemTableGridTests
         Assert.Equal(11 + 11 + 10, moon.SampleQueries); // each line once, whatever the number of threads and tiles
     }
 
-    [Fact]
+    [RequiresFact(Part.MariaDb)]
     public void ReadRadii_MissingSample_IsRefusedWithItsPlace()
     {
-        FakeMoon moon = new(Rough, FakeMoon.Record("TEST_GRID")) { MissingColumn = 3 };
+        using MoonTable moon = new(server, Rough, [9], MoonTable.Record("TEST_GRID"));
+        server.Execute($"DELETE FROM {moon.Name}.{moon.Table} WHERE row_index = 9 AND col_index = 3");
         LdemTableGrid grid = LdemTableGrid.Open(moon.Database, 2);
 
         BadInputException exception = Assert.Throws<BadInputException>(() => grid.ReadRadii(9, 0, new double[2]));

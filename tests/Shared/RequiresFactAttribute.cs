@@ -22,6 +22,7 @@ internal enum Part
     Numpy,
     Chromium,
     PolarPieces,
+    MariaDb,
 }
 
 /// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
@@ -71,6 +72,7 @@ internal static class MissingParts
         Part.Python => TestParts.Python is not null,
         Part.Numpy => TestParts.PythonPackage("numpy") is not null,
         Part.Chromium => TestParts.Program("chromium") is not null,
+        Part.MariaDb => TestParts.MariaDb is not null && TestParts.Program("mariadb-install-db") is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

@@ -39,6 +39,9 @@ internal static class TestParts
             .Select(folder => Path.Combine(folder, name))
             .ToArray());
 
+    /// <summary>MariaDB's server, which Debian keeps off the PATH of most users.</summary>
+    public static string? MariaDb => FirstFile(Program("mariadbd"), "/usr/sbin/mariadbd");
+
     private static string PolarPieces => Path.Combine(RepositoryRoot, "..", "shared", "dem_polar");
 
     private static string? FirstFile(params string?[] candidates) =>

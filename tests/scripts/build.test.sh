@@ -1,8 +1,7 @@
 # shellcheck shell=bash
 . "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
 
-# A clone, and a stand-in for the SDK that publishes one file and notes its builds; it has MySqlConnector where REGISTRY=yes, and
-# no package of the runtime where RUNTIME=no.
+# A clone, and a stand-in for the SDK that publishes one file and notes its builds; it has no package of the runtime where RUNTIME=no.
 make_clone_with_sdk() {
     make_clone "$PWD/clone"
     make_executable sdk/dotnet <<'SDK'
@@ -12,12 +11,6 @@ case $1 in
     restore) [ "${RUNTIME:-}" != no ] || exit 1 ;;
     publish)
         case $2 in
-            *Msisf.MySql.Package)
-                [ "${REGISTRY:-}" = yes ] || exit 1
-                while [ "$1" != -o ]; do shift; done
-                mkdir -p "$2" && echo package >"$2/MySqlConnector.dll"
-                exit
-                ;;
             *Msisf.Server) exit ;;
         esac
         echo "$*" >>"$BUILDS"
@@ -50,31 +43,6 @@ test_build_only_builds_what_has_changed() {
     rm clone/src/Msisf.Cli/Other.cs
     run clone/scripts/build.sh
     assert_same "$(builds)" 3
-}
-
-test_build_adds_the_package_for_databases_as_soon_as_there_is_one() {
-    make_clone_with_sdk
-    run clone/scripts/build.sh
-    assert_code 0
-    assert_says 'The package MySqlConnector is not to be had here'
-    run clone/scripts/build.sh
-    assert_code 0
-    assert_says 'up to date'
-    assert_no_file clone/publish/mysql
-    assert_same "$(ls -A clone/obj)" ''
-    REGISTRY=yes run clone/scripts/build.sh
-    assert_code 0
-    assert_says 'MySqlConnector has become available'
-    assert_file clone/publish/mysql/MySqlConnector.dll
-    run clone/scripts/build.sh
-    assert_code 0
-    assert_silent_on MySqlConnector
-    assert_same "$(builds)" 1
-    echo 'return 1;' >clone/src/Msisf.Cli/Other.cs
-    REGISTRY=yes run clone/scripts/build.sh
-    assert_silent_on MySqlConnector
-    assert_file clone/publish/mysql/MySqlConnector.dll
-    assert_same "$(ls -A clone/obj)" ''
 }
 
 test_build_that_fails_leaves_the_old_program() {

@@ -42,7 +42,7 @@ internal sealed class GridSource : IDisposable
             host.Log.Note($"The server {settings.Server} is not verified: no ssl-ca says who may answer (docs/database.md, TLS).");
         }
 
-        Database database = Database.Open(settings, Path.Combine(AppContext.BaseDirectory, "mysql"), cancellation);
+        Database database = Database.Open(settings, cancellation);
         try
         {
             LdemTableGrid grid = LdemTableGrid.Open(database, resolution);

@@ -39,6 +39,20 @@ final class SamePatternsTest extends GenerationTestCase
         ];
     }
 
+    public function testAllTilesByMsisFromTheDatabaseAreThoseFromTheImage(): void
+    {
+        $repository = $this->folder->path('repository');
+
+        $run = ScriptRun::start(
+            [Parts::msis(), 'patterns', '-b', '--source', 'mysql', '--res', '4', '-p', $repository],
+            $this->environment,
+        )->wait();
+
+        self::assertSame(0, $run->exitCode, $run->errors);
+        self::assertStringContainsString('(database ' . $this->environment['MSISF_DB_DATABASE'] . ')', $run->errors);
+        self::assertAllPatternsOfMsis($repository);
+    }
+
     /** @dataProvider forms */
     public function testTilesWithMarginOrInTheThesisFormAreThoseOfMsis(string $margin, string $format): void
     {
