@@ -80,7 +80,7 @@ internal sealed class PixelMeanKernel
 
     // Unknown weights h0..h5 of the splines 0..5 half pixels away. tail: mean, over the neighbouring pixel, of the spline at a pixel's
     // centre; variance: mean of x^2 over a pixel's midpoints. The equations: sums over even and odd splines are 1; parabolas; means 0 two
-    // and three pixels away.
+    // and three pixels away. Solved on paper: a solver would round.
     private static double[] Taps(int n)
     {
         double tail = 0.0;

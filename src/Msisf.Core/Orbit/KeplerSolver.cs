@@ -24,7 +24,8 @@ public static class KeplerSolver
     /// <remarks>
     /// Newton's method (thesis eq. 6.2), but not from E = M, which diverges for e near 1: f is convex on [0, pi], so
     /// from an upper bound of the root every step stays above it. The bounds are M + e, pi, M / (1 - e), and the
-    /// root of M = e E^3 / pi^2, since E - sin E >= E^3 / pi^2 on [0, pi].
+    /// root of M = e E^3 / pi^2, since E - sin E >= E^3 / pi^2 on [0, pi]. MathNet's RobustNewtonRaphson stops at an accuracy of E, not at
+    /// the last digit.
     /// </remarks>
     public static EccentricAnomaly Solve(double meanAnomaly, double eccentricity) => Solve(meanAnomaly, eccentricity, out _);
 

@@ -9,8 +9,8 @@ namespace Msisf.Core.Camera.Lenses;
 /// </summary>
 /// <remarks>
 /// J. Kannala, S. S. Brandt, IEEE Trans. Pattern Analysis and Machine Intelligence 28 (2006) 1335. The formula is evaluated from
-/// measured to
-/// ideal, the angle by Newton's method, because that way needs a tangent and no arctangent.
+/// measured to ideal, the angle by Newton's method, because that way needs a tangent and no arctangent; eight angles in a vector, as in
+/// <see cref="LensMap"/>.
 /// </remarks>
 public sealed class FisheyeDistortion : Distortion
 {

@@ -6,7 +6,8 @@ namespace Msisf.Core.Camera.Lenses;
 
 /// <summary>
 /// Both directions of a distortion over an image, in units of the focal length. The direction that has no formula is computed by Newton's
-/// method, with as many steps everywhere, so that a point gets the same bits alone and among others. Immutable.
+/// method, with as many steps everywhere, so that a point gets the same bits alone and among others: eight points in a vector, of which
+/// MathNet has none. Immutable.
 /// </summary>
 internal sealed class LensMap
 {

@@ -6,7 +6,8 @@ internal static class PixelIntegrals
     /// <summary>Maximum number of steps along a pixel's edge: for functions narrower than 1/16 of a pixel.</summary>
     private const int MaxSteps = 32;
 
-    // Gauss-Legendre rule of 8 points on [-1, 1]: Abramowitz and Stegun, table 25.4.
+    // Gauss-Legendre rule of 8 points on [-1, 1]: Abramowitz and Stegun, table 25.4. MathNet's has other last digits: images would have
+    // other bytes.
     private static readonly double[] Nodes = [0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363];
     private static readonly double[] NodeWeights = [0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763];
 

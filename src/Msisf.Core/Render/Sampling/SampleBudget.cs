@@ -52,7 +52,7 @@ internal static class SampleBudget
         double low = 1e-12; // squared levels for a unit of cost: so little that all pixels get all samples
         double high = 1e12;
         byte[] best = Choose(histogram, options, low, out _);
-        for (int step = 0; step < Steps; step++)
+        for (int step = 0; step < Steps; step++) // the error jumps with the price: no root for MathNet to find
         {
             double price = Math.Sqrt(low * high);
             byte[] choice = Choose(histogram, options, price, out double squares);
