@@ -7,7 +7,7 @@ namespace Msisf.Server;
 /// <summary>What a request for a frame is answered with: one part, or several in one multipart answer.</summary>
 /// <param name="pool">Memory of the parts.</param>
 /// <param name="room">bytes: left free before the content of a part.</param>
-internal sealed class Answer(StreamPool pool, int room = 0) : IDisposable
+internal class Answer(StreamPool pool, int room = 0) : IDisposable
 {
     /// <summary>Separates the parts; too long to be in one by chance.</summary>
     private const string Boundary = "msisf-part-5e1f2c7a9d3b4860";
@@ -20,50 +20,57 @@ internal sealed class Answer(StreamPool pool, int room = 0) : IDisposable
     /// <summary>Times of the work, for the header Server-Timing: name and ms.</summary>
     public List<(string Name, double Milliseconds)> Times { get; } = [];
 
+    /// <summary>Stops the work on the answer.</summary>
+    public CancellationToken Stop { get; set; }
+
+    /// <summary>The last bytes of a multipart answer.</summary>
+    protected static ReadOnlyMemory<byte> End { get; } = Encoding.ASCII.GetBytes($"\r\n--{Boundary}--\r\n");
+
     /// <summary>Adds a part.</summary>
     /// <param name="name">Name of a file with it.</param>
     /// <param name="contentType">Its content type.</param>
     /// <param name="write">Writes it.</param>
     /// <param name="headers">Further headers.</param>
-    public void Add(string name, string contentType, Action<MemoryStream> write, params (string Name, string Value)[] headers)
+    public virtual void Add(string name, string contentType, Action<MemoryStream> write, params (string Name, string Value)[] headers)
     {
         MemoryStream content = pool.Take();
-        _parts.Add(new AnswerPart(name, contentType, content, headers));
         content.SetLength(room);
         content.Position = room;
         write(content);
+        _parts.Add(new AnswerPart(name, contentType, content, headers) { Length = content.Length });
     }
 
-    /// <summary>Sends the answer.</summary>
+    /// <summary>Adds a part that may be too long for memory.</summary>
+    /// <param name="name">Name of a file with it.</param>
+    /// <param name="contentType">Its content type.</param>
+    /// <param name="length">Its length in bytes; null if that is not known before it is made.</param>
+    /// <param name="write">Writes it.</param>
+    /// <param name="headers">Further headers.</param>
+    public virtual void AddLarge(
+        string name, string contentType, long? length, Action<Stream> write, params (string Name, string Value)[] headers) =>
+        Add(name, contentType, write, headers);
+
+    /// <summary>Sends what has not been sent yet.</summary>
     /// <param name="response">Receives it.</param>
     /// <param name="isMultipart">Whether the parts are separated by boundaries; if not, there is one.</param>
     /// <param name="cancellation">Stops sending.</param>
-    public async Task SendAsync(HttpResponse response, bool isMultipart, CancellationToken cancellation)
+    public virtual async Task SendAsync(HttpResponse response, bool isMultipart, CancellationToken cancellation)
     {
-        response.Headers["Server-Timing"] = string.Join(", ", Times.Select(
-            time => string.Create(CultureInfo.InvariantCulture, $"{time.Name};dur={time.Milliseconds:F3}")));
-        if (isMultipart)
+        SetHeaders(response, isMultipart, _parts[0]);
+        foreach (AnswerPart part in _parts)
         {
-            response.ContentType = $"multipart/mixed; boundary={Boundary}";
-            foreach (AnswerPart part in _parts)
+            if (isMultipart)
             {
                 await response.Body.WriteAsync(Encoding.ASCII.GetBytes(HeadOf(part)), cancellation).ConfigureAwait(false);
-                await response.Body.WriteAsync(part.Bytes, cancellation).ConfigureAwait(false);
             }
 
-            await response.Body.WriteAsync(Encoding.ASCII.GetBytes($"\r\n--{Boundary}--\r\n"), cancellation).ConfigureAwait(false);
-            return;
+            await response.Body.WriteAsync(part.Bytes, cancellation).ConfigureAwait(false);
         }
 
-        AnswerPart only = _parts[0];
-        response.ContentType = only.ContentType;
-        response.ContentLength = only.Bytes.Length;
-        foreach ((string name, string value) in only.Headers)
+        if (isMultipart)
         {
-            response.Headers[name] = value;
+            await response.Body.WriteAsync(End, cancellation).ConfigureAwait(false);
         }
-
-        await response.Body.WriteAsync(only.Bytes, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Gives the memory back.</summary>
@@ -77,12 +84,35 @@ internal sealed class Answer(StreamPool pool, int room = 0) : IDisposable
         _parts.Clear();
     }
 
-    private static string HeadOf(AnswerPart part)
+    /// <summary>Sets the headers of an answer.</summary>
+    /// <param name="response">Has them.</param>
+    /// <param name="isMultipart">Whether the parts are separated by boundaries.</param>
+    /// <param name="first">The first part, which is the only one without boundaries.</param>
+    protected void SetHeaders(HttpResponse response, bool isMultipart, AnswerPart first)
+    {
+        response.Headers["Server-Timing"] = string.Join(", ", Times.Select(
+            time => string.Create(CultureInfo.InvariantCulture, $"{time.Name};dur={time.Milliseconds:F3}")));
+        if (isMultipart)
+        {
+            response.ContentType = $"multipart/mixed; boundary={Boundary}";
+            return;
+        }
+
+        response.ContentType = first.ContentType;
+        response.ContentLength = first.Length;
+        foreach ((string name, string value) in first.Headers)
+        {
+            response.Headers[name] = value;
+        }
+    }
+
+    /// <summary>What stands before a part of several.</summary>
+    protected static string HeadOf(AnswerPart part)
     {
         StringBuilder head = new();
         head.Append(CultureInfo.InvariantCulture, $"\r\n--{Boundary}\r\nContent-Type: {part.ContentType}\r\n");
         head.Append(CultureInfo.InvariantCulture, $"Content-Disposition: attachment; filename=\"{part.Name}\"\r\n");
-        head.Append(CultureInfo.InvariantCulture, $"Content-Length: {part.Bytes.Length}\r\n");
+        head.Append(CultureInfo.InvariantCulture, $"Content-Length: {part.Length}\r\n");
         foreach ((string name, string value) in part.Headers)
         {
             head.Append(CultureInfo.InvariantCulture, $"{name}: {value}\r\n");

@@ -8,65 +8,45 @@ using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
+using Msisf.Core.Render;
 
 namespace Msisf.Server;
 
 /// <summary>Draws a frame and writes the parts of its answer.</summary>
 internal sealed class FrameAnswers
 {
-    private const string LayersNeeded = "names no layer; name them in 'layers'.";
-
     private readonly StreamPool _pool;
 
     public FrameAnswers(StreamPool pool) => _pool = pool;
 
-    /// <summary>Refuses what can't be answered, before anything is drawn.</summary>
-    /// <param name="form">Form of the answer.</param>
-    /// <param name="settings">Options of the frame.</param>
-    /// <exception cref="RefusedException">The form does not fit the options.</exception>
-    public static void Check(AnswerForm form, RenderSettings settings)
-    {
-        int layers = settings.Native.Layers?.Layers.Count ?? 0;
-        string? problem = form.Main switch
-        {
-            AnswerForm.Fits when layers == 0 && settings.Native.Detector is null =>
-                $"{form.Main} is for layers, and the request {LayersNeeded}",
-            AnswerForm.Raw or AnswerForm.Npy when layers > 1 =>
-                $"{form.Main} holds one layer, and the request names {layers}. Accept {AnswerForm.Multipart}.",
-            _ => null,
-        };
-        if (problem is not null)
-        {
-            throw new RefusedException(StatusCodes.Status406NotAcceptable, problem);
-        }
-    }
+    /// <summary>An answer that is kept in memory until it is sent.</summary>
+    /// <param name="room">bytes: left free before the content of each part.</param>
+    public Answer InMemory(int room = 0) => new(_pool, room);
+
+    /// <summary>An answer that is sent while it is made, if it is too long for memory.</summary>
+    /// <param name="plan">What it will hold.</param>
+    /// <param name="response">Receives it.</param>
+    /// <param name="isMultipart">Whether it has several parts.</param>
+    public Answer For(AnswerPlan plan, HttpResponse response, bool isMultipart) =>
+        plan.IsSentAsMade ? new StreamedAnswer(_pool, response, isMultipart) : InMemory();
 
     /// <summary>Draws a frame and writes its answer.</summary>
+    /// <param name="answer">Receives it.</param>
     /// <param name="session">Draws it.</param>
     /// <param name="frame">The frame.</param>
     /// <param name="form">Form of the answer.</param>
-    /// <param name="room">bytes: left free before the content of each part.</param>
     /// <param name="threads">Number of threads.</param>
     /// <param name="cancellation">Stops the work.</param>
-    public Answer Draw(
-        RenderSession session, PreparedFrame frame, AnswerForm form, int room, int threads, CancellationToken cancellation)
+    public static void Draw(
+        Answer answer, RenderSession session, PreparedFrame frame, AnswerForm form, int threads, CancellationToken cancellation)
     {
-        Answer answer = new(_pool, room);
-        try
-        {
-            long start = Stopwatch.GetTimestamp();
-            using NativeImage image = session.Draw(frame, threads, cancellation);
-            answer.Times.Add(("draw", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
-            start = Stopwatch.GetTimestamp();
-            Write(answer, session, frame, image, form, threads, cancellation);
-            answer.Times.Add(("write", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
-            return answer;
-        }
-        catch
-        {
-            answer.Dispose();
-            throw;
-        }
+        long start = Stopwatch.GetTimestamp();
+        using NativeImage image = session.Draw(frame, threads, cancellation);
+        answer.Times.Add(("draw", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
+        start = Stopwatch.GetTimestamp();
+        answer.Stop = cancellation;
+        Write(answer, session, frame, image, form, threads, cancellation);
+        answer.Times.Add(("write", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
     }
 
     /// <summary>Adds the image in a form.</summary>
@@ -80,7 +60,7 @@ internal sealed class FrameAnswers
         {
             case AnswerForm.Raw:
                 string type = image.BytesPerPixel == 1 ? "u8" : "u16";
-                answer.Add("image.raw", form, stream => CopyLevels(image, stream, threads), SizeOf(image, type));
+                answer.Add("image.raw", form, stream => CopyLevels(image, stream, threads), SizeOf(image.Width, image.Height, type));
                 break;
             case AnswerForm.Npy:
                 answer.Add("image.npy", form, stream =>
@@ -99,53 +79,55 @@ internal sealed class FrameAnswers
         Answer answer, RenderSession session, PreparedFrame frame, NativeImage image, AnswerForm form, int threads,
         CancellationToken cancellation)
     {
-        LayerSet? layers = session.Settings.Native.Layers;
-        bool isLayer = layers is not null && form.Main is AnswerForm.Raw or AnswerForm.Npy;
-        if (!isLayer && (form.IsMultipart || form.Main is AnswerForm.Png or AnswerForm.Raw or AnswerForm.Npy))
+        AnswerPlan plan = AnswerPlan.Of(form, session.Settings);
+        if (plan.HasImage)
         {
             AddImage(answer, image, form.IsMultipart ? form.Image : form.Main, threads);
-            if (!form.IsMultipart)
-            {
-                return;
-            }
+        }
+
+        if (plan is { Layers: null, HasNumbers: false, Meta: null })
+        {
+            return;
         }
 
         RenderedFrame rendered = image.ToRendered(Stream.Null);
         FrameMetadata metadata = session.Describe(frame, rendered);
         LayerProvenance provenance = session.Description.Provenance(metadata, rendered);
-        bool isFits = form.IsMultipart ? session.Settings.Native.LayersFormat == LayersFormat.Fits : form.Main == AnswerForm.Fits;
-        if (layers is not null && (form.IsMultipart || isLayer || isFits))
+        if (plan.Layers is { } layers)
         {
-            LayerPrecision precision = session.Settings.Native.LayersPrecision;
-            if (isFits)
-            {
-                answer.Add("fits", AnswerForm.Fits, stream => FitsLayerWriter.Write(
-                    stream, metadata, provenance, rendered.Truth!, layers, precision, session.Settings.Native.LayersCompression,
-                    cancellation));
-            }
-            else
-            {
-                NpyLayerWriter.Write(
-                    (name, write) => AddLayer(answer, image, layers, name, write, form), metadata, provenance, rendered.Truth!, layers,
-                    precision, cancellation);
-            }
+            AddLayers(answer, session, plan, layers, form, new LayersOf(metadata, provenance, rendered.Truth!), cancellation);
         }
 
-        if (image.Detected is { } detected && session.Settings.Native.Detector is { } detector
-            && (form.IsMultipart ? detector.WritesFits : layers is null && isFits))
+        if (plan.HasNumbers)
         {
-            answer.Add("dn.fits", AnswerForm.Fits, stream =>
-                DetectorFitsWriter.Write(stream, detected, detector.Settings, metadata, provenance));
+            answer.Add("dn.fits", AnswerForm.Fits, stream => DetectorFitsWriter.Write(
+                stream, image.Detected!, session.Settings.Native.Detector!.Settings, metadata, provenance));
         }
 
-        string meta = form.IsMultipart ? form.Meta : form.Main;
-        if (meta is AnswerForm.Xml or AnswerForm.Json)
+        if (plan.Meta is { } meta)
         {
             answer.Add(
                 meta == AnswerForm.Xml ? "xml" : "json",
                 meta,
                 stream => WriteMeta(stream, meta, session, frame, rendered, metadata, cancellation));
         }
+    }
+
+    private static void AddLayers(
+        Answer answer, RenderSession session, AnswerPlan plan, LayerSet layers, AnswerForm form, LayersOf of,
+        CancellationToken cancellation)
+    {
+        NativeSettings native = session.Settings.Native;
+        if (plan.IsFits)
+        {
+            answer.AddLarge("fits", AnswerForm.Fits, length: null, stream => FitsLayerWriter.Write(
+                stream, of.Metadata, of.Provenance, of.Truth, layers, native.LayersPrecision, native.LayersCompression, cancellation));
+            return;
+        }
+
+        NpyLayerWriter.Write(
+            (name, length, write) => AddLayer(answer, session.Settings, layers, (name, length, write), form),
+            of.Metadata, of.Provenance, of.Truth, layers, native.LayersPrecision, hasHeads: form.Main != AnswerForm.Raw, cancellation);
     }
 
     private static void WriteMeta(
@@ -165,40 +147,36 @@ internal sealed class FrameAnswers
         MetadataJson.Write(stream, xml);
     }
 
-    /// <summary>A layer of its own is sent without the JSON file; raw without the head of the array file.</summary>
+    /// <summary>A layer of its own is sent without the JSON file.</summary>
     private static void AddLayer(
-        Answer answer, NativeImage image, LayerSet layers, string name, Action<Stream> write, AnswerForm form)
+        Answer answer, RenderSettings settings, LayerSet layers, (string Name, long? Length, Action<Stream> Write) file, AnswerForm form)
     {
-        bool isJson = name.EndsWith(".json", StringComparison.Ordinal);
-        if (form.IsMultipart)
+        if (file.Length is null)
         {
-            answer.Add(name, isJson ? AnswerForm.Json : AnswerForm.Npy, write);
-        }
-        else if (!isJson && form.Main == AnswerForm.Npy)
-        {
-            answer.Add(name, form.Main, write);
-        }
-        else if (!isJson)
-        {
-            Layer layer = layers.Layers[0];
-            string type = layer.Type switch
+            if (form.IsMultipart)
             {
-                LayerType.Real64 => "f64",
-                LayerType.Unsigned8 => "u8",
-                _ => "i32",
-            };
-            answer.Add(
-                $"{layer.Name}.raw",
-                form.Main,
-                stream =>
-                {
-                    using MemoryStream npy = new();
-                    write(npy);
-                    stream.Write(npy.GetBuffer().AsSpan(0, (int)npy.Length)[NpyFile.LengthOfHead(npy.GetBuffer())..]);
-                },
-                [.. SizeOf(image, type), ("X-Msisf-Planes", layer.Planes.ToString(CultureInfo.InvariantCulture))]);
+                answer.Add(file.Name, AnswerForm.Json, file.Write);
+            }
+
+            return;
         }
+
+        Layer layer = layers.Layers[0];
+        (string Name, string Value)[] headers = form.Main != AnswerForm.Raw ? [] :
+        [
+            .. SizeOf(settings.Width, settings.Height, TypeOf(layer.StoredType(settings.Native.LayersPrecision))),
+            ("X-Msisf-Planes", layer.Planes.ToString(CultureInfo.InvariantCulture)),
+        ];
+        answer.AddLarge(file.Name, form.IsMultipart ? AnswerForm.Npy : form.Main, file.Length, file.Write, headers);
     }
+
+    private static string TypeOf(LayerType type) => type switch
+    {
+        LayerType.Real64 => "f64",
+        LayerType.Real32 => "f32",
+        LayerType.Unsigned8 => "u8",
+        _ => "i32",
+    };
 
     private static void CopyLevels(NativeImage image, MemoryStream stream, int threads)
     {
@@ -208,10 +186,13 @@ internal sealed class FrameAnswers
         image.CopyLevels(stream.GetBuffer().AsMemory(start, length), threads);
     }
 
-    private static (string Name, string Value)[] SizeOf(NativeImage image, string type) =>
+    private static (string Name, string Value)[] SizeOf(int width, int height, string type) =>
     [
-        ("X-Msisf-Width", image.Width.ToString(CultureInfo.InvariantCulture)),
-        ("X-Msisf-Height", image.Height.ToString(CultureInfo.InvariantCulture)),
+        ("X-Msisf-Width", width.ToString(CultureInfo.InvariantCulture)),
+        ("X-Msisf-Height", height.ToString(CultureInfo.InvariantCulture)),
         ("X-Msisf-Type", type),
     ];
+
+    /// <summary>What the files of layers are written from.</summary>
+    private sealed record LayersOf(FrameMetadata Metadata, LayerProvenance Provenance, IGroundTruth Truth);
 }

@@ -6,12 +6,16 @@ using Msisf.App.Host;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
+using Msisf.Core.Render;
 
 namespace Msisf.Server;
 
 /// <summary>Reads the frames of requests and does their work in the queue. Thread-safe.</summary>
 internal sealed class FrameService : IDisposable
 {
+    /// <summary>Samples of the largest image that does not wait for larger ones.</summary>
+    private const int SmallSamples = 1024 * 1024;
+
     private readonly RequestLog _log;
     private readonly RenderQueue _queue;
 
@@ -72,8 +76,11 @@ internal sealed class FrameService : IDisposable
     /// <param name="requested">The frame.</param>
     /// <param name="work">Receives the session and the number of threads.</param>
     /// <param name="client">Stops the work when the client goes away.</param>
-    public Task<T> RunAsync<T>(RequestedFrame requested, Func<RenderSession, int, CancellationToken, T> work, CancellationToken client) =>
+    /// <param name="isLarge">Whether the work is that of a large image.</param>
+    public Task<T> RunAsync<T>(
+        RequestedFrame requested, Func<RenderSession, int, CancellationToken, T> work, CancellationToken client, bool isLarge = false) =>
         _queue.RunAsync(
+            isLarge,
             (threads, end) =>
             {
                 using SharedCache<RenderSession>.Lease session = Sessions.Rent(requested);
@@ -85,24 +92,34 @@ internal sealed class FrameService : IDisposable
     /// <param name="requested">The frame.</param>
     /// <param name="place">Where the camera is.</param>
     /// <param name="form">Form of the answer.</param>
+    /// <param name="answer">Receives it.</param>
     /// <param name="client">Stops the work when the client goes away.</param>
-    /// <param name="room">bytes: left free before the content of each part.</param>
-    public async Task<Answer> DrawAsync(
-        RequestedFrame requested, CameraSettings place, AnswerForm form, CancellationToken client, int room = 0)
+    public async Task DrawAsync(
+        RequestedFrame requested, CameraSettings place, AnswerForm form, Answer answer, CancellationToken client)
     {
+        AnswerPlan plan = AnswerPlan.Of(form, requested.Settings);
+        plan.Check(form, requested.Settings, Settings.MaxMegabytes);
         long start = Stopwatch.GetTimestamp();
-        Answer answer = await RunAsync(
+        await RunAsync(
             requested,
             (session, threads, end) =>
             {
-                double waited = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
-                Answer drawn = Answers.Draw(session, session.Prepare(place, end), form, room, threads, end);
-                drawn.Times.Insert(0, ("wait", waited));
-                return drawn;
+                answer.Times.Add(("wait", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
+                FrameAnswers.Draw(answer, session, session.Prepare(place, end), form, threads, end);
+                return true;
             },
-            client).ConfigureAwait(false);
+            client,
+            plan.IsSentAsMade || IsLarge(requested.Settings)).ConfigureAwait(false);
         Metrics.FrameDrawn(Stopwatch.GetElapsedTime(start));
-        return answer;
+    }
+
+    /// <summary>Whether drawing an image takes longer than drawing one of 1024 x 1024 px with a sample in each.</summary>
+    public static bool IsLarge(RenderSettings settings)
+    {
+        long acrossPixel = settings.Native.Render.Adaptive is null
+            ? settings.Native.Render.SubsamplesPerAxis
+            : AdaptiveSampling.SubsamplesPerAxis;
+        return settings.Width * acrossPixel * settings.Height * acrossPixel > SmallSamples;
     }
 
     /// <summary>Waits for the end of all work.</summary>

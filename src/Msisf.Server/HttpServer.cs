@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net.Sockets;
 using System.Runtime.InteropServices;
 using System.Security.Cryptography.X509Certificates;
@@ -26,9 +27,11 @@ internal sealed class HttpServer : IAsyncDisposable
     private const int MaxConnections = 256;
 
     /// <summary>bytes: an image that fits goes to the system at once, and need not wait for the client piece by piece.</summary>
-    private const int ResponseBuffer = 4 << 20;
+    private const int ResponseBuffer = 2 << 20;
 
-    private static readonly TimeSpan HeadersTimeout = TimeSpan.FromSeconds(10);
+    /// <summary>From a head's first byte to its last. A client that is so slow hears why; one that says nothing is cut off.</summary>
+    private static readonly TimeSpan HeadersTimeout = TimeSpan.FromSeconds(8);
+    private static readonly TimeSpan LongestSilence = TimeSpan.FromSeconds(10);
     private static readonly TimeSpan KeepAlive = TimeSpan.FromMinutes(5);
 
     /// <summary>A server that ends with its client lets frames end that are all but finished.</summary>
@@ -41,6 +44,7 @@ internal sealed class HttpServer : IAsyncDisposable
     private readonly FrameService _frames;
     private readonly ServeSettings _settings;
     private readonly SocketFile? _socket;
+    private IDisposable? _refused;
 
     private HttpServer(WebApplication web, FrameService frames, ServeSettings settings, SocketFile? socket) =>
         (_web, _frames, _settings, _socket) = (web, frames, settings, socket);
@@ -73,6 +77,7 @@ internal sealed class HttpServer : IAsyncDisposable
         server.AddRoutes(host);
         try
         {
+            server._refused = new RefusedRequests(frames.Metrics).Subscribe(web.Services.GetRequiredService<DiagnosticListener>());
             await web.StartAsync().ConfigureAwait(false);
             socket?.Publish();
         }
@@ -123,6 +128,7 @@ internal sealed class HttpServer : IAsyncDisposable
     public async ValueTask DisposeAsync()
     {
         await _web.DisposeAsync().ConfigureAwait(false);
+        _refused?.Dispose();
         _socket?.Dispose();
         if (await _frames.EndsWithinAsync(TimeToStop).ConfigureAwait(false))
         {
@@ -132,26 +138,31 @@ internal sealed class HttpServer : IAsyncDisposable
 
     private static void Configure(KestrelServerOptions options, ServeSettings settings, SocketFile? socket)
     {
+        Connections connections = new(MaxConnections, LongestSilence);
         options.AddServerHeader = false;
         options.Limits.MaxRequestBodySize = JsonBody.LargestRequest;
-        options.Limits.MaxConcurrentConnections = MaxConnections;
         options.Limits.MaxConcurrentUpgradedConnections = MaxConnections;
         options.Limits.MaxResponseBufferSize = ResponseBuffer;
         options.Limits.RequestHeadersTimeout = HeadersTimeout;
         options.Limits.KeepAliveTimeout = KeepAlive;
         if (socket is not null)
         {
-            options.ListenUnixSocket(socket.BoundPath);
+            options.ListenUnixSocket(socket.BoundPath, Serve);
             return;
         }
 
-        options.Listen(settings.Listen.EndPoint!, listen =>
+        options.Listen(settings.Listen.EndPoint!, Serve);
+
+        void Serve(ListenOptions listen)
         {
+            listen.Use(next => context => connections.HandleAsync(context, next));
             if (settings.Certificate is (string certificate, string key))
             {
                 listen.UseHttps(ReadCertificate(certificate, key));
             }
-        });
+
+            listen.Use(next => context => RefusedRequests.HandleAsync(context, next));
+        }
     }
 
     private static X509Certificate2 ReadCertificate(string certificate, string key)

@@ -1,6 +1,7 @@
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using Microsoft.AspNetCore.Http;
+using Msisf.App.Serving;
 
 namespace Msisf.Server;
 
@@ -23,10 +24,24 @@ internal static class JsonBody
     /// <summary>Reads the body of a request.</summary>
     /// <exception cref="RefusedException">It is said to be something else.</exception>
     /// <exception cref="JsonException">It is no JSON.</exception>
-    public static Task<JsonDocument> ReadAsync(HttpRequest request) => request.HasJsonContentType()
-        ? JsonDocument.ParseAsync(request.Body, cancellationToken: request.HttpContext.RequestAborted)
-        : throw new RefusedException(
-            StatusCodes.Status415UnsupportedMediaType, $"Content-Type is '{request.ContentType}'; {AnswerForm.Json} is needed.");
+    public static async Task<JsonDocument> ReadAsync(HttpRequest request)
+    {
+        if (!request.HasJsonContentType())
+        {
+            throw new RefusedException(
+                StatusCodes.Status415UnsupportedMediaType, $"Content-Type is '{request.ContentType}'; {AnswerForm.Json} is needed.");
+        }
+
+        if (request.Headers.ContentEncoding is { Count: > 0 } encoding && encoding != "identity")
+        {
+            throw new RefusedException(
+                StatusCodes.Status415UnsupportedMediaType, $"Content-Encoding is '{encoding}'; send the request without compression.");
+        }
+
+        using MemoryStream body = new();
+        await request.Body.CopyToAsync(body, request.HttpContext.RequestAborted).ConfigureAwait(false);
+        return JsonText.Parse(body.ToArray());
+    }
 
     /// <summary>Sends an object as JSON, its properties in small letters with underscores.</summary>
     public static async Task SendAsync<T>(HttpResponse response, T value)

@@ -9,7 +9,8 @@ namespace Msisf.Server;
 /// <summary>GET /openapi.json: the server's description for programs (OpenAPI 3.1); a frame's options come from the option table.</summary>
 internal static class OpenApiDocument
 {
-    private static readonly string[] ProblemStatuses = ["400", "401", "403", "406", "413", "415", "422", "429", "503"];
+    private static readonly string[] ProblemStatuses =
+        ["400", "401", "403", "404", "406", "408", "413", "414", "415", "422", "429", "431", "503"];
 
     /// <summary>The document.</summary>
     /// <param name="version">Version of the program.</param>
@@ -65,7 +66,34 @@ internal static class OpenApiDocument
                 },
             },
         };
+        foreach ((string path, JsonNode? methods) in document["paths"]!.AsObject())
+        {
+            foreach ((string method, JsonNode? operation) in methods!.AsObject())
+            {
+                Identify(operation!.AsObject(), method, path);
+            }
+        }
+
         return JsonSerializer.SerializeToUtf8Bytes(document);
+    }
+
+    /// <summary>Names an operation after its path, "getFoldersName", and declares the parameters that stand in it.</summary>
+    private static void Identify(JsonObject operation, string method, string path)
+    {
+        string[] words = path.Split(['/', '{', '}', '.'], StringSplitOptions.RemoveEmptyEntries);
+        operation["operationId"] = method + string.Concat(
+            words.Where(word => word != "v1").Select(word => char.ToUpperInvariant(word[0]) + word[1..]));
+        string[] names = [.. path.Split('/').Where(word => word.StartsWith('{')).Select(word => word.Trim('{', '}'))];
+        if (names.Length > 0)
+        {
+            operation["parameters"] = new JsonArray([.. names.Select(name => (JsonNode)new JsonObject
+            {
+                ["name"] = name,
+                ["in"] = "path",
+                ["required"] = true,
+                ["schema"] = new JsonObject { ["type"] = name == "number" ? "integer" : "string" },
+            })]);
+        }
     }
 
     /// <summary>The options of a frame, from the option table.</summary>

@@ -20,7 +20,8 @@ internal sealed class PixelsEndpoint(FrameService frames)
             (session, threads, end) => frame.IsTraceable
                 ? Traced(session, session.Prepare(frame.Place!, end), request.Points, end)
                 : session.ReadDrawn(session.Prepare(frame.Place!, end), request.Points, threads, end),
-            context.RequestAborted).ConfigureAwait(false);
+            context.RequestAborted,
+            isLarge: !frame.IsTraceable && FrameService.IsLarge(frame.Settings)).ConfigureAwait(false);
         await JsonBody.SendAsync(context.Response, new { Points = points }).ConfigureAwait(false);
     }
 

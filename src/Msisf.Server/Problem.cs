@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.WebUtilities;
 using Msisf.Core.Errors;
@@ -9,8 +10,14 @@ namespace Msisf.Server;
 /// <param name="Status">HTTP status.</param>
 /// <param name="Detail">What is wrong, where, and what to do.</param>
 /// <param name="Options">Options that it is about, e.g. "--fov".</param>
-internal sealed record Problem(int Status, string Detail, IReadOnlyList<string> Options)
+internal sealed partial record Problem(int Status, string Detail, IReadOnlyList<string> Options)
 {
+    /// <summary>Characters of a request that a problem repeats at most.</summary>
+    private const int LongestQuote = 200;
+
+    /// <summary>Characters of a problem; more than the longest list of names in a message takes.</summary>
+    private const int LongestDetail = 700;
+
     /// <summary>The content type of problems.</summary>
     public const string ContentType = "application/problem+json";
 
@@ -39,7 +46,8 @@ internal sealed record Problem(int Status, string Detail, IReadOnlyList<string> 
         await response.Body.WriteAsync(ToJson()).ConfigureAwait(false);
     }
 
-    private byte[] ToJson()
+    /// <summary>The problem as JSON.</summary>
+    public byte[] ToJson()
     {
         using MemoryStream stream = new();
         using (Utf8JsonWriter json = new(stream, JsonBody.Writing))
@@ -48,7 +56,7 @@ internal sealed record Problem(int Status, string Detail, IReadOnlyList<string> 
             json.WriteString("type", "about:blank");
             json.WriteString("title", ReasonPhrases.GetReasonPhrase(Status));
             json.WriteNumber("status", Status);
-            json.WriteString("detail", Detail);
+            json.WriteString("detail", Shortened(Detail));
             json.WriteStartArray("options");
             foreach (string option in Options.Distinct())
             {
@@ -61,4 +69,19 @@ internal sealed record Problem(int Status, string Detail, IReadOnlyList<string> 
 
         return stream.ToArray();
     }
+
+    /// <summary>
+    /// The text with quotations and words cut short that are too long; of one that still is too long the middle is left out.
+    /// </summary>
+    public static string Shortened(string text)
+    {
+        string shortened = LongQuotes().Replace(
+            text, match => $"{match.Value.AsSpan(0, LongestQuote - 3)}...{(match.Value[0] == '\'' ? "'" : string.Empty)}");
+        return shortened.Length <= LongestDetail
+            ? shortened
+            : $"{shortened.AsSpan(0, LongestQuote)} ... {shortened.AsSpan(shortened.Length - LongestQuote)}";
+    }
+
+    [GeneratedRegex("'[^']{200,}'|\\S{201,}")]
+    private static partial Regex LongQuotes();
 }

@@ -15,14 +15,17 @@ internal sealed class RenderEndpoint(FrameService frames)
         using JsonDocument json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
         IReadOnlyList<string> warnings = frames.CollectWarnings();
         RequestedFrame requested = frames.Read(json.RootElement);
-        FrameAnswers.Check(form, requested.Settings);
-        using Answer answer = await frames.DrawAsync(
-            requested, requested.Place!, form, context.RequestAborted).ConfigureAwait(false);
-        if (warnings.Count > 0)
+        context.Response.OnStarting(() =>
         {
-            context.Response.Headers["X-Msisf-Warning"] = HeaderText.Of(string.Join(" ", warnings));
-        }
+            if (warnings.Count > 0)
+            {
+                context.Response.Headers["X-Msisf-Warning"] = HeaderText.Of(string.Join(" ", warnings));
+            }
 
+            return Task.CompletedTask;
+        });
+        using Answer answer = frames.Answers.For(AnswerPlan.Of(form, requested.Settings), context.Response, form.IsMultipart);
+        await frames.DrawAsync(requested, requested.Place!, form, answer, context.RequestAborted).ConfigureAwait(false);
         await answer.SendAsync(context.Response, form.IsMultipart, context.RequestAborted).ConfigureAwait(false);
     }
 }

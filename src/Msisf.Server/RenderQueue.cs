@@ -5,36 +5,43 @@ using Microsoft.AspNetCore.Http;
 namespace Msisf.Server;
 
 /// <summary>
-/// Runs the work of requests in the order in which they came, as many at once as there are cores, which they share. Thread-safe.
+/// Runs the work of requests, which share the cores, in the order in which they came; but small work does not wait for large work. Each of
+/// both has places of its own. Thread-safe.
 /// </summary>
 /// <param name="cores">Number of cores.</param>
-/// <param name="maxWaiting">Number of requests that may wait.</param>
+/// <param name="maxWaiting">Number of requests that may wait, small or large.</param>
 /// <param name="limit">Longest time of a request, waiting included.</param>
 internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : IDisposable
 {
+    /// <summary>Each of them takes one or two GB.</summary>
+    private const int MaxLarge = 4;
+
     private static readonly TimeSpan BetweenLooks = TimeSpan.FromMilliseconds(10);
 
-    private readonly SemaphoreSlim _slots = new(cores);
-    private int _waiting;
+    private readonly Places _small = new(cores, maxWaiting);
+    private readonly Places _large = new(Math.Min(cores, MaxLarge), maxWaiting);
+    private readonly IdleMemory _memory = new();
     private int _running;
 
     /// <summary>Number of requests that wait.</summary>
-    public int Waiting => Volatile.Read(ref _waiting);
+    public int Waiting => _small.Waiting + _large.Waiting;
 
     /// <summary>Number of requests whose work is done at the moment.</summary>
     public int Running => Volatile.Read(ref _running);
 
     /// <summary>Runs the work of a request.</summary>
+    /// <param name="isLarge">Whether the work takes much longer, or much more memory, than an image of 1024 x 1024 px.</param>
     /// <param name="work">Receives the number of threads that it may use, and what stops it.</param>
     /// <param name="client">Stops the work when the client goes away.</param>
     /// <exception cref="RefusedException">Too many requests wait, or the work took too long.</exception>
-    public async Task<T> RunAsync<T>(Func<int, CancellationToken, T> work, CancellationToken client)
+    public async Task<T> RunAsync<T>(bool isLarge, Func<int, CancellationToken, T> work, CancellationToken client)
     {
+        Places places = isLarge ? _large : _small;
         using CancellationTokenSource end = CancellationTokenSource.CreateLinkedTokenSource(client);
         end.CancelAfter(limit);
         try
         {
-            await WaitAsync(end.Token).ConfigureAwait(false);
+            await places.TakeAsync(end.Token).ConfigureAwait(false);
             try
             {
                 int threads = Math.Max(1, cores / Interlocked.Increment(ref _running));
@@ -43,7 +50,11 @@ internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : I
             finally
             {
                 Interlocked.Decrement(ref _running);
-                _slots.Release();
+                places.GiveBack();
+                if (isLarge)
+                {
+                    _memory.LargeWorkEnded();
+                }
             }
         }
         catch (OperationCanceledException) when (!client.IsCancellationRequested)
@@ -59,10 +70,10 @@ internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : I
 
     /// <summary>Waits for the end of all work.</summary>
     /// <returns>Whether it has ended in time.</returns>
-    public async Task<bool> EndsWithinAsync(TimeSpan limit)
+    public async Task<bool> EndsWithinAsync(TimeSpan time)
     {
         long start = Stopwatch.GetTimestamp();
-        while (Running > 0 && Stopwatch.GetElapsedTime(start) < limit)
+        while (Running > 0 && Stopwatch.GetElapsedTime(start) < time)
         {
             await Task.Delay(BetweenLooks).ConfigureAwait(false);
         }
@@ -71,24 +82,41 @@ internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : I
     }
 
     /// <summary>Frees the queue.</summary>
-    public void Dispose() => _slots.Dispose();
-
-    private async Task WaitAsync(CancellationToken end)
+    public void Dispose()
     {
-        try
-        {
-            if (Interlocked.Increment(ref _waiting) > maxWaiting + _slots.CurrentCount)
-            {
-                throw new RefusedException(
-                    StatusCodes.Status429TooManyRequests,
-                    $"{maxWaiting} requests are waiting already (--queue of the server). Ask again later.");
-            }
+        _small.Dispose();
+        _large.Dispose();
+        _memory.Dispose();
+    }
 
-            await _slots.WaitAsync(end).ConfigureAwait(false);
-        }
-        finally
+    private sealed class Places(int count, int maxWaiting) : IDisposable
+    {
+        private readonly SemaphoreSlim _free = new(count);
+        private int _waiting;
+
+        public int Waiting => Volatile.Read(ref _waiting);
+
+        public async Task TakeAsync(CancellationToken end)
         {
-            Interlocked.Decrement(ref _waiting);
+            try
+            {
+                if (Interlocked.Increment(ref _waiting) > maxWaiting + _free.CurrentCount)
+                {
+                    throw new RefusedException(
+                        StatusCodes.Status429TooManyRequests,
+                        $"{maxWaiting} requests are waiting already (--queue of the server). Ask again later.");
+                }
+
+                await _free.WaitAsync(end).ConfigureAwait(false);
+            }
+            finally
+            {
+                Interlocked.Decrement(ref _waiting);
+            }
         }
+
+        public void GiveBack() => _free.Release();
+
+        public void Dispose() => _free.Dispose();
     }
 }

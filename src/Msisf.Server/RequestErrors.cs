@@ -16,6 +16,21 @@ internal static class RequestErrors
     /// <param name="log">Receives bugs.</param>
     public static async Task HandleAsync(HttpContext context, RequestDelegate next, RequestGuard guard, ServerMetrics metrics, ILog log)
     {
+        Connection? connection = context.Features.Get<Connection>();
+        connection?.RequestBegins();
+        context.Response.Body = new ResponseStream(context.Response.Body, ResponseStream.LongestWrite);
+        try
+        {
+            await AnswerAsync(context, next, guard, metrics, log).ConfigureAwait(false);
+        }
+        finally
+        {
+            connection?.RequestEnds();
+        }
+    }
+
+    private static async Task AnswerAsync(HttpContext context, RequestDelegate next, RequestGuard guard, ServerMetrics metrics, ILog log)
+    {
         try
         {
             guard.Check(context);

@@ -3,6 +3,7 @@ using System.Security.Cryptography;
 using System.Text;
 using Microsoft.AspNetCore.Http;
 using Microsoft.Extensions.Primitives;
+using Msisf.Adapters.Input;
 using Msisf.App.Settings;
 
 namespace Msisf.Server;
@@ -44,7 +45,8 @@ internal sealed class RequestGuard(ServeSettings settings)
         if (request.Headers.Origin is { Count: > 0 } origin && origin != $"{request.Scheme}://{request.Host}")
         {
             throw new RefusedException(
-                StatusCodes.Status403Forbidden, $"the request comes from a page of {origin}; pages of other sites are refused.");
+                StatusCodes.Status403Forbidden,
+                $"the request comes from a page of {NumberText.Shown(origin.ToString())}; pages of other sites are refused.");
         }
 
         if (request.Headers["Sec-Fetch-Site"] is ["cross-site" or "same-site"] && request.Path != "/")
@@ -62,18 +64,16 @@ internal sealed class RequestGuard(ServeSettings settings)
 
     /// <summary>An address can't be another site's name for this computer; only names can.</summary>
     private bool IsOwnHost(string host) =>
-        host == "localhost" || IPAddress.TryParse(host.Trim('[', ']'), out _)
+        host.Equals("localhost", StringComparison.OrdinalIgnoreCase) || IPAddress.TryParse(host.Trim('[', ']'), out _)
         || settings.Hosts.Contains(host, StringComparer.OrdinalIgnoreCase);
 
     private bool HasToken(StringValues authorization)
     {
         string[] words = authorization.ToString().Split(' ', 2);
-        string? given = words switch
-        {
-            ["Bearer", var token] => token.Trim(),
-            ["Basic", var pair] => PasswordOf(pair),
-            _ => null,
-        };
+        string? given = words is not [var scheme, var credentials] ? null
+            : scheme.Equals("Bearer", StringComparison.OrdinalIgnoreCase) ? credentials.Trim()
+            : scheme.Equals("Basic", StringComparison.OrdinalIgnoreCase) ? PasswordOf(credentials)
+            : null;
         return given is not null && CryptographicOperations.FixedTimeEquals(SHA256.HashData(Encoding.UTF8.GetBytes(given)), _token!);
     }
 

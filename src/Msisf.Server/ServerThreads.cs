@@ -4,10 +4,10 @@ namespace Msisf.Server;
 internal static class ServerThreads
 {
     /// <summary>
-    /// Threads for each core: one draws, up to three wait for others of their frame, and one answers. With the default of one for
-    /// each core, a request may wait for seconds while frames are drawn, because further threads come one by one.
+    /// Threads for each core: one draws a small and one a large image, up to three wait for others of each frame, and two answer. With the
+    /// default of one for each core, a request may wait for seconds while frames are drawn, because further threads come one by one.
     /// </summary>
-    private const int OfACore = 5;
+    private const int OfACore = 10;
 
     /// <summary>Makes as many threads as are needed at once start at once.</summary>
     public static void Reserve()

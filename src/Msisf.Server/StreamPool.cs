@@ -6,7 +6,7 @@ namespace Msisf.Server;
 internal sealed class StreamPool
 {
     /// <summary>bytes: larger streams are not kept.</summary>
-    private const int LargestKept = 64 << 20;
+    private const int LargestKept = 8 << 20;
 
     /// <summary>Number of streams that are kept.</summary>
     private const int MostKept = 16;

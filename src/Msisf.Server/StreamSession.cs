@@ -119,7 +119,7 @@ internal sealed class StreamSession : IDisposable
     {
         try
         {
-            _opening = JsonDocument.Parse(first.Bytes);
+            _opening = JsonText.Parse(first.Bytes);
             IReadOnlyDictionary<string, JsonElement> members = JsonText.Members(_opening.RootElement);
             if (members.Keys.FirstOrDefault(key => key is not ("frame" or "mode" or "format" or "timing")) is { } unknown)
             {
@@ -157,7 +157,8 @@ internal sealed class StreamSession : IDisposable
             (RequestedFrame requested, CameraSettings place) = message.Type == WebSocketMessageType.Binary
                 ? (_frame!, PlaceOf(message.Bytes))
                 : ReadChanges(message);
-            using Answer answer = await _frames.DrawAsync(requested, place, _form, _gone.Token, HeadLength).ConfigureAwait(false);
+            using Answer answer = _frames.Answers.InMemory(HeadLength);
+            await _frames.DrawAsync(requested, place, _form, answer, _gone.Token).ConfigureAwait(false);
             if (_isTimed)
             {
                 await SendTimesAsync(answer.Times).ConfigureAwait(false);
@@ -194,7 +195,7 @@ internal sealed class StreamSession : IDisposable
     /// <summary>The options of the first message with those of a later one, which may give the frame's number too.</summary>
     private (RequestedFrame Requested, CameraSettings Place) ReadChanges(StreamMessage message)
     {
-        using JsonDocument json = JsonDocument.Parse(message.Bytes);
+        using JsonDocument json = JsonText.Parse(message.Bytes);
         Dictionary<string, JsonElement> changes = new(JsonText.Members(json.RootElement), StringComparer.Ordinal);
         if (changes.Remove("number", out JsonElement number))
         {
@@ -259,7 +260,7 @@ internal sealed class StreamSession : IDisposable
                 json.WriteNumber("number", known);
             }
 
-            json.WriteString("error", Problem.Of(exception)!.Detail);
+            json.WriteString("error", Problem.Shortened(Problem.Of(exception)!.Detail));
         },
         _gone.Token);
 

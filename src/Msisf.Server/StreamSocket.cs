@@ -10,8 +10,6 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
 {
     private const int LargestMessage = 1 << 16;
 
-    private static readonly TimeSpan LongestWrite = TimeSpan.FromSeconds(30);
-
     private uint _received;
 
     /// <summary>The next message; null if the client closes, or sends more than a message may hold.</summary>
@@ -81,7 +79,7 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
     private async Task SendAsync(ReadOnlyMemory<byte> message, WebSocketMessageType type, CancellationToken cancellation)
     {
         using CancellationTokenSource late = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-        late.CancelAfter(LongestWrite);
+        late.CancelAfter(ResponseStream.LongestWrite);
         await socket.SendAsync(message, type, endOfMessage: true, late.Token).ConfigureAwait(false);
     }
 }

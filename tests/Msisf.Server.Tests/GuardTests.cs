@@ -35,6 +35,18 @@ public sealed class GuardTests(RunningServer server) : IClassFixture<RunningServ
         Assert.Equal(HttpStatusCode.Forbidden, answer.StatusCode);
     }
 
+    /// <summary>Names of computers and of schemes have no case (RFC 9110).</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task OwnHost_InCapitals_IsAllowed()
+    {
+        using HttpRequestMessage request = new(HttpMethod.Get, "/v1/models");
+        request.Headers.Host = "LOCALHOST";
+
+        using HttpResponseMessage answer = await server.Client.SendAsync(request);
+
+        Assert.Equal(HttpStatusCode.OK, answer.StatusCode);
+    }
+
     [RequiresFact(Part.Ldem4)]
     public async Task OwnOrigin_IsAllowed()
     {
@@ -67,6 +79,7 @@ public sealed class GuardTests(RunningServer server) : IClassFixture<RunningServ
         Assert.Equal(HttpStatusCode.Unauthorized, await StatusAsync(guarded, new("Bearer", "0123456789abcdeF")));
         Assert.Equal(HttpStatusCode.Unauthorized, await StatusAsync(guarded, new("Basic", "%%%")));
         Assert.Equal(HttpStatusCode.OK, await StatusAsync(guarded, new("Bearer", Token)));
+        Assert.Equal(HttpStatusCode.OK, await StatusAsync(guarded, new("bearer", Token)));
         string pair = Convert.ToBase64String(System.Text.Encoding.ASCII.GetBytes($"me:{Token}"));
         Assert.Equal(HttpStatusCode.OK, await StatusAsync(guarded, new("Basic", pair)));
         Assert.Equal(HttpStatusCode.OK, (await guarded.Client.GetAsync("/healthz")).StatusCode);

@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Net.Sockets;
 using System.Net.WebSockets;
 using System.Text;
+using Msisf.App.Serving;
 using Msisf.TestSupport;
 using Xunit;
 using Xunit.Abstractions;
@@ -73,6 +74,57 @@ public sealed class MalformedRequestTests(RunningServer server, ITestOutputHelpe
         output.WriteLine(string.Join(", ", statuses.OrderBy(pair => pair.Key).Select(pair => $"{pair.Value} x {pair.Key}")));
         output.WriteLine(FormattableString.Invariant(
             $"{times.Length} images meanwhile: median {times[times.Length / 2]:F1} ms, slowest {times[^1]:F1} ms"));
+    }
+
+    /// <summary>Bytes that are no UTF-8, wherever they stand, also where the request's text is handed on as it is.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("{\"camera\": {\"width\": 8, \"description\": \"?\"}}")]
+    [InlineData("{\"model\": \"?\"}")]
+    [InlineData("{\"?\": 1}")]
+    public async Task BadUtf8_IsARequestsFault(string json)
+    {
+        byte[] bytes = Encoding.Latin1.GetBytes(json.Replace('?', '\u00ff'));
+        using ByteArrayContent content = new(bytes);
+        content.Headers.ContentType = new("application/json");
+
+        using HttpResponseMessage answer = await server.Client.PostAsync("/v1/render", content);
+
+        Assert.Equal(System.Net.HttpStatusCode.BadRequest, answer.StatusCode);
+        Assert.Contains("not UTF-8", await answer.Content.ReadAsStringAsync(), StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public async Task CompressedBody_IsRefused()
+    {
+        using StringContent content = new(Sources[0], Encoding.UTF8, "application/json");
+        content.Headers.ContentEncoding.Add("gzip");
+
+        using HttpResponseMessage answer = await server.Client.PostAsync("/v1/render", content);
+
+        Assert.Equal(System.Net.HttpStatusCode.UnsupportedMediaType, answer.StatusCode);
+        Assert.Contains("send the request without compression", await answer.Content.ReadAsStringAsync(), StringComparison.Ordinal);
+    }
+
+    /// <summary>Every option, as a text that is much too long: no answer repeats more than 200 characters of it.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("x")]
+    [InlineData("x y ")]
+    [InlineData("x'")]
+    [InlineData("1,")]
+    [InlineData("{[")]
+    public async Task LongValue_IsNotRepeated_AsAWhole(string piece)
+    {
+        string value = string.Concat(Enumerable.Repeat(piece, 5000));
+        foreach (string option in (string[])[.. JsonOptions.OptionsOfFrame().Select(option => option.Key), "model", value])
+        {
+            foreach (string json in (string[])[$"\"{value}\"", $"{{\"width\": 8, \"{value}\": 1}}", $"[\"{value}\"]"])
+            {
+                using HttpResponseMessage answer = await server.PostAsync(
+                    "/v1/render", $"{{\"position\": [0, 0, 1e5], \"time\": 55289, \"{option}\": {json}}}");
+                string text = (await RunningServer.JsonOf(answer)).GetProperty("detail").GetString()!;
+                Assert.DoesNotContain(value[..202], text, StringComparison.Ordinal);
+            }
+        }
     }
 
     /// <summary>Twisted messages of a stream are answered, or end it; the server goes on.</summary>

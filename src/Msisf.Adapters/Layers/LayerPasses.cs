@@ -26,7 +26,7 @@ internal static class LayerPasses
         CancellationToken cancellation)
     {
         long pixels = (long)sampler.Width * sampler.Height;
-        foreach (Layer[] pass in Passes(layers, layer => pixels * layer.Planes * StoredLayer.SizeOf(layer.StoredType(precision))))
+        foreach (Layer[] pass in Passes(layers, layer => pixels * layer.Planes * layer.StoredType(precision).Size()))
         {
             List<StoredLayer> stored = [];
             try
@@ -54,7 +54,7 @@ internal static class LayerPasses
         LayerSampler sampler, Layer[] layers, List<StoredLayer> stored, CancellationToken cancellation) => Parallel.For(
         0,
         sampler.Height,
-        new ParallelOptions { CancellationToken = cancellation },
+        new ParallelOptions { CancellationToken = cancellation, MaxDegreeOfParallelism = Environment.ProcessorCount },
         () => layers.SelectMany(layer => Enumerable.Range(0, layer.Planes)).Select(_ => new double[sampler.Width]).ToArray(),
         (row, _, planes) =>
         {

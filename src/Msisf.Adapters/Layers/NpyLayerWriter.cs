@@ -35,7 +35,7 @@ public static class NpyLayerWriter
     {
         List<string> paths = [];
         Write(
-            (name, write) =>
+            (name, _, write) =>
             {
                 string path = $"{stem}.{name}";
                 files.Write(path, write);
@@ -46,22 +46,27 @@ public static class NpyLayerWriter
             truth,
             layers,
             precision,
+            hasHeads: true,
             cancellation);
         return paths;
     }
 
     /// <summary>Writes the same to other streams.</summary>
-    /// <param name="put">Receives the name of a file without its stem, "layer.npy" or "layers.json", and what writes it.</param>
+    /// <param name="put">
+    /// Receives the name of a file without its stem, "layer.npy" or "layers.json", its length in bytes (null of the JSON file) and what
+    /// writes it.
+    /// </param>
     /// <param name="frame">Goes into the JSON file.</param>
     /// <param name="provenance">Goes there too.</param>
     /// <param name="truth">What the pixels show; its camera is the frame's.</param>
     /// <param name="layers">Which.</param>
     /// <param name="precision">Of their real numbers.</param>
+    /// <param name="hasHeads">Whether the array files have heads; without, they are "layer.raw" and hold nothing but the numbers.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Write(
-        Action<string, Action<Stream>> put, FrameMetadata frame, LayerProvenance provenance, IGroundTruth truth, LayerSet layers,
-        LayerPrecision precision, CancellationToken cancellation)
+        Action<string, long?, Action<Stream>> put, FrameMetadata frame, LayerProvenance provenance, IGroundTruth truth, LayerSet layers,
+        LayerPrecision precision, bool hasHeads, CancellationToken cancellation)
     {
         LayerSampler sampler = new(truth, provenance);
         LayerPasses.Run(
@@ -69,13 +74,22 @@ public static class NpyLayerWriter
             layers.Layers,
             precision,
             LayerLayout.Npy,
-            layer => put($"{layer.Layer.Name}.npy", stream => WriteLayer(stream, sampler, layer)),
+            layer =>
+            {
+                byte[] head = hasHeads ? HeadOf(sampler, layer) : [];
+                put($"{layer.Layer.Name}.{(hasHeads ? "npy" : "raw")}", head.Length + (long)layer.Bytes.Length, stream =>
+                {
+                    stream.Write(head);
+                    stream.Write(layer.Bytes);
+                });
+            },
             cancellation);
-        put("layers.json", stream => LayersJson.Write(stream, frame, provenance, layers));
+        put("layers.json", null, stream => LayersJson.Write(stream, frame, provenance, layers));
     }
 
-    private static void WriteLayer(Stream stream, LayerSampler sampler, StoredLayer layer)
+    private static byte[] HeadOf(LayerSampler sampler, StoredLayer layer)
     {
+        using MemoryStream stream = new();
         if (layer.Layer.Planes > 1)
         {
             NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width, layer.Layer.Planes);
@@ -85,6 +99,6 @@ public static class NpyLayerWriter
             NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width);
         }
 
-        stream.Write(layer.Bytes);
+        return stream.ToArray();
     }
 }

@@ -31,7 +31,7 @@ internal sealed class StoredLayer : IDisposable
         _layout = layout;
         _width = width;
         _height = height;
-        _length = checked(width * height * layer.Planes * SizeOf(type));
+        _length = checked(width * height * layer.Planes * type.Size());
         _bytes = ArrayPool<byte>.Shared.Rent(_length);
     }
 
@@ -43,14 +43,6 @@ internal sealed class StoredLayer : IDisposable
 
     /// <summary>The numbers.</summary>
     public ReadOnlySpan<byte> Bytes => _bytes.AsSpan(0, _length);
-
-    /// <summary>Bytes of a number.</summary>
-    public static int SizeOf(LayerType type) => type switch
-    {
-        LayerType.Real64 => sizeof(double),
-        LayerType.Unsigned8 => sizeof(byte),
-        _ => sizeof(int),
-    };
 
     /// <summary>Puts in a row.</summary>
     /// <param name="row">From 0.</param>

@@ -12,11 +12,12 @@ namespace Msisf.App.Rendering;
 /// The native renderers of a run: one for each terrain that a frame needs, as long as that is kept. Thread-safe.
 /// </summary>
 /// <param name="terrain">Chooses the terrain of a frame.</param>
-internal sealed class NativeLevels(IFrameTerrain terrain)
+/// <param name="memory">Buffers of the renderers; null for those that keep the buffers of all frames.</param>
+internal sealed class NativeLevels(IFrameTerrain terrain, RendererMemory? memory = null)
 {
     private readonly ConditionalWeakTable<ITerrain, Lazy<NativeRenderer>> _renderers = [];
     private readonly ConditionalWeakTable<ITerrain, Lazy<TerrainTracer>> _tracers = [];
-    private readonly RendererMemory _memory = new();
+    private readonly RendererMemory _memory = memory ?? new RendererMemory();
 
     /// <summary>Bytes of the buffers that the renderers have replaced so far (<see cref="RendererMemory.ReplacedBytes"/>).</summary>
     public long ReplacedBytes => _memory.ReplacedBytes;

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.Unicode;
 using Msisf.Adapters.Input;
 using Msisf.Core.Errors;
 
@@ -7,6 +8,13 @@ namespace Msisf.App.Serving;
 /// <summary>Reads values of a request's JSON as the text that would be typed on the command line.</summary>
 internal static class JsonText
 {
+    /// <summary>Reads a request.</summary>
+    /// <exception cref="UsageException">It is not UTF-8.</exception>
+    /// <exception cref="JsonException">It is no JSON.</exception>
+    public static JsonDocument Parse(byte[] text) => Utf8.IsValid(text)
+        ? JsonDocument.Parse(text)
+        : throw new UsageException("the request is not UTF-8 text, as JSON is.");
+
     /// <summary>The members of an object by their names.</summary>
     /// <exception cref="UsageException">The value is no object, or a name is there twice.</exception>
     public static IReadOnlyDictionary<string, JsonElement> Members(JsonElement json)

@@ -3,6 +3,7 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
+using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Serving;
@@ -14,6 +15,9 @@ internal sealed class ServedModel : IDisposable
 {
     /// <summary>Number of errors of levels of detail for which renderers are kept; clients choose the error.</summary>
     private const int MaxLevels = 8;
+
+    /// <summary>px: a server draws frames of all sizes; the memory of larger ones, some GB, it returns when they are drawn.</summary>
+    private const long LargestFrameKept = 2048 * 2048;
 
     private readonly Lazy<ElevationModel> _model;
     private readonly ConcurrentDictionary<double, Lazy<NativeLevels>> _levels = new();
@@ -100,7 +104,8 @@ internal sealed class ServedModel : IDisposable
 
         return _levels.GetOrAdd(
             errorPixels ?? -1.0,
-            _ => new Lazy<NativeLevels>(() => new NativeLevels(Opened.DetailOf(errorPixels)))).Value;
+            _ => new Lazy<NativeLevels>(() => new NativeLevels(
+                Opened.DetailOf(errorPixels), new RendererMemory { LargestKept = LargestFrameKept }))).Value;
     }
 
     /// <summary>Closes the model.</summary>

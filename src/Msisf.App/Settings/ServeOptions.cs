@@ -11,6 +11,8 @@ internal static partial class ServeOptions
     public const int DefaultPort = 8810;
 
     private const int DefaultMaxPixels = 4096 * 4096;
+    private const int DefaultMaxMegabytes = 1000;
+    private const int MaxOfMegabytes = 1_000_000;
     private const int DefaultQueue = 64;
     private const int DefaultTimeLimit = 60;
     private const int MaxTimeLimit = 86400;
@@ -49,6 +51,13 @@ internal static partial class ServeOptions
         Default = DefaultMaxPixels,
     };
 
+    /// <summary>Largest answer.</summary>
+    public static WholeNumberSpec MaxMegabytes { get; } = new(
+        "--max-megabytes", "MB", 1, MaxOfMegabytes, "Megabytes (of 1,000,000 bytes) of the largest answer, without compression")
+    {
+        Default = DefaultMaxMegabytes,
+    };
+
     /// <summary>Requests that wait.</summary>
     public static WholeNumberSpec Queue { get; } = new("--queue", "N", 1, MaxQueue, "Requests that may wait while others are drawn")
     {
@@ -70,7 +79,7 @@ internal static partial class ServeOptions
 
     /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
-        "Server", [Listen, TokenFile, Certificate, CertificateKey, Hosts, MaxPixels, Queue, TimeLimit]);
+        "Server", [Listen, TokenFile, Certificate, CertificateKey, Hosts, MaxPixels, MaxMegabytes, Queue, TimeLimit]);
 
     /// <summary>The options of a server that belongs to a client.</summary>
     public static OptionGroup OfClients { get; } = new("Clients", [EndWithInput]);
@@ -112,6 +121,7 @@ internal static partial class ServeOptions
             SurfaceOptions.Ldem.ReadAll(values),
             LightOptions.Kernels.ReadIfGiven(values))
         {
+            MaxMegabytes = MaxMegabytes.Read(values),
             EndsWithInput = EndWithInput.Read(values),
             Folders = NamedPaths.Read(ViewOptions.Folders, values),
             Catalogues = NamedPaths.Read(ViewOptions.Catalogues, values),

@@ -14,6 +14,9 @@ internal sealed record ServeSettings(
     ListenAddress Listen, string? Token, (string Path, string Key)? Certificate, IReadOnlyList<string> Hosts, int MaxPixels, int Queue,
     TimeSpan TimeLimit, IReadOnlyList<string> Ldem, string? Kernels)
 {
+    /// <summary>Megabytes of the largest answer.</summary>
+    public required int MaxMegabytes { get; init; }
+
     /// <summary>Whether the server belongs to the program that started it: it ends with that, at once.</summary>
     public bool EndsWithInput { get; init; }
 

@@ -46,6 +46,9 @@ internal sealed class FramePass : IDrawnFrame
     /// <summary>Radiance factor I/F of each pixel, row by row from the top.</summary>
     public ReadOnlyMemory<double> RadianceFactors => _radianceFactors.AsMemory(0, Camera.Width * Camera.Height);
 
+    /// <summary>px: of the largest frame so far.</summary>
+    public long Capacity => _radianceFactors.Length;
+
     /// <summary>Bytes of the buffers that have been replaced by smaller or larger ones since the first frame.</summary>
     public long ReplacedBytes => _visibility.Surface.ReplacedBytes + _light.ReplacedBytes;
 

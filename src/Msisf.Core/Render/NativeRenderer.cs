@@ -63,7 +63,7 @@ public sealed class NativeRenderer
     private NativeFrame Render(
         FrameCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
     {
-        FramePass pass = _memory.Take(_surface);
+        FramePass pass = _memory.Take(_surface, (long)camera.Width * camera.Height);
         long before = pass.ReplacedBytes;
         pass.Draw(camera, light, options, threads, cancellation);
         _memory.AddReplaced(pass.ReplacedBytes - before);

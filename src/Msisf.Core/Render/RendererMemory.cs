@@ -10,6 +10,7 @@ namespace Msisf.Core.Render;
 public sealed class RendererMemory
 {
     private readonly ConcurrentBag<FramePass> _idle = [];
+    private readonly ConcurrentBag<WeakReference<FramePass>> _large = [];
     private long _replacedBytes;
 
     /// <summary>
@@ -18,10 +19,18 @@ public sealed class RendererMemory
     /// </summary>
     public long ReplacedBytes => Interlocked.Read(ref _replacedBytes);
 
+    /// <summary>
+    /// px: buffers of larger frames are kept until the next garbage collection only. By default all are kept, as is good for a series of
+    /// like frames.
+    /// </summary>
+    public long LargestKept { get; init; } = long.MaxValue;
+
     /// <summary>Takes buffers to draw a frame of a surface.</summary>
-    internal FramePass Take(SurfaceModel surface)
+    /// <param name="surface">The surface.</param>
+    /// <param name="pixels">px: of the frame.</param>
+    internal FramePass Take(SurfaceModel surface, long pixels)
     {
-        if (!_idle.TryTake(out FramePass? pass))
+        if (TakeIdle(isLarge: pixels > LargestKept) is not { } pass)
         {
             return new FramePass(surface);
         }
@@ -35,8 +44,34 @@ public sealed class RendererMemory
     }
 
     /// <summary>Gives buffers back whose frame is done with.</summary>
-    internal void Return(FramePass pass) => _idle.Add(pass);
+    internal void Return(FramePass pass)
+    {
+        if (pass.Capacity > LargestKept)
+        {
+            _large.Add(new WeakReference<FramePass>(pass));
+        }
+        else
+        {
+            _idle.Add(pass);
+        }
+    }
 
     /// <summary>Counts bytes of replaced buffers.</summary>
     internal void AddReplaced(long bytes) => Interlocked.Add(ref _replacedBytes, bytes);
+
+    private FramePass? TakeIdle(bool isLarge)
+    {
+        FramePass? pass = null;
+        if (!isLarge)
+        {
+            return _idle.TryTake(out pass) ? pass : null;
+        }
+
+        while (pass is null && _large.TryTake(out WeakReference<FramePass>? large))
+        {
+            large.TryGetTarget(out pass);
+        }
+
+        return pass;
+    }
 }

@@ -1,0 +1,54 @@
+using System.Collections.Concurrent;
+using Microsoft.AspNetCore.Connections;
+
+namespace Msisf.Server;
+
+/// <summary>
+/// The connections of clients. One that sends no request soon after it was opened is closed; when there are too many, the one that has been
+/// idle for the longest time makes room. So nobody keeps others out by being silent. Thread-safe.
+/// </summary>
+/// <param name="most">How many there may be.</param>
+/// <param name="longestSilence">From connecting to the end of the first request's head.</param>
+internal sealed class Connections(int most, TimeSpan longestSilence)
+{
+    private readonly ConcurrentDictionary<Connection, bool> _open = [];
+
+    /// <summary>Serves a connection.</summary>
+    /// <param name="context">The connection; its requests find their <see cref="Connection"/> among the features.</param>
+    /// <param name="next">Serves it.</param>
+    public async Task HandleAsync(ConnectionContext context, ConnectionDelegate next)
+    {
+        Connection connection = new(context);
+        _open[connection] = true;
+        if (_open.Count > most && !MakeRoom(connection))
+        {
+            _open.TryRemove(connection, out _);
+            context.Abort();
+            return;
+        }
+
+        context.Features.Set(connection);
+        using Timer silence = new(_ => connection.CloseIfUnused(), null, longestSilence, Timeout.InfiniteTimeSpan);
+        try
+        {
+            await next(context).ConfigureAwait(false);
+        }
+        finally
+        {
+            _open.TryRemove(connection, out _);
+        }
+    }
+
+    private bool MakeRoom(Connection newest)
+    {
+        Connection? idle = _open.Keys.Where(open => open.IsIdle && open != newest).MinBy(open => open.IdleSince);
+        if (idle is null)
+        {
+            return false;
+        }
+
+        _open.TryRemove(idle, out _);
+        idle.Close();
+        return true;
+    }
+}
