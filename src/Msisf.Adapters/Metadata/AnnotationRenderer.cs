@@ -86,7 +86,7 @@ public static class AnnotationRenderer
         double widthAtSize1 = lines.Max(line => image.MeasureText(line, LargestFontSize)) / LargestFontSize;
         double size = Math.Clamp(TextWidthShare * image.Width / widthAtSize1, MinFontSize, LargestFontSize);
         double margin = 0.5 * size;
-        double blockWidth = lines.Max(line => image.MeasureText(line, size)) + (2.0 * margin); // small letters are wider than in proportion
+        double blockWidth = lines.Max(line => image.MeasureText(line, size)) + (2.0 * margin); // steps of the font: not in proportion
         double blockHeight = (size * LineSpacing * lines.Length) + (2.0 * margin);
         if (blockWidth > image.Width || blockHeight > 0.5 * image.Height)
         {

@@ -114,25 +114,23 @@ public class AnnotationRendererTests
         Assert.Equal(Background, image[size - 1, size - 1, 0]);
     }
 
-    /// <summary>Small letters are wider than in proportion to large ones.</summary>
+    /// <summary>The font's widths come in whole pixels: at 700 and 1024 px the text is wider than in proportion.</summary>
     [RequiresTheory(Part.Cairo)]
     [InlineData(320)]
-    [InlineData(400)]
-    [InlineData(512)]
     [InlineData(700)]
     [InlineData(1024)]
-    [InlineData(1500)]
-    public void Write_Text_StaysInItsBox(int size)
+    public void Write_Text_StaysInItsBox(int width)
     {
-        FrameMetadata frame = ExampleFrame.OfSize(size, size);
+        const int height = 460;
+        FrameMetadata frame = ExampleFrame.OfSize(width, height);
 
-        PngPixels image = Annotate(frame, ExampleFrame.Sampler(frame, spacing: size + 1));
+        PngPixels image = Annotate(frame, ExampleFrame.Sampler(frame, spacing: width + 1));
 
-        int boxWidth = Enumerable.Range(0, size).Count(x => image[x, 0, 0] < Background);
-        int boxHeight = Enumerable.Range(0, size).Count(y => image[0, y, 0] < Background);
+        int boxWidth = Enumerable.Range(0, width).Count(x => image[x, 0, 0] < Background);
+        int boxHeight = Enumerable.Range(0, height).Count(y => image[0, y, 0] < Background);
         (int X, int Y)[] letters =
         [
-            .. from y in Enumerable.Range(0, size) from x in Enumerable.Range(0, size) where image[x, y, 0] > 100 select (x, y),
+            .. from y in Enumerable.Range(0, height) from x in Enumerable.Range(0, width) where image[x, y, 0] > 100 select (x, y),
         ];
         Assert.InRange(letters.Max(pixel => pixel.X), boxWidth / 2, boxWidth - 2);
         Assert.InRange(letters.Max(pixel => pixel.Y), boxHeight / 2, boxHeight - 2);
