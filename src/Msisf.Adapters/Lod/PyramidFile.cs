@@ -7,7 +7,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Lod;
 
-/// <summary>A model's sidecar (docs/elevation-models.md), mapped into memory. Don't use its levels after it is disposed.</summary>
+/// <summary>A model's sidecar (docs/elevation-formats.md), mapped into memory. Don't use its levels after it is disposed.</summary>
 public sealed unsafe class PyramidFile : IDisposable
 {
     private readonly PyramidHeader _header;

@@ -7,7 +7,7 @@ namespace Msisf.Core.Surface.Sources;
 
 /// <summary>
 /// Several elevation models as one closed surface: everywhere the finest model that has data, joined without a crack and without a step
-/// (docs/elevation-models.md). The seams are made when the surface is first needed. Safe for several threads.
+/// (docs/elevation-seams.md). The seams are made when the surface is first needed. Safe for several threads.
 /// </summary>
 public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
 {
