@@ -38,8 +38,7 @@ internal sealed class ElevationModel : IDisposable
     private readonly Lazy<ElevationSummary> _summary;
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
-    private readonly Lazy<TerrainLevels> _drawnLevels;
-    private readonly Lazy<NestedLevels> _nestedLevels;
+    private readonly Func<double?, IFrameTerrain> _detailOf;
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
     internal ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
@@ -52,12 +51,14 @@ internal sealed class ElevationModel : IDisposable
             ? ElevationSummary.Build(image)
             : ElevationSummaryFile.Open(image.Set.FileBeside(SummaryExtension), _source.Value, image));
         _levels = new Lazy<ModelLevels>(openLevels);
-        _drawnLevels = new Lazy<TerrainLevels>(() => Levels);
+        _detailOf = error => error is double pixels ? new ModelDetail(Levels, pixels) : new FullDetail(image);
     }
 
     internal ElevationModel(ITerrainGrid grid, LdemSet set, IDisposable file)
         : this(grid, [set], [file])
     {
+        Lazy<MapLevels> levels = new(() => MapLevels.Open(grid));
+        _detailOf = error => error is double pixels ? new ModelDetail(levels.Value, pixels) : new FullDetail(grid);
     }
 
     private ElevationModel(ITerrain grid, IReadOnlyList<LdemSet> sets, IReadOnlyList<IDisposable> files)
@@ -68,14 +69,18 @@ internal sealed class ElevationModel : IDisposable
         _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(grid));
         _summary = new Lazy<ElevationSummary>(() => throw NotWholeMoon());
         _levels = new Lazy<ModelLevels>(() => throw NotWholeMoon());
-        _drawnLevels = new Lazy<TerrainLevels>(() => MapLevels.Open((ITerrainGrid)grid));
-        _nestedLevels = new Lazy<NestedLevels>(() => throw new InvalidOperationException("This is one model."));
+        _detailOf = _ => new FullDetail(grid);
     }
 
     internal ElevationModel(NestedTerrain nested, IReadOnlyList<ElevationModel> models)
-        : this(nested, [.. models.Select(model => model.Set)], models) =>
-        _nestedLevels = new Lazy<NestedLevels>(() => new NestedLevels(
-            nested, [.. models.Select(model => model.LevelsInScene(models.Count))]));
+        : this(nested, [.. models.Select(model => model.Set)], models)
+    {
+        Lazy<NestedLevels> levels = new(() => new NestedLevels(nested, [.. models.Select(model => model.LevelsInScene(models.Count))]));
+        _detailOf = error => error is double pixels ? new SceneDetail(levels.Value, pixels) : new FullDetail(nested);
+    }
+
+    private ElevationModel(RefinedTerrain refined, IReadOnlyList<LdemSet> sets, IReadOnlyList<ElevationModel> models)
+        : this((ITerrain)refined, sets, models) => _detailOf = _ => new RefinedDetail(refined);
 
     /// <summary>The samples; of several models the surface that they make together.</summary>
     public ITerrain Grid { get; }
@@ -104,17 +109,12 @@ internal sealed class ElevationModel : IDisposable
     /// the windows of it.
     /// </summary>
     /// <param name="drawn">The resolution at which each is drawn; null for one that is left out.</param>
-    public IReadOnlyList<ElevationPart> PartsAt(IReadOnlyList<GridResolution?> drawn) => Grid switch
-    {
-        NestedTerrain nested => [.. PartsOf(nested.Models, drawn)],
-        RefinedTerrain refined =>
-        [
-            .. PartsOf(refined.Grids, drawn),
-            .. drawn.Skip(Sets.Count).Select(window => new ElevationPart(
-                refined.DetailName, IsSynthetic: true, window!.Value, window)),
-        ],
-        _ => [],
-    };
+    public IReadOnlyList<ElevationPart> PartsAt(IReadOnlyList<GridResolution?> drawn) => Grid.PartCount == 1 ? [] :
+    [
+        .. Grid.Models.Select((grid, part) => new ElevationPart(
+            grid.ProductId, Sets[part].IsSynthetic, grid.Projection.Resolution, drawn[part])),
+        .. drawn.Skip(Sets.Count).Select(window => new ElevationPart(Grid.InventedName!, IsSynthetic: true, window!.Value, window)),
+    ];
 
     /// <summary>Traces single rays; created on first use.</summary>
     public ITerrainTracer Tracer => _tracer.Value;
@@ -126,10 +126,7 @@ internal sealed class ElevationModel : IDisposable
     /// <param name="errorPixels">
     /// px: how far coarser levels may shift a point in the image; null to draw from the full model always.
     /// </param>
-    public IFrameTerrain DetailOf(double? errorPixels) => Grid is RefinedTerrain refined ? new RefinedDetail(refined)
-        : errorPixels is not double error ? new FullDetail(Grid)
-        : Grid is NestedTerrain ? new SceneDetail(_nestedLevels.Value, error)
-        : new ModelDetail(_drawnLevels.Value, error);
+    public IFrameTerrain DetailOf(double? errorPixels) => _detailOf(errorPixels);
 
     /// <summary>
     /// The model and its levels as a part of a scene: they share the memory, and leave places without data to coarser models.
@@ -149,7 +146,7 @@ internal sealed class ElevationModel : IDisposable
         {
             return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
-                RefinedTerrain terrain = new(Grid, InventedGround.Of(detail.Seed, RefinedTerrain.GridsOf(Grid)), detail.FinestLevel);
+                RefinedTerrain terrain = new(Grid, InventedGround.Of(detail.Seed, RefinedTerrain.ModelsOf(Grid)), detail.FinestLevel);
                 host.Log.Note(string.Create(
                     CultureInfo.InvariantCulture,
                     $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m "
@@ -167,10 +164,6 @@ internal sealed class ElevationModel : IDisposable
             throw;
         }
     }
-
-    private IEnumerable<ElevationPart> PartsOf(IReadOnlyList<ITerrainGrid> grids, IReadOnlyList<GridResolution?> drawn) =>
-        grids.Select((grid, part) => new ElevationPart(
-            grid.ProductId, Sets[part].IsSynthetic, grid.Projection.Resolution, drawn[part]));
 
     /// <summary>The tiles that a frame needs, with reasons; the first call opens the summary of the model.</summary>
     public TileSelection Select(Frame frame) =>

@@ -7,7 +7,6 @@ using Msisf.Core.Lod;
 using Msisf.Core.Numerics;
 using Msisf.Core.Preview;
 using Msisf.Core.Surface;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preview;
@@ -34,7 +33,7 @@ internal static class DryRun
         GridResolution resolution = settings.Resolution.OnSphere(reference);
         run.WarnOfFieldOfView(settings, host, reference);
         RunNotes notes = new(resolution, settings.Ldem.Count > 1, settings.Native.Refine is not null);
-        IFrameTerrain? detail = model?.Grid is NestedTerrain ? model.DetailOf(settings.LevelOfDetailError) : null;
+        IFrameTerrain? detail = model?.Grid is { PartCount: > 1, InventedName: null } ? model.DetailOf(settings.LevelOfDetailError) : null;
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
         {
             cancellation.ThrowIfCancellationRequested();
@@ -43,7 +42,7 @@ internal static class DryRun
             return new PreviewRow(
                 frame.Step, frame.Time, Height(frame.Camera.PositionMoonMe, model), view, view.PixelsPerCell(resolution))
             {
-                Drawn = detail?.For(frame.Camera, settings.DetailSubsamplesPerAxis) is NestedTerrain drawn ? drawn.DrawnResolutions : [],
+                Drawn = detail?.For(frame.Camera, settings.DetailSubsamplesPerAxis).DrawnResolutions ?? [],
             };
         }).ToArray());
         notes.Write(camera, host.Log);

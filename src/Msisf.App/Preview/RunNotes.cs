@@ -4,7 +4,6 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Preview;
 using Msisf.Core.Scene;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
@@ -60,7 +59,7 @@ internal sealed class RunNotes
     public static void Write(
         CameraSettings camera, IReadOnlyList<Frame> frames, ITerrain terrain, ILog log, CancellationToken cancellation)
     {
-        RunNotes notes = new(terrain.Resolution, terrain.PartCount > 1, terrain is RefinedTerrain);
+        RunNotes notes = new(terrain.Resolution, terrain.PartCount > 1, terrain.InventedName is not null);
         foreach (Frame frame in frames)
         {
             cancellation.ThrowIfCancellationRequested();

@@ -1,7 +1,6 @@
 using System.Globalization;
 using Msisf.Adapters.Tiles;
 using Msisf.Core.Blocks;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 
@@ -19,7 +18,7 @@ internal sealed class BlockLevel
     {
         Name = NameOf(ResolutionsOf(models), ResolutionsOf(drawn));
         Resolution = drawn.Resolution;
-        PartResolutions = drawn is NestedTerrain nested ? nested.DrawnResolutions : [];
+        PartResolutions = drawn.DrawnResolutions;
         Blocks = new SceneBlocks(drawn);
         Patterns = new BlockPatterns(repository, Blocks, drawn, Name);
         _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(drawn));
@@ -44,7 +43,7 @@ internal sealed class BlockLevel
     public ITerrainTracer Tracer => _tracer.Value;
 
     private static IReadOnlyList<GridResolution?> ResolutionsOf(ITerrain terrain) =>
-        terrain is NestedTerrain nested ? nested.DrawnResolutions : [terrain.Resolution];
+        terrain.DrawnResolutions is { Count: > 0 } several ? several : [terrain.Resolution];
 
     private static string NameOf(IReadOnlyList<GridResolution?> models, IReadOnlyList<GridResolution?> drawn)
     {

@@ -3,7 +3,6 @@ using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
@@ -63,13 +62,13 @@ internal sealed class FrameDescription(
         settings.Albedo.Band)
     {
         Parts = model.Grid.PartCount,
-        InventedDetail = rendered.PartResolutions.Count > model.Sets.Count ? (model.Grid as RefinedTerrain)?.DetailName : null,
+        InventedDetail = rendered.PartResolutions.Count > model.Sets.Count ? model.Grid.InventedName : null,
         ReferenceRadius = model.Grid.ReferenceRadius,
     };
 
     /// <summary>The level of detail; of several models that of the finest one that is drawn.</summary>
     private int LevelOf(RenderedFrame rendered) =>
-        model.Grid is not RefinedTerrain && model.PartsAt(rendered.PartResolutions) is { Count: > 0 } parts
+        model.Grid.InventedName is null && model.PartsAt(rendered.PartResolutions) is { Count: > 0 } parts
         ? parts.Last(part => part.Drawn is not null).Resolution.HalvingsTo(rendered.Resolution)
         : model.Grid.Resolution.HalvingsTo(rendered.Resolution);
 }

@@ -2,7 +2,6 @@ using System.Runtime.CompilerServices;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Render;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 
@@ -26,12 +25,8 @@ internal sealed class NativeLevels(IFrameTerrain terrain, RendererMemory? memory
     public NativeRenderer For(ICamera camera, int subsamplesPerAxis) => _renderers.GetValue(
         terrain.For(camera, subsamplesPerAxis), MakeRenderer).Value;
 
-    /// <summary>
-    /// Facets of this part and of those after it are invented in a frame (<see cref="RefinedView.FirstInventedPart"/>); null if nothing is
-    /// to be invented.
-    /// </summary>
-    public int? FirstInventedPart(ICamera camera, int subsamplesPerAxis) =>
-        (terrain.For(camera, subsamplesPerAxis) as RefinedView)?.FirstInventedPart;
+    /// <summary>The first invented part of a frame (<see cref="ITerrain.FirstInventedPart"/>).</summary>
+    public int? FirstInventedPart(ICamera camera, int subsamplesPerAxis) => terrain.For(camera, subsamplesPerAxis).FirstInventedPart;
 
     /// <summary>Traces single rays through the surface that a frame shows.</summary>
     public ITerrainTracer TracerFor(ICamera camera, int subsamplesPerAxis) => _tracers.GetValue(

@@ -38,8 +38,7 @@ public sealed record FramePreview(
         double radius = RadiusBelow(position, terrain);
         SphereShare share = ShareOf(camera, light, radius);
         BoresightView? middle = InTheMiddle(inMiddle, light, radius);
-        bool isBesideMap = share.Moon > 0.0 && terrain is ITerrainGrid map and not IGlobalGrid
-            && !IsInView(map, camera, middle);
+        bool isBesideMap = share.Moon > 0.0 && terrain is { IsWholeBody: false } && !IsInView(terrain, camera, middle);
         return new FramePreview(
             SelenographicPoint.Below(position),
             Vector3D.AngleBetween(inMiddle.ForwardMoonMe, -position.Normalized()),
@@ -56,7 +55,7 @@ public sealed record FramePreview(
     /// Whether a block of a map may be in the image; with a lens, whose image is not told here, yes. Where the map holds the middle of the
     /// image, nothing of it is read.
     /// </summary>
-    private static bool IsInView(ITerrainGrid map, ICamera camera, BoresightView? middle)
+    private static bool IsInView(ITerrain map, ICamera camera, BoresightView? middle)
     {
         SurfaceModel surface = SurfaceModel.Of(map);
         return camera.Bands[0].Camera.Model.Lens is not null

@@ -1,7 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Scene;
 using Msisf.Core.Surface;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render;
@@ -23,12 +22,7 @@ public sealed class NativeRenderer
         _surface = SurfaceModel.Of(terrain);
         _memory = memory ?? new RendererMemory();
         Resolution = terrain.Resolution;
-        PartResolutions = terrain switch
-        {
-            NestedTerrain nested => nested.DrawnResolutions,
-            RefinedView view => view.DrawnResolutions,
-            _ => [],
-        };
+        PartResolutions = terrain.DrawnResolutions;
     }
 
     /// <summary>Resolution of the model that is drawn, of several that of the finest that is there.</summary>

@@ -21,7 +21,7 @@ internal sealed class FacetMesh
         Grid = grid;
         Lines = grid.Lines;
         Samples = grid.Samples;
-        IsClosed = grid is IGlobalGrid;
+        IsClosed = grid.IsWholeBody;
         GridWindow window = grid.Window;
         _isRing = grid.Projection is Equirectangular && window.Samples == Samples;
         Cells = IsClosed

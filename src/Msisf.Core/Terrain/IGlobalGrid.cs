@@ -10,6 +10,9 @@ public interface IGlobalGrid : ITerrainGrid
     int PixelsPerDegree { get; }
 
     /// <inheritdoc/>
+    bool ITerrain.IsWholeBody => true;
+
+    /// <inheritdoc/>
     MapProjection ITerrainGrid.Projection => new Equirectangular(PixelsPerDegree);
 
     /// <inheritdoc/>

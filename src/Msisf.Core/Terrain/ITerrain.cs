@@ -17,6 +17,26 @@ public interface ITerrain
     /// <summary>m: radius of the sphere over which heights are counted; that of the Moon unless the model is of another body.</summary>
     double ReferenceRadius => MoonConstants.ReferenceRadius;
 
+    /// <summary>The models, the coarsest first; of a single one itself.</summary>
+    IReadOnlyList<ITerrainGrid> Models { get; }
+
+    /// <summary>Whether it goes around the whole body.</summary>
+    bool IsWholeBody => true;
+
+    /// <summary>
+    /// Of several models the resolution at which each is drawn; null for one that is left out, because a coarser one is as fine. Those of
+    /// invented windows follow. Empty for one model.
+    /// </summary>
+    IReadOnlyList<GridResolution?> DrawnResolutions => [];
+
+    /// <summary>Name of the ground that is invented below the models' resolution; null if none is.</summary>
+    string? InventedName => null;
+
+    /// <summary>
+    /// Facets of this part and of those after it are of invented ground, or join it to the models; null if none is to be invented.
+    /// </summary>
+    int? FirstInventedPart => null;
+
     /// <summary>Number of models; the facets of the seams between several have this number as their part.</summary>
     int PartCount => 1;
 

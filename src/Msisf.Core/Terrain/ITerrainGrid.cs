@@ -8,6 +8,12 @@ public interface ITerrainGrid : ITerrain
     /// <inheritdoc/>
     GridResolution ITerrain.Resolution => Projection.Resolution;
 
+    /// <inheritdoc/>
+    IReadOnlyList<ITerrainGrid> ITerrain.Models => [this];
+
+    /// <inheritdoc/>
+    bool ITerrain.IsWholeBody => false;
+
     /// <summary>Where the samples lie.</summary>
     MapProjection Projection { get; }
 

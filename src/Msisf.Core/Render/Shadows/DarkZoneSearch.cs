@@ -11,10 +11,10 @@ internal sealed class DarkZoneSearch
     private const int ManyBlocks = 128;
 
     /// <summary>
-    /// Number of receivers, in a square as wide as the disc at the greatest distance of a shadow, above which zones save time: under a
-    /// polar Sun there are thousands, in a view from afar hundreds.
+    /// Number of receivers, in a square as wide as the disc at the greatest distance of a shadow, above which zones save time: with 45 they
+    /// take as much as they save, with 180 they save a fifth of an image's time; under a polar Sun there are thousands.
     /// </summary>
-    private const double ManyReceivers = 1200.0;
+    private const double ManyReceivers = 150.0;
 
     /// <summary>
     /// Maximum number of blocks whose facets are read for the zones, as a multiple of the blocks that may cast a shadow: with more, the

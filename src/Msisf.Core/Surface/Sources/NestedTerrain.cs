@@ -31,14 +31,14 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
             throw new BadInputException($"{Models.Count} elevation models: 2 to {MaxModels} make a scene of several.");
         }
 
-        if (Models[0] is not IGlobalGrid)
+        if (!Models[0].IsWholeBody)
         {
             throw new BadInputException(
                 $"{Models[0].ProductId}, the coarsest of several elevation models, is not of the whole Moon. Give one that is as well, for "
                     + "instance LDEM_4: around the others there would be nothing, and no horizon would throw shadows.");
         }
 
-        if (Models.Skip(1).FirstOrDefault(model => model is IGlobalGrid) is { } whole)
+        if (Models.Skip(1).FirstOrDefault(model => model.IsWholeBody) is { } whole)
         {
             throw new BadInputException(
                 $"{whole.ProductId} is of the whole Moon and finer than {Models[0].ProductId}, of which nothing would be seen. "
@@ -87,7 +87,7 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     /// <inheritdoc/>
     public GridResolution Resolution => _drawn.Last(level => level is not null)!.Projection.Resolution;
 
-    /// <summary>The resolution at which each model is drawn; null for one that is left out, because a coarser one is as fine.</summary>
+    /// <inheritdoc/>
     public IReadOnlyList<GridResolution?> DrawnResolutions => [.. _drawn.Select(level => level?.Projection.Resolution)];
 
     /// <inheritdoc/>

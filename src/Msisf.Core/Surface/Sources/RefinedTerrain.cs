@@ -47,7 +47,7 @@ public sealed class RefinedTerrain : ITerrain, IGround
         _tiles = new DetailTiles(detail);
         _whole = new Lazy<IReadOnlyList<GridPatch>>(
             () => models is NestedTerrain nested ? nested.WholeParts : [new GridPatch((ITerrainGrid)models)]);
-        _plan = new WindowPlan(detail, GridsOf(models), finestLevel);
+        _plan = new WindowPlan(detail, ModelsOf(models), finestLevel);
     }
 
     /// <inheritdoc/>
@@ -65,23 +65,20 @@ public sealed class RefinedTerrain : ITerrain, IGround
     /// <summary>Number of models, and 1 for the generated ground, of which a view may show several windows or none.</summary>
     public int PartCount => _models.PartCount + 1;
 
-    /// <summary>The models, the coarsest first.</summary>
-    public IReadOnlyList<ITerrainGrid> Grids => GridsOf(_models);
+    /// <inheritdoc/>
+    public IReadOnlyList<ITerrainGrid> Models => _models.Models;
 
-    /// <summary>Name of the generated ground.</summary>
-    public string DetailName => _detail.Name;
+    /// <inheritdoc/>
+    public string? InventedName => _detail.Name;
 
     /// <summary>The models, the coarsest first.</summary>
     /// <param name="terrain">One model of the whole Moon, or several.</param>
     /// <exception cref="BadInputException">It is a map of a part of the Moon.</exception>
-    public static IReadOnlyList<ITerrainGrid> GridsOf(ITerrain terrain) => terrain switch
-    {
-        NestedTerrain nested => nested.Models,
-        IGlobalGrid grid => [grid],
-        _ => throw new BadInputException(
+    public static IReadOnlyList<ITerrainGrid> ModelsOf(ITerrain terrain) => terrain.IsWholeBody
+        ? terrain.Models
+        : throw new BadInputException(
             $"{terrain.ProductId} is a map of a part of the Moon. Detail is invented in models of the whole Moon, and in such maps inside "
-                + "one: give one as well, for instance LDEM_4."),
-    };
+                + "one: give one as well, for instance LDEM_4.");
 
     /// <summary>The surface that a camera sees.</summary>
     /// <param name="camera">The camera.</param>

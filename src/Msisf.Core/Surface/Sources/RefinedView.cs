@@ -15,13 +15,16 @@ public sealed class RefinedView : ITerrain, ISurfaceSource
         FirstInventedPart = places.Count == 0 ? int.MaxValue : models.PartCount;
         DrawnResolutions =
         [
-            .. RefinedTerrain.GridsOf(models).Select(model => model.Projection.Resolution),
+            .. models.Models.Select(model => model.Projection.Resolution),
             .. places.Select(place => GridResolution.FromMetresPerPixel(Math.ScaleB(1.0, place.Level))),
         ];
         _surface = new Lazy<SurfaceModel>(join);
     }
 
-    /// <summary>Resolution of each model, and of the windows, whose parts follow.</summary>
+    /// <inheritdoc/>
+    public IReadOnlyList<ITerrainGrid> Models => _terrain.Models;
+
+    /// <inheritdoc/>
     public IReadOnlyList<GridResolution?> DrawnResolutions { get; }
 
     /// <inheritdoc/>
@@ -39,10 +42,8 @@ public sealed class RefinedView : ITerrain, ISurfaceSource
     /// <inheritdoc/>
     public int PartCount { get; }
 
-    /// <summary>
-    /// Facets of this part and of those after it are of invented ground, or join it to the models; none if there is no window.
-    /// </summary>
-    public int FirstInventedPart { get; }
+    /// <inheritdoc/>
+    public int? FirstInventedPart { get; }
 
     /// <summary>Where the windows lie, the coarsest first.</summary>
     internal IReadOnlyList<WindowPlace> Places { get; }

@@ -35,6 +35,11 @@ internal static class SurfacePoints
         return SunDistance * ((sinElevation * up) + (cosElevation * ((cosAzimuth * side) + (sinAzimuth * other))));
     }
 
+    /// <summary>Random directions around a place, about so far.</summary>
+    public static IEnumerable<Vector3D> Around(Vector3D middle, double radius, int count, Random random) =>
+        Enumerable.Range(0, count).Select(_ => (middle + ((2.0 * Math.Sin(0.5 * radius * Math.PI / 180.0))
+            * new Vector3D(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5))).Normalized());
+
     /// <summary>Points around a place whose facets face the Sun.</summary>
     /// <param name="moon">The surface.</param>
     /// <param name="middle">The place.</param>
@@ -47,12 +52,8 @@ internal static class SurfacePoints
         BruteForceMoon moon, Vector3D middle, double radius, Vector3D sun, int count, Random random, double minCosine = MinCosine)
     {
         List<SurfacePoint> points = [];
-        for (int i = 0; i < 20 * count && points.Count < count; i++)
+        foreach (Vector3D direction in Around(middle, radius, 20 * count, random).TakeWhile(_ => points.Count < count))
         {
-            Vector3D direction = middle;
-            direction += (2.0 * Math.Sin(0.5 * radius * Math.PI / 180.0))
-                * new Vector3D(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5);
-            direction = direction.Normalized();
             (BruteForceMoon.FacetId facet, double t) = moon.FirstHit(4e6 * direction, -direction)!.Value;
             Vector3D point = (4e6 - t) * direction;
             if (Vector3D.Dot(moon.Normal(facet), (sun - point).Normalized()) > minCosine)
