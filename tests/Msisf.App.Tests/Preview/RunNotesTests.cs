@@ -1,7 +1,7 @@
-using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Preview;
 using Msisf.App.Settings;
+using Msisf.App.Tests.Host;
 using Msisf.App.Tests.Settings;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
@@ -126,18 +126,5 @@ public sealed class RunNotesTests
         ListLog log = new();
         notes.Write(new FixedStateSettings(default), log);
         return [.. log.Lines];
-    }
-
-    private sealed class ListLog : ILog
-    {
-        public List<string> Lines { get; } = [];
-
-        public void Note(string text) => Lines.Add(text);
-
-        public void Warning(string text) => Lines.Add($"warning: {text}");
-
-        public void Error(string text) => Lines.Add($"error: {text}");
-
-        public void Raw(string line) => Lines.Add(line);
     }
 }
