@@ -7,7 +7,7 @@ using Xunit;
 namespace Msisf.Architecture.Tests;
 
 /// <summary>The rules of the house that reflection can see.</summary>
-public sealed partial class HouseRuleTests
+public sealed class HouseRuleTests
 {
     private static readonly Type[] OwnTypes =
     [
@@ -58,25 +58,26 @@ public sealed partial class HouseRuleTests
             type => Assert.True(type.IsSealed, $"{type.FullName} is not sealed"));
 
     /// <summary>
-    /// STYLE: one public type a file; records and enums of one file format or one result may stand together in a file named after it.
+    /// STYLE: one public type a file; a small one may stand with the type that it belongs to.
     /// </summary>
     [Fact]
-    public void PublicTypes_LieInTheFileOfTheirNameOrWithRecordsOnly()
+    public void PublicTypes_LieInTheFileOfTheirNameOrAreSmall()
     {
+        const int Small = 24; // lines
         string[] files =
         [
             .. Directory.EnumerateFiles(Path.Combine(TestSupport.TestParts.RepositoryRoot, "src"), "*.cs", SearchOption.AllDirectories)
                 .Where(path => !path.Contains("/obj/", StringComparison.Ordinal)),
         ];
         HashSet<string> names = [.. files.Select(path => Path.GetFileNameWithoutExtension(path))];
-        string[] filesOfRecords = [.. files.Select(File.ReadAllText).Where(text => !ClassOrInterface().IsMatch(text))];
+        string[] types = [.. files.SelectMany(path => File.ReadAllText(path).Split("\n/// <summary>"))];
         Assert.All(
             OwnTypes.Where(type => type.IsPublic).Select(type => type.Name.Split('`')[0]).Where(name => !names.Contains(name)),
-            name => Assert.True(
-                filesOfRecords.Count(text => Regex.IsMatch(text, $@"\b(record|struct|enum) {name}\b")) == 1,
-                $"{name} is neither in a file of its name nor among records in one of another"));
+            name =>
+            {
+                Regex declaration = new($@"\npublic [a-z ]*\b(class|interface|struct|record|enum|delegate \w+) {name}\b");
+                int lines = Assert.Single(types, text => declaration.IsMatch(text)).Trim().Split('\n').Length;
+                Assert.True(lines <= Small, $"{name} is neither in a file of its name nor small");
+            });
     }
-
-    [GeneratedRegex(@"^(public|internal) [\w ]*\b(class|interface) ", RegexOptions.Multiline)]
-    private static partial Regex ClassOrInterface();
 }

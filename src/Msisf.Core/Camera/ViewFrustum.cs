@@ -270,3 +270,16 @@ internal sealed class ViewFrustum
         return (-box.Left, box.Right, -box.Top, -box.Bottom);
     }
 }
+
+/// <summary>Where something lies relative to a <see cref="ViewFrustum"/>.</summary>
+internal enum FrustumSide
+{
+    /// <summary>Certainly outside.</summary>
+    Outside,
+
+    /// <summary>Perhaps partly inside.</summary>
+    Straddling,
+
+    /// <summary>Wholly inside.</summary>
+    Inside,
+}

@@ -30,3 +30,14 @@ public sealed record DarkCurrent
     /// <summary>Dark current at the detector's temperature over that at the reference temperature.</summary>
     public double TemperatureFactor => Math.Pow(2.0, (Temperature - ReferenceTemperature) / DoublingTemperature);
 }
+
+/// <summary>A pixel of much dark current.</summary>
+/// <param name="X">From 1, to the right.</param>
+/// <param name="Y">From 1, down.</param>
+/// <param name="Rate">Electrons per second at the reference temperature of the dark current, in place of the other pixels' rate.</param>
+public readonly record struct HotPixel(int X, int Y, double Rate);
+
+/// <summary>A pixel that does not respond to light.</summary>
+/// <param name="X">From 1, to the right.</param>
+/// <param name="Y">From 1, down.</param>
+public readonly record struct DeadPixel(int X, int Y);

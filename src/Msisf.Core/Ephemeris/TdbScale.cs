@@ -81,3 +81,23 @@ public sealed class TdbScale
         return _constants.TtMinusTai + taiMinusUtc + (_constants.Amplitude * Math.Sin(eccentricAnomaly));
     }
 }
+
+/// <summary>
+/// The constants of TDB - TAI = TtMinusTai + Amplitude sin E, E = M + Eccentricity sin M (leap seconds kernel, DELTET/...).
+/// </summary>
+/// <param name="TtMinusTai">s: DELTA_T_A.</param>
+/// <param name="Amplitude">s: K.</param>
+/// <param name="Eccentricity">1: EB, of the Earth's orbit.</param>
+/// <param name="MeanAnomalyAtJ2000">rad: first value of M.</param>
+/// <param name="MeanMotion">rad/s: second value of M.</param>
+public readonly record struct TdbScaleConstants(
+    double TtMinusTai,
+    double Amplitude,
+    double Eccentricity,
+    double MeanAnomalyAtJ2000,
+    double MeanMotion);
+
+/// <summary>One step of TAI - UTC.</summary>
+/// <param name="TaiMinusUtc">s, from <paramref name="UtcSeconds"/> on.</param>
+/// <param name="UtcSeconds">When it begins: seconds past 2000-01-01T12:00:00 UTC, each day counted with 86 400 s.</param>
+public sealed record LeapSecond(double TaiMinusUtc, double UtcSeconds);

@@ -18,3 +18,33 @@ public abstract class MsisfException : Exception
     /// </summary>
     public IReadOnlyList<string> Options { get; set; } = [];
 }
+
+/// <summary>Wrong, missing or forbidden options (exit code 1).</summary>
+/// <param name="message">One line: what, where, what to do.</param>
+/// <param name="inner">The foreign exception behind it, if there is one.</param>
+public sealed class UsageException(string message, Exception? inner = null) : MsisfException(exitCode: 1, message, inner);
+
+/// <summary>A file or a value does not hold what it should (exit code 2).</summary>
+/// <param name="message">One line: what, where, what to do.</param>
+/// <param name="inner">The foreign exception behind it, if there is one.</param>
+public sealed class BadInputException(string message, Exception? inner = null) : MsisfException(exitCode: 2, message, inner);
+
+/// <summary>CSPICE, POV-Ray, a database or the file system failed or is missing (exit code 3).</summary>
+/// <param name="message">One line: what, where, what to do.</param>
+/// <param name="inner">The foreign exception behind it, if there is one.</param>
+public class ExternalPartException(string message, Exception? inner = null) : MsisfException(exitCode: 3, message, inner);
+
+/// <summary>An ephemeris engine failed: CSPICE itself, or a kernel that it or the built-in reader can't use (exit code 3).</summary>
+/// <param name="message">One line: what, where, what to do.</param>
+/// <param name="inner">The foreign exception behind it, if there is one.</param>
+public sealed class SpiceException(string message, Exception? inner = null) : ExternalPartException(message, inner);
+
+/// <summary>POV-Ray is missing or failed (exit code 3).</summary>
+/// <param name="message">One line: what, where, what to do.</param>
+/// <param name="inner">The foreign exception behind it, if there is one.</param>
+public sealed class PovRayException(string message, Exception? inner = null) : ExternalPartException(message, inner);
+
+/// <summary>Valid input that contains no frame: an empty batch file or interval (exit code 4).</summary>
+/// <param name="message">One line: what, where, what to do.</param>
+/// <param name="inner">The foreign exception behind it, if there is one.</param>
+public sealed class NothingToRenderException(string message, Exception? inner = null) : MsisfException(exitCode: 4, message, inner);

@@ -64,3 +64,38 @@ public sealed class Layer
     /// <summary>Whether the layer has values also where a pixel's centre shows no surface.</summary>
     internal bool CoversImage { get; init; }
 }
+
+/// <summary>How a layer's values are stored.</summary>
+public enum LayerType
+{
+    /// <summary>IEEE 754 double; NaN where undefined, as the FITS standard 4.0, section 5.3, has it.</summary>
+    Real64,
+
+    /// <summary>IEEE 754 single precision, rounded to nearest; NaN where undefined.</summary>
+    Real32,
+
+    /// <summary>0 to 255; always defined.</summary>
+    Unsigned8,
+
+    /// <summary>32 bits, signed; <see cref="Layer.UndefinedNumber"/> where undefined.</summary>
+    Signed32,
+}
+
+/// <summary>Precision of the real numbers in a layer's file.</summary>
+public enum LayerPrecision
+{
+    /// <summary>Doubles everywhere.</summary>
+    Real64,
+
+    /// <summary>Single precision, except in layers that place a point on the Moon (<see cref="Layer.KeepsDouble"/>).</summary>
+    Real32,
+}
+
+/// <summary>Computes the values of one row of a layer.</summary>
+/// <param name="row">What is known of the row.</param>
+/// <param name="plane">0 to <see cref="Layer.Planes"/> - 1.</param>
+/// <param name="values">
+/// Receives a value for each pixel that shows the surface, from left to right, of a layer that <see cref="Layer.CoversImage"/> for each
+/// pixel: in the layer's unit, NaN where it is undefined. Seven more may be written after them.
+/// </param>
+internal delegate void LayerValues(LayerRow row, int plane, double[] values);

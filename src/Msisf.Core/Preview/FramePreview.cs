@@ -80,7 +80,7 @@ public sealed record FramePreview(
             (moon, lit) = (moon + part, lit + (part * (share.Lit ?? 0.0)));
         }
 
-        return new SphereShare(moon, moon > 0.0 ? lit / moon : null);
+        return new SphereShare(Math.Min(1.0, moon), moon > 0.0 ? lit / moon : null);
     }
 
     private static BoresightView? InTheMiddle(FrameCamera camera, SceneLight light, double radius)
@@ -108,3 +108,14 @@ public sealed record FramePreview(
             : reference;
     }
 }
+
+/// <summary>The ground in the middle of an image, on a sphere.</summary>
+/// <param name="Point">Where the viewing direction meets the sphere.</param>
+/// <param name="Sun">Where the Sun stands there; null if a lamp lights the scene.</param>
+/// <param name="MetresPerPixel">Width that a pixel covers there, m, across the line of sight.</param>
+public readonly record struct BoresightView(SelenographicPoint Point, SkyDirection? Sun, double MetresPerPixel);
+
+/// <summary>How much of an image shows a sphere, and how much of that is lit.</summary>
+/// <param name="Moon">Part of the image's area that shows the sphere, 0 to 1.</param>
+/// <param name="Lit">Part of <paramref name="Moon"/> in which the light stands above the horizon, 0 to 1; null if Moon is 0.</param>
+public readonly record struct SphereShare(double Moon, double? Lit);

@@ -43,8 +43,7 @@ internal sealed class SphereCoverage
         double lightDistance = lightMoonMe.Length;
         _toLight = ForwardRightUp(camera, lightMoonMe / lightDistance);
         _horizon = radius / lightDistance;
-        _outline = new SphereOutline(
-            _toCentre, radius, _distance, 0.5 * camera.Width * camera.PixelTangent, 0.5 * camera.Height * camera.PixelTangent);
+        _outline = new SphereOutline(_toCentre, radius, _distance, ImageOf(camera));
     }
 
     /// <summary>Measures a sphere around the Moon's centre.</summary>
@@ -154,6 +153,23 @@ internal sealed class SphereCoverage
         double halfChord = Math.Sqrt(Math.Max(0.0, (_radius - sine) * (_radius + sine)));
         double range = (_distance * Vector3D.Dot(ray, _toCentre)) - halfChord;
         return (((range * Vector3D.Dot(ray, _toLight)) - (_distance * Vector3D.Dot(_toCentre, _toLight))) / _radius) - _horizon;
+    }
+
+    /// <summary>The image; of a lens a rectangle through the middles of its borders.</summary>
+    private static TangentBox ImageOf(FrameCamera camera)
+    {
+        if (camera.Model.IsThesis)
+        {
+            (double right, double up) = (0.5 * camera.Width * camera.PixelTangent, 0.5 * camera.Height * camera.PixelTangent);
+            return new TangentBox(-right, -up, right, up);
+        }
+
+        (double x, double y) = (0.5 * (1.0 + camera.Width), 0.5 * (1.0 + camera.Height));
+        return new TangentBox(
+            camera.Model.ToIdeal(0.5, y).Right,
+            camera.Model.ToIdeal(x, 0.5).Down,
+            camera.Model.ToIdeal(camera.Width + 0.5, y).Right,
+            camera.Model.ToIdeal(x, camera.Height + 0.5).Down);
     }
 
     /// <summary>Camera axes look along -x, with y to the right and z up.</summary>

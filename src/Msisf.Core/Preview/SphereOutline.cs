@@ -1,3 +1,4 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Preview;
@@ -17,25 +18,22 @@ internal sealed class SphereOutline
     private readonly Vector3D _toCentre;
     private readonly double _sinLimb;
     private readonly double _cosLimb;
-    private readonly double _right;
-    private readonly double _up;
+    private readonly TangentBox _image;
 
     /// <param name="toCentre">Direction of the sphere's centre: components forward, right and up; length 1.</param>
     /// <param name="radius">Radius of the sphere, m.</param>
     /// <param name="distance">Distance of its centre, m; at least the radius.</param>
-    /// <param name="right">Half the image's width, as a tangent.</param>
-    /// <param name="up">Half its height.</param>
-    public SphereOutline(Vector3D toCentre, double radius, double distance, double right, double up)
+    /// <param name="image">The image.</param>
+    public SphereOutline(Vector3D toCentre, double radius, double distance, TangentBox image)
     {
         _toCentre = toCentre;
         _sinLimb = radius / distance;
         _cosLimb = Math.Sqrt(distance - radius) * Math.Sqrt(distance + radius) / distance; // the product of far distances overflows
-        _right = right;
-        _up = up;
+        _image = image;
     }
 
     /// <summary>Area of the image, in image plane coordinates.</summary>
-    public double ImageArea => 4.0 * _right * _up;
+    public double ImageArea => _image.Area;
 
     /// <summary>A number between two, at a place from -1 to 1.</summary>
     public static double At(double first, double last, double place) => (0.5 * (first + last)) + (0.5 * (last - first) * place);
@@ -43,16 +41,16 @@ internal sealed class SphereOutline
     /// <summary>Finds the rows that show the sphere; what is seen of it is convex, so that they follow one another.</summary>
     public bool TryFindRows(out double bottom, out double top)
     {
-        bottom = -_up;
-        top = _up;
+        bottom = -_image.Bottom;
+        top = -_image.Top;
         double inColumnPlane = double.Hypot(_toCentre.X, _toCentre.Z);
         if (inColumnPlane > _sinLimb)
         {
             double middle = Math.Atan2(_toCentre.Z, _toCentre.X);
             double reach = Math.Atan2(_sinLimb, Math.Sqrt((inColumnPlane - _sinLimb) * (inColumnPlane + _sinLimb)));
-            double corner = Math.Atan(_up);
-            bottom = middle - reach > -corner ? Math.Tan(Math.Min(corner, middle - reach)) : -_up;
-            top = middle + reach < corner ? Math.Tan(Math.Max(-corner, middle + reach)) : _up;
+            (double lower, double upper) = (Math.Atan(bottom), Math.Atan(top));
+            bottom = middle - reach > lower ? Math.Tan(Math.Min(upper, middle - reach)) : bottom;
+            top = middle + reach < upper ? Math.Tan(Math.Max(lower, middle + reach)) : top;
         }
 
         for (int trial = 0; trial <= Trials; trial++)
@@ -108,9 +106,9 @@ internal sealed class SphereOutline
         double beside = cosRow * (_toCentre.Z - (b * _toCentre.X));
         double middle = Math.Atan2(_toCentre.Y, along);
         double reach = Math.Atan2(Math.Sqrt(Math.Max(0.0, (_sinLimb - beside) * (_sinLimb + beside))), _cosLimb);
-        double corner = Math.Atan(_right * cosRow);
+        (double left, double right) = (Math.Atan(_image.Left * cosRow), Math.Atan(_image.Right * cosRow));
         return (
-            middle - reach > -corner ? Math.Tan(Math.Min(corner, middle - reach)) / cosRow : -_right,
-            middle + reach < corner ? Math.Tan(Math.Max(-corner, middle + reach)) / cosRow : _right);
+            middle - reach > left ? Math.Tan(Math.Min(right, middle - reach)) / cosRow : _image.Left,
+            middle + reach < right ? Math.Tan(Math.Max(left, middle + reach)) / cosRow : _image.Right);
     }
 }

@@ -54,3 +54,33 @@ public sealed record NativeRenderOptions
     /// </summary>
     public bool KeepGroundTruth { get; init; }
 }
+
+/// <summary>The normal with which a point of a facet is shaded. The point and its shadow always belong to the facet itself.</summary>
+public enum NormalModel
+{
+    /// <summary>The normal of the facet.</summary>
+    Facet,
+
+    /// <summary>A normal interpolated between those of the surrounding samples, so that edges between facets are not visible.</summary>
+    Smooth,
+}
+
+/// <summary>How the renderer models the Sun.</summary>
+public enum SunModel
+{
+    /// <summary>A point at the Sun's centre: shadows have sharp borders, as in POV-Ray's scene.</summary>
+    Point,
+
+    /// <summary>A disc of the Sun's true angular size: shadows have penumbras.</summary>
+    Disc,
+}
+
+/// <summary>The renderer that makes an image.</summary>
+public enum RendererKind
+{
+    /// <summary>POV-Ray, which draws the pattern files.</summary>
+    PovRay,
+
+    /// <summary>The program's own renderer, which draws the elevation model.</summary>
+    Native,
+}

@@ -10,3 +10,34 @@ public interface IRadialSpread
     /// <param name="radius">px, at least 0.</param>
     double At(double radius);
 }
+
+/// <summary>exp(-r^2 / (2 sigma^2)).</summary>
+/// <param name="sigma">px, above 0.</param>
+public sealed class GaussianSpread(double sigma) : IRadialSpread
+{
+    /// <inheritdoc/>
+    public double Scale => sigma;
+
+    /// <inheritdoc/>
+    public double At(double radius)
+    {
+        double inSigmas = radius / sigma;
+        return Math.Exp(-0.5 * inSigmas * inSigmas);
+    }
+}
+
+/// <summary>Stray light far from the point's image: (1 + (r / r0)^2)^(-b / 2).</summary>
+/// <param name="coreRadius">r0, px, above 0.</param>
+/// <param name="exponent">b, above 2, so that the energy is finite.</param>
+public sealed class WingSpread(double coreRadius, double exponent) : IRadialSpread
+{
+    /// <inheritdoc/>
+    public double Scale => coreRadius;
+
+    /// <inheritdoc/>
+    public double At(double radius)
+    {
+        double inCores = radius / coreRadius;
+        return Math.Pow(1.0 + (inCores * inCores), -0.5 * exponent);
+    }
+}

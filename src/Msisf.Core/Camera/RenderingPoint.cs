@@ -1,9 +1,0 @@
-namespace Msisf.Core.Camera;
-
-/// <summary>
-/// A point of the image plane in rendering coordinates (thesis eq. 8.13): whole numbers are pixel centres, from 1; any value outside the
-/// image is allowed.
-/// </summary>
-/// <param name="X">px, to the right.</param>
-/// <param name="Y">px, down.</param>
-public readonly record struct RenderingPoint(double X, double Y);
