@@ -1,6 +1,6 @@
 using System.Buffers.Binary;
 using System.Globalization;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Synthesis;

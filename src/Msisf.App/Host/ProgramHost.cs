@@ -1,6 +1,6 @@
 using System.Reflection;
 using Msisf.Adapters.IO;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 
 namespace Msisf.App.Host;
 

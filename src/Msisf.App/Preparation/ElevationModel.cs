@@ -1,8 +1,8 @@
 using System.Collections.Concurrent;
 using System.Globalization;
-using Msisf.Adapters.Lod;
+using Msisf.Adapters.Raster.Heights;
+using Msisf.Adapters.Raster.Levels;
 using Msisf.Adapters.Synthesis;
-using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;

@@ -1,6 +1,6 @@
 using System.Globalization;
-using Msisf.Adapters.Lod;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
+using Msisf.Adapters.Raster.Levels;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;

@@ -1,5 +1,5 @@
-using Msisf.Adapters.Lod;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
+using Msisf.Adapters.Raster.Levels;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;

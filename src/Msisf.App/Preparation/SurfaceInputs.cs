@@ -1,4 +1,4 @@
-using Msisf.Adapters.Albedo;
+using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;

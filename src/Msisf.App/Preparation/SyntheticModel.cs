@@ -1,5 +1,5 @@
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Synthesis;
-using Msisf.Adapters.Terrain;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;

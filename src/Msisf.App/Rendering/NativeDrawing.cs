@@ -1,5 +1,5 @@
 using System.Runtime;
-using Msisf.Adapters.Albedo;
+using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;

@@ -1,6 +1,6 @@
 using System.Globalization;
-using Msisf.Adapters.Albedo;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Raster.Albedo;
 using Msisf.Adapters.Scene;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;

@@ -1,10 +1,10 @@
 using System.Globalization;
-using Msisf.Adapters.Albedo;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Metadata;
+using Msisf.Adapters.Raster.Albedo;
 using Msisf.Adapters.Render;
 using Msisf.App.Host;
 using Msisf.App.Preparation;

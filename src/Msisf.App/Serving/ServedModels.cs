@@ -1,4 +1,4 @@
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;

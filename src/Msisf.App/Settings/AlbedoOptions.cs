@@ -1,5 +1,5 @@
 using System.Text.RegularExpressions;
-using Msisf.Adapters.Albedo;
+using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Render.Photometry;
 

@@ -1,4 +1,4 @@
-using Msisf.Adapters.Albedo;
+using Msisf.Adapters.Raster.Albedo;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Settings;

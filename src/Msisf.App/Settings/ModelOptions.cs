@@ -1,6 +1,6 @@
 using System.Globalization;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Synthesis;
-using Msisf.Adapters.Terrain;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;

@@ -1,6 +1,6 @@
-using Msisf.Adapters.Albedo;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
+using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Layers;

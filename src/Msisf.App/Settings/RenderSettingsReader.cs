@@ -1,6 +1,6 @@
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Render;
-using Msisf.Adapters.Terrain;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;

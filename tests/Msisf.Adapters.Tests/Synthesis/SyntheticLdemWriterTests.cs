@@ -1,9 +1,9 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
 using System.Text.RegularExpressions;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Synthesis;
-using Msisf.Adapters.Terrain;
-using Msisf.Adapters.Tests.Terrain;
+using Msisf.Adapters.Tests.Raster.Heights;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 using Msisf.TestSupport;

@@ -1,6 +1,6 @@
 using System.Globalization;
 using System.Text;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Tiles;
 using Msisf.Core.Surface;
 using Msisf.Core.Tiles;

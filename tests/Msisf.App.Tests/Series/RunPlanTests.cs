@@ -1,5 +1,5 @@
 using Msisf.Adapters.Manifest;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Series;
 using Msisf.Core.Metadata;
 using Msisf.Core.Scene;

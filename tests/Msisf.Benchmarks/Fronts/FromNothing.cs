@@ -1,4 +1,4 @@
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;
 

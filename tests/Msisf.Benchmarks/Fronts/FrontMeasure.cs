@@ -1,5 +1,5 @@
-using Msisf.Adapters.Lod;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
+using Msisf.Adapters.Raster.Levels;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;
 using Msisf.Benchmarks.Thesis;

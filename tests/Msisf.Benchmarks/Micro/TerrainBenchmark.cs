@@ -1,5 +1,5 @@
 using BenchmarkDotNet.Attributes;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Tiles;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;

@@ -1,6 +1,6 @@
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Synthesis;
-using Msisf.Adapters.Terrain;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Benchmarks.Programs;

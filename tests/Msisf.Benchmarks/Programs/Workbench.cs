@@ -1,5 +1,5 @@
 using System.Globalization;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Core.Terrain;
 

@@ -1,7 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Render;
-using Msisf.Adapters.Terrain;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;
 using Msisf.Core.Camera;

@@ -1,4 +1,4 @@
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Tiles;
 using Msisf.Core.Tiles;
 

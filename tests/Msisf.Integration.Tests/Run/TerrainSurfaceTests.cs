@@ -1,6 +1,6 @@
 using System.Globalization;
 using System.Xml.Linq;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;

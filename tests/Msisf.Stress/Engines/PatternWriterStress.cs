@@ -1,5 +1,5 @@
 using System.Globalization;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Tiles;
 using Msisf.Core.Tiles;
 using Msisf.TestSupport;

@@ -1,5 +1,5 @@
 using Msisf.Adapters.Ephemeris;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Tests.Support;
 using Msisf.Stress.Time;
 using Msisf.TestSupport;

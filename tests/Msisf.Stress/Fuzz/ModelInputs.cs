@@ -1,5 +1,5 @@
 using System.Text;
-using Msisf.Adapters.Terrain;
+using Msisf.Adapters.Raster.Heights;
 
 namespace Msisf.Stress.Fuzz;
 

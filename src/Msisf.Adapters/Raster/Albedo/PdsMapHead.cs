@@ -1,0 +1,63 @@
+using System.Globalization;
+using System.Text;
+using System.Text.RegularExpressions;
+using Msisf.Adapters.Raster.Pds;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Raster.Albedo;
+
+/// <summary>A PDS3 label, attached or detached, with what tells whose map it is; the rest is not looked at yet.</summary>
+/// <param name="LabelPath">The file of the label.</param>
+/// <param name="Label">The label.</param>
+internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
+{
+    private const int LongestLabel = 65536;
+
+    /// <summary>Name of the product, e.g. "WAC_EMP_643NM_E300N0450_064P"; empty if the label has none.</summary>
+    public string Product => Label.Find("PRODUCT_ID")?.Text ?? string.Empty;
+
+    /// <summary>The band in the product's name, nm; null if it has none.</summary>
+    public int? BandNanometres => BandInName().Match(Product) is { Success: true } match
+        ? int.Parse(match.Groups[1].ValueSpan, CultureInfo.InvariantCulture)
+        : null;
+
+    /// <summary>Whether the map shows the surroundings of a pole.</summary>
+    public bool IsPolar => Label.FindObject("IMAGE_MAP_PROJECTION")?.Find("MAP_PROJECTION_TYPE")?.Text
+        .Contains("POLAR", StringComparison.OrdinalIgnoreCase) == true;
+
+    /// <summary>Reads the label of a file; null if the file and the .LBL beside it are no PDS3 labels.</summary>
+    /// <param name="path">The label, or the image.</param>
+    /// <exception cref="BadInputException">The file can't be read, or the label is damaged.</exception>
+    public static PdsMapHead? TryRead(string path)
+    {
+        bool isImage = Path.GetExtension(path).Equals(".IMG", StringComparison.OrdinalIgnoreCase);
+        string labelPath = isImage ? FileNames.FindIgnoringCase(Path.ChangeExtension(path, ".LBL")) ?? path : path;
+        string text = FileErrors.ToBadInput($"{labelPath}: can't be read", () =>
+        {
+            using FileStream stream = File.OpenRead(labelPath);
+            byte[] bytes = new byte[Math.Min(LongestLabel, stream.Length)];
+            stream.ReadExactly(bytes);
+            return Encoding.Latin1.GetString(bytes);
+        });
+        return text.StartsWith("PDS_VERSION_ID", StringComparison.Ordinal)
+            ? new PdsMapHead(labelPath, PdsLabelParser.Parse(text, labelPath))
+            : null;
+    }
+
+    /// <summary>Reads the label of a map among other files; null if the file is none, or its label is damaged.</summary>
+    /// <param name="path">The label, or the image.</param>
+    public static PdsMapHead? TryReadMap(string path)
+    {
+        try
+        {
+            return TryRead(path) is { } head && head.Label.FindObject("IMAGE_MAP_PROJECTION") is not null ? head : null;
+        }
+        catch (BadInputException)
+        {
+            return null;
+        }
+    }
+
+    [GeneratedRegex(@"_(\d{3})NM")]
+    private static partial Regex BandInName();
+}

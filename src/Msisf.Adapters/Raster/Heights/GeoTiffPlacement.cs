@@ -1,0 +1,147 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Adapters.Raster.Heights;
+
+/// <summary>Where the pixels of a GeoTIFF lie on the Moon.</summary>
+/// <param name="Projection">The grid of which the image is a part.</param>
+/// <param name="Window">That part; lines and samples count in the grid.</param>
+/// <param name="SphereRadius">m: the sphere over which the heights are.</param>
+internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Window, double SphereRadius)
+{
+    /// <summary>m: spheres of the Moon lie between these.</summary>
+    private static readonly (double Min, double Max) MoonRadii = (1_720_000.0, 1_760_000.0);
+
+    /// <summary>Relative: pixels whose width and height differ less are square; the same for whole numbers of samples a degree.</summary>
+    private const double SameScale = 1e-6;
+
+    /// <summary>px: how far the pixels may be from those of the whole Moon's grid.</summary>
+    private const double SamePixel = 1e-3;
+
+    /// <summary>Reads the placement.</summary>
+    /// <param name="path">The file, for messages.</param>
+    /// <param name="width">Pixels of a row.</param>
+    /// <param name="height">Number of rows.</param>
+    /// <param name="transform">GDAL's six numbers; null if there are none.</param>
+    /// <param name="projection">The projection; null if there is none.</param>
+    /// <param name="otherForm">Why there is none; empty if there is one.</param>
+    /// <returns>The placement; null if the pixels lie on the Moon, but on no grid that is read.</returns>
+    /// <exception cref="BadInputException">It is incomplete, of another body, or out of bounds.</exception>
+    public static GeoTiffPlacement? Find(
+        string path, int width, int height, double[]? transform, string? projection, out string otherForm)
+    {
+        otherForm = string.Empty;
+        if (projection is null)
+        {
+            throw new BadInputException(
+                $"{path}: has no coordinate system. Give it the Moon's, e.g. with gdal_translate -a_srs, if it is known.");
+        }
+
+        ProjText proj = new(projection);
+        if (proj.Radius is not double radius || radius < MoonRadii.Min || radius > MoonRadii.Max)
+        {
+            throw new BadInputException(
+                $"{path}: its coordinate system ({proj}) is not one on a sphere of the Moon (R = 1737400 m). Take a lunar model, or "
+                    + $"correct it with gdal_translate -a_srs.");
+        }
+
+        if (transform is not [double left, > 0.0 and double across, 0.0, double top, 0.0, < 0.0 and double down]
+            || width < 2 || height < 2)
+        {
+            throw new BadInputException(
+                $"{path}: has no place on the map, less than 2 x 2 pixels, or its rows do not run from west to east and from the top down. "
+                    + $"Rewrite it with gdalwarp.");
+        }
+
+        switch (proj.Name)
+        {
+            case "stere":
+                return Polar(path, proj, radius, (left, top, across, -down), (width, height), out otherForm);
+            case "eqc" or "longlat":
+                return Cylindrical(path, proj, radius, (left, top, across, -down), (width, height), out otherForm);
+            default:
+                otherForm = $"{path}: its projection (+proj={proj.Name}) is not read. Warp it to a polar stereographic map: "
+                    + $"gdalwarp -t_srs '+proj=stere +lat_0=-90 +R=1737400' (or +lat_0=90).";
+                return null;
+        }
+    }
+
+    private static GeoTiffPlacement? Polar(
+        string path, ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size,
+        out string otherForm)
+    {
+        otherForm = string.Empty;
+        double latitude = proj.Number("lat_0") ?? double.NaN;
+        double unit = proj.MetresPerUnit;
+        if (Math.Abs(latitude) != 90.0 || (proj.Number("lon_0") ?? 0.0) != 0.0 || double.IsNaN(unit)
+            || Math.Abs((map.Down / map.Across) - 1.0) > SameScale)
+        {
+            otherForm = $"{path}: its projection ({proj}) is not polar stereographic with longitude 0 along the y axis, square pixels and "
+                + $"metres. Warp it: gdalwarp -t_srs '+proj=stere +lat_0=-90 +R=1737400' (or +lat_0=90).";
+            return null;
+        }
+
+        // A map that is true to scale at another latitude is one that is smaller by this factor.
+        double factor = proj.Number("k") ?? proj.Number("k_0")
+            ?? (proj.Number("lat_ts") is double trueLatitude
+                ? 0.5 * (1.0 + Math.Sin(double.DegreesToRadians(Math.Abs(trueLatitude))))
+                : 1.0);
+        double scale = map.Across * unit / factor * (MoonConstants.ReferenceRadius / radius);
+        PolarStereographic projection = new(
+            latitude < 0.0,
+            scale,
+            ((map.Top - ((proj.Number("y_0") ?? 0.0) / unit)) / map.Down) - 0.5,
+            ((((proj.Number("x_0") ?? 0.0) / unit) - map.Left) / map.Across) - 0.5);
+        if (!(scale is >= PolarLabel.MinScale and <= PolarLabel.MaxScale) || !projection.Holds(size.Height, size.Width))
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{path}: pixels of {scale:R} m, or a map that reaches farther than {MoonConstants.ReferenceRadius / 1000.0:R} km from the "
+                    + $"pole; {PolarLabel.MinScale:R} to {PolarLabel.MaxScale:R} m are read."));
+        }
+
+        return new GeoTiffPlacement(projection, new GridWindow(0, size.Height, 0, size.Width), radius);
+    }
+
+    private static GeoTiffPlacement? Cylindrical(
+        string path, ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size,
+        out string otherForm)
+    {
+        otherForm = string.Empty;
+        // Degrees a map unit.
+        double unit = proj.Name == "longlat" ? 1.0 : double.RadiansToDegrees(proj.MetresPerUnit / radius);
+        double resolution = Math.Round(1.0 / (map.Across * unit));
+        double west = ((map.Left - (proj.Number("x_0") ?? 0.0)) * unit) + (proj.Number("lon_0") ?? 0.0);
+        double firstLine = (90.0 - ((map.Top - (proj.Number("y_0") ?? 0.0)) * unit)) * resolution;
+        double firstSample = (west - (360.0 * Math.Floor(west / 360.0))) * resolution;
+        double turn = 360.0 * resolution;
+        firstSample = Math.Abs(firstSample - turn) <= SamePixel ? 0.0 : firstSample;
+        bool isRing = size.Width == turn;
+        if ((proj.Number("lat_ts") ?? 0.0) != 0.0 || (proj.Number("lat_0") ?? 0.0) != 0.0 || !(resolution is >= 1.0 and <= 23000.0)
+            || Math.Abs((map.Across * unit * resolution) - 1.0) > SameScale || Math.Abs((map.Down * unit * resolution) - 1.0) > SameScale
+            || Math.Abs(firstLine - Math.Round(firstLine)) > SamePixel || Math.Abs(firstSample - Math.Round(firstSample)) > SamePixel
+            || Math.Round(firstLine) < 0.0 || Math.Round(firstLine) + size.Height > 180.0 * resolution
+            || size.Width > turn || (isRing && size.Height == 180.0 * resolution))
+        {
+            otherForm =
+                $"{path}: cylindrical maps are read if they have a whole number of pixels a degree on the grid of the whole Moon, and are "
+                    + $"not of the whole Moon, for which msis takes PDS3 models. Warp it, e.g. with gdalwarp "
+                    + $"-t_srs '+proj=longlat +R=1737400' -te ... -tr ..., or to a polar stereographic map.";
+            return null;
+        }
+
+        GridWindow window = isRing
+            ? new GridWindow((int)Math.Round(firstLine), (int)Math.Round(firstLine) + size.Height, 0, size.Width)
+            : new GridWindow(
+                (int)Math.Round(firstLine), (int)Math.Round(firstLine) + size.Height, (int)Math.Round(firstSample),
+                (int)Math.Round(firstSample) + size.Width);
+        return new GeoTiffPlacement(new Equirectangular((int)resolution), window, radius)
+        {
+            RingStart = isRing ? (int)Math.Round(firstSample) : 0,
+        };
+    }
+
+    /// <summary>Sample of the grid at which the first pixel of a map that goes all around lies.</summary>
+    public int RingStart { get; private init; }
+}

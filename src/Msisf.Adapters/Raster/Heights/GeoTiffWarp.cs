@@ -1,0 +1,81 @@
+using System.Globalization;
+using Msisf.Adapters.Interop;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Raster.Heights;
+
+/// <summary>
+/// Brings maps in other projections to one that is read: polar stereographic near a pole, else pixels of the whole Moon's grid. Values are
+/// bilinear between pixels; where a pixel of the map is not surrounded by data there is none.
+/// </summary>
+internal static class GeoTiffWarp
+{
+    /// <summary>deg: maps whose middle lies farther from the equator become polar ones, as pixels of a degree are narrow there.</summary>
+    private const double PolarFrom = 60.0;
+
+    /// <summary>deg: what reaches around the Moon farther is cut somewhere, wherever the map begins.</summary>
+    private const double Widest = 355.0;
+
+    /// <summary>px: width and height of an image that says where the map lies.</summary>
+    private const int Rough = 64;
+
+    /// <summary>
+    /// The scales: always between four pixels, as GDAL otherwise takes the mean of more where its pixels are a little larger.
+    /// </summary>
+    private static readonly string[] Bilinear =
+        ["-ot", "Float32", "-r", "bilinear", "-wo", "XSCALE=1", "-wo", "YSCALE=1", "-et", "0", "-dstnodata", "nan"];
+
+    /// <summary>Warps a map.</summary>
+    /// <param name="path">The file, for messages.</param>
+    /// <param name="map">The map.</param>
+    /// <returns>The map in the other projection, to be closed before it; null if GDAL can't bring it there.</returns>
+    /// <exception cref="BadInputException">It goes all around the Moon.</exception>
+    public static GdalImage? Of(string path, GdalImage map)
+    {
+        ProjText proj = new(map.Projection()!);
+        double radius = proj.Radius!.Value;
+        double metresPerDegree = double.DegreesToRadians(radius);
+        string sphere = string.Create(CultureInfo.InvariantCulture, $"+R={radius:R}");
+
+        // A map across the meridian at which one of them is cut is whole in the other.
+        (string Projection, double Width, double Latitude)[] halves =
+            [.. ((string[])["0", "180"]).Select(middle => Extent(map, $"+proj=eqc +lon_0={middle} {sphere}", metresPerDegree))];
+        (string projection, double width, double latitude) = halves.MinBy(half => half.Width);
+        if (double.IsPositiveInfinity(width))
+        {
+            return null;
+        }
+
+        if (Math.Abs(latitude) > PolarFrom)
+        {
+            return map.Warped([.. Bilinear, "-t_srs", $"+proj=stere +lat_0={(latitude < 0.0 ? "-90" : "90")} {sphere}"]);
+        }
+
+        double height = Math.Abs(map.GeoTransform()![5]);
+        double pixel = proj.Name == "longlat" ? height : height * proj.MetresPerUnit / metresPerDegree;
+        if (!(pixel > 0.0))
+        {
+            return null;
+        }
+
+        if (width > Widest)
+        {
+            throw new BadInputException(
+                $"{path}: goes around the Moon in a projection ({proj}) that is not read, and a warped map would be cut. Warp it to the "
+                    + $"whole Moon's grid: gdalwarp -t_srs '+proj=longlat +R=1737400' -te 0 SOUTH 360 NORTH -tr D D, D being a whole part "
+                    + $"of a degree.");
+        }
+
+        string step = (metresPerDegree / Math.Ceiling(1.0 / pixel)).ToString("R", CultureInfo.InvariantCulture);
+        return map.Warped([.. Bilinear, "-t_srs", projection, "-tr", step, step, "-tap"]);
+    }
+
+    /// <summary>Width and middle latitude of a map in degrees; infinitely wide if GDAL can't bring it there.</summary>
+    private static (string Projection, double Width, double Latitude) Extent(GdalImage map, string projection, double metresPerDegree)
+    {
+        using GdalImage? extent = map.Warped([.. Bilinear, "-t_srs", projection, "-ts", $"{Rough}", $"{Rough}"]);
+        return extent?.GeoTransform() is [_, double across, _, double north, _, double down]
+            ? (projection, across * Rough / metresPerDegree, (north + (0.5 * Rough * down)) / metresPerDegree)
+            : (projection, double.PositiveInfinity, 0.0);
+    }
+}

@@ -1,0 +1,228 @@
+using System.Globalization;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Raster.Heights;
+
+/// <summary>Finds the elevation model of a resolution.</summary>
+public static class LdemCatalog
+{
+    /// <summary>The resolutions of NASA's cylindrical products, px/deg.</summary>
+    private static readonly int[] PublishedResolutions = [4, 16, 64, 128, 256, 512, 1024];
+
+    private static readonly EnumerationOptions Labels = new() { MatchCasing = MatchCasing.CaseInsensitive, IgnoreInaccessible = true };
+
+    /// <summary>
+    /// Finds a model. An explicit path is a label, an image or a folder; otherwise the first folder that has a model counts. In a folder
+    /// LDEM_[res].LBL comes first, then any whole-Moon label of that resolution, by name, then the first complete set of a split product.
+    /// </summary>
+    /// <param name="pixelsPerDegree">The resolution.</param>
+    /// <param name="explicitPath">A label, an image, or a folder (--ldem); null to search the folders.</param>
+    /// <param name="folders">Where to look otherwise, first choice first; they need not exist.</param>
+    /// <param name="wayToName">How another model is named, for the message.</param>
+    /// <param name="body">The body of which it must be; null for the Moon.</param>
+    /// <exception cref="BadInputException">
+    /// There is none (the message says where it looked), its parts don't make up a whole Moon, or the explicit one has another resolution
+    /// or is of another body.
+    /// </exception>
+    public static LdemSet Find(
+        int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders, string wayToName = "name another one with --ldem",
+        CelestialBody? body = null) =>
+        TryFind(pixelsPerDegree, explicitPath, folders, body) ?? throw new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", PlacesOf(explicitPath, folders))}. "
+                + $"{WaysToGet(pixelsPerDegree, wayToName)}"));
+
+    /// <summary>Finds a model as <see cref="Find"/> does; null if there is none of that resolution.</summary>
+    /// <inheritdoc cref="Find"/>
+    public static LdemSet? TryFind(
+        int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders, CelestialBody? body = null)
+    {
+        if (explicitPath is not null && !Directory.Exists(explicitPath))
+        {
+            LdemLabel label = ReadCylindrical(explicitPath, body ?? CelestialBody.Moon);
+            return label.PixelsPerDegree == pixelsPerDegree ? WithSiblings(label) : throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{label.LabelPath}: an elevation model of {label.PixelsPerDegree} px/deg, but {pixelsPerDegree} px/deg are asked for. "
+                    + $"Give --res {label.PixelsPerDegree}, or another model."));
+        }
+
+        BadInputException? incomplete = null;
+        foreach (string folder in PlacesOf(explicitPath, folders).Where(Directory.Exists))
+        {
+            if (FindIn(folder, pixelsPerDegree, body ?? CelestialBody.Moon, ref incomplete) is { } found)
+            {
+                return found;
+            }
+        }
+
+        return incomplete is null ? null : throw incomplete;
+    }
+
+    /// <summary>The models that <see cref="Find"/> finds in folders, one for each resolution, coarse ones first.</summary>
+    /// <param name="explicitPath">A label, an image, or a folder (--ldem); null to search the folders.</param>
+    /// <param name="folders">Where to look otherwise, first choice first; they need not exist.</param>
+    public static IReadOnlyList<LdemSet> All(string? explicitPath, IReadOnlyList<string> folders) =>
+        explicitPath is not null && !Directory.Exists(explicitPath)
+            ? [Read(explicitPath)]
+            :
+            [
+                .. PlacesOf(explicitPath, folders).Where(Directory.Exists)
+                    .SelectMany(folder => LabelsIn(folder, ".LBL", CelestialBody.Moon))
+                    .Select(label => label.PixelsPerDegree)
+                    .Distinct()
+                    .Order()
+                    .Select(pixelsPerDegree => FindWhole(pixelsPerDegree, explicitPath, folders))
+                    .OfType<LdemSet>(),
+            ];
+
+    /// <summary>A named model.</summary>
+    /// <param name="labelOrImage">
+    /// Path of the label, or of the image beside it; of a split product that of any part, the others lie beside it.
+    /// </param>
+    /// <exception cref="BadInputException">
+    /// It is missing, no label of a cylindrical lunar model, or its parts don't make up a whole Moon.
+    /// </exception>
+    public static LdemSet Read(string labelOrImage) => WithSiblings(ReadCylindrical(labelOrImage, CelestialBody.Moon));
+
+    /// <summary>Resolution of a named model of any body, px/deg.</summary>
+    /// <param name="labelOrImage">Path of a label, or of the image beside it.</param>
+    /// <exception cref="BadInputException">It is missing, or no label of a cylindrical model.</exception>
+    public static int ResolutionOf(string labelOrImage) => ReadCylindrical(labelOrImage, body: null).PixelsPerDegree;
+
+    /// <summary>A named model of any body.</summary>
+    /// <inheritdoc cref="Read"/>
+    public static LdemSet ReadOfAnyBody(string labelOrImage) => WithSiblings(ReadCylindrical(labelOrImage, body: null));
+
+    /// <summary>The label of a named polar map; null if the path is a folder, or another model's or file's.</summary>
+    /// <param name="path">A label, an image, or anything else.</param>
+    public static LdemLabel? TryReadMap(string path) =>
+        File.Exists(path) && TryRead(LabelOf(path)) is { Polar: not null } label ? label : null;
+
+    private static LdemLabel ReadCylindrical(string labelOrImage, CelestialBody? body)
+    {
+        LdemLabel label = LdemLabelReader.ReadFile(LabelOf(labelOrImage));
+        if (body is not null && label.Body != body)
+        {
+            throw new BadInputException(
+                $"{label.LabelPath}: a model of {label.Body.NameInText}, but one of {body.NameInText} is needed here. --body says of which "
+                    + $"body an image is.");
+        }
+
+        return label.Polar is null ? label : throw new BadInputException(
+            $"{label.LabelPath}: a map of the surroundings of a pole; a SIMPLE CYLINDRICAL model of the whole Moon is needed here.");
+    }
+
+    private static LdemSet? FindWhole(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
+    {
+        try
+        {
+            return TryFind(pixelsPerDegree, explicitPath, folders);
+        }
+        catch (BadInputException)
+        {
+            return null; // its parts don't make up a whole Moon
+        }
+    }
+
+    private static IReadOnlyList<string> PlacesOf(string? explicitPath, IReadOnlyList<string> folders) =>
+        explicitPath is null ? folders : [explicitPath];
+
+    private static string WaysToGet(int pixelsPerDegree, string wayToName)
+    {
+        string real = PublishedResolutions.Contains(pixelsPerDegree)
+            ? string.Create(CultureInfo.InvariantCulture, $"Get NASA's with 'scripts/get-ldem.sh --res {pixelsPerDegree}'")
+            : string.Create(CultureInfo.InvariantCulture, $"NASA has models of {string.Join(", ", PublishedResolutions)} px/deg");
+        string continued = pixelsPerDegree > PublishedResolutions[0]
+            ? string.Create(CultureInfo.InvariantCulture, $" --base LDEM_{PublishedResolutions[0]}.LBL")
+            : string.Empty;
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"{real}, {wayToName}, or make a synthetic one with "
+                + $"'msis ldem synthesize --res {pixelsPerDegree}{continued} --seed 1'.");
+    }
+
+    private static LdemSet? FindIn(
+        string folder, int pixelsPerDegree, CelestialBody body, ref BadInputException? incomplete)
+    {
+        string usual = Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"LDEM_{pixelsPerDegree}.LBL"));
+        if (FileNames.FindIgnoringCase(usual) is { } label)
+        {
+            LdemLabel found = ReadCylindrical(label, body);
+            return found.PixelsPerDegree == pixelsPerDegree ? WithSiblings(found) : throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{label}: by its name a model of {pixelsPerDegree} px/deg, but MAP_RESOLUTION is {found.PixelsPerDegree}. Rename it."));
+        }
+
+        LdemLabel[] others = [.. LabelsIn(folder, ".LBL", body).Where(other => other.PixelsPerDegree == pixelsPerDegree)];
+        if (others.FirstOrDefault(other => other.CoversWholeMoon) is { } whole)
+        {
+            return LdemSet.Join([whole]);
+        }
+
+        foreach (IGrouping<string, LdemLabel> parts in others.GroupBy(ModelOf).OrderBy(parts => parts.Key, StringComparer.Ordinal))
+        {
+            try
+            {
+                return LdemSet.Join([.. parts]);
+            }
+            catch (BadInputException exception)
+            {
+                incomplete ??= exception; // another set, or another folder, may have a whole model
+            }
+        }
+
+        return null;
+    }
+
+    private static LdemSet WithSiblings(LdemLabel label)
+    {
+        if (label.CoversWholeMoon)
+        {
+            return LdemSet.Join([label]);
+        }
+
+        string folder = Path.GetDirectoryName(label.LabelPath) is { Length: > 0 } given ? given : ".";
+        IEnumerable<LdemLabel> siblings = LabelsIn(folder, Path.GetExtension(label.LabelPath), label.Body).Where(other =>
+            other.PixelsPerDegree == label.PixelsPerDegree
+            && !other.CoversWholeMoon
+            && ModelOf(other) == ModelOf(label)
+            && Path.GetFileName(other.LabelPath) != Path.GetFileName(label.LabelPath));
+        return LdemSet.Join([label, .. siblings], mayBeBand: true);
+    }
+
+    /// <summary>The name that the parts of one model share. Parts whose names have no borders count as parts of one model.</summary>
+    private static string ModelOf(LdemLabel label) =>
+        LdemPartName.Of(label) is { HasBorders: true } name ? name.Model.ToUpperInvariant() : string.Empty;
+
+    /// <summary>The labels of a body's cylindrical models in a folder, which may hold other labels too.</summary>
+    private static IEnumerable<LdemLabel> LabelsIn(string folder, string extension, CelestialBody body) =>
+        Directory.EnumerateFiles(folder, "*" + extension, Labels)
+            .Order(StringComparer.Ordinal)
+            .Select(TryRead)
+            .OfType<LdemLabel>()
+            .Where(label => label.Polar is null && label.Body == body);
+
+    private static LdemLabel? TryRead(string labelPath)
+    {
+        try
+        {
+            return LdemLabelReader.ReadFile(labelPath);
+        }
+        catch (BadInputException)
+        {
+            return null;
+        }
+    }
+
+    private static string LabelOf(string path)
+    {
+        if (!Path.GetExtension(path).Equals(".IMG", StringComparison.OrdinalIgnoreCase))
+        {
+            return path;
+        }
+
+        // An image without a label beside it can have its label attached.
+        return FileNames.FindIgnoringCase(Path.ChangeExtension(path, ".LBL")) ?? path;
+    }
+}

@@ -1,0 +1,138 @@
+using System.Text;
+using Msisf.Adapters.Raster.Pds;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Raster.Heights;
+
+/// <summary>
+/// Reads the PDS3 label of a lunar elevation model (LDEM) in simple cylindrical or polar stereographic projection, and checks it against
+/// itself.
+/// </summary>
+public static class LdemLabelReader
+{
+    /// <summary>Bytes. A label has a few kilobytes; of a file with an attached label no more than this is read.</summary>
+    private const int LabelLimit = 1 << 20;
+
+    /// <summary>180 degrees at 23 000 px/deg, far more than any product has.</summary>
+    private const int LineLimit = 1 << 22;
+
+    /// <summary>Reads a label's file.</summary>
+    /// <param name="labelPath">The .LBL file, or an image with its label attached.</param>
+    /// <exception cref="BadInputException">
+    /// The label is missing, unreadable, incomplete, contradicts itself, or describes no lunar elevation model.
+    /// </exception>
+    public static LdemLabel ReadFile(string labelPath) => FileErrors.ToBadInput($"{labelPath}: can't be read", () =>
+    {
+        if (!File.Exists(labelPath))
+        {
+            throw new BadInputException($"{labelPath}: there is no such file or folder. Name an elevation model's label or its folder.");
+        }
+
+        using FileStream stream = File.OpenRead(labelPath);
+        return Read(stream, labelPath);
+    });
+
+    /// <summary>Reads a label.</summary>
+    /// <param name="stream">Begins with the label.</param>
+    /// <param name="labelPath">Path for messages, and to find the image beside it.</param>
+    /// <exception cref="BadInputException">As <see cref="ReadFile"/>.</exception>
+    public static LdemLabel Read(Stream stream, string labelPath)
+    {
+        byte[] bytes = new byte[stream.CanSeek ? Math.Min(LabelLimit, stream.Length - stream.Position) : LabelLimit];
+        int length = stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
+        PdsObject root = PdsLabelParser.Parse(Encoding.Latin1.GetString(bytes, 0, length), labelPath);
+        PdsObject map = root.FindObject("IMAGE_MAP_PROJECTION") ?? throw Missing(labelPath, "IMAGE_MAP_PROJECTION");
+        LdemLabelChecks.CheckKind(root, map);
+        PdsObject image = root.FindObject("IMAGE") ?? throw Missing(labelPath, "IMAGE");
+        PdsObject file = FileHolder(root);
+        int? recordBytes = file.OptionalInteger("RECORD_BYTES", 1, int.MaxValue);
+        PdsImagePointer pointer = PdsImagePointer.Read(file, recordBytes);
+        double metresPerUnit = MetresPerUnit(image);
+        LdemLabel label = new()
+        {
+            LabelPath = labelPath,
+            ImagePath = pointer.FileName is null
+                ? labelPath
+                : Path.Combine(Path.GetDirectoryName(labelPath) ?? string.Empty, pointer.FileName),
+            ImageOffset = pointer.Offset,
+            FileBytes = (long?)recordBytes * file.OptionalInteger("FILE_RECORDS", 1, int.MaxValue),
+            ProductId = ProductIdOf(root),
+            Body = LdemLabelChecks.BodyOf(root),
+            PixelsPerDegree = LdemLabelChecks.IsPolar(map) ? 0 : ResolutionOf(map),
+            Polar = LdemLabelChecks.IsPolar(map) ? PolarLabel.ProjectionOf(map) : null,
+            Lines = image.RequiredInteger("LINES", 1, LineLimit),
+            LineSamples = image.RequiredInteger("LINE_SAMPLES", 1, 2 * LineLimit),
+            SampleType = SampleTypeOf(image),
+            ScalingFactor = metresPerUnit * image.RequiredNumber("SCALING_FACTOR"),
+            Offset = metresPerUnit * image.RequiredNumber("OFFSET"),
+            Minimum = image.RequiredNumber("MINIMUM"),
+            Maximum = image.RequiredNumber("MAXIMUM"),
+            NorthDegrees = map.RequiredNumber("MAXIMUM_LATITUDE", PdsUnits.Degrees),
+            SouthDegrees = map.RequiredNumber("MINIMUM_LATITUDE", PdsUnits.Degrees),
+            WestDegrees = map.RequiredNumber("WESTERNMOST_LONGITUDE", PdsUnits.Degrees),
+            EastDegrees = map.RequiredNumber("EASTERNMOST_LONGITUDE", PdsUnits.Degrees),
+            CoordinateSystem = map.Find("COORDINATE_SYSTEM_NAME")?.ToString() ?? string.Empty,
+        };
+        if (label.Polar is null)
+        {
+            LdemLabelChecks.CheckCover(label, image, map);
+        }
+        else
+        {
+            PolarLabel.CheckCover(label, image, map);
+        }
+
+        LdemLabelChecks.CheckSamples(label, image, map);
+        LdemLabelChecks.CheckRecords(label, file, isDetached: pointer.FileName is not null);
+        return label;
+    }
+
+    /// <summary>The object that describes the image's file. Labels of products that exist as .JP2, too, have one for each file.</summary>
+    private static PdsObject FileHolder(PdsObject root) =>
+        new[] { root.FindObject("UNCOMPRESSED_FILE"), root.FindObject("FILE") }
+            .FirstOrDefault(candidate => candidate?.Find("^IMAGE") is not null) ?? root;
+
+    private static double MetresPerUnit(PdsObject image) => image.RequiredText("UNIT") switch
+    {
+        "METER" or "METERS" or "M" => 1.0,
+        "KILOMETER" or "KILOMETERS" or "KM" => 1000.0,
+        _ => throw image.WrongValue("UNIT", image.Required("UNIT"), "METER or KILOMETER is needed"),
+    };
+
+    private static LdemSampleType SampleTypeOf(PdsObject image)
+    {
+        int bits = image.RequiredInteger("SAMPLE_BITS", 1, 64);
+        return (image.RequiredText("SAMPLE_TYPE"), bits) switch
+        {
+            ("LSB_INTEGER", 16) => LdemSampleType.Int16LittleEndian,
+            ("MSB_INTEGER", 16) => LdemSampleType.Int16BigEndian,
+            ("PC_REAL", 32) => LdemSampleType.Float32LittleEndian,
+            ("IEEE_REAL", 32) => LdemSampleType.Float32BigEndian,
+            _ => throw image.WrongValue(
+                "SAMPLE_TYPE",
+                image.Required("SAMPLE_TYPE"),
+                $"with SAMPLE_BITS = {image.Required("SAMPLE_BITS")} it is not known; "
+                    + $"16-bit LSB_INTEGER or MSB_INTEGER, or 32-bit PC_REAL or IEEE_REAL are needed"),
+        };
+    }
+
+    private static int ResolutionOf(PdsObject map)
+    {
+        map.RequiredNumber("MAP_RESOLUTION", PdsUnits.PixelsPerDegree);
+        return map.RequiredInteger("MAP_RESOLUTION", 1, LineLimit / 180);
+    }
+
+    private static string ProductIdOf(PdsObject root)
+    {
+        string productId = root.RequiredText("PRODUCT_ID");
+        return IsProductId(productId)
+            ? productId
+            : throw root.WrongValue("PRODUCT_ID", root.Required("PRODUCT_ID"), "1 to 40 letters, digits, '_', '-' or '.' are needed");
+    }
+
+    private static bool IsProductId(string text) =>
+        text.Length <= 40 && text.All(character => char.IsAsciiLetterOrDigit(character) || character is '_' or '-' or '.');
+
+    private static BadInputException Missing(string labelPath, string name) =>
+        new($"{labelPath}: no OBJECT = {name}. Give the label of a LDEM product.");
+}

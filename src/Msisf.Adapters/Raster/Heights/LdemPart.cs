@@ -1,0 +1,162 @@
+using System.Globalization;
+using System.IO.MemoryMappedFiles;
+using Msisf.Adapters.Interop;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Raster.Heights;
+
+/// <summary>
+/// One image of an elevation model, of the whole Moon or a part of it, mapped into memory. Lines and samples of a cylindrical model count
+/// in the whole Moon's grid, those of a polar map in the image; those asked for must lie in the part. Safe for several threads, but not
+/// while it is disposed.
+/// </summary>
+internal sealed unsafe class LdemPart : IDisposable
+{
+    private readonly MemoryMappedFile _file;
+    private readonly MemoryMappedViewAccessor _view;
+    private readonly SampleCodec _codec;
+    private readonly byte* _start;
+    private readonly byte* _moonOrigin;
+    private readonly long _lineBytes;
+    private readonly int _sampleBytes;
+
+    private LdemPart(LdemLabel label, FileStream stream)
+    {
+        Label = label;
+        if (label.Polar is null)
+        {
+            FirstLine = (int)((90.0 - label.NorthDegrees) * label.PixelsPerDegree);
+            FirstSample = (int)(label.WestDegrees * label.PixelsPerDegree);
+        }
+
+        EndSample = FirstSample + label.LineSamples;
+        _codec = SampleCodec.For(label);
+        _lineBytes = label.LineBytes;
+        _sampleBytes = label.SampleBytes;
+        _file = MemoryMappedFile.CreateFromFile(
+            stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
+        _view = _file.CreateViewAccessor(0, 0, MemoryMappedFileAccess.Read);
+        byte* start = null;
+        _view.SafeMemoryMappedViewHandle.AcquirePointer(ref start);
+
+        _start = start;
+
+        // Where the Moon's first sample would lie, so that an address needs no subtractions.
+        _moonOrigin = start + _view.PointerOffset + label.ImageOffset - (FirstLine * _lineBytes) - ((long)FirstSample * _sampleBytes);
+    }
+
+    /// <summary>What the label says.</summary>
+    public LdemLabel Label { get; }
+
+    /// <summary>The part's northernmost line.</summary>
+    public int FirstLine { get; }
+
+    /// <summary>The part's westernmost sample.</summary>
+    public int FirstSample { get; }
+
+    /// <summary>The sample after its easternmost one.</summary>
+    public int EndSample { get; }
+
+    /// <summary>Opens the image of a label.</summary>
+    /// <exception cref="BadInputException">The image is missing, unreadable, or not as long as the label says.</exception>
+    public static LdemPart Open(LdemLabel label)
+    {
+        string path = FileNames.FindIgnoringCase(label.ImagePath)
+            ?? throw new BadInputException(
+                $"{label.ImagePath}: missing; {label.LabelPath} says that the samples are there. Put the file beside its label.");
+        return FileErrors.ToBadInput($"{path}: can't be read", () =>
+        {
+            FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read);
+            try
+            {
+                CheckLength(label, path, stream.Length);
+                return new LdemPart(label, stream);
+            }
+            catch
+            {
+                stream.Dispose();
+                throw;
+            }
+        });
+    }
+
+    /// <summary>Radii of consecutive samples, m.</summary>
+    /// <exception cref="BadInputException">A sample is outside the label's limits.</exception>
+    public void ReadRadii(int line, int firstSample, Span<double> radii)
+    {
+        if (!_codec.TryReadRadii(Address(line, firstSample), radii))
+        {
+            throw NotAllowed(line, 1, firstSample, radii.Length);
+        }
+    }
+
+    /// <summary>Minimum and maximum radius of a block, m.</summary>
+    /// <exception cref="BadInputException">A sample is outside the label's limits.</exception>
+    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
+    {
+        (double minimum, double maximum) = _codec.Bounds(Address(firstLine, firstSample), _lineBytes, lines, samples);
+        return _codec.IsAllowed(minimum) && _codec.IsAllowed(maximum)
+            ? (Label.Offset + (Label.ScalingFactor * minimum), Label.Offset + (Label.ScalingFactor * maximum))
+            : throw NotAllowed(firstLine, lines, firstSample, samples);
+    }
+
+    /// <summary>Has the pages of a block of samples fetched, if some are not in memory.</summary>
+    public void Prefetch(int firstLine, int lines, int firstSample, int samples) =>
+        MemoryAdvice.Prefetch((nint)Address(firstLine, firstSample), _lineBytes, lines, samples * _sampleBytes);
+
+    /// <summary>The bytes of a line, as they are in the file.</summary>
+    public ReadOnlySpan<byte> LineBytes(int line) => new(Address(line, FirstSample), checked((int)_lineBytes));
+
+    /// <summary>Releases the pages that were read; they are mapped again when they are read again.</summary>
+    public void ReleasePages() => MemoryAdvice.ReleasePages(_start, _view.SafeMemoryMappedViewHandle.ByteLength);
+
+    /// <summary>Unmaps the file.</summary>
+    public void Dispose()
+    {
+        if (!_view.SafeMemoryMappedViewHandle.IsClosed)
+        {
+            _view.SafeMemoryMappedViewHandle.ReleasePointer();
+            _view.Dispose();
+            _file.Dispose();
+        }
+    }
+
+    private static void CheckLength(LdemLabel label, string path, long found)
+    {
+        long needed = label.ImageOffset + label.ImageBytes;
+        long expected = label.FileBytes ?? needed;
+        if (found != expected)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{path}: {found} bytes, {expected} expected ({label.Lines} lines of {label.LineBytes} bytes by {label.LabelPath}). "
+                    + $"Get the file again."));
+        }
+    }
+
+    private byte* Address(int line, int sample) => _moonOrigin + (line * _lineBytes) + ((long)sample * _sampleBytes);
+
+    /// <summary>
+    /// The error for the first bad sample of a block that has one. Lines and samples in the message count in the file, from 1.
+    /// </summary>
+    private BadInputException NotAllowed(int firstLine, int lines, int firstSample, int samples)
+    {
+        for (int line = firstLine; line < firstLine + lines; line++)
+        {
+            for (int sample = firstSample; sample < firstSample + samples; sample++)
+            {
+                double value = _codec.ValueAt(Address(line, sample));
+                if (!_codec.IsAllowed(value))
+                {
+                    return new BadInputException(string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"{Label.ImagePath}, line {line - FirstLine + 1}, sample {sample - FirstSample + 1}: "
+                            + $"the value {value:R} is outside the label's MINIMUM and MAXIMUM ({Label.Minimum:R} to {Label.Maximum:R}). "
+                            + $"The file is damaged, or the label belongs to another one: get both again."));
+                }
+            }
+        }
+
+        throw new InvalidOperationException("No sample of the block is outside the limits.");
+    }
+}

@@ -1,0 +1,84 @@
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Raster.Heights;
+
+/// <summary>
+/// The labels of one elevation model: one label or those of the parts of a model of the whole Moon or of a band around it, or the label of
+/// a polar map. Immutable.
+/// </summary>
+public sealed class LdemSet
+{
+    private LdemSet(LdemLabel[] parts, string productId, ushort[] partOfDegree)
+    {
+        Parts = parts;
+        ProductId = productId;
+        PartOfDegree = partOfDegree;
+        IsWholeMoon = parts[0].Polar is null && !partOfDegree.Contains(LdemSetChecks.Nothing);
+    }
+
+    /// <summary>The labels, from the north, then from the west.</summary>
+    public IReadOnlyList<LdemLabel> Parts { get; }
+
+    /// <summary>Whether it covers the whole Moon; if not it is a polar map, or a band between two latitudes.</summary>
+    public bool IsWholeMoon { get; }
+
+    /// <summary>PRODUCT_ID; of a split product without the part's borders, e.g. "LDEM_512".</summary>
+    public string ProductId { get; }
+
+    /// <summary>Samples a degree; 0 for a polar map.</summary>
+    public int PixelsPerDegree => Parts[0].PixelsPerDegree;
+
+    /// <summary>The body of all parts.</summary>
+    public CelestialBody Body => Parts[0].Body;
+
+    /// <summary>m: radius of the sphere over which heights are counted.</summary>
+    public double ReferenceRadius => Parts[0].ReferenceRadius;
+
+    /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
+    public bool IsSynthetic => Parts.Any(part => part.IsSynthetic);
+
+    /// <summary>The label's path; of a split product the folder of the first label.</summary>
+    public string Location => Parts.Count == 1 ? Parts[0].LabelPath : FolderOf(Parts[0]);
+
+    /// <summary>Where the model is, and of how many files, for messages.</summary>
+    public string Description => Parts.Count == 1 ? Location : $"{Location}, {Parts.Count} files";
+
+    /// <summary>
+    /// Index of the part that holds each square degree: [90 - northern latitude, western longitude], row by row; empty for a polar map.
+    /// </summary>
+    internal ushort[] PartOfDegree { get; }
+
+    /// <summary>Takes the labels of one model.</summary>
+    /// <param name="labels">At least one, in any order.</param>
+    /// <exception cref="BadInputException">
+    /// They differ in what must be the same, overlap, or leave a part of the Moon uncovered; the message names the files.
+    /// </exception>
+    public static LdemSet Join(IReadOnlyList<LdemLabel> labels) => Join(labels, mayBeBand: false);
+
+    /// <summary>Takes the labels of one model.</summary>
+    /// <param name="labels">At least one, in any order.</param>
+    /// <param name="mayBeBand">Whether the model may end at two parallels instead of the poles.</param>
+    /// <exception cref="BadInputException">As of <see cref="Join(IReadOnlyList{LdemLabel})"/>.</exception>
+    public static LdemSet Join(IReadOnlyList<LdemLabel> labels, bool mayBeBand)
+    {
+        LdemLabel[] parts = [.. labels
+            .OrderByDescending(label => label.NorthDegrees)
+            .ThenBy(label => label.WestDegrees)
+            .ThenBy(label => label.LabelPath, StringComparer.Ordinal)];
+        LdemSetChecks.CheckAlike(parts);
+        ushort[] partOfDegree = LdemSetChecks.Cover(parts, mayBeBand);
+        return new LdemSet(parts, parts.Length == 1 ? parts[0].ProductId : LdemPartName.Of(parts[0]).Model, partOfDegree);
+    }
+
+    /// <summary>Takes the label of a polar map.</summary>
+    public static LdemSet OfMap(LdemLabel label) => new([label], label.ProductId, []);
+
+    /// <summary>Path of a file beside the images that is derived from the model, e.g. "LDEM_64.summary".</summary>
+    /// <param name="extension">With its dot.</param>
+    public string FileBeside(string extension) => Parts.Count == 1
+        ? Path.ChangeExtension(Parts[0].ImagePath, extension)
+        : Path.Combine(FolderOf(Parts[0]), ProductId + extension);
+
+    private static string FolderOf(LdemLabel label) => Path.GetDirectoryName(label.ImagePath) is { Length: > 0 } folder ? folder : ".";
+}

@@ -1,0 +1,102 @@
+using System.Globalization;
+using Msisf.Adapters.Raster.Pds;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Adapters.Raster.Heights;
+
+/// <summary>Checks that labels make up one model: of the same kind, without overlap and without gap.</summary>
+internal static class LdemSetChecks
+{
+    /// <summary>Stands for a square degree that no part covers.</summary>
+    public const ushort Nothing = ushort.MaxValue;
+
+    /// <summary>All parts mean the same by a sample value.</summary>
+    /// <exception cref="BadInputException">Two differ.</exception>
+    public static void CheckAlike(IReadOnlyList<LdemLabel> parts) =>
+        new PdsAgreement("part", "model").Require(
+            parts, label => label.LabelPath,
+            ("MAP_RESOLUTION", label => label.PixelsPerDegree),
+            ("SAMPLE_TYPE", label => label.SampleType),
+            ("SCALING_FACTOR (in m)", label => label.ScalingFactor),
+            ("OFFSET (in m)", label => label.Offset),
+            ("TARGET_NAME", label => label.Body.CapitalName),
+            ("COORDINATE_SYSTEM_NAME", label => label.CoordinateSystem));
+
+    /// <summary>Index of the part for each square degree, row by row from the north.</summary>
+    /// <param name="parts">The labels.</param>
+    /// <param name="mayBeBand">Whether whole rows may be missing beside the poles.</param>
+    /// <exception cref="BadInputException">Borders between degrees, two parts for one place, or none.</exception>
+    public static ushort[] Cover(IReadOnlyList<LdemLabel> parts, bool mayBeBand)
+    {
+        ushort[] cover = new ushort[180 * 360];
+        Array.Fill(cover, Nothing);
+        for (int index = 0; index < parts.Count; index++)
+        {
+            MoonRegion region = RegionOf(parts[index]);
+            for (int row = 90 - region.NorthDegrees; row < 90 - region.SouthDegrees; row++)
+            {
+                Span<ushort> degrees = cover.AsSpan((row * 360) + region.WestDegrees, region.EastDegrees - region.WestDegrees);
+                if (degrees.IndexOfAnyExcept(Nothing) is int taken and >= 0)
+                {
+                    throw new BadInputException(string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"{parts[degrees[taken]].LabelPath} and {parts[index].LabelPath}: "
+                            + $"both cover latitude {89 - row} to {90 - row}, "
+                            + $"longitude {region.WestDegrees + taken} to {region.WestDegrees + taken + 1}. Take one of them away."));
+                }
+
+                degrees.Fill((ushort)index);
+            }
+        }
+
+        return cover.Contains(Nothing) && !(mayBeBand && IsBand(cover)) ? throw Incomplete(parts, cover) : cover;
+    }
+
+    /// <summary>Whether the rows that are there are whole and follow each other.</summary>
+    private static bool IsBand(ushort[] cover)
+    {
+        int first = cover.AsSpan().IndexOfAnyExcept(Nothing);
+        int last = cover.AsSpan().LastIndexOfAnyExcept(Nothing);
+        return first % 360 == 0 && last % 360 == 359 && !cover.AsSpan(first, last + 1 - first).Contains(Nothing);
+    }
+
+    private static MoonRegion RegionOf(LdemLabel label)
+    {
+        MoonRegion region = new((int)label.SouthDegrees, (int)label.NorthDegrees, (int)label.WestDegrees, (int)label.EastDegrees);
+        bool isWhole = (region.SouthDegrees, region.NorthDegrees, region.WestDegrees, region.EastDegrees)
+            == (label.SouthDegrees, label.NorthDegrees, label.WestDegrees, label.EastDegrees);
+        return isWhole && region.IsValid ? region : throw new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{label.LabelPath}: covers latitudes {label.SouthDegrees:R} to {label.NorthDegrees:R} and longitudes {label.WestDegrees:R} "
+                + $"to {label.EastDegrees:R} degrees; parts of a model have borders of whole degrees in -90 to 90 and 0 to 360."));
+    }
+
+    /// <summary>The error that names the missing parts, on the raster that the known borders make.</summary>
+    private static BadInputException Incomplete(IReadOnlyList<LdemLabel> parts, ushort[] cover)
+    {
+        int height = 180;
+        int width = 360;
+        foreach (MoonRegion region in parts.Select(RegionOf))
+        {
+            height = MaxDivisor(MaxDivisor(height, region.NorthDegrees + 90), region.SouthDegrees + 90);
+            width = MaxDivisor(MaxDivisor(width, region.WestDegrees), region.EastDegrees);
+        }
+
+        LdemPartName name = LdemPartName.Of(parts[0]);
+        string[] missing =
+        [
+            .. from north in Enumerable.Range(0, 180 / height).Select(row => 90 - (row * height))
+               from west in Enumerable.Range(0, 360 / width).Select(column => column * width)
+               where cover[((90 - north) * 360) + west] == Nothing
+               select name.ForRegion(new MoonRegion(north - height, north, west, west + width)),
+        ];
+        string folder = Path.GetDirectoryName(parts[0].LabelPath) is { Length: > 0 } given ? given : ".";
+        return new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{folder}: of the {name.Before} product in several files {missing.Length} are missing: {FileNames.Listed(missing)}. "
+                + $"Put their .LBL and .IMG files beside {Path.GetFileName(parts[0].LabelPath)}; the whole Moon is needed."));
+    }
+
+    private static int MaxDivisor(int a, int b) => b == 0 ? a : MaxDivisor(b, a % b);
+}

@@ -1,0 +1,111 @@
+using System.Globalization;
+using Msisf.Adapters.Raster.Pds;
+using Msisf.Core.Errors;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Adapters.Raster.Heights;
+
+/// <summary>
+/// The map projection of LOLA's polar products, as their labels give it: offsets are those of the pole from the first pixel, which is 0
+/// (DSMAP_POLAR.CAT).
+/// </summary>
+public static class PolarLabel
+{
+    /// <summary>MAP_PROJECTION_TYPE of polar products.</summary>
+    internal const string ProjectionType = "POLAR STEREOGRAPHIC";
+
+    /// <summary>m: the smallest MAP_SCALE; the lattice of the vertices is as fine as cells of this width need.</summary>
+    public const double MinScale = 0.5;
+
+    /// <summary>m: the largest MAP_SCALE, one sample a degree.</summary>
+    public const double MaxScale = 30_400.0;
+
+    private const string Scale = "MAP_SCALE";
+    private const string LineOffset = "LINE_PROJECTION_OFFSET";
+    private const string SampleOffset = "SAMPLE_PROJECTION_OFFSET";
+
+    /// <summary>Offsets beyond this are of no image.</summary>
+    private const double OffsetLimit = 1 << 24;
+
+    /// <summary>Relative: how far MAP_RESOLUTION, which is rounded in labels, may be from MAP_SCALE.</summary>
+    private const double ResolutionRounding = 1e-3;
+
+    /// <summary>Reads the projection.</summary>
+    /// <exception cref="BadInputException">It is incomplete, or not one of LOLA's polar products.</exception>
+    internal static PolarStereographic ProjectionOf(PdsObject map)
+    {
+        double latitude = map.RequiredNumber("CENTER_LATITUDE", PdsUnits.Degrees);
+        if (Math.Abs(latitude) != 90.0)
+        {
+            throw map.WrongValue("CENTER_LATITUDE", map.Required("CENTER_LATITUDE"), "a pole, -90 or 90, is needed");
+        }
+
+        double longitude = map.RequiredNumber("CENTER_LONGITUDE", PdsUnits.Degrees);
+        if (longitude != 0.0)
+        {
+            throw map.WrongValue("CENTER_LONGITUDE", map.Required("CENTER_LONGITUDE"), "0, as LOLA's polar maps have it, is needed");
+        }
+
+        // On another sphere the same directions lie farther apart, in proportion to its radius.
+        double scale = ScaleOf(map);
+        double radius = 1000.0 * map.OptionalNumber("A_AXIS_RADIUS", PdsUnits.Kilometres) ?? MoonConstants.ReferenceRadius;
+        CheckResolution(map, scale, radius);
+        return new PolarStereographic(
+            latitude < 0.0, scale * (MoonConstants.ReferenceRadius / radius), OffsetOf(map, LineOffset), OffsetOf(map, SampleOffset));
+    }
+
+    /// <summary>Checks that the image has the size that the label says twice, and lies around the pole.</summary>
+    /// <exception cref="BadInputException">It does not.</exception>
+    internal static void CheckCover(LdemLabel label, PdsObject image, PdsObject map)
+    {
+        if (label.Lines < 2 || label.LineSamples < 2)
+        {
+            throw image.WrongValue("LINES", image.Required("LINES"), "an image of at least 2 x 2 samples is needed");
+        }
+
+        LdemLabelChecks.CheckNumber(map, "LINE_FIRST_PIXEL", 1, PdsUnits.Pixels);
+        LdemLabelChecks.CheckNumber(map, "LINE_LAST_PIXEL", label.Lines, PdsUnits.Pixels);
+        LdemLabelChecks.CheckNumber(map, "SAMPLE_FIRST_PIXEL", 1, PdsUnits.Pixels);
+        LdemLabelChecks.CheckNumber(map, "SAMPLE_LAST_PIXEL", label.LineSamples, PdsUnits.Pixels);
+        PolarStereographic projection = label.Polar!;
+        if (!projection.Holds(label.Lines, label.LineSamples))
+        {
+            throw map.WrongValue(Scale, map.Required(Scale), string.Create(
+                CultureInfo.InvariantCulture,
+                $"with offsets of {projection.LineOffset:R} and {projection.SampleOffset:R} px and {label.Lines} lines of "
+                    + $"{label.LineSamples} samples the map reaches farther than "
+                    + $"{MoonConstants.ReferenceRadius / 1000.0:R} km from the pole"));
+        }
+    }
+
+    private static double ScaleOf(PdsObject map)
+    {
+        bool isInKilometres = map.Required(Scale).Unit is { } unit
+            && PdsUnits.KilometresPerPixel.Contains(unit, StringComparer.OrdinalIgnoreCase);
+        double scale = isInKilometres
+            ? 1000.0 * map.RequiredNumber(Scale, PdsUnits.KilometresPerPixel)
+            : map.RequiredNumber(Scale, PdsUnits.MetresPerPixel);
+        return scale is >= MinScale and <= MaxScale ? scale : throw map.WrongValue(Scale, map.Required(Scale), string.Create(
+            CultureInfo.InvariantCulture, $"{MinScale:R} to {MaxScale:R} m a pixel are needed"));
+    }
+
+    private static double OffsetOf(PdsObject map, string keyword)
+    {
+        double offset = map.RequiredNumber(keyword, PdsUnits.Pixels);
+        return Math.Abs(offset) <= OffsetLimit
+            ? offset
+            : throw map.WrongValue(keyword, map.Required(keyword), "the pole's place in the image, px, is needed");
+    }
+
+    private static void CheckResolution(PdsObject map, double scale, double radius)
+    {
+        const string Keyword = "MAP_RESOLUTION";
+        double expected = radius * Math.PI / 180.0 / scale;
+        if (map.OptionalNumber(Keyword, PdsUnits.PixelsPerDegree) is { } given
+            && !(Math.Abs(given - expected) <= ResolutionRounding * expected))
+        {
+            throw map.WrongValue(Keyword, map.Required(Keyword), string.Create(
+                CultureInfo.InvariantCulture, $"{Scale} = {map.Required(Scale)} needs {expected:F3}"));
+        }
+    }
+}

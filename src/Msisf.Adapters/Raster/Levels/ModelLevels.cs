@@ -1,0 +1,58 @@
+using Msisf.Adapters.Raster.Heights;
+using Msisf.Core.Lod;
+
+namespace Msisf.Adapters.Raster.Levels;
+
+/// <summary>The levels of detail of a model: from its sidecar if there is a valid one, else computed when they are read.</summary>
+public sealed class ModelLevels : IDisposable
+{
+    private ModelLevels(LodLevels levels, PyramidFile? file, string? warning)
+    {
+        Levels = levels;
+        Sidecar = file;
+        Warning = warning;
+    }
+
+    /// <summary>The levels; don't use them after this or the model is disposed.</summary>
+    public LodLevels Levels { get; }
+
+    /// <summary>The sidecar in use; null if all levels are computed.</summary>
+    public PyramidFile? Sidecar { get; }
+
+    /// <summary>Which sidecar exists but can't be used, and why; null if there is none such.</summary>
+    public string? Warning { get; }
+
+    /// <summary>The places for the sidecar of a model.</summary>
+    /// <param name="set">The model.</param>
+    /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
+    public static SidecarPlaces PlacesOf(LdemSet set, string? cacheFolder) => SidecarPlaces.Of(set, ".pyramid", cacheFolder);
+
+    /// <summary>Opens the levels; no sample is read.</summary>
+    /// <param name="image">The model.</param>
+    /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
+    /// <param name="cacheBytes">Memory for computed blocks.</param>
+    /// <param name="samplesBetweenReleases">Samples of the model that are read before their memory is given back.</param>
+    public static ModelLevels Open(
+        LdemImage image,
+        string? cacheFolder,
+        long cacheBytes = LodLevels.DefaultCacheBytes,
+        int samplesBetweenReleases = LodLevels.DefaultSamplesBetweenReleases)
+    {
+        SidecarPlaces places = PlacesOf(image.Set, cacheFolder);
+        PyramidFile? file = PyramidFile.TryOpen(places.Beside, image, out string? problem);
+        string? warning = problem is null ? null : Unusable(places.Beside, problem);
+        if (file is null && places.Cached is { } cached)
+        {
+            file = PyramidFile.TryOpen(cached, image, out problem);
+            warning = file is not null ? null : warning ?? (problem is null ? null : Unusable(cached, problem));
+        }
+
+        return new ModelLevels(LodLevels.Open(image, file?.Levels, cacheBytes, samplesBetweenReleases), file, warning);
+    }
+
+    /// <summary>Unmaps the sidecar; the model stays open.</summary>
+    public void Dispose() => Sidecar?.Dispose();
+
+    private static string Unusable(string path, string problem) =>
+        $"{path}: {problem}; it is not used. Make it again with 'msis ldem pyramid', or delete it.";
+}

@@ -1,0 +1,169 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Raster.Pds;
+
+/// <summary>
+/// Reads a PDS3 label, attached or detached: nested objects, comments, texts, sequences and sets over several lines, units.
+/// </summary>
+/// <remarks>Planetary Data System Standards Reference 3.8, chapters 5 and 12.</remarks>
+public sealed class PdsLabelParser
+{
+    private readonly PdsTokenizer _tokens;
+    private readonly string _file;
+    private PdsToken _token;
+
+    private PdsLabelParser(string text, string file)
+    {
+        _file = file;
+        _tokens = new PdsTokenizer(text, file);
+        _token = _tokens.Next();
+    }
+
+    /// <summary>Reads a label up to its END.</summary>
+    /// <param name="text">The label; what follows END (an attached image) is not looked at.</param>
+    /// <param name="file">Name for messages.</param>
+    /// <exception cref="BadInputException">The text is no PDS3 label; the message names file and line.</exception>
+    public static PdsObject Parse(string text, string file)
+    {
+        PdsLabelParser parser = new(text, file);
+        if (parser._token is not { Kind: PdsTokenKind.Word, Text: "PDS_VERSION_ID" or "CCSD3ZF0000100000001NJPL3IF0PDSX00000001" })
+        {
+            throw new BadInputException($"{file}: not a PDS3 label (it does not begin with PDS_VERSION_ID). "
+                + $"Give the .LBL file that belongs to the elevation model.");
+        }
+
+        PdsObject label = new(file, "the label", line: 1);
+        parser.ReadStatements(label, closing: null);
+        return label;
+    }
+
+    private void ReadStatements(PdsObject target, string? closing)
+    {
+        while (true)
+        {
+            PdsToken keyword = Take(PdsTokenKind.Word, "a keyword");
+            if (keyword.Text is "END" or "END_OBJECT" or "END_GROUP")
+            {
+                ReadEnd(keyword, target, closing);
+                return;
+            }
+
+            TakeSign("=", $"'=' after {keyword.Text}");
+            PdsValue value = ReadValue();
+            if (keyword.Text is "OBJECT" or "GROUP")
+            {
+                PdsObject child = new(_file, value.Text, keyword.Line);
+                ReadStatements(child, "END_" + keyword.Text);
+                target.Add(child);
+            }
+            else
+            {
+                target.Add(keyword.Text, value);
+            }
+        }
+    }
+
+    private void ReadEnd(PdsToken keyword, PdsObject target, string? closing)
+    {
+        if (keyword.Text != (closing ?? "END"))
+        {
+            throw Wrong(
+                keyword,
+                closing is null
+                    ? "no object is open here"
+                    : $"{closing} = {target.Name} is needed first (line {target.Line.ToString(CultureInfo.InvariantCulture)} opens it)");
+        }
+
+        if (closing is not null && _token.IsSign("="))
+        {
+            Advance();
+            PdsToken name = Take(PdsTokenKind.Word, "an object's name");
+            if (name.Text != target.Name)
+            {
+                throw Wrong(
+                    name,
+                    $"{closing} = {target.Name} is needed first (line {target.Line.ToString(CultureInfo.InvariantCulture)} opens it)");
+            }
+        }
+    }
+
+    private PdsValue ReadValue()
+    {
+        int line = _token.Line;
+        if (_token.IsSign("(") || _token.IsSign("{"))
+        {
+            List<PdsValue> items = ReadItems(_token.Text == "(" ? ")" : "}");
+            return new PdsValue(string.Empty, IsQuoted: false, TakeUnit(), items, line);
+        }
+
+        if (_token.Kind is not (PdsTokenKind.Word or PdsTokenKind.Quoted))
+        {
+            throw Wrong(_token, "a value is needed");
+        }
+
+        PdsToken text = _token;
+        Advance();
+        return new PdsValue(text.Text.Trim(), text.Kind == PdsTokenKind.Quoted, TakeUnit(), Items: null, line);
+    }
+
+    private List<PdsValue> ReadItems(string closing)
+    {
+        List<PdsValue> items = [];
+        Advance();
+        while (!_token.IsSign(closing))
+        {
+            if (items.Count > 0)
+            {
+                TakeSign(",", $"',' or '{closing}'");
+            }
+
+            items.Add(ReadValue());
+        }
+
+        Advance();
+        return items;
+    }
+
+    private string? TakeUnit()
+    {
+        if (_token.Kind != PdsTokenKind.Unit)
+        {
+            return null;
+        }
+
+        string unit = _token.Text.Trim();
+        Advance();
+        return unit;
+    }
+
+    private PdsToken Take(PdsTokenKind kind, string need)
+    {
+        PdsToken taken = _token.Kind == kind ? _token : throw Wrong(_token, $"{need} is needed");
+
+        // What follows END is another file's business: an attached image need not be text.
+        if (taken is not { Kind: PdsTokenKind.Word, Text: "END" })
+        {
+            Advance();
+        }
+
+        return taken;
+    }
+
+    private void TakeSign(string sign, string need)
+    {
+        if (!_token.IsSign(sign))
+        {
+            throw Wrong(_token, $"{need} is needed");
+        }
+
+        Advance();
+    }
+
+    private void Advance() => _token = _tokens.Next();
+
+    private BadInputException Wrong(PdsToken found, string need) => new(string.Create(
+        CultureInfo.InvariantCulture,
+        $"{_file}, line {found.Line}: {(found.Kind == PdsTokenKind.End ? "the label ends" : $"'{found.Text}'")}; {need}. "
+            + $"Is this a whole PDS3 label?"));
+}

@@ -1,0 +1,163 @@
+using System.Security.Cryptography;
+using Msisf.Adapters.Raster.Albedo;
+using Msisf.Adapters.Render;
+using Msisf.Core.Errors;
+using Msisf.Core.Render.Photometry;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Raster.Albedo;
+
+public sealed class OpenedAlbedoMapTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [InlineData("UNSIGNED_INTEGER", 8, 1.0, "SCALING_FACTOR = 0.001\r\n OFFSET = 0.02")]
+    [InlineData("LSB_INTEGER", 16, 10.0, "SCALING_FACTOR = 0.0001\r\n OFFSET = 0.02")]
+    [InlineData("MSB_UNSIGNED_INTEGER", 16, 100.0, "SCALING_FACTOR = 1E-5\r\n OFFSET = 0.02")]
+    [InlineData("PC_REAL", 32, 0.001, "OFFSET = 0.02")]
+    [InlineData("IEEE_REAL", 32, 0.001, "OFFSET = 0.02")]
+    public void Open_PdsImage_HasTheLabelsReflectances(string type, int bits, double perStep, string scale)
+    {
+        string path = PdsMap.Write(_folder, "WAC_EMP_643NM_TEST", type, bits, 1, (column, row) => perStep * ((column + row) % 200), scale);
+
+        using OpenedAlbedoMap map = OpenedAlbedoMap.Open(path, new MapProperties(), 643, _folder["cache"], gdalPath: null);
+
+        AlbedoMapLevel finest = map.Map.Levels[0];
+        Assert.Equal((360, 180), (finest.Width, finest.Height));
+        Assert.Equal(new ReferenceGeometry(30.0, 0.0, 30.0), map.Map.Reference);
+        Assert.Equal(0.02 + (0.001 * 17), Reflectance(map.Map, 10, 7), 3e-6); // a step of the 16-bit codes of 0.2
+        Assert.Equal(0.02 + (0.001 * 199), Reflectance(map.Map, 199, 0), 3e-6);
+        Assert.Equal((1, 1), (map.Map.Levels[^1].Width, map.Map.Levels[^1].Height));
+        Assert.Equal(Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(path))), map.Sha256);
+    }
+
+    [Fact]
+    public void Open_PartOfTheMoon_HasItsEdgesAndHoles()
+    {
+        string path = PdsMap.Write(
+            _folder, "WAC_EMP_643NM_E300N0450_002P", "PC_REAL", 32, 2, (column, row) => column < 4 ? -3.4e38 : 0.1, west: 0.0, north: 60.0,
+            degrees: (90, 60));
+
+        using OpenedAlbedoMap map = OpenedAlbedoMap.Open(path, new MapProperties(), 643, cacheFolder: null, gdalPath: null);
+
+        Assert.Equal(Math.PI / 3.0, map.Map.Extent.North, 12);
+        Assert.Equal(Math.PI / 2.0, map.Map.Extent.Width, 12);
+        Assert.False(map.Map.Extent.IsFullCircle);
+        Assert.Equal(0, map.Map.Levels[0].Codes.Span[3]);
+        Assert.Equal(0.1, Reflectance(map.Map, 4, 0), 1e-7);
+    }
+
+    [Fact]
+    public void Open_SecondTime_TakesTheLevelsFromTheCache()
+    {
+        string path = PdsMap.Write(_folder, "WAC_HAPKE_643NM", "PC_REAL", 32, 1, (column, _) => 0.001 * column);
+        string cache = _folder["cache"];
+        using (OpenedAlbedoMap first = OpenedAlbedoMap.Open(path, new MapProperties(), 643, cache, gdalPath: null))
+        {
+            Assert.Equal(0.1, Reflectance(first.Map, 100, 50), 1e-5);
+        }
+
+        string levels = Assert.Single(Directory.GetFiles(Path.Combine(cache, "albedo")));
+        DateTime written = File.GetLastWriteTimeUtc(levels);
+        OpenedAlbedoMap.Open(path, new MapProperties(), 643, cache, gdalPath: null).Dispose();
+        Assert.Equal(written, File.GetLastWriteTimeUtc(levels));
+
+        // Another map of the same name has other levels.
+        PdsMap.Write(_folder, "WAC_HAPKE_643NM", "PC_REAL", 32, 1, (column, _) => 0.002 * column);
+        File.SetLastWriteTimeUtc(path, new DateTime(2020, 1, 1, 0, 0, 0, DateTimeKind.Utc));
+        using OpenedAlbedoMap second = OpenedAlbedoMap.Open(path, new MapProperties(), 643, cache, gdalPath: null);
+        Assert.Equal(0.2, Reflectance(second.Map, 100, 50), 2e-5);
+    }
+
+    [Fact]
+    public void Open_DamagedCache_IsMadeAgain()
+    {
+        string path = PdsMap.Write(_folder, "WAC_HAPKE_643NM", "PC_REAL", 32, 1, (column, _) => 0.001 * column);
+        OpenedAlbedoMap.Open(path, new MapProperties(), 643, _folder["cache"], gdalPath: null).Dispose();
+        string levels = Assert.Single(Directory.GetFiles(Path.Combine(_folder["cache"], "albedo")));
+        byte[] bytes = File.ReadAllBytes(levels);
+        File.WriteAllBytes(levels, bytes[..^4096]);
+
+        using OpenedAlbedoMap map = OpenedAlbedoMap.Open(path, new MapProperties(), 643, _folder["cache"], gdalPath: null);
+
+        Assert.Equal(0.1, Reflectance(map.Map, 100, 50), 1e-5);
+        Assert.Equal(bytes.Length, new FileInfo(levels).Length);
+    }
+
+    [Fact]
+    public void Open_OtherBand_IsBadInput()
+    {
+        string path = PdsMap.Write(_folder, "WAC_EMP_415NM_TEST", "PC_REAL", 32, 1, (_, _) => 0.1);
+
+        Assert.Contains("a map at 415 nm, but --band is 643", Refused(path, new MapProperties()), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Open_UnknownMap_AsksForWhatIsMissing()
+    {
+        string path = PdsMap.Write(_folder, "SOME_MAP", "PC_REAL", 32, 1, (_, _) => 0.1);
+
+        Assert.Contains(
+            "its incidence, emission and phase angle is not known", Refused(path, new MapProperties()), StringComparison.Ordinal);
+        Assert.Contains(
+            "no surface has incidence 60, emission 0 and phase angle 30",
+            Refused(path, MapProperties.Parse("incidence=60,emission=0,phase=30")),
+            StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Open_ShortImage_IsBadInput()
+    {
+        string path = PdsMap.Write(_folder, "WAC_EMP_643NM_TEST", "PC_REAL", 32, 1, (_, _) => 0.1);
+        File.WriteAllBytes(path, File.ReadAllBytes(path)[..^100]);
+
+        Assert.Contains("bytes, 261248 expected", Refused(path, new MapProperties()), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Open_NoLibraryOfGdal_IsAMissingPart()
+    {
+        string path = _folder.Write("map.tif", "II*\0");
+
+        ExternalPartException failure = Assert.Throws<ExternalPartException>(
+            () => OpenedAlbedoMap.Open(path, new MapProperties(), 643, cacheFolder: null, gdalPath: _folder["none.so"]));
+
+        Assert.Contains("needs GDAL's library", failure.Message, StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.GdalLibrary)]
+    public void Open_PngByGdal_IsTheKnownColourMap()
+    {
+        byte[] greys = [.. Enumerable.Range(0, 64 * 32).Select(i => (byte)(i % 64))];
+        string path = _folder["lroc_color_poles_test.png"];
+        using (FileStream stream = File.Create(path))
+        {
+            PngWriter.Write(stream, greys, 64, GreyTransfer.Srgb);
+        }
+
+        using OpenedAlbedoMap map = OpenedAlbedoMap.Open(path, new MapProperties(), 566, _folder["cache"], gdalPath: null);
+
+        Assert.Equal(2.63e-4 * 21, Reflectance(map.Map, 21, 9), 1e-12);
+        Assert.Equal(-Math.PI, map.Map.Extent.West, 12);
+        Assert.Contains(
+            "its scale is known at 415, 566, 643, 689 nm, not at 604 nm",
+            Assert.Throws<BadInputException>(
+                () => OpenedAlbedoMap.Open(path, new MapProperties(), 604, _folder["cache"], gdalPath: null)).Message,
+            StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.GdalLibrary)]
+    public void Open_NoImage_IsBadInput() =>
+        Assert.Contains(
+            "GDAL can't read it as an image", Refused(_folder.Write("a.tif", "no image"), new MapProperties()), StringComparison.Ordinal);
+
+    private static double Reflectance(AlbedoMap map, int column, int row) =>
+        map.Offset + (map.Step * map.Levels[0].Codes.Span[(row * map.Levels[0].Width) + column]);
+
+    private static string Refused(string path, MapProperties properties) => Assert.Throws<BadInputException>(
+        () => OpenedAlbedoMap.Open(path, properties, 643, cacheFolder: null, gdalPath: null)).Message;
+}
