@@ -11,8 +11,11 @@ internal sealed class IdleMemory : IDisposable
     /// <summary>Long enough that a client who asks for one large image after the other is not slowed down.</summary>
     private static readonly TimeSpan AfterWork = TimeSpan.FromSeconds(10);
 
-    /// <summary>Pools of arrays let go of what they have kept for half a minute since the collection before.</summary>
+    /// <summary>.NET's pools of arrays let go of what they have kept unused for a minute since they saw a collection.</summary>
     private static readonly TimeSpan ForPools = TimeSpan.FromSeconds(35);
+
+    /// <summary>Together they last longer than that minute.</summary>
+    private const int Collections = 3;
 
     private readonly Timer _timer;
     private int _collections;
@@ -33,7 +36,7 @@ internal sealed class IdleMemory : IDisposable
     {
         GCSettings.LargeObjectHeapCompactionMode = GCLargeObjectHeapCompactionMode.CompactOnce;
         GC.Collect(GC.MaxGeneration, GCCollectionMode.Aggressive, blocking: true, compacting: true);
-        if (Interlocked.Increment(ref _collections) == 2)
+        if (Interlocked.Increment(ref _collections) == Collections)
         {
             _timer.Change(Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
         }
