@@ -16,7 +16,7 @@ namespace Msisf.Architecture.Tests
             "Surface", "Surface.Sources",
             "Lod",
             "Tracing",
-            "Tiles.Selection", "Tiles", "Scene",
+            "Tiles", "Tiles.Selection", "Scene",
             "Render.Photometry", "Render.Visibility", "Render.Shadows", "Render.Shading", "Render.Sampling", "Render",
             "Blocks", "Preview",
             "Detector.Noise", "Detector.Psf", "Detector",
@@ -29,7 +29,6 @@ namespace Msisf.Architecture.Tests
             "Render.Photometry -> Render.Visibility",
             "Render.Sampling -> Render",
             "Render.Shading -> Render",
-            "Tiles.Selection -> Tiles",
         ];
 
         [Fact]

@@ -16,6 +16,7 @@ using Msisf.Core.Surface;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 using Msisf.Core.Tracing;
 
 namespace Msisf.App.Preparation;

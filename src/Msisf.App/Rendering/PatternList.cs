@@ -4,6 +4,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.App.Rendering;
 

@@ -42,6 +42,15 @@ public sealed class ElevationSummary
     /// <summary>Levels of the summary, coarsest (tiles) first.</summary>
     public IReadOnlyList<SummaryLevel> Levels { get; }
 
+    /// <summary>The levels as a tree, of which level 0 is the finest.</summary>
+    internal BoundsLayout Layout => _layout;
+
+    /// <summary>The level of a node of the tree.</summary>
+    internal SummaryLevel LevelOf(NodePlace node) => Levels[^(node.Level + 1)];
+
+    /// <summary>A tile as a node of the tree.</summary>
+    internal NodePlace PlaceOf(TileId tile) => new(Levels.Count - 1, tile.RowFromNorth, tile.Column);
+
     /// <summary>Reads the whole model once, line by line.</summary>
     public static ElevationSummary Build(IGlobalGrid grid)
     {

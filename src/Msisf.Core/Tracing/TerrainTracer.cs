@@ -14,6 +14,12 @@ namespace Msisf.Core.Tracing;
 /// The surface of a whole Moon is closed, so a ray from outside enters the ground before it leaves it. The surface of a map of a part is
 /// a sheet that is seen, and throws shadows, from its upper side only: around it there is nothing. Only facets that face the ray are
 /// tested. A ray that starts on the ground and leaves it therefore need not skip its own facet, and hits need no minimum distance.
+/// <para>
+/// It is the ground truth of the renderer, with which it shares the surface only: where the vertices lie, the bounds of nodes, and which
+/// cells finer models leave (<see cref="Patch"/>); tests compare these with every facet. Its own are the way down to the facets, from
+/// front to back between planes (<see cref="RayWalk"/>, not <see cref="NodeWalk"/>), and the exact tests of facets
+/// (<see cref="EdgeFunction"/>).
+/// </para>
 /// </remarks>
 public sealed class TerrainTracer : ISurface, ITerrainTracer
 {

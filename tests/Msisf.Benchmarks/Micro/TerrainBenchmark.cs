@@ -7,6 +7,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 using Msisf.Core.Tracing;
 using CellBlock = Msisf.Core.Surface.CellBlock;
 

@@ -1,4 +1,5 @@
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.Core.Tests.Support;
 

@@ -4,6 +4,7 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 using Msisf.Core.Tracing;
 using Msisf.TestSupport;
 using Xunit;

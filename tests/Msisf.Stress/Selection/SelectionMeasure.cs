@@ -2,6 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.Stress.Selection;
 

@@ -7,7 +7,11 @@ namespace Msisf.Core.Tiles.Selection;
 /// Finds where facets lie that may be turned away from a viewpoint. Only through such a facet can a ray to the viewpoint enter the
 /// ground, and a ray from the viewpoint leave the ground. A block's facets are read when they are first needed.
 /// </summary>
-internal sealed class BackFaces
+/// <param name="table">Bounds from the viewpoint.</param>
+/// <param name="summary">Bounds of the terrain.</param>
+/// <param name="viewpoint">m, MOON_ME.</param>
+/// <param name="patch">Buffer for reading terrain; not the one that a walk uses.</param>
+internal sealed class BackFaces(BoundsTable table, ElevationSummary summary, Vector3D viewpoint, TerrainPatch patch)
 {
     /// <summary>
     /// Maximum number of cells of a block that is read; for larger blocks the bounds of the block are used in place of its facets.
@@ -19,42 +23,24 @@ internal sealed class BackFaces
     /// </summary>
     private const int MaxBlocksRead = 100;
 
-    private readonly BoundsTable _table;
-    private readonly ElevationSummary _summary;
-    private readonly TerrainPatch _patch;
-    private readonly Vector3D _viewpoint;
-    private readonly PolarBounds[]?[] _facets;
-    private readonly List<PolarBounds> _found = [];
+    private readonly PolarBounds[]?[] _facets = new PolarBounds[TileId.Count * table.BlocksPerTile][];
     private int _blocksToRead = MaxBlocksRead;
-
-    /// <param name="table">Bounds from the viewpoint.</param>
-    /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="viewpoint">m, MOON_ME.</param>
-    /// <param name="patch">Buffer for reading terrain; not the one that a walk uses.</param>
-    public BackFaces(BoundsTable table, ElevationSummary summary, Vector3D viewpoint, TerrainPatch patch)
-    {
-        _table = table;
-        _summary = summary;
-        _viewpoint = viewpoint;
-        _patch = patch;
-        _facets = new PolarBounds[TileId.Count * table.BlocksPerTile][];
-    }
 
     /// <summary>Bounds of the facets of a tile's block that may be turned away.</summary>
     public ReadOnlySpan<PolarBounds> Of(TileId tile, int block) =>
-        _facets[(tile.Number * _table.BlocksPerTile) + block] ??= Find(tile, block, _table.Exact(tile, block));
+        _facets[(tile.Number * table.BlocksPerTile) + block] ??= Find(tile, block, table.Exact(tile, block));
 
     /// <summary>Whether the viewpoint's elevation over a node's ground may be lower than the slope of its steepest facet.</summary>
     public bool MayBeIn(in TerrainNode node, in PolarBounds bounds)
     {
         SineCosine farthest = AngleOf(bounds.Far);
-        double distance = _table.View.Distance;
+        double distance = table.View.Distance;
         return !((distance * farthest.Cosine) - node.MaxRadius > node.MaxSlope * distance * farthest.Sine);
     }
 
     /// <summary>Whether the viewpoint is so far below a node's horizon that all its facets are certainly turned away.</summary>
     public bool AreAllOf(in TerrainNode node, in PolarBounds bounds) =>
-        GroundFacing.IsTurnedAway(AngleOf(bounds.Near), _table.View.Distance, node.MinRadius, node.MaxSlope);
+        GroundFacing.IsTurnedAway(AngleOf(bounds.Near), table.View.Distance, node.MinRadius, node.MaxSlope);
 
     /// <summary>The angle whose half has a sine.</summary>
     private static SineCosine AngleOf(double halfSine)
@@ -65,7 +51,7 @@ internal sealed class BackFaces
 
     private PolarBounds[] Find(TileId tile, int block, in PolarBounds bounds)
     {
-        SummaryLevel level = _summary.Levels[1];
+        SummaryLevel level = summary.Levels[1];
         (int row, int column) = level.PlaceOf(tile, block);
         if (!MayBeIn(level.Node(row, column), bounds))
         {
@@ -73,32 +59,22 @@ internal sealed class BackFaces
         }
 
         CellRange cells = level.Cells(row, column);
-        if ((cells.EndLine - cells.FirstLine) * (cells.EndSample - cells.FirstSample) > MaxCellsRead || _blocksToRead-- <= 0)
+        if (cells.Lines * cells.Samples > MaxCellsRead || _blocksToRead-- <= 0)
         {
             return [bounds];
         }
 
-        _found.Clear();
-        _patch.Load(cells);
-        for (int line = 0; line + 1 < _patch.Lines; line++)
+        List<PolarBounds> found = [];
+        patch.Load(cells);
+        for (int number = 0; number < Facet.CountOf(patch); number++)
         {
-            for (int sample = 0; sample + 1 < _patch.Samples; sample++)
+            Facet facet = Facet.Of(patch, number);
+            if (!facet.FacesCertainly(viewpoint))
             {
-                Vector3D northWest = _patch[line, sample];
-                Vector3D southEast = _patch[line + 1, sample + 1];
-                AddIfTurned(new Facet(northWest, _patch[line + 1, sample], southEast));
-                AddIfTurned(new Facet(northWest, southEast, _patch[line, sample + 1]));
+                found.Add(table.View.Bounds([facet.A, facet.B, facet.C]));
             }
         }
 
-        return [.. _found];
-    }
-
-    private void AddIfTurned(in Facet facet)
-    {
-        if (!facet.FacesCertainly(_viewpoint))
-        {
-            _found.Add(SurfaceWalk.BoundsOf(_table.View, [facet.A, facet.B, facet.C]));
-        }
+        return [.. found];
     }
 }

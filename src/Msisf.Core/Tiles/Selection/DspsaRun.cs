@@ -17,10 +17,7 @@ internal sealed class DspsaRun
     private readonly ElevationSummary _summary;
     private readonly SummaryLevel _tiles;
     private readonly ViewFrustum _frame;
-    private readonly PolarView _view;
-    private readonly HorizonMap _horizon;
-    private readonly SurfaceWalk _walk;
-    private readonly TerrainPatch _patch;
+    private readonly SightWalk _walk;
     private readonly Vector3D? _sunPosition;
     private readonly TileReason[] _reasons = new TileReason[TileId.Count];
     private readonly bool[] _kept = new bool[TileId.Count];
@@ -32,62 +29,54 @@ internal sealed class DspsaRun
     /// <param name="summary">Of the same model.</param>
     /// <param name="slack">rad: ground that is hidden by less than this angle counts as seen.</param>
     public DspsaRun(
-        ViewFrustum frame,
-        Vector3D? sunPositionMoonMe,
-        IGlobalGrid grid,
-        ElevationSummary summary,
-        double slack = 0.0)
+        ViewFrustum frame, Vector3D? sunPositionMoonMe, IGlobalGrid grid, ElevationSummary summary, double slack = 0.0)
     {
-        _summary = summary;
-        _tiles = summary.Levels[0];
-        _frame = frame;
-        _view = new PolarView(frame.CameraMoonMe);
-        _sunPosition = sunPositionMoonMe;
+        (_summary, _tiles, _frame, _sunPosition) = (summary, summary.Levels[0], frame, sunPositionMoonMe);
+        View = new PolarView(frame.CameraMoonMe);
 
         // There are two patches, because a walk still reads its own while a visitor loads another.
         FacetMesh mesh = new(grid);
-        _patch = new TerrainPatch(mesh);
-        HorizonSurvey survey = new(_view, summary, _patch);
+        Patch = new TerrainPatch(mesh);
+        HorizonSurvey survey = new(View, summary, Patch);
         (double middle, double width) = FrameAzimuths();
-        _horizon = survey.EmptyMap(middle, width);
-        survey.Fill(_horizon, (in TerrainNode node, in PolarBounds _) => _frame.Classify(node.Ball()) != FrustumSide.Outside);
-        _walk = new SurfaceWalk(summary, _frame, _view, _horizon, new TerrainPatch(mesh), slack);
+        HorizonMap horizon = survey.EmptyMap(middle, width);
+        survey.Fill(horizon, (in TerrainNode node, in PolarBounds _) => _frame.Classify(node.Ball()) != FrustumSide.Outside);
+        _walk = new SightWalk(summary, _frame, View, horizon, new TerrainPatch(mesh), slack);
     }
 
     /// <summary>The Moon from the Sun; null before the selection, and for a light at the camera.</summary>
     public SunView? Sun { get; private set; }
 
     /// <summary>Buffer for reading terrain; not the one that a walk uses.</summary>
-    public TerrainPatch Patch => _patch;
+    public TerrainPatch Patch { get; }
 
     /// <summary>Whether the selection found that some of a tile may be seen, lit or dark.</summary>
     public bool IsSeen(TileId tile) => _seen[tile.Number];
 
     /// <summary>Bounds of the tiles from the camera.</summary>
-    public PolarView View => _view;
+    public PolarView View { get; }
 
     /// <summary>Prepares to ask what lies behind pieces of some tiles.</summary>
     public OccluderVisitor CoverOf(IReadOnlyList<TileId> tiles) =>
-        new(_summary, _frame, new BoundsTable(_view, _summary), _patch, tiles);
+        new(_summary, _frame, new BoundsTable(View, _summary), Patch, tiles);
 
     /// <summary>Nodes of the summary's tree that were entered so far.</summary>
     public int NodesVisited => _walk.NodesVisited;
 
     /// <summary>Walks the surface of a tile that may be seen.</summary>
-    public void Walk(TileId tile, ISurfaceVisitor visitor) => _walk.Walk(tile, visitor);
+    public void Walk(TileId tile, ISightVisitor visitor) => _walk.Walk(tile, visitor);
 
     /// <summary>Does the selection.</summary>
     public TileSelection Select()
     {
         List<TileId> inFrame = TilesInFrame();
-        SunView? sun = _sunPosition is Vector3D position
-            ? new SunView(position, _summary, _patch, inFrame.Where(tile => !IsHidden(tile)))
+        Sun = _sunPosition is Vector3D position
+            ? new SunView(position, _summary, Patch, inFrame.Where(tile => !IsHidden(tile)))
             : null;
-        Sun = sun;
         List<TileId> newlyKept = [];
         List<TileId> dark = [];
-        FindVisible(inFrame, sun, newlyKept, dark);
-        if (sun is not null)
+        FindVisible(inFrame, newlyKept, dark);
+        if (Sun is { } sun)
         {
             KeepWhatIsNeeded(sun, newlyKept, dark);
         }
@@ -98,19 +87,19 @@ internal sealed class DspsaRun
     /// <summary>The range of azimuths that the image covers, about the line from camera to Moon's centre.</summary>
     private (double Middle, double Width) FrameAzimuths()
     {
-        Vector3D up = _view.Axis;
+        Vector3D up = View.Axis;
         if (_frame.Contains(up) || _frame.Contains(-up))
         {
             return (0.0, 2.0 * Math.PI);
         }
 
         // The image is a convex cone without the axis, so less than half a turn, and its edges bound it.
-        double middle = _view.AzimuthOf(_frame.Middle);
+        double middle = View.AzimuthOf(_frame.Middle);
         double min = 0.0;
         double max = 0.0;
         foreach (Vector3D edge in _frame.Edges)
         {
-            double turn = AzimuthWindow.Wrapped(_view.AzimuthOf(edge) - middle);
+            double turn = AzimuthWindow.Wrapped(View.AzimuthOf(edge) - middle);
             min = Math.Min(min, turn);
             max = Math.Max(max, turn);
         }
@@ -123,8 +112,7 @@ internal sealed class DspsaRun
     private List<TileId> TilesInFrame()
     {
         Array.Fill(_reasons, TileReason.OutsideFrame);
-        TileId[] possible = [.. TileId.FromNorth.Where(
-            tile => !_summary.IsOnDemand || MayBeSeen(0, tile.RowFromNorth, tile.Column, ref _reasons[tile.Number]))];
+        TileId[] possible = [.. TileId.FromNorth.Where(tile => !_summary.IsOnDemand || MayBeSeen(tile))];
         _summary.Read(possible.Where(_walk.ReadsWhole));
         return [.. possible.Where(IsInFrame)];
     }
@@ -161,62 +149,36 @@ internal sealed class DspsaRun
         TerrainNode unread = _tiles.NodeUnread(tile);
         if (unread.IsUnread)
         {
-            if (_walk.IsHidden(_view.Bounds(unread)))
+            if (_walk.IsHidden(View.Bounds(unread)))
             {
                 return true;
             }
 
-            if (!_walk.IsHidden(_view.Bounds(unread with { MaxRadius = unread.MinRadius })))
+            if (!_walk.IsHidden(View.Bounds(unread with { MaxRadius = unread.MinRadius })))
             {
                 return false;
             }
         }
 
-        return _walk.IsHidden(_view.Bounds(_tiles.NodeOf(tile)));
+        return _walk.IsHidden(View.Bounds(_tiles.NodeOf(tile)));
     }
 
     /// <summary>
-    /// Whether a node may be seen with any heights that the model may have: whether one of its finest nodes may. Nothing is read.
+    /// Whether a tile may be seen with any heights that the model may have: whether one of its finest nodes may. Nothing is read.
     /// </summary>
-    private bool MayBeSeen(int depth, int row, int column, ref TileReason reason)
+    private bool MayBeSeen(TileId tile)
     {
-        SummaryLevel level = _summary.Levels[depth];
-        TerrainNode node = level.NodeOfLimits(row, column);
-        FrustumSide side = _frame.Classify(node.Ball());
-        if (side == FrustumSide.Outside)
-        {
-            return false;
-        }
-
-        if (_walk.IsHidden(_view.Bounds(node)))
-        {
-            reason = TileReason.Hidden;
-            return false;
-        }
-
-        if (depth + 1 == _summary.Levels.Count)
-        {
-            return true;
-        }
-
-        int factor = _summary.Levels[depth + 1].Subdivisions / level.Subdivisions;
-        for (int child = 0; child < factor * factor; child++)
-        {
-            if (MayBeSeen(depth + 1, (row * factor) + (child / factor), (column * factor) + (child % factor), ref reason))
-            {
-                return true;
-            }
-        }
-
-        return false;
+        PossibleSight sight = new(this);
+        bool isSeen = !NodeWalk.From(_summary.Layout, _summary.PlaceOf(tile), ref sight);
+        _reasons[tile.Number] = sight.IsHidden ? TileReason.Hidden : TileReason.OutsideFrame;
+        return isSeen;
     }
 
-    private void FindVisible(List<TileId> inFrame, SunView? sun, List<TileId> newlyKept, List<TileId> dark)
+    private void FindVisible(List<TileId> inFrame, List<TileId> newlyKept, List<TileId> dark)
     {
-        VisibleTileVisitor visitor = new(sun);
         foreach (TileId tile in inFrame)
         {
-            visitor.Reset();
+            VisibleTileVisitor visitor = new(Sun);
             Walk(tile, visitor);
             _seen[tile.Number] = visitor.SeenLit || visitor.SeenDark;
             if (visitor.SeenLit)
@@ -242,7 +204,7 @@ internal sealed class DspsaRun
     /// </summary>
     private void KeepWhatIsNeeded(SunView sun, List<TileId> newlyKept, List<TileId> dark)
     {
-        ShadowCasterVisitor casters = new(sun, _summary, _patch, _kept, newlyKept);
+        ShadowCasterVisitor casters = new(sun, _summary, Patch, _kept, newlyKept);
         OccluderVisitor? cover = null;
         int done = 0;
         int coverKnows = 0;
@@ -269,19 +231,40 @@ internal sealed class DspsaRun
             round++;
             foreach (TileId tile in dark.Where(tile => !_kept[tile.Number]))
             {
-                cover.Reset();
-                if (round <= MaxCloseRounds || !cover.MayLeaveBeforeLimb(tile))
+                bool isKeptUntested = round > MaxCloseRounds && cover.MayLeaveBeforeLimb(tile);
+                if (!isKeptUntested)
                 {
+                    cover.Reset();
                     Walk(tile, cover);
                 }
 
-                if (cover.Covers || (round > MaxCloseRounds && cover.MayLeaveBeforeLimb(tile)))
+                if (isKeptUntested || cover.Covers)
                 {
                     _kept[tile.Number] = true;
                     _reasons[tile.Number] = TileReason.DarkButCovering;
                     newlyKept.Add(tile);
                 }
             }
+        }
+    }
+
+    /// <summary>Stops at a finest node that may be seen with any heights that the model may have.</summary>
+    private struct PossibleSight(DspsaRun run) : INodeTester
+    {
+        /// <summary>Whether a node was left out because it is hidden.</summary>
+        public bool IsHidden { get; private set; }
+
+        public Visit Test(NodePlace place)
+        {
+            TerrainNode node = run._summary.LevelOf(place).NodeOfLimits(place.Row, place.Column);
+            if (run._frame.Classify(node.Ball()) == FrustumSide.Outside)
+            {
+                return Visit.Skip;
+            }
+
+            bool isHidden = run._walk.IsHidden(run.View.Bounds(node));
+            IsHidden |= isHidden;
+            return isHidden ? Visit.Skip : place.Level == 0 ? Visit.Stop : Visit.Descend;
         }
     }
 }

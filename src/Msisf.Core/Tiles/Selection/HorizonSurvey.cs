@@ -7,7 +7,7 @@ namespace Msisf.Core.Tiles.Selection;
 /// Makes a horizon map of the model as seen from a viewpoint: first from the blocks' minimum radii, then from the facets' edges in the
 /// blocks that hide most.
 /// </summary>
-internal sealed class HorizonSurvey
+internal sealed class HorizonSurvey(PolarView view, ElevationSummary summary, TerrainPatch patch)
 {
     /// <summary>
     /// rad: maximum elevation of the viewpoint over the ground for which the map is made; under a higher viewpoint no tile is hidden
@@ -29,22 +29,9 @@ internal sealed class HorizonSurvey
     /// </summary>
     private const int VertexBudget = 9_000;
 
-    private readonly PolarView _view;
-    private readonly ElevationSummary _summary;
-    private readonly TerrainPatch _patch;
-    private readonly SummaryLevel _blocks;
-    private readonly SummaryLevel _finest;
-    private readonly double _cellAngle;
-
-    public HorizonSurvey(PolarView view, ElevationSummary summary, TerrainPatch patch)
-    {
-        _view = view;
-        _summary = summary;
-        _patch = patch;
-        _blocks = summary.Levels[1];
-        _finest = summary.Levels[^1];
-        _cellAngle = Math.PI / 180.0 / summary.PixelsPerDegree;
-    }
+    private readonly SummaryLevel _blocks = summary.Levels[1];
+    private readonly SummaryLevel _finest = summary.Levels[^1];
+    private readonly double _cellAngle = Math.PI / 180.0 / summary.PixelsPerDegree;
 
     /// <summary>Whether terrain in a place could hide surface that the caller asks about.</summary>
     public delegate bool Relevance(in TerrainNode node, in PolarBounds bounds);
@@ -54,16 +41,16 @@ internal sealed class HorizonSurvey
     /// <param name="width">Width of the range of azimuths, rad.</param>
     public HorizonMap EmptyMap(double middle, double width)
     {
-        double min = (_summary.MinRadius * MeshBounds.SagittaFactor(_summary.PixelsPerDegree)) - Tolerances.VertexLattice;
-        double toTangent = AngleOfCosine(min / _view.Distance);
-        double lastAngle = Math.Min(Math.PI, toTangent + AngleOfCosine(min / _summary.MaxRadius));
-        double sight = 0.5 * (_summary.MinRadius + _summary.MaxRadius) * Math.Cos(MaxElevation) / _view.Distance;
+        double min = (summary.MinRadius * MeshBounds.SagittaFactor(summary.PixelsPerDegree)) - Tolerances.VertexLattice;
+        double toTangent = AngleOfCosine(min / view.Distance);
+        double lastAngle = Math.Min(Math.PI, toTangent + AngleOfCosine(min / summary.MaxRadius));
+        double sight = 0.5 * (summary.MinRadius + summary.MaxRadius) * Math.Cos(MaxElevation) / view.Distance;
         double firstAngle = Math.Max(0.0, AngleOfCosine(sight) - MaxElevation);
         AzimuthWindow window = new(middle, width, _cellAngle / BinsPerCell / Math.Sin(Math.Min(lastAngle, 0.5 * Math.PI)), MaxBins);
         HorizonMap map = new(window, Math.Sin(0.5 * firstAngle), Math.Sin(0.5 * lastAngle));
-        if (_view.Distance > min)
+        if (view.Distance > min)
         {
-            map.RaiseAll(Math.Sin(0.5 * toTangent), _view.TangentSlope(min));
+            map.RaiseAll(Math.Sin(0.5 * toTangent), view.TangentSlope(min));
         }
 
         return map;
@@ -74,7 +61,7 @@ internal sealed class HorizonSurvey
     {
         List<Candidate> candidates = Candidates(map, relevant);
         candidates.Sort((a, b) => a.Slope != b.Slope ? b.Slope.CompareTo(a.Slope) : a.Index.CompareTo(b.Index));
-        RidgeTracer tracer = new(map, _view, _cellAngle);
+        RidgeTracer tracer = new(map, view, _cellAngle);
         int budget = VertexBudget;
         foreach (Candidate candidate in candidates)
         {
@@ -95,7 +82,6 @@ internal sealed class HorizonSurvey
         List<Candidate> candidates = [];
         bool[] tiles = RelevantTiles(map, relevant);
         int factor = _blocks.Subdivisions;
-        int tileColumns = _summary.Levels[0].Columns;
         for (int row = 0; row < _blocks.Rows; row++)
         {
             // Towards the poles blocks are narrow, so neighbours are joined until the group is about as wide as high.
@@ -105,19 +91,17 @@ internal sealed class HorizonSurvey
             for (int column = 0; column < _blocks.Columns; column += group)
             {
                 int count = Math.Min(group, _blocks.Columns - column);
-                if (!AnyTile(tiles, row / factor * tileColumns, column / factor, (column + count - 1) / factor))
-                {
-                    continue;
-                }
-
+                int first = (row / factor * TileId.Columns) + (column / factor);
+                int last = (row / factor * TileId.Columns) + ((column + count - 1) / factor);
                 TerrainNode unread = _blocks.NodeUnread(row, column, count);
-                if (unread.IsUnread && !Concerns(map, relevant, unread, _view.Bounds(unread)))
+                if (Array.IndexOf(tiles, true, first, last - first + 1) < 0
+                    || (unread.IsUnread && !Concerns(map, relevant, unread, view.Bounds(unread))))
                 {
                     continue;
                 }
 
                 TerrainNode node = _blocks.Node(row, column, count);
-                PolarBounds bounds = _view.Bounds(node);
+                PolarBounds bounds = view.Bounds(node);
                 if (Concerns(map, relevant, node, bounds))
                 {
                     candidates.Add(new Candidate(bounds.MaxSlope, (row * _blocks.Columns) + column, count));
@@ -134,30 +118,17 @@ internal sealed class HorizonSurvey
 
     private bool[] RelevantTiles(HorizonMap map, Relevance relevant)
     {
-        SummaryLevel level = _summary.Levels[0];
+        SummaryLevel level = summary.Levels[0];
         bool[] tiles = new bool[level.Count];
         for (int tile = 0; tile < tiles.Length; tile++)
         {
-            TerrainNode node = _summary.IsOnDemand
+            TerrainNode node = summary.IsOnDemand
                 ? level.NodeOfLimits(tile / level.Columns, tile % level.Columns)
                 : level.Node(tile / level.Columns, tile % level.Columns);
-            tiles[tile] = Concerns(map, relevant, node, _view.Bounds(node));
+            tiles[tile] = Concerns(map, relevant, node, view.Bounds(node));
         }
 
         return tiles;
-    }
-
-    private static bool AnyTile(bool[] tiles, int rowStart, int first, int last)
-    {
-        for (int column = first; column <= last; column++)
-        {
-            if (tiles[rowStart + column])
-            {
-                return true;
-            }
-        }
-
-        return false;
     }
 
     private static bool Concerns(HorizonMap map, Relevance relevant, in TerrainNode node, in PolarBounds bounds) =>
@@ -171,7 +142,7 @@ internal sealed class HorizonSurvey
     private void RaiseByInnerCap(HorizonMap map, in TerrainNode node, double inner)
     {
         (double sin, double cos) = Math.SinCos(inner);
-        PolarBounds bounds = _view.Bounds(node with { Cap = new SphericalCap(node.Cap.Centre, cos, sin) });
+        PolarBounds bounds = view.Bounds(node with { Cap = new SphericalCap(node.Cap.Centre, cos, sin) });
         if (bounds.HalfWidth >= Math.PI)
         {
             return;
@@ -195,12 +166,12 @@ internal sealed class HorizonSurvey
             {
                 int fineColumn = (column * factor) + (part * count);
                 TerrainNode node = _finest.Node(fineRow, fineColumn, count);
-                PolarBounds bounds = _view.Bounds(node);
+                PolarBounds bounds = view.Bounds(node);
                 if (map.CouldRise(bounds) && relevant(node, bounds))
                 {
-                    _patch.Load(_finest.Cells(fineRow, fineColumn, count));
-                    tracer.Trace(_patch);
-                    budget -= _patch.Lines * _patch.Samples;
+                    patch.Load(_finest.Cells(fineRow, fineColumn, count));
+                    tracer.Trace(patch);
+                    budget -= patch.Lines * patch.Samples;
                 }
             }
         }

@@ -8,7 +8,7 @@ namespace Msisf.Core.Tiles.Selection;
 /// Finds out whether a dark tile hides part of the kept tiles from the camera. A ray that enters the ground through the tile leaves it
 /// through a facet turned away from the camera; only what lies beyond that facet would show if the tile were left out.
 /// </summary>
-internal sealed class OccluderVisitor : ISurfaceVisitor
+internal sealed class OccluderVisitor : ISightVisitor
 {
     private const int Bins = 360;
 
@@ -17,10 +17,10 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
     /// </summary>
     private const int MaxFacets = 1500;
 
+    private readonly ElevationSummary _summary;
     private readonly BoundsTable _table;
     private readonly BackFaces _facets;
     private readonly double _limb;
-    private readonly bool _isOnDemand;
     private readonly AzimuthIndex<TileId> _soughtTiles = new(Bins);
     private readonly AzimuthIndex<PolarBounds> _backFaces = new(Bins);
     private int _facetBudget = MaxFacets;
@@ -32,8 +32,7 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
     /// <param name="dark">The dark tiles that will be tested.</param>
     public OccluderVisitor(ElevationSummary summary, ViewFrustum frame, BoundsTable table, TerrainPatch patch, IReadOnlyList<TileId> dark)
     {
-        _table = table;
-        _isOnDemand = summary.IsOnDemand;
+        (_summary, _table) = (summary, table);
         _facets = new BackFaces(table, summary, frame.CameraMoonMe, patch);
 
         // Beyond the limb of a sphere as high as the highest terrain, facets are assumed to be turned away.
@@ -44,35 +43,24 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
             asked.Add(tile, table.Possible(tile));
         }
 
-        bool IsPossible(in TerrainNode node, in PolarBounds bounds) =>
-            bounds.Near < _limb && SharesRay(asked, bounds) && _facets.MayBeIn(node, bounds)
-                && frame.Classify(node.Ball()) != FrustumSide.Outside;
-
-        bool IsAnyBlockPossible(TileId tile)
-        {
-            for (int block = 0; block < table.BlocksPerTile; block++)
-            {
-                (int row, int column) = summary.Levels[1].PlaceOf(tile, block);
-                if (IsPossible(summary.Levels[1].NodeOfLimits(row, column), table.Possible(tile, block)))
-                {
-                    return true;
-                }
-            }
-
-            return false;
-        }
-
-        SummaryLevel tiles = summary.Levels[0];
+        (SummaryLevel tiles, SummaryLevel blocks) = (summary.Levels[0], summary.Levels[1]);
         foreach (TileId tile in TileId.FromNorth)
         {
-            bool isPossible = summary.IsOnDemand
-                ? IsPossible(tiles.NodeOfLimits(tile.RowFromNorth, tile.Column), table.Possible(tile)) && IsAnyBlockPossible(tile)
-                : IsPossible(tiles.NodeOf(tile), table.Possible(tile));
-            if (isPossible)
+            if (!summary.IsOnDemand
+                ? IsPossible(tiles.NodeOf(tile), table.Possible(tile))
+                : IsPossible(tiles.NodeOfLimits(tile.RowFromNorth, tile.Column), table.Possible(tile))
+                    && Enumerable.Range(0, table.BlocksPerTile).Any(block =>
+                    {
+                        (int row, int column) = blocks.PlaceOf(tile, block);
+                        return IsPossible(blocks.NodeOfLimits(row, column), table.Possible(tile, block));
+                    }))
             {
                 NoteBackFaces(tile, asked);
             }
         }
+
+        bool IsPossible(in TerrainNode node, in PolarBounds bounds) => bounds.Near < _limb && SharesRay(asked, bounds)
+            && _facets.MayBeIn(node, bounds) && frame.Classify(node.Ball()) != FrustumSide.Outside;
     }
 
     /// <summary>Whether one of the sought tiles may lie behind the tile that was walked.</summary>
@@ -91,31 +79,50 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
         }
     }
 
-    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place)
+    public Visit Node(in SeenNode seen)
     {
-        if (!AnyBehind(bounds))
+        if (!MayCover(seen.Bounds))
         {
             return Visit.Skip;
         }
 
-        if (node.IsUnread && place.Depth > 0 && _facetBudget <= 0)
+        NodePlace place = seen.Place;
+        SummaryLevel level = _summary.LevelOf(place);
+        if (level == _summary.Levels[0] || _facetBudget > 0)
         {
-            return Visit.Read; // too wide for the last word
+            return Visit.Descend;
         }
 
-        Covers = place.Depth > 0 && _facetBudget <= 0;
-        return Covers ? Visit.Stop : Visit.Descend;
+        // The limits of a node that is not read are too wide for the last word.
+        Covers = !seen.Node.IsUnread || MayCover(_table.View.Bounds(level.Node(place.Row, place.Column)));
+        return Covers ? Visit.Stop : Visit.Skip;
     }
 
     public Visit Facet(ReadOnlySpan<Vector3D> part, in PolarBounds bounds, in Facet facet)
     {
         _facetBudget--;
-        Covers = AnyBehind(bounds);
+        Covers = MayCover(bounds);
         return Covers ? Visit.Stop : Visit.Descend;
     }
 
     /// <summary>Whether one of the sought tiles may lie behind a piece of the surface.</summary>
-    public bool MayCover(in PolarBounds bounds) => AnyBehind(bounds);
+    public bool MayCover(in PolarBounds target)
+    {
+        double exit = FirstExit(target);
+        foreach (int bin in _soughtTiles.Bins(target))
+        {
+            foreach (TileId tile in _soughtTiles[bin])
+            {
+                PolarBounds possible = _table.Possible(tile);
+                if (possible.Far > exit && possible.CanShareRayWith(target) && AnyBlockBehind(tile, target, exit))
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
 
     /// <summary>
     /// Whether a ray that enters the Moon through a tile may leave it before the limb: such tiles hide each other in long chains.
@@ -143,34 +150,14 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
         for (int block = 0; block < _table.BlocksPerTile; block++)
         {
             ref readonly PolarBounds possible = ref _table.Possible(tile, block);
-            if (!(possible.Near < _limb) || (_isOnDemand && !SharesRay(asked, possible)))
+            if (possible.Near < _limb && (!_summary.IsOnDemand || SharesRay(asked, possible)))
             {
-                continue;
-            }
-
-            foreach (PolarBounds facet in _facets.Of(tile, block))
-            {
-                _backFaces.Add(facet, facet);
-            }
-        }
-    }
-
-    private bool AnyBehind(in PolarBounds target)
-    {
-        double exit = FirstExit(target);
-        foreach (int bin in _soughtTiles.Bins(target))
-        {
-            foreach (TileId tile in _soughtTiles[bin])
-            {
-                PolarBounds possible = _table.Possible(tile);
-                if (possible.Far > exit && possible.CanShareRayWith(target) && AnyBlockBehind(tile, target, exit))
+                foreach (PolarBounds facet in _facets.Of(tile, block))
                 {
-                    return true;
+                    _backFaces.Add(facet, facet);
                 }
             }
         }
-
-        return false;
     }
 
     private bool AnyBlockBehind(TileId tile, in PolarBounds target, double exit)
@@ -198,11 +185,12 @@ internal sealed class OccluderVisitor : ISurfaceVisitor
                 if (facet.Near < exit && facet.Far > target.Near && facet.CanShareRayWith(target))
                 {
                     exit = facet.Near;
-                    if (exit <= target.Near)
-                    {
-                        return target.Near;
-                    }
                 }
+            }
+
+            if (exit <= target.Near)
+            {
+                break;
             }
         }
 

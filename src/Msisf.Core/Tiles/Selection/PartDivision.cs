@@ -7,57 +7,37 @@ namespace Msisf.Core.Tiles.Selection;
 /// <summary>
 /// Divides the tiles of one selection into parts, leaves out those that the image does not need, and gives each a level of detail.
 /// </summary>
-internal sealed class PartDivision
+/// <param name="run">The selection of tiles, done.</param>
+/// <param name="rule">Gives the level that is allowed at a place.</param>
+/// <param name="footprint">Footprint of the image's pixels.</param>
+/// <param name="summary">Bounds of the terrain.</param>
+/// <param name="subdivisionsAt">Number of parts along a tile's edge at a level.</param>
+/// <param name="deviationOf">How far a part's surface lies from the model's, m.</param>
+internal sealed class PartDivision(
+    DspsaRun run,
+    DetailRule rule,
+    PixelFootprint footprint,
+    ElevationSummary summary,
+    Func<int, int> subdivisionsAt,
+    Func<SurfacePart, double> deviationOf)
 {
-    private readonly DspsaRun _run;
-    private readonly DetailRule _rule;
-    private readonly PixelFootprint _footprint;
-    private readonly SummaryLevel _tiles;
-    private readonly SummaryLevel _finest;
-    private readonly int _pixelsPerDegree;
-    private readonly Func<int, int> _subdivisionsAt;
-    private readonly Func<SurfacePart, double> _deviationOf;
-    private readonly VisibleBlockVisitor _seen;
-    private readonly ShadowDemand? _shadows;
+    private readonly SummaryLevel _tiles = summary.Levels[0];
+    private readonly SummaryLevel _finest = summary.Levels[^1];
+    private readonly VisibleBlockVisitor _seen = new(summary, run.View, run.Sun);
+    private readonly ShadowDemand? _shadows = run.Sun is null ? null : new(run.Sun, summary, run.Patch, rule, footprint);
     private readonly List<SurfacePart> _parts = [];
-    private readonly (double WidestCell, double MaxDeviation)?[] _demands;
-
-    /// <param name="run">The selection of tiles, done.</param>
-    /// <param name="rule">Gives the level that is allowed at a place.</param>
-    /// <param name="footprint">Footprint of the image's pixels.</param>
-    /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="subdivisionsAt">Number of parts along a tile's edge at a level.</param>
-    /// <param name="deviationOf">How far a part's surface lies from the model's, m.</param>
-    public PartDivision(
-        DspsaRun run,
-        DetailRule rule,
-        PixelFootprint footprint,
-        ElevationSummary summary,
-        Func<int, int> subdivisionsAt,
-        Func<SurfacePart, double> deviationOf)
-    {
-        _run = run;
-        _rule = rule;
-        _footprint = footprint;
-        _tiles = summary.Levels[0];
-        _finest = summary.Levels[^1];
-        _pixelsPerDegree = summary.PixelsPerDegree;
-        _subdivisionsAt = subdivisionsAt;
-        _deviationOf = deviationOf;
-        _seen = new VisibleBlockVisitor(summary, run.View, run.Sun);
-        _shadows = run.Sun is null ? null : new ShadowDemand(run.Sun, summary, run.Patch, rule, footprint);
-        _demands = new (double, double)?[_finest.Subdivisions * _finest.Subdivisions];
-    }
+    private readonly (double WidestCell, double MaxDeviation)?[] _demands =
+        new (double, double)?[summary.Levels[^1].Subdivisions * summary.Levels[^1].Subdivisions];
 
     /// <summary>The parts, in order.</summary>
     public IReadOnlyList<SurfacePart> Divide(TileSelection selection)
     {
         TileId[] kept = [.. selection.Kept.Select(choice => choice.Tile)];
         // what only throws shadows is asked part by part
-        TileId[] divided = [.. kept.Where(tile => !_run.IsSeen(tile) || _subdivisionsAt(LevelOf(tile)) > 1)];
-        foreach (TileId tile in divided.Where(_run.IsSeen))
+        TileId[] divided = [.. kept.Where(tile => !run.IsSeen(tile) || subdivisionsAt(LevelOf(tile)) > 1)];
+        foreach (TileId tile in divided.Where(run.IsSeen))
         {
-            _run.Walk(tile, _seen);
+            run.Walk(tile, _seen);
         }
 
         AddTargets(kept.Except(divided), divided);
@@ -88,16 +68,16 @@ internal sealed class PartDivision
         TerrainNode unread = _tiles.NodeUnread(tile) with { Cap = cap };
         if (unread.IsUnread)
         {
-            (double min, double max) = _footprint.LimitsOfMinWidth(
+            (double min, double max) = footprint.LimitsOfMinWidth(
                 unread.Ball(), unread.MinRadius * cap.Centre, unread.MaxRadius * cap.Centre);
-            int coarsest = _rule.LevelOfPixel(max);
-            if (coarsest == _rule.LevelOfPixel(min) || _subdivisionsAt(coarsest) > subdivisions)
+            int coarsest = rule.LevelOfPixel(max);
+            if (coarsest == rule.LevelOfPixel(min) || subdivisionsAt(coarsest) > subdivisions)
             {
                 return coarsest;
             }
         }
 
-        return _rule.LevelOfPixel(_footprint.MinWidth((NodeOf(tile) with { Cap = cap }).Ball()));
+        return rule.LevelOfPixel(footprint.MinWidth((_tiles.NodeOf(tile) with { Cap = cap }).Ball()));
     }
 
     /// <summary>
@@ -112,7 +92,7 @@ internal sealed class PartDivision
 
         foreach (TileId tile in whole)
         {
-            _shadows.AddTarget(NodeOf(tile));
+            _shadows.AddTarget(_tiles.NodeOf(tile));
         }
 
         foreach (TileId tile in divided)
@@ -139,7 +119,7 @@ internal sealed class PartDivision
             return;
         }
 
-        OccluderVisitor cover = _run.CoverOf([.. _seen.Dark.Select(dark => dark.Tile).Distinct()]);
+        OccluderVisitor cover = run.CoverOf([.. _seen.Dark.Select(dark => dark.Tile).Distinct()]);
         cover.LookFor(kept);
         List<VisibleBlockVisitor.DarkBlock> open = [.. _seen.Dark];
         Keep(open, dark => cover.MayCover(dark.Bounds));
@@ -162,14 +142,12 @@ internal sealed class PartDivision
         return needed.Count > 0;
     }
 
-    private TerrainNode NodeOf(TileId tile) => _tiles.NodeOf(tile);
-
     /// <summary>The cap that holds a part.</summary>
     private SphericalCap CapOf(SurfacePart part)
     {
         int cells = _tiles.TileCells / part.Subdivisions;
-        int line = part.Tile.FirstLine(_pixelsPerDegree) + (part.Row * cells);
-        int sample = part.Tile.FirstSample(_pixelsPerDegree) + (part.Column * cells);
+        int line = part.Tile.FirstLine(summary.PixelsPerDegree) + (part.Row * cells);
+        int sample = part.Tile.FirstSample(summary.PixelsPerDegree) + (part.Column * cells);
         CellRange range = new(line == 0 ? -1 : line, line + cells, sample, sample + cells);
         return MeshBounds.CapOf(range, _tiles.Lines, 2 * _tiles.Lines);
     }
@@ -202,7 +180,7 @@ internal sealed class PartDivision
         int level = isSeen
             ? LevelOf(square.Tile, CapOf(square), square.Subdivisions)
             : CasterLevel(square, widestCell, deviation);
-        if (_subdivisionsAt(level) <= square.Subdivisions)
+        if (subdivisionsAt(level) <= square.Subdivisions)
         {
             _parts.Add(square with { Level = LevelWithWholeCells(level, square.Subdivisions) });
             return;
@@ -248,9 +226,9 @@ internal sealed class PartDivision
     /// </summary>
     private int CasterLevel(SurfacePart square, double widestCell, double deviation)
     {
-        int level = _rule.LevelOfCell(widestCell);
-        while (level > 0 && _subdivisionsAt(level) <= square.Subdivisions
-            && _deviationOf(square with { Level = LevelWithWholeCells(level, square.Subdivisions) }) > deviation)
+        int level = rule.LevelOfCell(widestCell);
+        while (level > 0 && subdivisionsAt(level) <= square.Subdivisions
+            && deviationOf(square with { Level = LevelWithWholeCells(level, square.Subdivisions) }) > deviation)
         {
             level--;
         }
@@ -260,7 +238,7 @@ internal sealed class PartDivision
 
     private int LevelWithWholeCells(int level, int subdivisions)
     {
-        while (TileId.SizeDegrees * (_pixelsPerDegree >> level) % subdivisions != 0)
+        while (TileId.SizeDegrees * (summary.PixelsPerDegree >> level) % subdivisions != 0)
         {
             level--;
         }

@@ -4,8 +4,8 @@ using Msisf.Core.Surface;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
-/// Raises a horizon map by the mesh edges of a patch of terrain. Lines of edges (along the rows, the columns and the diagonals of the
-/// mesh) are followed from bin to bin; where a line crosses both borders of a bin, the terrain reaches the line's minimum slope between
+/// Raises a horizon map by the mesh edges of a patch of terrain. Lines of edges (along the rows and the columns of the mesh) are
+/// followed from bin to bin; where a line crosses both borders of a bin, the terrain reaches the line's minimum slope between
 /// them at every azimuth of the bin.
 /// </summary>
 internal sealed class RidgeTracer
@@ -48,22 +48,14 @@ internal sealed class RidgeTracer
     public void Trace(TerrainPatch patch)
     {
         Project(patch);
-        int lines = patch.Lines;
-        int samples = patch.Samples;
-        for (int line = 0; line < lines; line++)
+        for (int line = 0; line < patch.Lines; line++)
         {
-            Follow(line * samples, 1, samples);
+            Follow(line * patch.Samples, 1, patch.Samples);
         }
 
-        for (int sample = 0; sample < samples; sample++)
+        for (int sample = 0; sample < patch.Samples; sample++)
         {
-            Follow(sample, samples, lines);
-            Follow(sample, samples + 1, Math.Min(lines, samples - sample));
-        }
-
-        for (int line = 1; line < lines; line++)
-        {
-            Follow(line * samples, samples + 1, Math.Min(lines - line, samples));
+            Follow(sample, patch.Samples, patch.Lines);
         }
     }
 

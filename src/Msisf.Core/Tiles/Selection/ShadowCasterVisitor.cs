@@ -8,7 +8,7 @@ namespace Msisf.Core.Tiles.Selection;
 /// its facets that are turned away from the Sun. The search does not stop at a kept ridge above the ray, because the ray may enter the
 /// ground before the ridge, through a tile that is left out.
 /// </summary>
-internal sealed class ShadowCasterVisitor : ISurfaceVisitor
+internal sealed class ShadowCasterVisitor : ISightVisitor
 {
     /// <summary>
     /// Maximum number of visible facets that are tested one by one; after that all tiles that may cast a shadow on a block are kept.
@@ -16,14 +16,11 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
     private const int MaxFacets = 3_000;
 
     private readonly SunView _sun;
-    private readonly ElevationSummary _summary;
     private readonly BackFaces _facets;
     private readonly bool[] _kept;
     private readonly List<TileId> _newlyKept;
     private readonly List<TileId>[] _candidates;
     private readonly AzimuthIndex<TileId> _tiles = new(72);
-    private readonly int[] _asked = new int[TileId.Count];
-    private int _question;
     private int _facetBudget = MaxFacets;
 
     /// <param name="sun">The Moon from the Sun.</param>
@@ -33,11 +30,8 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
     /// <param name="newlyKept">Receives the tiles that are added.</param>
     public ShadowCasterVisitor(SunView sun, ElevationSummary summary, TerrainPatch patch, bool[] kept, List<TileId> newlyKept)
     {
-        _sun = sun;
-        _summary = summary;
+        (_sun, _kept, _newlyKept) = (sun, kept, newlyKept);
         _facets = new BackFaces(sun.Table, summary, sun.Position, patch);
-        _kept = kept;
-        _newlyKept = newlyKept;
         foreach (TileId tile in TileId.FromNorth)
         {
             _tiles.Add(tile, sun.Table.Possible(tile));
@@ -46,59 +40,56 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
         _candidates = [.. summary.Levels.Select(_ => new List<TileId>())];
     }
 
-    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place)
+    public Visit Node(in SeenNode seen)
     {
+        TerrainNode node = seen.Node;
         PolarBounds fromSun = _sun.View.Bounds(node);
         if (_facets.AreAllOf(node, fromSun))
         {
             return Visit.Skip; // black without any shadow
         }
 
-        List<TileId> found = _candidates[place.Depth];
+        // Of a node's candidates those of the nodes in it are chosen.
+        List<TileId> found = _candidates[seen.Place.Level];
         found.Clear();
-        if (place.Depth == 0)
+        IEnumerable<TileId> asked = seen.Place.Level + 1 == _candidates.Length ? TilesAround(fromSun) : _candidates[seen.Place.Level + 1];
+        foreach (TileId tile in asked)
         {
-            AddAllCasting(found, fromSun, node.IsUnread);
-        }
-        else
-        {
-            foreach (TileId tile in _candidates[place.Depth - 1])
+            // For a target that is not read, nothing of the tile is read either.
+            if (MayCast(tile, fromSun) && (node.IsUnread || AnyFacetCasts(tile, fromSun)))
             {
-                AddIfCasting(found, tile, fromSun, node.IsUnread);
+                found.Add(tile);
             }
         }
 
-        if (found.Count == 0)
-        {
-            return Visit.Skip;
-        }
-
-        if (place.Depth + 1 == _summary.Levels.Count && _facetBudget <= 0)
+        if (found.Count > 0 && seen.Place.Level == 0 && _facetBudget <= 0)
         {
             KeepCasters(fromSun);
             return Visit.Skip;
         }
 
-        return Visit.Descend;
+        return found.Count == 0 ? Visit.Skip : Visit.Descend;
     }
 
     public Visit Facet(ReadOnlySpan<Vector3D> part, in PolarBounds bounds, in Facet facet)
     {
         _facetBudget--;
-        if (facet.TurnsAwayFrom(_sun.Position))
+        if (!facet.TurnsAwayFrom(_sun.Position))
         {
-            return Visit.Descend;
+            KeepCasters(_sun.View.Bounds(part));
         }
 
-        KeepCasters(SurfaceWalk.BoundsOf(_sun.View, part));
         return Visit.Descend;
     }
 
+    private static bool IsBefore(in PolarBounds caster, in PolarBounds target) =>
+        caster.Near < target.Far && caster.CanShareRayWith(target);
+
     private void KeepCasters(in PolarBounds target)
     {
-        foreach (TileId tile in _candidates[^1])
+        foreach (TileId tile in _candidates[0])
         {
-            if (!_kept[tile.Number] && IsBefore(_sun.Table.Possible(tile), target) && AnyFacetCasts(tile, target))
+            if (MayCast(tile, target) && AnyFacetCasts(tile, target))
             {
                 _kept[tile.Number] = true;
                 _newlyKept.Add(tile);
@@ -106,33 +97,19 @@ internal sealed class ShadowCasterVisitor : ISurfaceVisitor
         }
     }
 
-    private static bool IsBefore(in PolarBounds caster, in PolarBounds target) =>
-        caster.Near < target.Far && caster.CanShareRayWith(target);
-
-    private void AddAllCasting(List<TileId> found, in PolarBounds target, bool isUnread)
+    private IEnumerable<TileId> TilesAround(in PolarBounds target)
     {
-        _question++;
+        List<TileId> tiles = [];
         foreach (int bin in _tiles.Bins(target))
         {
-            foreach (TileId tile in _tiles[bin])
-            {
-                if (_asked[tile.Number] != _question)
-                {
-                    _asked[tile.Number] = _question;
-                    AddIfCasting(found, tile, target, isUnread);
-                }
-            }
+            tiles.AddRange(_tiles[bin]);
         }
+
+        return tiles.Distinct();
     }
 
-    /// <summary>Adds a tile if it may cast a shadow; for a target that is not read, nothing of the tile is read either.</summary>
-    private void AddIfCasting(List<TileId> found, TileId tile, in PolarBounds target, bool isUnread)
-    {
-        if (!_kept[tile.Number] && IsBefore(_sun.Table.Possible(tile), target) && (isUnread || AnyFacetCasts(tile, target)))
-        {
-            found.Add(tile);
-        }
-    }
+    private bool MayCast(TileId tile, in PolarBounds target) =>
+        !_kept[tile.Number] && IsBefore(_sun.Table.Possible(tile), target);
 
     /// <summary>
     /// A ray to the Sun enters the ground first through a facet that is turned away from the Sun: only the tile of this facet is needed.

@@ -9,43 +9,31 @@ namespace Msisf.Core.Tiles.Selection;
 /// Tells whether the shadow of ground outside the image may fall on visible ground, and how coarse the level of that ground may be: on
 /// level ground the edge of a shadow moves by the error in the caster's height divided by the tangent of the Sun's elevation.
 /// </summary>
-internal sealed class ShadowDemand
+/// <param name="sun">The Moon from the Sun.</param>
+/// <param name="summary">Bounds of the terrain.</param>
+/// <param name="patch">Buffer for reading terrain.</param>
+/// <param name="rule">Gives the level that is allowed for visible ground.</param>
+/// <param name="footprint">Footprint of the image's pixels.</param>
+internal sealed class ShadowDemand(
+    SunView sun, ElevationSummary summary, TerrainPatch patch, DetailRule rule, PixelFootprint footprint)
 {
-    private const int Bins = 720;
-
-    private readonly SunView _sun;
-    private readonly DetailRule _rule;
-    private readonly PixelFootprint _footprint;
-    private readonly BackFaces _facets;
-    private readonly AzimuthIndex<Target> _index = new(Bins);
-
-    /// <param name="sun">The Moon from the Sun.</param>
-    /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="patch">Buffer for reading terrain.</param>
-    /// <param name="rule">Gives the level that is allowed for visible ground.</param>
-    /// <param name="footprint">Footprint of the image's pixels.</param>
-    public ShadowDemand(SunView sun, ElevationSummary summary, TerrainPatch patch, DetailRule rule, PixelFootprint footprint)
-    {
-        _sun = sun;
-        _rule = rule;
-        _footprint = footprint;
-        _facets = new BackFaces(sun.Table, summary, sun.Position, patch);
-    }
+    private readonly BackFaces _facets = new(sun.Table, summary, sun.Position, patch);
+    private readonly AzimuthIndex<Target> _index = new(bins: 720);
 
     /// <summary>Notes a place that is seen.</summary>
     public void AddTarget(in TerrainNode node)
     {
-        PolarBounds bounds = _sun.View.Bounds(node);
+        PolarBounds bounds = sun.View.Bounds(node);
         if (_facets.AreAllOf(node, bounds))
         {
             return; // black without any shadow
         }
 
-        Vector3D toSun = _sun.Position - (node.MaxRadius * node.Cap.Centre);
+        Vector3D toSun = sun.Position - (node.MaxRadius * node.Cap.Centre);
         double sin = Vector3D.Dot(toSun, node.Cap.Centre) / toSun.Length;
         double tanElevation = Math.Max(0.0, sin) / Math.Sqrt((1.0 - sin) * (1.0 + sin));
-        double metresPerPixel = _footprint.MinWidth(node.Ball());
-        _index.Add(new Target(bounds, _rule.WidestCell(metresPerPixel), _rule.MaxShift(metresPerPixel) * tanElevation), bounds);
+        double metresPerPixel = footprint.MinWidth(node.Ball());
+        _index.Add(new Target(bounds, rule.WidestCell(metresPerPixel), rule.MaxShift(metresPerPixel) * tanElevation), bounds);
     }
 
     /// <summary>How coarse a piece of the surface that is not seen itself may be.</summary>
@@ -54,7 +42,7 @@ internal sealed class ShadowDemand
     /// </returns>
     public (double WidestCell, double MaxDeviation)? Of(in TerrainNode node)
     {
-        PolarBounds bounds = _sun.View.Bounds(node);
+        PolarBounds bounds = sun.View.Bounds(node);
         if (!_facets.MayBeIn(node, bounds))
         {
             return null;

@@ -4,28 +4,17 @@ using Msisf.Core.Surface;
 namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>Finds out which of the finest blocks of a tile may be seen, and which of these are certainly dark.</summary>
-internal sealed class VisibleBlockVisitor : ISurfaceVisitor
+/// <param name="summary">Bounds of the terrain.</param>
+/// <param name="view">Half planes of the camera.</param>
+/// <param name="sun">The Moon from the Sun; null if the light is at the camera.</param>
+internal sealed class VisibleBlockVisitor(ElevationSummary summary, PolarView view, SunView? sun) : ISightVisitor
 {
-    private readonly ElevationSummary _summary;
-    private readonly SunView? _sun;
-    private readonly PolarView _view;
     private readonly Dictionary<TileId, bool[]> _tiles = [];
     private readonly List<DarkBlock> _dark = [];
-
-    /// <param name="summary">Bounds of the terrain.</param>
-    /// <param name="view">Half planes of the camera.</param>
-    /// <param name="sun">The Moon from the Sun; null if the light is at the camera.</param>
-    public VisibleBlockVisitor(ElevationSummary summary, PolarView view, SunView? sun)
-    {
-        _summary = summary;
-        _view = view;
-        _sun = sun;
-    }
+    private readonly SummaryLevel _finest = summary.Levels[^1];
 
     /// <summary>Blocks that may be seen and are as black as the sky.</summary>
     public IReadOnlyList<DarkBlock> Dark => _dark;
-
-    private SummaryLevel Finest => _summary.Levels[^1];
 
     /// <summary>
     /// For a tile that was walked: which of its finest blocks are needed, row by row. Set here for those that may be seen and are not
@@ -35,22 +24,22 @@ internal sealed class VisibleBlockVisitor : ISurfaceVisitor
     {
         if (!_tiles.TryGetValue(tile, out bool[]? seen))
         {
-            seen = new bool[Finest.Subdivisions * Finest.Subdivisions];
-            _tiles.Add(tile, seen);
+            _tiles[tile] = seen = new bool[_finest.Subdivisions * _finest.Subdivisions];
         }
 
         return seen;
     }
 
-    public Visit Node(in TerrainNode node, in PolarBounds bounds, bool certain, NodePlace place)
+    public Visit Node(in SeenNode seen)
     {
-        if (!certain && place.Depth + 1 < _summary.Levels.Count)
+        NodePlace place = seen.Place;
+        if (!seen.IsCertain && place.Level > 0)
         {
             return Visit.Descend;
         }
 
-        bool isLit = _sun is null || _sun.Map.NeverHides(_sun.View.Bounds(node));
-        int factor = Finest.Subdivisions / _summary.Levels[place.Depth].Subdivisions;
+        bool isLit = sun is null || sun.Map.NeverHides(sun.View.Bounds(seen.Node));
+        int factor = _finest.Subdivisions / summary.LevelOf(place).Subdivisions;
         for (int row = place.Row * factor; row < (place.Row + 1) * factor; row++)
         {
             for (int column = place.Column * factor; column < (place.Column + 1) * factor; column++)
@@ -67,20 +56,17 @@ internal sealed class VisibleBlockVisitor : ISurfaceVisitor
 
     private void Note(int row, int column, bool isLit)
     {
-        int side = Finest.Subdivisions;
+        int side = _finest.Subdivisions;
         TileId tile = TileId.At(row / side, column / side);
         int block = (row % side * side) + (column % side);
-        if (!isLit)
+        if (!isLit && _finest.Node(row, column) is var node && sun!.Map.Hides(sun.View.Bounds(node)))
         {
-            TerrainNode node = Finest.Node(row, column);
-            if (_sun!.Map.Hides(_sun.View.Bounds(node)))
-            {
-                _dark.Add(new DarkBlock(tile, block, _view.Bounds(node)));
-                return;
-            }
+            _dark.Add(new DarkBlock(tile, block, view.Bounds(node)));
         }
-
-        Of(tile)[block] = true;
+        else
+        {
+            Of(tile)[block] = true;
+        }
     }
 
     /// <summary>A dark block.</summary>

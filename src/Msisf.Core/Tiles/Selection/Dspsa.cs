@@ -4,9 +4,8 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
-using Msisf.Core.Tiles.Selection;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// The Dynamical Surface Pattern Selection Algorithm: which tiles an image needs (thesis chapter 8). The thesis intersects a ray for each

@@ -4,9 +4,8 @@ using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
-using Msisf.Core.Tiles.Selection;
 
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// Chooses the parts of the surface that an image needs, and how fine they are: parts of the tiles that <see cref="Dspsa"/> keeps, each

@@ -1,4 +1,4 @@
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>The tiles that an image needs, and why the others are not needed.</summary>
 public sealed class TileSelection

@@ -5,10 +5,11 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 using Msisf.TestSupport;
 using Xunit;
 
-namespace Msisf.Core.Tests.Tiles;
+namespace Msisf.Core.Tests.Tiles.Selection;
 
 public sealed class PartSelectorTests(Ldem4Fixture ldem4, RuggedMoon rugged) : IClassFixture<Ldem4Fixture>, IClassFixture<RuggedMoon>
 {

@@ -1,4 +1,4 @@
-namespace Msisf.Core.Tiles;
+namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>The pieces of surface that an image needs, each at a level of detail.</summary>
 /// <param name="Tiles">The tiles from which they were taken.</param>

@@ -7,10 +7,11 @@ using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 using Msisf.TestSupport;
 using Xunit;
 
-namespace Msisf.Core.Tests.Tiles;
+namespace Msisf.Core.Tests.Tiles.Selection;
 
 public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
 {

@@ -2,10 +2,11 @@ using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 using Msisf.TestSupport;
 using Xunit;
 
-namespace Msisf.Core.Tests.Tiles;
+namespace Msisf.Core.Tests.Tiles.Selection;
 
 public sealed class DspsaRuggedMoonTests(RuggedMoon rugged) : IClassFixture<RuggedMoon>
 {
