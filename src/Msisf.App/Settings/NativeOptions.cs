@@ -19,8 +19,8 @@ internal static class NativeOptions
     /// <summary>Number of samples per pixel, or the error that they may leave.</summary>
     public static TextSpec Samples { get; } = new(
         "--samples", "N|auto[:ERROR]",
-        "Samples a pixel: a square number on a regular grid, 1, 4, 9, 16, ... 256; or auto, where brightness differs, for an rms error of "
-            + $"ERROR levels of 255 ({NumberSpec.TextOf(AdaptiveSampling.DefaultError)} unless given)")
+        "Samples a pixel: a square number on a regular grid (1, 4, 9, 16, ... 256). With auto there are more only where brightness "
+            + $"differs, for an rms error of ERROR levels of 255 ({NumberSpec.TextOf(AdaptiveSampling.DefaultError)} unless given)")
     {
         Default = "1",
         Words = [SamplesReader.Auto],

@@ -125,8 +125,8 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
             || size.Width > turn || (isRing && size.Height == 180.0 * resolution))
         {
             otherForm =
-                $"{path}: cylindrical maps are read if they have a whole number of pixels a degree on the grid of the whole Moon, and are "
-                    + $"not of the whole Moon, for which msis takes PDS3 models. Warp it, e.g. with gdalwarp "
+                $"{path}: cylindrical maps need a whole number of pixels a degree on the grid of the whole Moon. For all of the Moon msis "
+                    + $"takes PDS3 models. Warp it, e.g. with gdalwarp "
                     + $"-t_srs '+proj=longlat +R=1737400' -te ... -tr ..., or to a polar stereographic map.";
             return null;
         }

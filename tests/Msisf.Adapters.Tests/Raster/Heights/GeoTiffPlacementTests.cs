@@ -90,7 +90,7 @@ public sealed class GeoTiffPlacementTests
     [InlineData("+proj=stere +lat_0=-90 +lon_0=30 +R=1737400 +units=m", "is not polar stereographic with longitude 0")]
     [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +R=1737400 +units=us-ft", "is not polar stereographic with longitude 0")]
     [InlineData("+proj=ortho +lat_0=-90 +lon_0=0 +R=1737400 +units=m", "(+proj=ortho) is not read. Warp it")]
-    [InlineData("+proj=eqc +lat_ts=0 +lat_0=0 +lon_0=0 +R=1737400 +units=m", "cylindrical maps are read if")]
+    [InlineData("+proj=eqc +lat_ts=0 +lat_0=0 +lon_0=0 +R=1737400 +units=m", "cylindrical maps need a whole number")]
     [InlineData("", "is not one on a sphere of the Moon")]
     public void Of_WrongSystem_IsRefusedInOneLine(string? projection, string message) =>
         AssertRefused(200, 200, Piece, projection, message);
@@ -118,7 +118,7 @@ public sealed class GeoTiffPlacementTests
     public void Of_CylindricalMapThatIsNotRead_SaysWhichAre(int width, int height, double pixel, double north, double west) =>
         AssertRefused(
             width, height, [west, pixel, 0.0, north, 0.0, -pixel], Degrees,
-            width == 1 ? "less than 2 x 2" : "cylindrical maps are read if");
+            width == 1 ? "less than 2 x 2" : "cylindrical maps need a whole number");
 
     [Fact]
     public void Of_NoTransform_IsRefused() => AssertRefused(200, 200, null, South, "has no place on the map");
