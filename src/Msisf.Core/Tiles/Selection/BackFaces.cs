@@ -66,15 +66,24 @@ internal sealed class BackFaces(BoundsTable table, ElevationSummary summary, Vec
 
         List<PolarBounds> found = [];
         patch.Load(cells);
-        for (int number = 0; number < Facet.CountOf(patch); number++)
+        for (int line = 0; line + 1 < patch.Lines; line++)
         {
-            Facet facet = Facet.Of(patch, number);
+            for (int sample = 0; sample + 1 < patch.Samples; sample++)
+            {
+                (Facet southWest, Facet northEast) = Facet.OfCell(patch, line, sample);
+                AddIfTurned(southWest);
+                AddIfTurned(northEast);
+            }
+        }
+
+        return [.. found];
+
+        void AddIfTurned(in Facet facet)
+        {
             if (!facet.FacesCertainly(viewpoint))
             {
                 found.Add(table.View.Bounds([facet.A, facet.B, facet.C]));
             }
         }
-
-        return [.. found];
     }
 }

@@ -35,12 +35,13 @@ internal sealed class BoundsTable(PolarView view, ElevationSummary summary)
     private ref readonly PolarBounds Of(PolarBounds?[]?[] kept, TileId tile, int block, bool isRead)
     {
         ref PolarBounds? bounds = ref (kept[tile.Number] ??= new PolarBounds?[BlocksPerTile])[block];
-        if (bounds is null)
-        {
-            (int row, int column) = _blockLevel.PlaceOf(tile, block);
-            bounds = view.Bounds(isRead ? _blockLevel.Node(row, column) : _blockLevel.NodeOfLimits(row, column));
-        }
-
+        bounds ??= Find(tile, block, isRead);
         return ref Nullable.GetValueRefOrDefaultRef(in bounds);
+    }
+
+    private PolarBounds Find(TileId tile, int block, bool isRead)
+    {
+        (int row, int column) = _blockLevel.PlaceOf(tile, block);
+        return view.Bounds(isRead ? _blockLevel.Node(row, column) : _blockLevel.NodeOfLimits(row, column));
     }
 }

@@ -6,17 +6,11 @@ namespace Msisf.Core.Tiles.Selection;
 /// <summary>A triangle of the mesh, counter-clockwise from outside; corners in m, MOON_ME.</summary>
 internal readonly record struct Facet(Vector3D A, Vector3D B, Vector3D C)
 {
-    /// <summary>Number of facets of a patch.</summary>
-    public static int CountOf(TerrainPatch patch) => 2 * (patch.Lines - 1) * (patch.Samples - 1);
-
-    /// <summary>A facet of a patch, cell by cell.</summary>
-    public static Facet Of(TerrainPatch patch, int number)
+    /// <summary>The two facets of a cell of a patch.</summary>
+    public static (Facet SouthWest, Facet NorthEast) OfCell(TerrainPatch patch, int line, int sample)
     {
-        (int line, int sample) = int.DivRem(number / 2, patch.Samples - 1);
         (Vector3D northWest, Vector3D southEast) = (patch[line, sample], patch[line + 1, sample + 1]);
-        return number % 2 == 0
-            ? new Facet(northWest, patch[line + 1, sample], southEast)
-            : new Facet(northWest, southEast, patch[line, sample + 1]);
+        return (new Facet(northWest, patch[line + 1, sample], southEast), new Facet(northWest, southEast, patch[line, sample + 1]));
     }
 
     /// <summary>Whether a point (m, MOON_ME) is certainly behind the facet's plane, wherever rounding puts the vertices.</summary>

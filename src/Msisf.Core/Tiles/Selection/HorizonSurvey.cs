@@ -93,9 +93,9 @@ internal sealed class HorizonSurvey(PolarView view, ElevationSummary summary, Te
                 int count = Math.Min(group, _blocks.Columns - column);
                 int first = (row / factor * TileId.Columns) + (column / factor);
                 int last = (row / factor * TileId.Columns) + ((column + count - 1) / factor);
-                TerrainNode unread = _blocks.NodeUnread(row, column, count);
                 if (Array.IndexOf(tiles, true, first, last - first + 1) < 0
-                    || (unread.IsUnread && !Concerns(map, relevant, unread, view.Bounds(unread))))
+                    || (_blocks.NodeUnread(row, column, count) is { IsUnread: true } unread
+                        && !Concerns(map, relevant, unread, view.Bounds(unread))))
                 {
                     continue;
                 }

@@ -185,12 +185,11 @@ internal sealed class OccluderVisitor : ISightVisitor
                 if (facet.Near < exit && facet.Far > target.Near && facet.CanShareRayWith(target))
                 {
                     exit = facet.Near;
+                    if (exit <= target.Near)
+                    {
+                        return target.Near;
+                    }
                 }
-            }
-
-            if (exit <= target.Near)
-            {
-                break;
             }
         }
 

@@ -104,11 +104,15 @@ internal sealed class SightWalk(
     private Visit EnterFacets(CellRange cells, bool isInside, ISightVisitor visitor)
     {
         patch.Load(cells);
-        for (int number = 0; number < Facet.CountOf(patch); number++)
+        for (int line = 0; line + 1 < patch.Lines; line++)
         {
-            if (EnterFacet(Facet.Of(patch, number), isInside, visitor) == Visit.Stop)
+            for (int sample = 0; sample + 1 < patch.Samples; sample++)
             {
-                return Visit.Stop;
+                (Facet southWest, Facet northEast) = Facet.OfCell(patch, line, sample);
+                if (EnterFacet(southWest, isInside, visitor) == Visit.Stop || EnterFacet(northEast, isInside, visitor) == Visit.Stop)
+                {
+                    return Visit.Stop;
+                }
             }
         }
 
@@ -117,8 +121,7 @@ internal sealed class SightWalk(
 
     private Visit EnterFacet(in Facet facet, bool isInside, ISightVisitor visitor)
     {
-        bool isTurnedAway = facet.TurnsAwayFrom(frame.CameraMoonMe);
-        if (MetFrame && isTurnedAway)
+        if (MetFrame && facet.TurnsAwayFrom(frame.CameraMoonMe))
         {
             return Visit.Skip;
         }
@@ -134,12 +137,12 @@ internal sealed class SightWalk(
                 return Visit.Skip;
             }
 
+            bool isTested = MetFrame;
             MetFrame = true;
-        }
-
-        if (isTurnedAway)
-        {
-            return Visit.Skip;
+            if (!isTested && facet.TurnsAwayFrom(frame.CameraMoonMe))
+            {
+                return Visit.Skip;
+            }
         }
 
         PolarBounds bounds = view.Bounds(part[..count]);
