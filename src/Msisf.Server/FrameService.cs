@@ -95,7 +95,7 @@ internal sealed class FrameService : IDisposable
     /// <param name="answer">Receives it.</param>
     /// <param name="client">Stops the work when the client goes away.</param>
     public async Task DrawAsync(
-        RequestedFrame requested, CameraSettings place, AnswerForm form, Answer answer, CancellationToken client)
+        RequestedFrame requested, TrajectorySettings place, AnswerForm form, Answer answer, CancellationToken client)
     {
         AnswerPlan plan = AnswerPlan.Of(form, requested.Settings);
         plan.Check(form, requested.Settings, Settings.MaxMegabytes);

@@ -154,7 +154,7 @@ internal sealed class StreamSession : IDisposable
         _number = message.Order + _numberOfFirst; // counts states that were left out too: the client knows which one this is
         try
         {
-            (RequestedFrame requested, CameraSettings place) = message.Type == WebSocketMessageType.Binary
+            (RequestedFrame requested, TrajectorySettings place) = message.Type == WebSocketMessageType.Binary
                 ? (_frame!, PlaceOf(message.Bytes))
                 : ReadChanges(message);
             using Answer answer = _frames.Answers.InMemory(HeadLength);
@@ -193,7 +193,7 @@ internal sealed class StreamSession : IDisposable
     }
 
     /// <summary>The options of the first message with those of a later one, which may give the frame's number too.</summary>
-    private (RequestedFrame Requested, CameraSettings Place) ReadChanges(StreamMessage message)
+    private (RequestedFrame Requested, TrajectorySettings Place) ReadChanges(StreamMessage message)
     {
         using JsonDocument json = JsonText.Parse(message.Bytes);
         Dictionary<string, JsonElement> changes = new(JsonText.Members(json.RootElement), StringComparer.Ordinal);

@@ -36,21 +36,21 @@ internal sealed class RunConversion
         CutSettings cut = CutOptions.Read(values);
         SlurmSettings? slurm = format == ScriptFormat.Slurm ? SlurmOptions.Read(values) : null;
         PieceArguments arguments = new(values, endsWithCheck: format is ScriptFormat.Parallel or ScriptFormat.Slurm);
-        CameraSettings camera = CameraSettingsReader.Read(values);
+        TrajectorySettings trajectory = TrajectorySettingsReader.Read(values);
         RenderSettings settings = RenderSettingsReader.Read(values);
-        if (camera is BatchFileSettings { IsStandardInput: true })
+        if (trajectory is BatchFileSettings { IsStandardInput: true })
         {
             throw new UsageException("--batch-file -: standard input can't be read again by each piece. Save it to a file, and give that.");
         }
 
         using EphemerisSource ephemeris = new(settings, _host);
-        using PreparedRun run = PreparedRun.Of(camera, settings, ephemeris, _host, cancellation);
+        using PreparedRun run = PreparedRun.Of(trajectory, settings, ephemeris, _host, cancellation);
         EphemerisChoice? engine = ephemeris.Opened?.Choice;
         CheckResources(settings, run.Frames.Count, slurm);
         string path = Path.GetFullPath(scriptPath(settings));
-        bool isReadAsItIs = camera is BatchFileSettings { Motion: null } file && file.Conventions == new BatchConventions();
+        bool isReadAsItIs = trajectory is BatchFileSettings { Motion: null } file && file.Conventions == new BatchConventions();
         string? statesFile = isReadAsItIs ? null : $"{path}.states.tab";
-        string batchFile = statesFile ?? ((BatchFileSettings)camera).Path;
+        string batchFile = statesFile ?? ((BatchFileSettings)trajectory).Path;
         PieceScript script = new()
         {
             Path = path,

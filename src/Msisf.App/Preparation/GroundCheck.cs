@@ -19,11 +19,11 @@ internal static class GroundCheck
     /// <param name="span">s: how long the shutter is open about a frame's time; matters for cameras that move.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     /// <param name="body">The body; null for the Moon.</param>
-    /// <param name="camera">How the positions were given, for the advice.</param>
+    /// <param name="trajectory">How the positions were given, for the advice.</param>
     /// <exception cref="BadInputException">A camera lies below the terrain; the message names the steps.</exception>
     public static void Refuse(
         IReadOnlyList<Frame> frames, ElevationModel? model, double span, CancellationToken cancellation, CelestialBody? body = null,
-        CameraSettings? camera = null)
+        TrajectorySettings? trajectory = null)
     {
         double reference = model?.Grid.ReferenceRadius ?? MoonConstants.ReferenceRadius;
         List<string> buried = [];
@@ -45,7 +45,7 @@ internal static class GroundCheck
 
             if (depth > 0.0 && ++count <= NamedSteps)
             {
-                unit = buried.Count == 0 ? PlausibleMistakes.Inside(position, body ?? CelestialBody.Moon, camera) : unit;
+                unit = buried.Count == 0 ? PlausibleMistakes.Inside(position, body ?? CelestialBody.Moon, trajectory) : unit;
                 buried.Add(string.Create(CultureInfo.InvariantCulture, $"step {frame.Step} (MJD {frame.Time.Days:R}) by {depth:F1} m"));
             }
         }

@@ -42,13 +42,13 @@ internal static class PlausibleMistakes
     private const double LowOrbit = 200_000.0;
 
     /// <summary>The warnings that the camera's settings deserve.</summary>
-    /// <param name="camera">The settings.</param>
+    /// <param name="trajectory">The settings.</param>
     /// <param name="body">The body that is drawn.</param>
-    public static IEnumerable<string> In(CameraSettings camera, CelestialBody body) => camera switch
+    public static IEnumerable<string> In(TrajectorySettings trajectory, CelestialBody body) => trajectory switch
     {
         OrbitSettings orbit => [.. Elements(orbit.Elements), .. Fall(orbit.Elements), .. Rates(orbit), .. Interval(orbit.Times)],
         PlaceSettings place => [.. Speed([place.Motion]), .. Radius(place.Place, body), .. Interval(place.Times)],
-        _ => Speed([camera.Motion]),
+        _ => Speed([trajectory.Motion]),
     };
 
     /// <summary>The warning that the speed of moving cameras deserves.</summary>
@@ -98,9 +98,9 @@ internal static class PlausibleMistakes
     /// <summary>What a position inside the body most likely means, by the way in which it was given.</summary>
     /// <param name="positionMoonMe">m, MOON_ME.</param>
     /// <param name="body">The body that is drawn.</param>
-    /// <param name="camera">How the position was given; null if that is not known.</param>
+    /// <param name="trajectory">How the position was given; null if that is not known.</param>
     /// <returns>A sentence with a blank before it.</returns>
-    public static string Inside(Vector3D positionMoonMe, CelestialBody body, CameraSettings? camera) => camera switch
+    public static string Inside(Vector3D positionMoonMe, CelestialBody body, TrajectorySettings? trajectory) => trajectory switch
     {
         PlaceSettings { Place: var place } => Height(place, body),
         BatchFileSettings => $"{FromCentre(positionMoonMe, body)} Heights (lat, lon, height) are in metres over the sphere; terrain+METRES "

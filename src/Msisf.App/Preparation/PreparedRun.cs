@@ -16,20 +16,20 @@ internal sealed record PreparedRun(
     IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, IReadOnlyList<Frame> Frames, ElevationModel Model) : IDisposable
 {
     /// <summary>Reads the states, sets up the frames, opens the elevation model, and checks all of it.</summary>
-    /// <param name="camera">The positions of the camera.</param>
+    /// <param name="trajectory">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
     /// <param name="ephemeris">Opened if the states or the Sun need it.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work.</param>
     /// <exception cref="MsisfException">The run can't be made.</exception>
     public static PreparedRun Of(
-        CameraSettings camera, RenderSettings settings, EphemerisSource ephemeris, ProgramHost host, CancellationToken cancellation)
+        TrajectorySettings trajectory, RenderSettings settings, EphemerisSource ephemeris, ProgramHost host, CancellationToken cancellation)
     {
         ModelOnDemand model = new(settings, host);
         try
         {
-            RunFrames run = RunFrames.Read(camera, settings, ephemeris, model, host, cancellation);
-            GroundCheck.Refuse(run.Frames, model.Opened, settings.ShutterSpan, cancellation, settings.Body, camera);
+            RunFrames run = RunFrames.Read(trajectory, settings, ephemeris, model, host, cancellation);
+            GroundCheck.Refuse(run.Frames, model.Opened, settings.ShutterSpan, cancellation, settings.Body, trajectory);
             run.WarnOfFieldOfView(settings, host, model.Opened.Grid.ReferenceRadius);
             return new PreparedRun(run.States, run.Names, run.Frames, model.Opened);
         }

@@ -12,7 +12,7 @@ namespace Msisf.App.Preparation;
 internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, IReadOnlyList<Frame> Frames)
 {
     /// <summary>Reads the states and sets up the frames.</summary>
-    /// <param name="camera">The positions of the camera.</param>
+    /// <param name="trajectory">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
     /// <param name="ephemeris">Opened if the states or the Sun need it.</param>
     /// <param name="model">Opened if a camera is placed or pointed by the terrain.</param>
@@ -20,7 +20,7 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
     /// <param name="cancellation">Cancels the work.</param>
     /// <exception cref="MsisfException">The run can't be made.</exception>
     public static RunFrames Read(
-        CameraSettings camera,
+        TrajectorySettings trajectory,
         RenderSettings settings,
         EphemerisSource ephemeris,
         ModelOnDemand model,
@@ -33,7 +33,7 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
             Body = settings.Body,
             CameraWithShutter = settings.Shutter is null ? null : settings.Camera!.Name,
         };
-        IReadOnlyList<SpacecraftState> states = host.Times.Measure(Phase.States, () => reader.Read(camera, cancellation));
+        IReadOnlyList<SpacecraftState> states = host.Times.Measure(Phase.States, () => reader.Read(trajectory, cancellation));
         IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
         Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
         return new RunFrames(states, names, frames);

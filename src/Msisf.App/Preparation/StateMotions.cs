@@ -25,11 +25,11 @@ internal static class StateMotions
 
     /// <summary>The states with their motions; without any if no shutter needs them.</summary>
     /// <param name="states">The states.</param>
-    /// <param name="camera">Where they come from.</param>
+    /// <param name="trajectory">Where they come from.</param>
     /// <param name="cameraWithShutter">The camera file with the shutter; null for none.</param>
     /// <exception cref="UsageException">A motion is missing, or said twice.</exception>
     public static IReadOnlyList<SpacecraftState> Of(
-        IReadOnlyList<SpacecraftState> states, CameraSettings camera, string? cameraWithShutter)
+        IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory, string? cameraWithShutter)
     {
         if (cameraWithShutter is null)
         {
@@ -39,7 +39,7 @@ internal static class StateMotions
         }
 
         int known = states.Count(state => state.Motion is not null);
-        if (camera.Motion is { } motion)
+        if (trajectory.Motion is { } motion)
         {
             return known == 0
                 ? [.. states.Select(state => state with { Motion = motion })]

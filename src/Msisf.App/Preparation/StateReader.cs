@@ -35,24 +35,24 @@ internal sealed class StateReader
     public string? CameraWithShutter { get; init; }
 
     /// <summary>Reads or computes all states.</summary>
-    /// <param name="camera">The source of the states.</param>
+    /// <param name="trajectory">The source of the states.</param>
     /// <param name="cancellation">Cancels the work, also while it waits for a terminal or pipe.</param>
     /// <exception cref="NothingToRenderException">There is no state.</exception>
-    public IReadOnlyList<SpacecraftState> Read(CameraSettings camera, CancellationToken cancellation)
+    public IReadOnlyList<SpacecraftState> Read(TrajectorySettings trajectory, CancellationToken cancellation)
     {
-        foreach (string mistake in PlausibleMistakes.In(camera, Body))
+        foreach (string mistake in PlausibleMistakes.In(trajectory, Body))
         {
             _host.Log.Warning(mistake);
         }
 
-        IReadOnlyList<SpacecraftState> states = camera switch
+        IReadOnlyList<SpacecraftState> states = trajectory switch
         {
             FixedStateSettings fixedState => [fixedState.State],
             BatchFileSettings file => BatchFile(file, cancellation),
             PlaceSettings place => AtPlace(place, cancellation),
-            _ => OnOrbit((OrbitSettings)camera, cancellation),
+            _ => OnOrbit((OrbitSettings)trajectory, cancellation),
         };
-        if (camera is BatchFileSettings)
+        if (trajectory is BatchFileSettings)
         {
             foreach (string mistake in PlausibleMistakes.Speed(states.Select(state => state.Motion)))
             {
@@ -61,8 +61,8 @@ internal sealed class StateReader
         }
 
         return states.Count > 0
-            ? StateMotions.Of(states, camera, CameraWithShutter)
-            : throw new NothingToRenderException(camera is BatchFileSettings empty
+            ? StateMotions.Of(states, trajectory, CameraWithShutter)
+            : throw new NothingToRenderException(trajectory is BatchFileSettings empty
                 ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
                     + "or below a header line of its columns."
                 : "--time-interval: no time in it: the step leads away from the end. The order is start:step:end; swap start and end, "

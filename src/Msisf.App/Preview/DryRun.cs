@@ -15,20 +15,20 @@ namespace Msisf.App.Preview;
 internal static class DryRun
 {
     /// <summary>Reads the run and looks through each camera; notes what is striking about the whole run.</summary>
-    /// <param name="camera">The positions of the camera.</param>
+    /// <param name="trajectory">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     /// <returns>A row for each frame that would be made.</returns>
     /// <exception cref="MsisfException">The run can't be made.</exception>
     public static IReadOnlyList<PreviewRow> Of(
-        CameraSettings camera, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
+        TrajectorySettings trajectory, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(settings, host);
         using ModelOnDemand onDemand = new(settings, host);
-        RunFrames run = RunFrames.Read(camera, settings, ephemeris, onDemand, host, cancellation);
+        RunFrames run = RunFrames.Read(trajectory, settings, ephemeris, onDemand, host, cancellation);
         ElevationModel? model = IfThere(onDemand, settings, host);
-        GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation, settings.Body, camera);
+        GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation, settings.Body, trajectory);
         double reference = model?.Grid.ReferenceRadius ?? MoonConstants.ReferenceRadius;
         GridResolution resolution = settings.Resolution.OnSphere(reference);
         run.WarnOfFieldOfView(settings, host, reference);
@@ -45,7 +45,7 @@ internal static class DryRun
                 Drawn = detail?.For(frame.Camera, settings.DetailSubsamplesPerAxis).DrawnResolutions ?? [],
             };
         }).ToArray());
-        notes.Write(camera, host.Log);
+        notes.Write(trajectory, host.Log);
         return rows;
     }
 

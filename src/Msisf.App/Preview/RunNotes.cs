@@ -51,13 +51,13 @@ internal sealed class RunNotes
         (_resolution, _hasSeveral, _isRefined) = (resolution, hasSeveral, isRefined);
 
     /// <summary>Looks at frames, and writes the notes.</summary>
-    /// <param name="camera">Has the epoch of an orbit.</param>
+    /// <param name="trajectory">Has the epoch of an orbit.</param>
     /// <param name="frames">The frames that this call makes.</param>
     /// <param name="terrain">The elevation model.</param>
     /// <param name="log">Receives the notes.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     public static void Write(
-        CameraSettings camera, IReadOnlyList<Frame> frames, ITerrain terrain, ILog log, CancellationToken cancellation)
+        TrajectorySettings trajectory, IReadOnlyList<Frame> frames, ITerrain terrain, ILog log, CancellationToken cancellation)
     {
         RunNotes notes = new(terrain.Resolution, terrain.PartCount > 1, terrain.InventedName is not null);
         foreach (Frame frame in frames)
@@ -66,7 +66,7 @@ internal sealed class RunNotes
             notes.Add(frame, FramePreview.Of(frame.Camera, frame.Light, terrain));
         }
 
-        notes.Write(camera, log);
+        notes.Write(trajectory, log);
     }
 
     /// <summary>Takes one frame.</summary>
@@ -95,9 +95,9 @@ internal sealed class RunNotes
     }
 
     /// <summary>Writes the notes.</summary>
-    /// <param name="camera">Has the epoch of an orbit.</param>
+    /// <param name="trajectory">Has the epoch of an orbit.</param>
     /// <param name="log">Receives the notes.</param>
-    public void Write(CameraSettings camera, ILog log)
+    public void Write(TrajectorySettings trajectory, ILog log)
     {
         if (_withoutMoon.Count > 0)
         {
@@ -131,7 +131,7 @@ internal sealed class RunNotes
             log.Note($"Cells of the model are {width} px wide in the image{step}: a finer model{option} would show more.");
         }
 
-        if (camera is OrbitSettings orbit && EpochAway(orbit.Epoch) is { } away)
+        if (trajectory is OrbitSettings orbit && EpochAway(orbit.Epoch) is { } away)
         {
             log.Note($"The epoch is {away}: a real orbit has long left the two-body one by then.");
         }

@@ -11,17 +11,17 @@ namespace Msisf.App.Rendering;
 internal static class PatternRun
 {
     /// <summary>Makes the meshes that the POV-Ray frames of a run include, and the summary of the model.</summary>
-    /// <param name="camera">The positions of the camera.</param>
+    /// <param name="trajectory">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work between two patterns.</param>
     /// <returns>Folder of the patterns.</returns>
     /// <exception cref="MsisfException">The run could not be made, or a pattern can't be written.</exception>
     public static async Task<string> MakeForFramesAsync(
-        CameraSettings camera, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
+        TrajectorySettings trajectory, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(settings, host);
-        using PreparedRun run = PreparedRun.Of(camera, settings, ephemeris, host, cancellation);
+        using PreparedRun run = PreparedRun.Of(trajectory, settings, ephemeris, host, cancellation);
         using ISceneSurface surface = SceneSurfaces.Of(run.Model, settings);
         int made = 0;
         using (IRunProgress progress = host.Progress.Start("Patterns of frames", run.Frames.Count, settings.Unattended))

@@ -28,7 +28,7 @@ internal sealed class RenderRun
     private RenderRun(RenderSettings settings, ProgramHost host) => (_settings, _host, _times) = (settings, host, host.Times);
 
     /// <summary>Renders the frames; the paths of their files are written to the host's results.</summary>
-    /// <param name="camera">The positions of the camera.</param>
+    /// <param name="trajectory">The positions of the camera.</param>
     /// <param name="settings">The other settings.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work and ends POV-Ray; no incomplete file is left.</param>
@@ -37,10 +37,10 @@ internal sealed class RenderRun
     /// The run can't be made, or a frame failed; in the second case the other frames are complete.
     /// </exception>
     public static Task<IReadOnlyList<FrameOutputs>> RunAsync(
-        CameraSettings camera, RenderSettings settings, ProgramHost host, CancellationToken cancellation) =>
-        new RenderRun(settings, host).RunAsync(camera, cancellation);
+        TrajectorySettings trajectory, RenderSettings settings, ProgramHost host, CancellationToken cancellation) =>
+        new RenderRun(settings, host).RunAsync(trajectory, cancellation);
 
-    private async Task<IReadOnlyList<FrameOutputs>> RunAsync(CameraSettings camera, CancellationToken cancellation)
+    private async Task<IReadOnlyList<FrameOutputs>> RunAsync(TrajectorySettings trajectory, CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(_settings, _host);
 
@@ -50,11 +50,11 @@ internal sealed class RenderRun
         Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay
             ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
             : null;
-        using PreparedRun run = PreparedRun.Of(camera, _settings, ephemeris, _host, cancellation);
+        using PreparedRun run = PreparedRun.Of(trajectory, _settings, ephemeris, _host, cancellation);
         using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(_settings, _host));
         inputs.Begin(run.Model.Sets, maps.Files);
         RequireParts();
-        _times.Measure(Phase.Preview, () => RunNotes.Write(camera, run.Frames, run.Model.Grid, _host.Log, cancellation));
+        _times.Measure(Phase.Preview, () => RunNotes.Write(trajectory, run.Frames, run.Model.Grid, _host.Log, cancellation));
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
         IReadOnlyList<InputFile> kernels = await inputs.Kernels.ConfigureAwait(false);
         OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;

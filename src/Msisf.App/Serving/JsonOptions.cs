@@ -112,9 +112,9 @@ internal sealed class JsonOptions
         }
 
         values = new OptionValues(_values);
-        CameraSettings? place = needsPlace
-            ? CameraSettingsReader.Read(values)
-            : CameraSettingsReader.ReadIfGiven(values, CameraOptions.BatchFile);
+        TrajectorySettings? place = needsPlace
+            ? TrajectorySettingsReader.Read(values)
+            : TrajectorySettingsReader.ReadIfGiven(values, CameraOptions.BatchFile);
         RenderSettings settings = RenderSettingsReader.Read(values, name => _camera ?? _names.Camera(name), known: model.Resolution);
         return new RequestedFrame(
             settings.Native.Refine is { } detail ? _names.Models.Refined(model, detail) : model, place, settings);

@@ -45,7 +45,7 @@ internal sealed class RenderSession : IDisposable
 
     /// <summary>Reads where the camera is, and sets up the frame.</summary>
     /// <exception cref="MsisfException">There is no such frame.</exception>
-    public PreparedFrame Prepare(CameraSettings place, CancellationToken cancellation)
+    public PreparedFrame Prepare(TrajectorySettings place, CancellationToken cancellation)
     {
         RunGeometry geometry = new(() => Model, () => Engine, Settings.Aberration);
         StateReader reader = new(() => Engine, geometry, _host)
@@ -54,7 +54,7 @@ internal sealed class RenderSession : IDisposable
         };
         SpacecraftState state = reader.Read(place, cancellation)[0];
         Frame[] frames = FrameSetup.Of([state], ["frame"], Settings, () => Engine, cancellation);
-        GroundCheck.Refuse(frames, Model, Settings.ShutterSpan, cancellation, camera: place);
+        GroundCheck.Refuse(frames, Model, Settings.ShutterSpan, cancellation, trajectory: place);
         return new PreparedFrame(state, frames[0]);
     }
 

@@ -7,7 +7,7 @@ namespace Msisf.App.Serving;
 /// <param name="Model">The elevation model.</param>
 /// <param name="Place">Where the camera is; null if the request need not say it and does not.</param>
 /// <param name="Settings">The other options.</param>
-internal sealed record RequestedFrame(ServedModel Model, CameraSettings? Place, RenderSettings Settings)
+internal sealed record RequestedFrame(ServedModel Model, TrajectorySettings? Place, RenderSettings Settings)
 {
     private readonly Lazy<string> _sessionKey = new(() => $"{Model.Name} {KeyOf(Settings)}");
 

@@ -72,16 +72,16 @@ internal static class PatternsOptions
 
     /// <summary>Reads the run whose patterns are made; null if none is given.</summary>
     /// <exception cref="MsisfException">An option is wrong, or can't be used with or without a run.</exception>
-    public static (CameraSettings Camera, RenderSettings Settings)? ReadRun(OptionValues values)
+    public static (TrajectorySettings Trajectory, RenderSettings Settings)? ReadRun(OptionValues values)
     {
-        if (CameraSettingsReader.ReadIfGiven(values, ForBatch) is not { } camera)
+        if (TrajectorySettingsReader.ReadIfGiven(values, ForBatch) is not { } trajectory)
         {
             Refuse(OfRun, values, $"is for the patterns of a run only. Say of which by {ForBatch.Name}, or leave it out.");
             return null;
         }
 
         Refuse(WholeMoon, values, "has no meaning for the patterns of a run. Leave it out, or make those of the whole Moon.");
-        return (camera, RenderSettingsReader.Read(values));
+        return (trajectory, RenderSettingsReader.Read(values));
     }
 
     /// <summary>Reads the options for the patterns of the whole Moon.</summary>

@@ -9,8 +9,8 @@ internal static class PatternsCommand
     /// <summary>Runs the command.</summary>
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
-        string folder = PatternsOptions.ReadRun(call.Values) is (CameraSettings camera, RenderSettings settings)
-            ? await PatternRun.MakeForFramesAsync(camera, settings, call.Host, cancellation).ConfigureAwait(false)
+        string folder = PatternsOptions.ReadRun(call.Values) is (TrajectorySettings trajectory, RenderSettings settings)
+            ? await PatternRun.MakeForFramesAsync(trajectory, settings, call.Host, cancellation).ConfigureAwait(false)
             : await Task.Run(
                 () => PatternRun.MakeForWholeMoon(PatternsOptions.ReadWholeMoon(call.Values), call.Host, cancellation),
                 cancellation).ConfigureAwait(false);

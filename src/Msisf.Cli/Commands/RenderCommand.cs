@@ -12,12 +12,12 @@ internal static class RenderCommand
     /// <summary>Runs the command.</summary>
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
-        CameraSettings camera = CameraSettingsReader.Read(call.Values);
+        TrajectorySettings trajectory = TrajectorySettingsReader.Read(call.Values);
         RenderSettings settings = RenderSettingsReader.Read(call.Values, geoTiffs: call.Host.GeoTiffs);
         if (DryRunOptions.Read(call.Values) is { } format)
         {
             PreviewPrinter.Print(
-                await Task.Run(() => DryRun.Of(camera, settings, call.Host, cancellation), cancellation).ConfigureAwait(false),
+                await Task.Run(() => DryRun.Of(trajectory, settings, call.Host, cancellation), cancellation).ConfigureAwait(false),
                 format,
                 call.Host.Results);
             PrintTimes(settings, call.Host, []);
@@ -26,11 +26,11 @@ internal static class RenderCommand
 
         if (settings.ListPatterns)
         {
-            PatternList.Print(camera, settings, call.Host, cancellation);
+            PatternList.Print(trajectory, settings, call.Host, cancellation);
             return 0;
         }
 
-        IReadOnlyList<FrameOutputs> outputs = await RenderRun.RunAsync(camera, settings, call.Host, cancellation).ConfigureAwait(false);
+        IReadOnlyList<FrameOutputs> outputs = await RenderRun.RunAsync(trajectory, settings, call.Host, cancellation).ConfigureAwait(false);
         PrintTimes(settings, call.Host, outputs);
         return 0;
     }

@@ -33,5 +33,6 @@ public sealed class OrbitNotesTests
     [InlineData($"{Orbit} --time 55290 --orbit-frame j2000 --attitude {{0,0,0,1}} --attitude-frame moon-me")]
     public void Of_NothingUnexpected_NoNote(string words) => Assert.Empty(Of(words));
 
-    private static IEnumerable<string> Of(string words) => OrbitNotes.Of((OrbitSettings)CameraSettingsReader.Read(Given.Options(words)));
+    private static IEnumerable<string> Of(string words) => OrbitNotes.Of(
+        (OrbitSettings)TrajectorySettingsReader.Read(Given.Options(words)));
 }

@@ -32,7 +32,7 @@ public sealed class PlausibleMistakesTests
         "the velocity of --state-vectors is in m/s. One in km/s is to be multiplied by 1000.")]
     public void In_OtherUnit_WarnsAndSaysWhatItWouldMean(string words, string message) => Assert.Contains(
         message,
-        Assert.Single(PlausibleMistakes.In(CameraSettingsReader.Read(Given.Options(words)), CelestialBody.Moon)),
+        Assert.Single(PlausibleMistakes.In(TrajectorySettingsReader.Read(Given.Options(words)), CelestialBody.Moon)),
         StringComparison.Ordinal);
 
     [Theory]
@@ -48,7 +48,7 @@ public sealed class PlausibleMistakesTests
     [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1}")]
     [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1} --motion {0,1.6E3,0,0,0,0}")]
     public void In_Plausible_NoWarning(string words) =>
-        Assert.Empty(PlausibleMistakes.In(CameraSettingsReader.Read(Given.Options(words)), CelestialBody.Moon));
+        Assert.Empty(PlausibleMistakes.In(TrajectorySettingsReader.Read(Given.Options(words)), CelestialBody.Moon));
 
     // 100 km high; a cell of LDEM_4 is 7.6 km wide.
     [Theory]
@@ -77,7 +77,7 @@ public sealed class PlausibleMistakesTests
     public void Inside_PositionInsideTheMoon_SaysWhatItLooksLike(double distance, string message) =>
         Assert.Contains(
             message,
-            PlausibleMistakes.Inside(new Vector3D(0.0, distance, 0.0), CelestialBody.Moon, camera: null),
+            PlausibleMistakes.Inside(new Vector3D(0.0, distance, 0.0), CelestialBody.Moon, trajectory: null),
             StringComparison.Ordinal);
 
     [Theory]
@@ -87,7 +87,7 @@ public sealed class PlausibleMistakesTests
     public void Inside_PlaceInTheGround_SpeaksOfHeights(string words, string message)
     {
         string advice = PlausibleMistakes.Inside(
-            new Vector3D(0.0, 1.735e6, 0.0), CelestialBody.Moon, CameraSettingsReader.Read(Given.Options($"{words} --time 55289")));
+            new Vector3D(0.0, 1.735e6, 0.0), CelestialBody.Moon, TrajectorySettingsReader.Read(Given.Options($"{words} --time 55289")));
 
         Assert.Contains(message, advice, StringComparison.Ordinal);
         Assert.DoesNotContain("centre", advice, StringComparison.Ordinal);

@@ -91,7 +91,8 @@ public sealed class RunNotesTests
     [InlineData(55289.0, 65516.0, "28 years before the first frame")]
     public void Write_AFarEpoch_SaysHowFar(double epoch, double time, string? away)
     {
-        CameraSettings orbit = CameraSettingsReader.Read(Given.Options($"--kepler-set {{2E6,0,0,0,0,0}} --epoch {epoch} --time {time}"));
+        TrajectorySettings orbit = TrajectorySettingsReader.Read(
+            Given.Options($"--kepler-set {{2E6,0,0,0,0,0}} --epoch {epoch} --time {time}"));
         RunNotes notes = new(64, hasSeveral: false, isRefined: false);
         notes.Add(Of(1, Day, NadirPointing.MoonFromCamera(Day)) with { Time = new ModifiedJulianDate(time) }, View(ByDay(1)));
         ListLog log = new();

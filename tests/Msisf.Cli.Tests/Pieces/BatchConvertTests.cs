@@ -179,6 +179,6 @@ public sealed class BatchConvertTests : IDisposable
         return new StateReader(
             () => throw new InvalidOperationException("no ephemeris is needed"),
             new SphereScene(),
-            host).Read(CameraSettingsReader.Read(values), CancellationToken.None);
+            host).Read(TrajectorySettingsReader.Read(values), CancellationToken.None);
     }
 }

@@ -14,7 +14,7 @@ namespace Msisf.App.Settings;
 /// Reads the positions of the camera, given in one of the four ways of thesis table 6.1 or by a place, and checks which options are
 /// combined.
 /// </summary>
-internal sealed class CameraSettingsReader
+internal sealed class TrajectorySettingsReader
 {
     private static readonly OptionSpec[] TimeOptions = [CameraOptions.Time, CameraOptions.Times, CameraOptions.TimeInterval];
 
@@ -27,7 +27,7 @@ internal sealed class CameraSettingsReader
     private readonly OptionValues _values;
     private readonly PathSpec _batchFile;
 
-    private CameraSettingsReader(OptionValues values, PathSpec batchFile) => (_values, _batchFile) = (values, batchFile);
+    private TrajectorySettingsReader(OptionValues values, PathSpec batchFile) => (_values, _batchFile) = (values, batchFile);
 
     /// <summary>The options for the position of the camera, of which exactly one must be given.</summary>
     private OptionSpec[] Ways =>
@@ -41,19 +41,19 @@ internal sealed class CameraSettingsReader
     /// <exception cref="MsisfException">
     /// No way or several ways are given, an option is missing or not allowed, or a value is wrong.
     /// </exception>
-    public static CameraSettings Read(OptionValues values, PathSpec? batchFile = null)
+    public static TrajectorySettings Read(OptionValues values, PathSpec? batchFile = null)
     {
-        CameraSettingsReader reader = new(values, batchFile ?? CameraOptions.BatchFile);
+        TrajectorySettingsReader reader = new(values, batchFile ?? CameraOptions.BatchFile);
         return reader.ReadIfGiven()
             ?? throw new UsageException($"nothing says where the camera is. Give exactly one of {Names(reader.Ways)}.");
     }
 
     /// <summary>Reads and checks the options; null if none of the ways is given.</summary>
     /// <inheritdoc cref="Read"/>
-    public static CameraSettings? ReadIfGiven(OptionValues values, PathSpec batchFile) =>
-        new CameraSettingsReader(values, batchFile).ReadIfGiven();
+    public static TrajectorySettings? ReadIfGiven(OptionValues values, PathSpec batchFile) =>
+        new TrajectorySettingsReader(values, batchFile).ReadIfGiven();
 
-    private CameraSettings? ReadIfGiven()
+    private TrajectorySettings? ReadIfGiven()
     {
         OptionSpec[] given = [.. Ways.Where(_values.IsGiven)];
         if (given.Length > 1)

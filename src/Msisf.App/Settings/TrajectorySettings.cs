@@ -10,7 +10,7 @@ using Msisf.Core.Time;
 namespace Msisf.App.Settings;
 
 /// <summary>Where the camera of each image is, in one of the ways of thesis section 6.3, or by its place.</summary>
-internal abstract record CameraSettings
+internal abstract record TrajectorySettings
 {
     /// <summary>How the camera moves during each exposure; null if the user does not say it.</summary>
     public CameraMotion? Motion { get; init; }
@@ -18,12 +18,12 @@ internal abstract record CameraSettings
 
 /// <summary>One image.</summary>
 /// <param name="State">Its time, position and orientation.</param>
-internal sealed record FixedStateSettings(SpacecraftState State) : CameraSettings;
+internal sealed record FixedStateSettings(SpacecraftState State) : TrajectorySettings;
 
 /// <summary>An image for each line of a file.</summary>
 /// <param name="Path">The file; "-" for standard input.</param>
 /// <param name="Option">The option that named it, for messages.</param>
-internal sealed record BatchFileSettings(string Path, PathSpec Option) : CameraSettings
+internal sealed record BatchFileSettings(string Path, PathSpec Option) : TrajectorySettings
 {
     /// <summary>Whether the states come from standard input, which can be read only once.</summary>
     public bool IsStandardInput => Path == "-";
@@ -42,11 +42,11 @@ internal sealed record BatchFileSettings(string Path, PathSpec Option) : CameraS
 /// <param name="Times">Times of the images, UTC; may be empty.</param>
 internal sealed record OrbitSettings(
     KeplerElements Elements, ModifiedJulianDate Epoch, OrbitFrame Frame, bool IsFrameGiven, AttitudeTransition? Attitude,
-    AttitudeFrame? AttitudeFrame, IEnumerable<ModifiedJulianDate> Times) : CameraSettings;
+    AttitudeFrame? AttitudeFrame, IEnumerable<ModifiedJulianDate> Times) : TrajectorySettings;
 
 /// <summary>Images from one place.</summary>
 /// <param name="Place">Position of the camera.</param>
 /// <param name="Pointing">How it points.</param>
 /// <param name="Times">Times of the images, UTC; may be empty.</param>
 internal sealed record PlaceSettings(
-    SurfacePlace Place, CameraPointing Pointing, IEnumerable<ModifiedJulianDate> Times) : CameraSettings;
+    SurfacePlace Place, CameraPointing Pointing, IEnumerable<ModifiedJulianDate> Times) : TrajectorySettings;
