@@ -107,4 +107,10 @@ public static class Tolerances
 
     /// <summary>1: slope below which rounding of the normal, a few 1e-16, decides in which direction the ground falls.</summary>
     public const double LevelSlope = 1e-14;
+
+    /// <summary>
+    /// Cosine of incidence, by which a part of a pixel must differ from a right angle to the Sun so that all of its samples have the same
+    /// sign: at 1.5e11 m the direction of the Sun turns by 1e-6 over 150 km, and no pixel's part within a bin is that wide.
+    /// </summary>
+    public const double FacingOfPart = 1e-6;
 }

@@ -17,19 +17,22 @@ internal sealed class FramePass : IDrawnFrame
 {
     private readonly VisibilityPass _visibility;
     private readonly LightPass _light;
+    private readonly PartPass _parts;
     private readonly SamplingPass _sampling;
+    private readonly GridPass _grid;
     private VisibleSurface? _visible;
     private readonly PixelSunlight _sunlight = new();
     private double[] _radianceFactors = [];
     private NativeRenderOptions? _options;
-    private bool _isFirstSample;
 
     public FramePass(SurfaceModel surface)
     {
         Shown = surface;
         _visibility = new VisibilityPass(surface);
         _light = new LightPass(surface);
-        _sampling = new SamplingPass(surface);
+        _parts = new PartPass(surface);
+        _sampling = new SamplingPass(_parts);
+        _grid = new GridPass(_parts);
     }
 
     /// <summary>The surface that is drawn.</summary>
@@ -59,7 +62,7 @@ internal sealed class FramePass : IDrawnFrame
         _visible = null;
         _visibility.Show(surface);
         _light.Show(surface);
-        _sampling.Show(surface);
+        _parts.Show(surface);
     }
 
     /// <summary>Draws a frame.</summary>
@@ -72,31 +75,24 @@ internal sealed class FramePass : IDrawnFrame
             _radianceFactors = new double[pixels];
         }
 
-        _isFirstSample = true;
-        int across = options.SubsamplesPerAxis;
-        double weight = 1.0 / (across * across);
-
-        // With an odd number of samples per edge, the middle sample is the pixel's centre. It is drawn last, so that its result remains as
-        // the ground truth of the pixel.
-        int middle = across % 2 == 1 ? across * across / 2 : -1;
-        for (int sample = 0; sample < across * across; sample++)
+        bool isGrid = options.SubsamplesPerAxis > 1;
+        if (isGrid && !options.KeepGroundTruth)
         {
-            if (sample != middle)
-            {
-                DrawSample(Offset(sample % across, across), Offset(sample / across, across), weight, threads, cancellation);
-            }
+            _visibility.Prepare(camera, threads, cancellation);
+        }
+        else
+        {
+            // The pixels' centres: the image itself, or the truth of one with several samples.
+            _visible = _visibility.Run(camera, threads, cancellation);
+            SampleWeight weight = new(isGrid ? 0.0 : 1.0, IsFirst: true);
+            _light.Run(_visible, light, options, weight, _sunlight, _radianceFactors, threads, cancellation);
         }
 
-        if (middle >= 0)
+        if (isGrid)
         {
-            DrawSample(0.0, 0.0, weight, threads, cancellation);
+            _grid.Run(_visibility, light, _light, options, _radianceFactors, threads, cancellation);
         }
-        else if (options.KeepGroundTruth)
-        {
-            DrawSample(0.0, 0.0, weight: 0.0, threads, cancellation);
-        }
-
-        if (options.Adaptive is not null)
+        else if (options.Adaptive is not null)
         {
             _sampling.Run(_visibility, light, _light, options, _sunlight, _radianceFactors, threads, cancellation);
         }
@@ -150,13 +146,4 @@ internal sealed class FramePass : IDrawnFrame
         ? _visible
         : throw new InvalidOperationException($"The frame was drawn without {nameof(NativeRenderOptions.KeepGroundTruth)}.");
 
-    private static double Offset(int index, int across) => ((index + 0.5) / across) - 0.5;
-
-    private void DrawSample(double offsetX, double offsetY, double weight, int threads, CancellationToken cancellation)
-    {
-        _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
-        SampleWeight sample = new(weight, IsFirst: _isFirstSample);
-        _light.Run(_visible, Light, _options!, sample, _sunlight, _radianceFactors, threads, cancellation);
-        _isFirstSample = false;
-    }
 }

@@ -15,6 +15,9 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
 {
     private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
+    /// <summary>Far below a sample's share of a pixel, so that no sample may be lit otherwise; 1e-12 was found.</summary>
+    private const double OfMerged = 1e-9;
+
     private readonly NativeRenderer _renderer = new(rugged.Grid);
 
     [Theory]
@@ -133,6 +136,53 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
             mixed += samples.Min() == 0.0 && samples.Max() > 0.0 ? 1 : 0;
         });
         Assert.True(mixed > 100, $"{mixed} pixels with both light and shadow say little");
+    }
+
+    public static TheoryData<string> Scenes => [.. RenderScenes.Names];
+
+    /// <summary>
+    /// Where all samples on a facet of a pixel have the same light, it is found once for them: that must be as if each were looked at.
+    /// </summary>
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void Render_SeveralSamplesOfAnyScene_IsTheMeanOfItsSamples(string name)
+    {
+        int across = 2 + (name.Length % 3);
+        CompareWithFine(name, across, Options with { KeepGroundTruth = false });
+    }
+
+    [Theory]
+    [InlineData(2, "moon", SunModel.Point, NormalModel.Facet)]
+    [InlineData(3, "lambert", SunModel.Disc, NormalModel.Facet)]
+    [InlineData(2, "lambert", SunModel.Point, NormalModel.Smooth)]
+    [InlineData(9, "lambert", SunModel.Point, NormalModel.Facet)]
+    public void Render_SeveralSamplesByAnyLaw_IsTheMeanOfItsSamples(int across, string law, SunModel sun, NormalModel normals) =>
+        CompareWithFine("south-pole", across, Options with
+        {
+            Reflectance = ReflectanceFactory.Create(law, new Dictionary<string, double>()), Sun = sun, Normals = normals,
+            KeepGroundTruth = across == 2,
+        });
+
+    private void CompareWithFine(string name, int across, NativeRenderOptions options)
+    {
+        (PinholeCamera camera, SceneLight sun) = Scene(name, 64, 96);
+        PinholeCamera fine = new(
+            camera.PositionMoonMe, camera.MoonFromCamera, camera.FieldOfView, across * camera.Width, across * camera.Height);
+        using NativeFrame single = _renderer.Render(fine, sun, options, threads: 2);
+
+        using NativeFrame frame = _renderer.Render(camera, sun, options with { SubsamplesPerAxis = across }, threads: 2);
+
+        ForEachPixel(camera, (x, y, pixel) =>
+        {
+            double mean = 0.0;
+            for (int sample = 0; sample < across * across; sample++)
+            {
+                int row = (across * (y - 1)) + (sample / across);
+                mean += single.RadianceFactors[(row * fine.Width) + (across * (x - 1)) + (sample % across)] / (across * across);
+            }
+
+            Assert.Equal(mean, frame.RadianceFactors[pixel], OfMerged);
+        });
     }
 
     [Fact]

@@ -1,3 +1,4 @@
+using System.Numerics;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Visibility;
 
@@ -62,7 +63,7 @@ internal sealed class SampleTrials
         for (int part = 0; part < parts.Count; part++)
         {
             int index = _indices[parts.Pixels[part]];
-            int vector = parts.FirstSamples[part] / SamplePattern.Lanes;
+            int vector = BitOperations.TrailingZeroCount(parts.Samples[part]) / SamplePattern.Lanes;
             for (int i = 0; i < Choices.Length; i++)
             {
                 if (vector < Choices[i])

@@ -2,7 +2,6 @@ using Msisf.Core.Parallel;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
-using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Sampling;
 
@@ -10,26 +9,15 @@ namespace Msisf.Core.Render.Sampling;
 /// Takes further samples where they matter. It starts from a frame with one sample a pixel, whose blocks of terrain it draws again, once
 /// for all samples. One object serves many frames, one at a time.
 /// </summary>
-internal sealed class SamplingPass
+/// <param name="pass">Finds the parts of pixels, their light and their brightness.</param>
+internal sealed class SamplingPass(PartPass pass)
 {
     /// <summary>Samples of the bands that are lit and shaded together; bounds the memory.</summary>
     private const long SamplesAtOnce = 1 << 20;
 
     private readonly SampleChooser _chooser = new();
     private readonly SampleTrials _trials = new();
-    private readonly List<SubsampleWorker> _workers = [];
     private readonly List<PixelParts> _parts = [];
-    private readonly List<int> _firstRows = [];
-    private readonly PartRows _rows = new();
-    private readonly PixelSunlight _sunlight = new();
-    private SurfaceModel _surface;
-    private double[] _factors = [];
-
-    /// <summary>Makes a pass for a surface.</summary>
-    public SamplingPass(SurfaceModel surface) => _surface = surface;
-
-    /// <summary>Samples another surface from the next frame on; the memory is kept.</summary>
-    public void Show(SurfaceModel surface) => _surface = surface;
 
     /// <summary>Replaces the brightness of the pixels that get further samples.</summary>
     /// <param name="frame">The frame with one sample a pixel, at the pixels' centres.</param>
@@ -46,12 +34,7 @@ internal sealed class SamplingPass
     {
         AdaptiveSampling sampling = options.Adaptive!;
         _chooser.Classify(frame.Surface, radianceFactors, sunlight, sampling, threads, cancellation);
-        while (_workers.Count < threads)
-        {
-            _workers.Add(new SubsampleWorker());
-        }
-
-        Work work = new(frame, light, lights, options, radianceFactors, threads, cancellation);
+        SampledFrame work = new(frame, _chooser.Pixels, light, lights, options, radianceFactors, threads, cancellation);
         List<int> trials = _chooser.ChooseTrials(sampling.Error, threads, cancellation);
         _trials.Begin(trials, radianceFactors, _chooser.Means);
         _chooser.Try(trials);
@@ -64,9 +47,9 @@ internal sealed class SamplingPass
     /// <summary>Draws the chosen samples of all pixels and replaces their brightness.</summary>
     /// <param name="work">The frame.</param>
     /// <param name="isTrial">Whether the trials are told of each sample.</param>
-    private void Draw(Work work, bool isTrial)
+    private void Draw(SampledFrame work, bool isTrial)
     {
-        IReadOnlyList<SampledBand> bands = _chooser.Pixels.Bands;
+        IReadOnlyList<SampledBand> bands = work.Pixels.Bands;
         for (int first = 0; first < bands.Count;)
         {
             int end = first + 1;
@@ -81,71 +64,34 @@ internal sealed class SamplingPass
         }
     }
 
-    private void DrawBands(Work work, (int First, int End) bands, bool isTrial)
+    private void DrawBands(SampledFrame work, (int First, int End) bands, bool isTrial)
     {
-        VisibilityPass frame = work.Frame;
         int count = bands.End - bands.First;
         int lists = isTrial ? 2 * count : count; // a trial's second half: the parts merged
-        while (_parts.Count < lists)
-        {
-            _parts.Add(new PixelParts());
-        }
-
-        WorkerTeam.Run(
-            work.Threads,
-            count,
-            (worker, index) => _workers[worker].Draw(
-                _surface, frame, _chooser.Pixels, _chooser.Pixels.Bands[bands.First + index], _parts[index],
-                isTrial ? _parts[count + index] : null),
-            work.Cancellation);
-        _rows.Begin(frame.View);
-        _firstRows.Clear();
-        for (int index = 0; index < lists; index++)
-        {
-            _firstRows.Add(_rows.Add(_parts[index]));
-        }
-
-        int room = _rows.Height * PartRows.RowLength;
-        if (_factors.Length < room)
-        {
-            _factors = new double[room];
-        }
-
-        work.Lights.Run(
-            _rows, work.Light, work.Options, new SampleWeight(1.0, IsFirst: true), _sunlight, _factors, work.Threads, work.Cancellation);
+        pass.Find(work, bands, _parts, 0, isTrial ? count : null);
+        pass.Light(work, _parts, lists);
         WorkerTeam.Run(work.Threads, count, (_, index) =>
         {
-            Collect(_parts[index], FactorsOf(index), work, _chooser.Pixels.Bands[bands.First + index]);
+            Clear(work, work.Pixels.Bands[bands.First + index]);
+            pass.Collect(work, index, _parts[index]);
             if (isTrial)
             {
-                _trials.TakeSamples(_parts[index], FactorsOf(index));
-                _trials.TakeMerged(_parts[count + index], FactorsOf(count + index));
+                _trials.TakeSamples(_parts[index], pass.FactorsOf(index, _parts[index]));
+                _trials.TakeMerged(_parts[count + index], pass.FactorsOf(count + index, _parts[count + index]));
             }
         }, work.Cancellation);
     }
 
-    private ReadOnlySpan<double> FactorsOf(int list) => _factors.AsSpan(_firstRows[list] * PartRows.RowLength, _parts[list].Count);
-
-    /// <summary>Replaces the brightness of a band's pixels with further samples.</summary>
-    private void Collect(PixelParts parts, ReadOnlySpan<double> factors, Work work, SampledBand band)
+    /// <summary>Forgets the brightness of the pixels of a band that get further samples.</summary>
+    private static void Clear(SampledFrame work, SampledBand band)
     {
         int width = work.Frame.View.Camera.Width;
         int first = band.FirstRow * width;
         int end = (band.LastRow + 1) * width;
-        ReadOnlySpan<byte> codes = _chooser.Pixels.Codes.AsSpan(0, end);
+        ReadOnlySpan<byte> codes = work.Pixels.Codes.AsSpan(0, end);
         for (int next; first < end && (next = codes[first..].IndexOfAnyExcept((byte)0)) >= 0; first += next + 1)
         {
             work.RadianceFactors[first + next] = 0.0;
         }
-
-        for (int part = 0; part < parts.Count; part++)
-        {
-            work.RadianceFactors[parts.Pixels[part]] += parts.Weights[part] * factors[part];
-        }
     }
-
-    /// <summary>A frame and what it is drawn with.</summary>
-    private sealed record Work(
-        VisibilityPass Frame, SceneLight Light, LightPass Lights, NativeRenderOptions Options, double[] RadianceFactors, int Threads,
-        CancellationToken Cancellation);
 }

@@ -147,7 +147,8 @@ internal sealed class RowShader
         return normal;
     }
 
-    private static bool IsFlat(NativeRenderOptions options) =>
+    /// <summary>Whether the brightness of lit ground follows from the facet and the Sun alone.</summary>
+    public static bool IsFlat(NativeRenderOptions options) =>
         options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, Albedo: null, Hapke: null };
 
     private RowReflection Take() => _idle.TryTake(out RowReflection? idle) ? idle : new RowReflection(_surface);

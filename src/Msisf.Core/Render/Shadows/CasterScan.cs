@@ -60,6 +60,39 @@ internal sealed class CasterScan
         }
     }
 
+    /// <summary>Marks the bins in which a block may hide a point within the reach of a receiver.</summary>
+    /// <param name="block">The block.</param>
+    /// <param name="receivers">The receivers, read.</param>
+    /// <param name="reach">The reach: at most a bin to each side.</param>
+    public void WantBins(CellBlock block, ReceiverSort receivers, PartReach reach)
+    {
+        Load(block, receivers.Frame);
+        ReceiverGrid grid = receivers.Grid;
+        LightBox box = receivers.Box.Widened(reach.U, reach.V);
+        for (int line = 0; line + 1 < _vertices.Lines; line++)
+        {
+            for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
+            {
+                if (!_strip.TrySet(line, sample, in box, slope: 0.0))
+                {
+                    continue;
+                }
+
+                for (uint away = _strip.SouthWestAway; away != 0; away &= away - 1)
+                {
+                    int at = _strip.NorthWest + BitOperations.TrailingZeroCount(away);
+                    FacetMark.WantBins(_strip.Facet(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1), grid);
+                }
+
+                for (uint away = _strip.NorthEastAway; away != 0; away &= away - 1)
+                {
+                    int at = _strip.NorthWest + BitOperations.TrailingZeroCount(away);
+                    FacetMark.WantBins(_strip.Facet(at, at + BlockVertices.Stride + 1, at + 1), grid);
+                }
+            }
+        }
+    }
+
     /// <summary>Marks the receivers that a block hides from the Sun.</summary>
     /// <param name="block">The block.</param>
     /// <param name="receivers">The receivers, sorted.</param>

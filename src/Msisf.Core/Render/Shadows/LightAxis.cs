@@ -34,6 +34,9 @@ internal readonly struct LightAxis
         Vector512.MaxNative((coordinates - Vector512.Create(_min)) * Vector512.Create(_binsPerMetre), Vector512<double>.Zero),
         Vector512.Create(_last)));
 
+    /// <summary>Width of a bin, m.</summary>
+    public double BinWidth => 1.0 / _binsPerMetre;
+
     /// <summary>Minimum coordinate of a bin, m, up to rounding errors.</summary>
     public double StartOf(int bin) => _min + (bin / _binsPerMetre);
 }

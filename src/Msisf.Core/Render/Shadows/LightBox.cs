@@ -29,5 +29,11 @@ internal readonly record struct LightBox(double MinU, double MaxU, double MinV, 
 
     /// <summary>The box, extended by a margin on all sides.</summary>
     /// <param name="margin">Margin, m.</param>
-    public LightBox Widened(double margin) => new(MinU - margin, MaxU + margin, MinV - margin, MaxV + margin);
+    public LightBox Widened(double margin) => Widened(margin, margin);
+
+    /// <summary>The box, extended by a margin on each side.</summary>
+    /// <param name="marginU">Margin along u, m.</param>
+    /// <param name="marginV">Margin along v, m.</param>
+    public LightBox Widened(double marginU, double marginV) =>
+        new(MinU - marginU, MaxU + marginU, MinV - marginV, MaxV + marginV);
 }

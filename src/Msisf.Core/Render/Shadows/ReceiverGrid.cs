@@ -8,12 +8,9 @@ namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
 /// The receivers of a frame, sorted into a grid of rectangular bins across the Sun's rays. Receivers in neighbouring bins of a row are
-/// contiguous in the arrays, so that a facet can be tested against eight of them at a time.</summary>
-/// <remarks>
-/// This is a counting sort: call <see cref="Lay"/>, <see cref="Count"/> for each row, <see cref="Place"/>, then <see cref="Sort"/> for
-/// each row. The depths are known after <see cref="Place"/>; <see cref="Want"/> then marks the bins that must be sorted, and
-/// <see cref="MakeRoom"/> leaves out the others.
-/// </remarks>
+/// contiguous in the arrays, so that a facet can be tested against eight of them at a time. A counting sort: call <see cref="Lay"/>,
+/// <see cref="Count"/> for each row, <see cref="Place"/>, <see cref="Want"/> for the bins, then <see cref="Sort"/> for each row.
+/// </summary>
 internal sealed class ReceiverGrid
 {
     private const int LaneCount = 8;
@@ -240,6 +237,9 @@ internal sealed class ReceiverGrid
 
     /// <summary>Upper bound of the depth of all receivers in a range of bins, m; below any real depth if there is none.</summary>
     public float MaxDepth(GridRange bins) => _depths.Max(bins);
+
+    /// <summary>Upper bound of the depth of the receivers in a bin, m; below any real depth if there is none.</summary>
+    public float DepthOf(int column, int row) => _depths.Bins[(row * Size) + column];
 
     /// <summary>Upper bound of the depth of all receivers, m.</summary>
     public float MaxDepth() => _depths.Max(new GridRange(0, Size - 1, 0, Size - 1));

@@ -76,6 +76,9 @@ internal sealed class Band
         }
     }
 
+    /// <summary>Notes that no pixel shows a facet yet, for readers that do not look at the depths.</summary>
+    public void ClearFacets() => Facets.AsSpan(0, Stride * (LastRow - FirstRow + 1)).Fill(NotRecorded);
+
     /// <summary>Sets where the samples of an image with a lens lie, each in the plane of its tile.</summary>
     /// <param name="tiles">All tiles of the band.</param>
     /// <param name="lens">The samples of the image.</param>

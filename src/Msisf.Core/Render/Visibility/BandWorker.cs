@@ -13,14 +13,14 @@ internal sealed class BandWorker
     private double[] _sampleRows = [];
 
     /// <summary>Draws all blocks that touch a band and returns how much work that was.</summary>
-    public VisibilityCounts Draw(SurfaceModel surface, ImageView view, List<VisibleBlock> blocks, Band band)
+    public VisibilityCounts Draw(SurfaceModel surface, ImageView view, IReadOnlyList<VisibleBlock> blocks, Band band)
     {
         long read = 0;
         long sieved = 0;
         Begin(view);
         foreach (VisibleBlock visible in blocks)
         {
-            if (visible.Rows.First > band.LastRow || visible.Rows.End <= band.FirstRow)
+            if (visible.Rows.First * view.PerAxis > band.LastRow || visible.Rows.End * view.PerAxis <= band.FirstRow)
             {
                 continue;
             }

@@ -17,6 +17,12 @@ internal readonly record struct ImagePlaneMap(
     public static ImagePlaneMap Of(CameraModel model, double offsetX, double offsetY) => new(
         model.FocalX, model.Skew, model.PrincipalX - 1.0 - offsetX, 0.0, model.FocalY, model.PrincipalY - 1.0 - offsetY);
 
+    /// <summary>The same plane with smaller pixels.</summary>
+    /// <param name="perAxis">How many of them lie along the edge of a pixel.</param>
+    public ImagePlaneMap Divided(int perAxis) => new(
+        perAxis * ColumnPerRight, perAxis * ColumnPerDown, (perAxis * Column0) + (0.5 * (perAxis - 1)), perAxis * RowPerRight,
+        perAxis * RowPerDown, (perAxis * Row0) + (0.5 * (perAxis - 1)));
+
     /// <summary>Column of a point of the ideal plane.</summary>
     public double Column(double right, double down) => (ColumnPerRight * right) + (ColumnPerDown * down) + Column0;
 

@@ -31,8 +31,15 @@ internal sealed class ImageView
     /// <param name="offsetY">px down.</param>
     /// <param name="lens">The samples of a camera with a lens; null for a pinhole.</param>
     /// <param name="tile">The tile of the lens's image that is drawn; null for the whole image.</param>
-    public ImageView(FrameCamera camera, double offsetX, double offsetY, LensSamples? lens = null, LensTile? tile = null)
+    /// <param name="perAxis">
+    /// Samples along the edge of a pixel of a pinhole without offset. With more than one, columns and rows are those of the samples, as
+    /// if each were a pixel.
+    /// </param>
+    public ImageView(
+        FrameCamera camera, double offsetX, double offsetY, LensSamples? lens = null, LensTile? tile = null, int perAxis = 1)
     {
+        PerAxis = perAxis;
+        double firstSample = (0.5 / perAxis) - 0.5;
         _lens = lens;
         Camera = camera;
         OffsetX = offsetX;
@@ -43,12 +50,12 @@ internal sealed class ImageView
         Anchor = position.Length < FarDistance ? Origin : default;
 
         Forward = camera.ForwardMoonMe;
-        CoordinateLimit = Math.Max(MinCoordinateLimit, 4.0 * Math.Max(camera.Width, camera.Height));
+        CoordinateLimit = Math.Max(MinCoordinateLimit, 4.0 * perAxis * Math.Max(camera.Width, camera.Height));
         if (!camera.Model.IsThesis)
         {
-            ImagePlaneMap map = tile?.Map ?? ImagePlaneMap.Of(camera.Model, offsetX, offsetY);
+            ImagePlaneMap map = (tile?.Map ?? ImagePlaneMap.Of(camera.Model, offsetX, offsetY)).Divided(perAxis);
             Distance = camera.ImagePlaneDistance;
-            PixelsPerTangent = Math.Max(camera.Model.FocalX, camera.Model.FocalY);
+            PixelsPerTangent = perAxis * Math.Max(camera.Model.FocalX, camera.Model.FocalY);
             Across = (map.ColumnPerRight * camera.UnitRight) - (map.ColumnPerDown * camera.UnitUp);
             Down = (map.RowPerRight * camera.UnitRight) - (map.RowPerDown * camera.UnitUp);
             (CentreX, CentreY) = (map.Column0, map.Row0);
@@ -60,18 +67,21 @@ internal sealed class ImageView
 
         Distance = Vector3D.Dot(camera.Direction, camera.ForwardMoonMe);
         double aspect = (double)camera.Width / camera.Height;
-        PixelsPerTangent = camera.Height * Distance;
+        PixelsPerTangent = perAxis * camera.Height * Distance;
         Across = (PixelsPerTangent / aspect) * camera.Right;
         Down = -PixelsPerTangent * camera.Up;
-        CentreX = ((camera.Width - 1) / 2.0) - offsetX;
-        CentreY = ((camera.Height - 1) / 2.0) - offsetY;
-        FirstRay = camera.RayThrough(1.0 + offsetX, 1.0 + offsetY).Direction;
-        RayPerColumn = camera.Right / camera.Width;
-        RayPerRow = -camera.Up / camera.Height;
+        CentreX = (((perAxis * camera.Width) - 1) / 2.0) - offsetX;
+        CentreY = (((perAxis * camera.Height) - 1) / 2.0) - offsetY;
+        FirstRay = camera.RayThrough(1.0 + offsetX + firstSample, 1.0 + offsetY + firstSample).Direction;
+        RayPerColumn = camera.Right / (perAxis * camera.Width);
+        RayPerRow = -camera.Up / (perAxis * camera.Height);
     }
 
     /// <summary>The camera.</summary>
     public FrameCamera Camera { get; }
+
+    /// <summary>Samples along the edge of a pixel; columns and rows are those of the samples.</summary>
+    public int PerAxis { get; }
 
     /// <summary>px to the right, added to each pixel's centre.</summary>
     public double OffsetX { get; }

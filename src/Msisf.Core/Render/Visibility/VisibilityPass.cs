@@ -38,7 +38,7 @@ internal sealed class VisibilityPass
     public VisibleSurface Surface => _result;
 
     /// <summary>The projection of the last frame.</summary>
-    public ImageView View => _result.View;
+    public ImageView View { get; private set; } = null!;
 
     /// <summary>The blocks that the last frame may show; valid until the next one.</summary>
     public IReadOnlyList<VisibleBlock> Blocks { get; private set; } = [];
@@ -57,10 +57,8 @@ internal sealed class VisibilityPass
     /// <exception cref="Errors.BadInputException">The elevation model holds what can't be right.</exception>
     public VisibleSurface Run(FrameCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
     {
-        LensSamples? lens = LensOf(camera, offsetX, offsetY, threads, cancellation);
-        ImageView view = new(camera, offsetX, offsetY, lens);
-        List<VisibleBlock> blocks = _culler.Find(view.Frustum(), threads, cancellation);
-        (Blocks, Lens) = (blocks, lens);
+        List<VisibleBlock> blocks = Prepare(camera, threads, cancellation, offsetX, offsetY);
+        (ImageView view, LensSamples? lens) = (View, Lens);
         _result.Begin(view, lens);
         while (_workers.Count < threads)
         {
@@ -77,6 +75,18 @@ internal sealed class VisibilityPass
             cancellation);
         _result.End(counts.Aggregate(new VisibilityCounts(blocks.Count, 0, 0, 0), (sum, next) => sum + next));
         return _result;
+    }
+
+    /// <summary>Finds the blocks that a frame may show, without drawing it; parameters and errors are those of <see cref="Run"/>.</summary>
+    /// <returns>The blocks.</returns>
+    public List<VisibleBlock> Prepare(
+        FrameCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
+    {
+        Lens = LensOf(camera, offsetX, offsetY, threads, cancellation);
+        View = new ImageView(camera, offsetX, offsetY, Lens);
+        List<VisibleBlock> blocks = _culler.Find(View.Frustum(), threads, cancellation);
+        Blocks = blocks;
+        return blocks;
     }
 
     /// <summary>The samples of a camera with a lens; as many as <see cref="MaxLensSamples"/> are kept from frame to frame.</summary>

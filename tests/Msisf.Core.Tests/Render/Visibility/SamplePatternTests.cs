@@ -14,7 +14,7 @@ public sealed class SamplePatternTests
             from column in Enumerable.Range(0, 8)
             select (-0.4375 + (0.125 * column), -0.4375 + (0.125 * row));
 
-        Assert.Equal(grid.Order(), SamplePattern.Right.Zip(SamplePattern.Down).Order());
+        Assert.Equal(grid.Order(), SamplePattern.Progressive.Right.Zip(SamplePattern.Progressive.Down).Order());
     }
 
     [Theory]
@@ -24,12 +24,32 @@ public sealed class SamplePatternTests
     [InlineData(8)]
     public void Samples_OfTheFirstVectors_AreAsManyInEachRowAndColumn(int vectors)
     {
-        IEnumerable<double> right = SamplePattern.Right.Take(8 * vectors);
-        IEnumerable<double> down = SamplePattern.Down.Take(8 * vectors);
+        IEnumerable<double> right = SamplePattern.Progressive.Right.Take(8 * vectors);
+        IEnumerable<double> down = SamplePattern.Progressive.Down.Take(8 * vectors);
 
         Assert.All(right.GroupBy(x => x), column => Assert.Equal(vectors, column.Count()));
         Assert.All(down.GroupBy(y => y), row => Assert.Equal(vectors, row.Count()));
         Assert.Equal(8, right.Distinct().Count());
         Assert.Equal(8, down.Distinct().Count());
+    }
+
+    [Theory]
+    [InlineData(2, 1)]
+    [InlineData(3, 1)]
+    [InlineData(8, 1)]
+    [InlineData(9, 2)]
+    [InlineData(16, 4)]
+    public void OfGrid_AnyNumberAcross_IsEachPlaceOnceInPatternsOfAtMostSixtyFour(int across, int patterns)
+    {
+        SamplePattern[] found = [.. SamplePattern.OfGrid(across)];
+        IEnumerable<(double, double)> grid =
+            from row in Enumerable.Range(0, across)
+            from column in Enumerable.Range(0, across)
+            select (((column + 0.5) / across) - 0.5, ((row + 0.5) / across) - 0.5);
+
+        Assert.Equal(patterns, found.Length);
+        Assert.Equal(grid, found.SelectMany(pattern => pattern.Right.Zip(pattern.Down).Take(pattern.Count)));
+        Assert.All(found, pattern => Assert.Equal(8 * pattern.Vectors, pattern.Right.Length));
+        Assert.All(found, pattern => Assert.Equal(patterns == 1, pattern.IsRegular));
     }
 }

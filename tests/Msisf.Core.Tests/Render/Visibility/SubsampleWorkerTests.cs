@@ -41,12 +41,41 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
         Compare(LensCases.Of(name, 0.4, 41, 30).At(pinhole.State));
     }
 
-    [Fact]
-    public void Take_SamplesOnOneFacet_AreOnePartAtTheirMean()
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void Draw_AGridOfAPinhole_ShowsWhatShiftedImagesShow(string name)
+    {
+        int across = 2 + (name.Length % 3);
+        Compare(RenderScenes.Named(name).Camera(rugged.Grid, 30, 41), SamplePattern.OfGrid(across).Single());
+    }
+
+    [Theory]
+    [InlineData(2)]
+    [InlineData(8)]
+    public void Draw_AGridOfAPinholeOffCentreWithSkew_ShowsWhatShiftedImagesShow(int across)
+    {
+        PinholeCamera camera = RenderScenes.Named("oblique-20km").Camera(rugged.Grid, 30, 41);
+        CameraModel model = new(30, 41, (40.0, 37.0), (3.0, 24.5), skew: 1.5);
+        Compare(model.At(camera.State), SamplePattern.OfGrid(across).Single());
+    }
+
+    [Theory]
+    [MemberData(nameof(Lenses))]
+    public void Draw_AGridOfALens_ShowsWhatShiftedImagesShow(string name)
+    {
+        PinholeCamera pinhole = RenderScenes.Named("oblique-20km").Camera(rugged.Grid, 30, 41);
+        Compare(LensCases.Of(name, 0.4, 41, 30).At(pinhole.State), SamplePattern.OfGrid(3).Single());
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(3)]
+    public void Take_SamplesOnOneFacet_AreOnePartAtTheirMean(int across)
     {
         PinholeCamera camera = RenderScenes.Named("nadir-100km").Camera(rugged.Grid, 20, 20);
-        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> split, _) = Parts(camera, isSplit: true);
-        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> joined, _) = Parts(camera, isSplit: false);
+        SamplePattern? grid = across == 0 ? null : SamplePattern.OfGrid(across).Single();
+        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> split, _) = Parts(camera, isSplit: true, grid);
+        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> joined, _) = Parts(camera, isSplit: false, grid);
 
         var expected = split.GroupBy(part => (part.Pixel, part.Facet)).ToDictionary(
             group => group.Key, group => (Weight: group.Sum(part => part.Weight), Points: group.Select(part => part.Point).ToArray()));
@@ -61,15 +90,17 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
         });
     }
 
-    private void Compare(FrameCamera camera)
+    private void Compare(FrameCamera camera, SamplePattern? grid = null)
     {
-        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> parts, ImageView view) = Parts(camera, isSplit: true);
+        SamplePattern pattern = grid ?? SamplePattern.Progressive;
+        int samples = grid?.Count ?? Vectors * SamplePattern.Lanes;
+        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> parts, ImageView view) = Parts(camera, isSplit: true, grid);
         Dictionary<(int, FacetId), List<Vector3D>> points = [];
         int expected = 0;
         VisibilityPass pass = new(new SurfaceModel(rugged.Grid));
-        for (int sample = 0; sample < Vectors * SamplePattern.Lanes; sample++)
+        for (int sample = 0; sample < samples; sample++)
         {
-            VisibleSurface shifted = pass.Run(camera, 2, CancellationToken.None, SamplePattern.Right[sample], SamplePattern.Down[sample]);
+            VisibleSurface shifted = pass.Run(camera, 2, CancellationToken.None, pattern.Right[sample], pattern.Down[sample]);
             for (int pixel = 0; pixel < camera.Width * camera.Height; pixel++)
             {
                 if (shifted.TryGet((pixel % camera.Width) + 1, (pixel / camera.Width) + 1, out SurfaceHit hit))
@@ -94,18 +125,26 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
     }
 
     private (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> Parts, ImageView View) Parts(
-        FrameCamera camera, bool isSplit)
+        FrameCamera camera, bool isSplit, SamplePattern? grid = null)
     {
         SurfaceModel surface = new(rugged.Grid);
         VisibilityPass pass = new(surface);
         pass.Run(camera, 2, CancellationToken.None);
         SampledPixels pixels = new();
-        pixels.Prepare(camera.Width, camera.Height);
-        Array.Fill(pixels.Codes, (byte)(Vectors | (isSplit ? SampledPixels.HasBorder : 0)));
+        if (grid is not null)
+        {
+            pixels.TakeAll(camera.Width, camera.Height, grid, isSplit, isGrid: camera.Model.Lens is null);
+        }
+        else
+        {
+            pixels.Prepare(camera.Width, camera.Height);
+            Array.Fill(pixels.Codes, (byte)(Vectors | (isSplit ? SampledPixels.HasBorder : 0)));
+            Array.Fill(pixels.VectorsOfRow, Vectors * camera.Width);
+            pixels.Cut();
+        }
+
         SubsampleWorker worker = new();
         List<(int, FacetId, Vector3D, double)> found = [];
-        Array.Fill(pixels.VectorsOfRow, Vectors * camera.Width);
-        pixels.Cut();
         foreach (SampledBand band in pixels.Bands)
         {
             PixelParts parts = new();

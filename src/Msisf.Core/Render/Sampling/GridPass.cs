@@ -1,0 +1,113 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Parallel;
+using Msisf.Core.Render.Shading;
+using Msisf.Core.Render.Shadows;
+using Msisf.Core.Render.Visibility;
+using Msisf.Core.Scene;
+
+namespace Msisf.Core.Render.Sampling;
+
+/// <summary>
+/// Draws frames with the same samples in each pixel, on a regular grid. The samples share the blocks of terrain and their projection, and
+/// where that is sure the light and the brightness of a facet. One object serves many frames, one at a time.
+/// </summary>
+/// <param name="pass">Finds the parts of pixels, their light and their brightness.</param>
+internal sealed class GridPass(PartPass pass)
+{
+    /// <summary>Parts of pixels, or samples, that are lit and shaded together; bounds the memory.</summary>
+    private const int PartsAtOnce = 1 << 19;
+
+    /// <summary>Bands that are drawn between two looks at the number of parts.</summary>
+    private const int BandsAtOnce = 4;
+
+    private readonly SampledPixels _pixels = new();
+    private readonly List<PixelParts> _parts = [];
+    private readonly List<PixelParts> _samples = [];
+
+    /// <summary>Draws a frame.</summary>
+    /// <param name="frame">The frame, prepared or drawn with one sample a pixel at the pixels' centres.</param>
+    /// <param name="light">The Sun, or the lamp at the camera.</param>
+    /// <param name="lights">Finds light and brightness.</param>
+    /// <param name="options">The settings.</param>
+    /// <param name="radianceFactors">Receives the brightness of the pixels.</param>
+    /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    public void Run(
+        VisibilityPass frame, SceneLight light, LightPass lights, NativeRenderOptions options, double[] radianceFactors, int threads,
+        CancellationToken cancellation)
+    {
+        FrameCamera camera = frame.View.Camera;
+        Array.Clear(radianceFactors, 0, camera.Width * camera.Height);
+        bool isMerged = LightPass.CanMerge(camera, light, options);
+        double ofSample = 1.0 / (options.SubsamplesPerAxis * options.SubsamplesPerAxis);
+        foreach (SamplePattern pattern in SamplePattern.OfGrid(options.SubsamplesPerAxis))
+        {
+            _pixels.TakeAll(
+                camera.Width, camera.Height, pattern, isSplit: !isMerged, isGrid: pattern.IsRegular && camera.Model.Lens is null);
+            Draw(
+                new SampledFrame(frame, _pixels, light, lights, options, radianceFactors, threads, cancellation)
+                {
+                    Share = ofSample * pattern.Count,
+                },
+                isMerged);
+        }
+    }
+
+    private void Draw(SampledFrame frame, bool isMerged)
+    {
+        int bands = frame.Pixels.Bands.Count;
+        for (int first = 0, end; first < bands; first = end)
+        {
+            end = first;
+            for (int parts = 0; end < bands && parts < PartsAtOnce;)
+            {
+                int next = Math.Min(end + BandsAtOnce, bands);
+                pass.Find(frame, (end, next), _parts, end - first);
+                for (; end < next; end++)
+                {
+                    parts += _parts[end - first].Count;
+                }
+            }
+
+            if (isMerged)
+            {
+                LightMerged(frame, end - first);
+            }
+            else
+            {
+                pass.Light(frame, _parts, end - first);
+                Collect(frame, _parts, end - first);
+            }
+        }
+    }
+
+    /// <summary>Lights and shades the samples on a facet of a pixel at once where that is sure, and each by itself elsewhere.</summary>
+    private void LightMerged(SampledFrame frame, int count)
+    {
+        double[] factors = pass.Lay(frame, _parts, count);
+        frame.Lights.RunMerged(pass.Rows, frame.Light, frame.Options, pass.Sunlight, factors, frame.Threads, frame.Cancellation);
+        Collect(frame, _parts, count);
+        byte[][] states = [.. Enumerable.Range(0, count).Select(list => pass.StatesOf(list, _parts[list]).ToArray())];
+        for (int first = 0, end; first < count; first = end)
+        {
+            end = first;
+            for (int samples = 0; end < count && samples < PartsAtOnce; end++)
+            {
+                samples += _parts[end].CountSamples(states[end], ShadowPass.Unsure);
+            }
+
+            PartPass.EnsureRoom(_samples, end - first);
+            WorkerTeam.Run(
+                frame.Threads,
+                end - first,
+                (_, index) => _samples[index].TakeSamples(
+                    _parts[first + index], states[first + index], ShadowPass.Unsure, frame.Pixels.Pattern, frame.Frame.View),
+                frame.Cancellation);
+            pass.Light(frame, _samples, end - first);
+            Collect(frame, _samples, end - first);
+        }
+    }
+
+    private void Collect(SampledFrame frame, List<PixelParts> lists, int count) =>
+        WorkerTeam.Run(frame.Threads, count, (_, list) => pass.Collect(frame, list, lists[list]), frame.Cancellation);
+}
