@@ -44,6 +44,7 @@ public sealed class WrongValueTests : IDisposable
         ["--folders"] = ["a=", "a=b,a=c", "a/b=c"],
         ["--catalogues"] = ["a=", "a=b,a=c", "a/b=c"],
         ["--sbatch-options"] = ["-x", "time=1"],
+        ["--batch-euler"] = ["XYQ", "12"],
     };
 
     private readonly TemporaryFolder _folder = new();

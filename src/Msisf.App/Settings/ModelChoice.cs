@@ -44,7 +44,7 @@ internal static class ModelChoice
     /// <remarks>A file on the command line goes before a resolution of a configuration file.</remarks>
     public static int CylindricalResolutionOf(OptionValues values)
     {
-        bool isFile = SurfaceOptions.Ldem.ReadIfGiven(values) is { } path && !Directory.Exists(path);
+        bool isFile = SurfaceOptions.Ldem.ReadIfGiven(values) is { } path && File.Exists(path); // a missing one is told when it is opened
         bool isSaid = values.IsGiven(SurfaceOptions.Resolution)
             || (values.Text(SurfaceOptions.Resolution) is not null && !values.IsGiven(SurfaceOptions.Ldem));
         return isFile && !isSaid
