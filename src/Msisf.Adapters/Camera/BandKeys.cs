@@ -8,6 +8,9 @@ internal static class BandKeys
 {
     private const int MaxPoints = 10_000;
 
+    /// <summary>nm: mirrors and lenses of cameras end there, and a band in micrometres is below it.</summary>
+    private const double ShortestWavelength = 100.0;
+
     /// <summary>Reads the keys.</summary>
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
     public static Band Read(CameraSection section)
@@ -24,6 +27,13 @@ internal static class BandKeys
         {
             throw section.Wrong(
                 section.Has("band") ? "band" : "wavelengths", "the band needs two wavelengths above 0, the shorter one first");
+        }
+
+        if (limits[0] < ShortestWavelength)
+        {
+            throw section.Wrong(section.Has("band") ? "band" : "wavelengths", FormattableString.Invariant(
+                $"the band begins at {limits[0]} nm; wavelengths are in nanometres (nm), from {ShortestWavelength} on. ")
+                    + "Micrometres are to be multiplied by 1000");
         }
 
         return new Band(

@@ -15,6 +15,9 @@ public static class CameraFileReader
 
     private const double MetresPerMillimetre = 1e-3;
 
+    /// <summary>mm: shorter than any camera's; a focal length in metres looks so.</summary>
+    private const double ShortestFocalLength = 0.1;
+
     private static readonly string[] Keys =
     [
         "description", "width", "height", "focal-length", "pixel-pitch", "focal-length-px", "field-of-view", "principal-point",
@@ -112,6 +115,13 @@ public static class CameraFileReader
     private static (double FocalLength, (double X, double Y) Pitch)? Metric(CameraSection file)
     {
         double? focalLength = FocalKey(file) == "focal-length" ? file.Positive("focal-length") : null;
+        if (focalLength < ShortestFocalLength)
+        {
+            throw file.Wrong("focal-length", FormattableString.Invariant(
+                $"'focal-length' is {focalLength} mm; it is in millimetres (mm), from {ShortestFocalLength} on. ")
+                    + "Metres are to be multiplied by 1000");
+        }
+
         double[]? pitch = file.Numbers("pixel-pitch", 1, 2);
         if (pitch is not null && pitch.Min() <= 0.0)
         {

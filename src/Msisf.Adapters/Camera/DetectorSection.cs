@@ -11,6 +11,7 @@ internal static class DetectorSection
     private const double MetresPerMillimetre = 1e-3;
     private const double MaxNonuniformity = 0.2; // of the response: five standard deviations stay above 0
     private const int MaxConverterBits = 16;
+    private const double LeastFNumber = 0.5; // of a lens in air: its cone of light is half of all directions
 
     private static readonly string[] Keys =
     [
@@ -104,12 +105,18 @@ internal static class DetectorSection
         {
             double focalLength = geometry.FocalLength
                 ?? throw section.Wrong("f-number", "'f-number' needs 'focal-length' in mm. Give that, or 'aperture'");
-            return (fNumber, focalLength / fNumber);
+            return (Checked(section, "f-number", fNumber), focalLength / fNumber);
         }
 
         double diameter = MetresPerMillimetre * Required(section, "aperture", "the aperture's diameter in mm; 'f-number' does as well");
-        return (geometry.FocalLength / diameter, diameter);
+        return (geometry.FocalLength is double focal ? Checked(section, "aperture", focal / diameter) : null, diameter);
     }
+
+    private static double Checked(CameraSection section, string key, double fNumber) => fNumber >= LeastFNumber
+        ? fNumber
+        : throw section.Wrong(key, FormattableString.Invariant(
+            $"the f-number is {fNumber:G4}, and no lens has one below {LeastFNumber}: it is the focal length over the aperture's diameter")
+                + ", both in mm");
 
     private static Smear? Smear(CameraSection section)
     {

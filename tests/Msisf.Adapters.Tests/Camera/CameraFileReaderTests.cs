@@ -116,6 +116,9 @@ public sealed class CameraFileReaderTests
     [InlineData("width: wide\nheight: 480\n", 1, "'wide' is not a number")]
     [InlineData("width: 640\nheight:\n", 2, "'height' has no value")]
     [InlineData("width: 640\nwidth: 640\n", 2, "'width' is there already, in line 1")]
+    [InlineData(
+        "width: 640\nheight: 480\nfocal-length: 0.05\npixel-pitch: 0.00001\n", 3,
+        "'focal-length' is 0.05 mm; it is in millimetres (mm), from 0.1 on. Metres are to be multiplied by 1000.")]
     [InlineData("width: 640\nheight: 480\nfocal-length: -10\npixel-pitch: 0.01\n", 3, "'focal-length' is -10; a number above 0")]
     [InlineData("width: 640\nheight: 480\nfocal-length: 0\npixel-pitch: 0.01\n", 3, "'focal-length' is 0; a number above 0")]
     [InlineData("width: 640\nheight: 480\nfocal-length: 1,5\npixel-pitch: 0.01\n", 3, "has a comma")]

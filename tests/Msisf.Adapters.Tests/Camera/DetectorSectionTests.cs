@@ -56,6 +56,30 @@ public sealed class DetectorSectionTests : IDisposable
             Read([.. Right, "shutter: rolling", "line-time: 2e-5", "motion-step: 0.1"]).Settings.Shutter);
     }
 
+    /// <summary>Numbers in another unit, which would make a black image.</summary>
+    [Theory]
+    [InlineData("band: [500, 600]", "band: [0.5, 0.6]", "line 8, column 3: the band begins at 0.5 nm; wavelengths are in nanometres (nm)")]
+    [InlineData("band: [500, 600]", "band: [99.9, 600]", "the band begins at 99.9 nm")]
+    [InlineData("band: [500, 600]", "wavelengths: [0.5, 0.6]", "the band begins at 0.5 nm")]
+    [InlineData("aperture: 10", "f-number: 0.4", "line 6, column 3: the f-number is 0.4, and no lens has one below 0.5")]
+    [InlineData("aperture: 10", "aperture: 10000", "the f-number is 0.005, and no lens has one below 0.5")]
+    public void Read_AnotherUnit_IsRefusedByTheUnitsName(string right, string wrong, string expected)
+    {
+        BadInputException error = Assert.Throws<BadInputException>(
+            () => Parse(Text([.. Right.Select(line => line == right ? wrong : line)])));
+        Assert.Contains(expected, error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Read_UnusualButPossible_IsTaken()
+    {
+        string[] others = [.. Right.Where(line => !line.StartsWith("band", StringComparison.Ordinal))];
+        Assert.Equal(100.0, Read([.. others, "band: [100, 14000]"]).Settings.Band.Shortest);
+        Assert.Equal(
+            Math.PI / 4.0 * 0.1 * 0.1,
+            Read(["f-number: 0.5", .. others[1..], "band: [500, 600]"]).Settings.ApertureArea, 15);
+    }
+
     [Theory]
     [InlineData("shutter: global", "line-time: 1e-5", "'line-time' has no meaning with a global shutter")]
     [InlineData("shutter: rolling", "line-time: 0", "'line-time' is 0; a number above 0")]
